@@ -1,4 +1,4 @@
-//! The dialogs on top of the panes: help, palette, preset picker, list of edits, saving, exporting.
+//! The dialogs on top of the panes: help, palette, preset picker, saving, exporting.
 
 pub(crate) mod ask;
 pub(crate) mod export;
@@ -40,7 +40,7 @@ impl Dialog {
 /// The dialog on top if it is the one that asked: meanwhile another one may have been opened.
 pub(crate) fn asking(app: &mut App, is_it: impl FnOnce(&Ask, &Path) -> bool) -> Option<&mut Ask> {
     match &mut app.dialog {
-        Some(Dialog::Ask(ask)) => Some(&mut **ask).filter(|ask| is_it(ask, &app.directory)),
+        Some(Dialog::Ask(ask)) => Some(&mut **ask).filter(|ask| is_it(ask, &app.files.directory)),
         Some(Dialog::List(..)) | None => None,
     }
 }
@@ -71,7 +71,6 @@ pub enum List {
     /// Every action by name.
     Palette,
     Presets,
-    History,
     /// The words the selected variable can be.
     Words,
     Options,
@@ -193,7 +192,6 @@ pub(crate) fn render(app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
                 List::Help => help::help,
                 List::Palette => help::palette,
                 List::Presets => presets::render,
-                List::History => list::history,
                 List::Options => options::render,
                 List::Words => list::words,
             };

@@ -124,10 +124,8 @@ pub enum Action {
     ShowHide,
     Sort,
     ResetAll,
-    History,
     Models,
     Switch(OptionRow),
-    FitVertical,
     Contour,
 }
 
@@ -355,7 +353,6 @@ static GENERAL: &[Command] = &[
     named(A::Run, "Run again", "recompute calculate compute"),
     named(A::Undo, "Undo", "take back"),
     named(A::Redo, "Redo", "again"),
-    named(A::History, "List of edits", "history undo"),
     named(A::Mark, "Pin this run", "compare keep mark"),
     named(A::ResetAll, "Set all variables as in the preset", "reset all start again default"),
     named(A::FullPane, "Show this pane alone", "full zoom maximise"),

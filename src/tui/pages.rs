@@ -26,7 +26,7 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
     pub(crate) use crate::tui::message::PageTable;
     pub(crate) use crate::tui::prelude::*;
-    pub(crate) use crate::tui::update::zoom::{Across, MapPart, Span};
+    pub(crate) use crate::tui::update::zoom::{Across, Span};
     pub(crate) use crate::tui::update::{edit, jobs};
     pub(crate) use crate::tui::widgets::RowList;
     pub(crate) use crate::tui::widgets::text::{TextLine, columns};
@@ -40,7 +40,7 @@ use crate::tui::keymap::{Bound, Command, Keymap, PaneSpec};
 use crate::tui::message::PageTable;
 use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
-use crate::tui::update::zoom::{Across, MapPart, Span};
+use crate::tui::update::zoom::Across;
 use crate::tui::widgets::form::Form;
 use crate::worker::ReportBody;
 use crate::worker::study::Study;
@@ -251,16 +251,6 @@ pub(crate) trait Page: Sync {
         None
     }
 
-    /// The axes across and up of the map in the pane, where a part of it can be computed.
-    fn map_axes(&self, _app: &App) -> Option<[Span; 2]> {
-        None
-    }
-
-    /// Compute another part of the map in the pane.
-    fn show_part(&self, _app: &mut App, _part: MapPart) -> Result<(), String> {
-        Ok(())
-    }
-
     /// Put the crosshair of a chart of the pane on a value of its axis across.
     fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}
 
@@ -308,7 +298,7 @@ macro_rules! pages {
 }
 
 pages! {
-    Run, run::RunTab, "tab-run", "1", "One impact: variables, charts, runs.";
+    Run, run::RunTab, "tab-run", "1", "One impact: variables, charts, runs.", run: run::RunPage;
     Explore, explore::ExploreTab, "tab-explore", "2", "Curves or a map of a quantity over one variable or two.", explore: explore::state::Sweeping;
     Limit, limit::LimitTab, "tab-limit", "3", "The ballistic limit, and the comparison at equal areal mass.", limit: limit::state::Ballistic;
     Search, search::SearchTab, "tab-search", "4", "Goal seek, Pareto front, sensitivity, Monte Carlo.", search: search::state::Searching;

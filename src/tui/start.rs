@@ -65,7 +65,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         }
         (None, None) => App::new(baseline(), theme, directory),
     };
-    app.recent = recent;
+    app.files.recent = recent;
     if let Some(path) = opened {
         app.note_recent(&path);
     }
@@ -104,14 +104,14 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     if let (None, Some(word)) = (glyphs, &config.characters) {
         match GlyphSet::named(word) {
             Ok(choice) => {
-                app.theme.glyphs = choice.unwrap_or_else(|| GlyphSet::detect(environment));
+                app.settings.theme.glyphs = choice.unwrap_or_else(|| GlyphSet::detect(environment));
             }
             Err(error) => app.say(Severity::Warning, format!("{}: {error}", path.display())),
         }
     }
     if let Some(word) = &config.colours {
         match ColourDepth::named(word) {
-            Some(depth) => app.theme.depth = depth,
+            Some(depth) => app.settings.theme.depth = depth,
             None => app.say(
                 Severity::Warning,
                 format!("{}: colours = \"{word}\": use none, sixteen, 256 or full", path.display()),
@@ -155,16 +155,16 @@ pub(super) fn session(app: &App) -> Session {
     let mut view = BTreeMap::new();
     let mut keep = |key: &str, word: &str| view.insert(key.to_owned(), word.to_owned());
     // Only what a person chose: the next terminal may be able to show more, or less.
-    if app.theme.glyphs != detected.glyphs {
-        keep(GLYPHS, app.theme.glyphs.word());
+    if app.settings.theme.glyphs != detected.glyphs {
+        keep(GLYPHS, app.settings.theme.glyphs.word());
     }
-    if app.theme.depth != detected.depth {
-        keep(COLOURS, app.theme.depth.word());
+    if app.settings.theme.depth != detected.depth {
+        keep(COLOURS, app.settings.theme.depth.word());
     }
-    if !app.auto_run {
+    if !app.settings.auto_run {
         keep(AUTO_RUN, "off");
     }
-    if let Some(count) = app.threads {
+    if let Some(count) = app.settings.threads {
         keep(THREADS, &count.to_string());
     }
     Session {
@@ -173,7 +173,7 @@ pub(super) fn session(app: &App) -> Session {
         pins: app.pins.iter().map(|pin| (pin.letter.to_string(), (*pin.scene).clone())).collect(),
         view,
         setup: app.setups(),
-        recent: app.recent.clone(),
+        recent: app.files.recent.clone(),
     }
 }
 
@@ -182,7 +182,7 @@ pub(super) fn session(app: &App) -> Session {
 fn kept_name(app: &App) -> String {
     let name = &app.base.name;
     if !app.base.is_mine && preset::is_path(name) {
-        app.directory.join(name).to_str().unwrap_or(name).to_owned()
+        app.files.directory.join(name).to_str().unwrap_or(name).to_owned()
     } else {
         name.clone()
     }
@@ -244,13 +244,13 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     if glyphs.is_none()
         && let Some(Ok(Some(set))) = word(GLYPHS).map(GlyphSet::named)
     {
-        app.theme.glyphs = set;
+        app.settings.theme.glyphs = set;
     }
     if let Some(depth) = word(COLOURS).and_then(ColourDepth::named) {
-        app.theme.depth = depth;
+        app.settings.theme.depth = depth;
     }
-    app.auto_run = word(AUTO_RUN) != Some("off");
-    app.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
+    app.settings.auto_run = word(AUTO_RUN) != Some("off");
+    app.settings.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
     app.restore_setups(&last.setup);
     app.tell(greeting(app));
 }
@@ -368,10 +368,10 @@ mod tests {
             visible: true,
             job: None,
         });
-        app.auto_run = false;
-        app.threads = Some(1);
-        app.theme.glyphs = app.theme.glyphs.next();
-        app.recent = vec![PathBuf::from("a.toml")];
+        app.settings.auto_run = false;
+        app.settings.threads = Some(1);
+        app.settings.theme.glyphs = app.settings.theme.glyphs.next();
+        app.files.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);
         press(
             &mut app,
@@ -388,24 +388,24 @@ mod tests {
         let mut again = state();
         restore(&mut again, kept.clone(), None);
         assert_eq!(again.scene, app.scene);
-        assert_eq!((again.theme, again.threads), (app.theme, Some(1)));
+        assert_eq!((again.settings.theme, again.settings.threads), (app.settings.theme, Some(1)));
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
         assert_eq!(again.pages.explore.plan, app.pages.explore.plan);
         assert!(again.history.edits.is_empty() && again.effects.is_empty());
-        again.recent.clone_from(&app.recent);
+        again.files.recent.clone_from(&app.files.recent);
         assert_eq!(session(&again), kept);
         let text = again.notice.expect("it says so").text;
         assert!(text.contains("modified, 1 pinned run"), "{text}");
         // What the command line requests goes before what the session has.
         let mut fixed = state();
         restore(&mut fixed, kept, Some(GlyphSet::Ascii));
-        assert_eq!(fixed.theme.glyphs, state().theme.glyphs);
+        assert_eq!(fixed.settings.theme.glyphs, state().settings.theme.glyphs);
     }
 
     #[test]
     fn files_are_kept_by_their_whole_paths() {
         let mut app = state();
-        app.directory = PathBuf::from("/somewhere");
+        app.files.directory = PathBuf::from("/somewhere");
         let named = |app: &App| session(app).preset.unwrap();
         assert_eq!(named(&app), "thesis-baseline");
         for (name, kept) in [
@@ -418,7 +418,7 @@ mod tests {
         }
         app.note_recent(Path::new("a.toml"));
         app.note_recent(Path::new("/somewhere/a.toml"));
-        assert_eq!(app.recent, [PathBuf::from("/somewhere/a.toml")]);
+        assert_eq!(app.files.recent, [PathBuf::from("/somewhere/a.toml")]);
     }
 
     #[test]
@@ -445,14 +445,14 @@ mod tests {
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
         let (state, _) = app(options(), Some(&paths));
         assert!(state.notice.is_none());
-        assert_eq!(state.recent, last.recent);
+        assert_eq!(state.files.recent, last.recent);
         assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
         let (state, _) = app(options(), Some(&paths));
         assert_eq!(state.pins.len(), 0);
-        let text = state.log.last().unwrap().text.clone();
+        let text = state.pages.log.messages.last().unwrap().text.clone();
         assert!(text.contains("1 pinned run") && text.contains("as recent"), "{text}");
         let kept = recent::list(&paths.recent_folder());
         assert_eq!(preset::resolve(kept[0].to_str().unwrap(), None).unwrap().scene, last.scene);

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::files::preset;
-use crate::tui::app::Base;
+use crate::tui::app::{Base, Typing};
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Notice;
 use crate::tui::dialogs::{Ask, answered, ask, asking, list};
@@ -70,7 +70,10 @@ fn keys(app: &mut App, key: KeyEvent) {
 fn open_text(app: &mut App) -> Option<&mut TextField> {
     match &mut app.dialog {
         Some(dialog) => dialog.field_mut(),
-        None => app.field.as_mut().map(|field| &mut field.text).or(app.find.as_mut()),
+        None => app.typing.as_mut().map(|typing| match typing {
+            Typing::Field(field) => &mut field.text,
+            Typing::Find(text) => text,
+        }),
     }
 }
 
@@ -90,10 +93,10 @@ fn press(app: &mut App, key: KeyEvent) {
     if app.dialog.is_some() {
         return list::press(app, key);
     }
-    if app.find.is_some() {
+    if app.find().is_some() {
         return in_find(app, key);
     }
-    if app.field.is_some() {
+    if app.field().is_some() {
         return in_field(app, key);
     }
     if let Some(action) = action.filter(|action| pages::spec(app.pane()).knows(*action)) {
@@ -134,10 +137,8 @@ fn everywhere(app: &mut App, action: Option<Action>) -> bool {
 
 /// Close the dialog or field on top; whether there was one.
 fn close_top(app: &mut App) -> bool {
-    let open = app.dialog.take().is_some();
-    let field = app.field.take().is_some();
-    let find = app.find.take().is_some();
-    open || field || find
+    let (dialog, typing) = (app.dialog.take(), app.typing.take());
+    dialog.is_some() || typing.is_some()
 }
 
 impl App {
@@ -182,13 +183,13 @@ impl App {
 /// Open the field of a row, its old text selected.
 pub(crate) fn open_field(app: &mut App, row: usize) {
     let text = pages::of(app.tab).text(app, row);
-    app.field = Some(Field::new(row, text));
+    app.typing = Some(Typing::Field(Field::new(row, text)));
 }
 
 pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
     let then = match key.code {
         KeyCode::Esc => {
-            app.field = None;
+            app.typing = None;
             return;
         }
         KeyCode::Enter => None,
@@ -197,21 +198,22 @@ pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
         KeyCode::Tab => Some(Action::FocusNext),
         KeyCode::BackTab => Some(Action::FocusPrevious),
         _ => {
-            if let Some(field) = &mut app.field {
-                field.text.press(key);
+            if let Some(text) = open_text(app) {
+                text.press(key);
             }
             return;
         }
     };
     commit(app);
-    if let Some(action) = then.filter(|_| app.field.is_none()) {
+    if let Some(action) = then.filter(|_| app.field().is_none()) {
         act::act(app, action);
     }
 }
 
 /// Take the text; one that is refused stays, with the reason, and nothing else changes.
 fn commit(app: &mut App) {
-    let Some(mut field) = app.field.take() else { return };
+    let Some(mut field) = app.field().cloned() else { return };
+    app.typing = None;
     let page = pages::of(app.tab);
     let text = field.text.value().trim().to_owned();
     if field.text.all_selected || !page.is_new(app, field.row, &text) {
@@ -219,7 +221,7 @@ fn commit(app: &mut App) {
     }
     if let Err(error) = page.change(app, field.row, Input::Text(&text)) {
         field.text.error = Some(error);
-        app.field = Some(field);
+        app.typing = Some(Typing::Field(field));
     }
 }
 
@@ -232,21 +234,21 @@ pub(crate) fn open_find(app: &mut App) {
         return app.tell("nothing to find in this pane: <find> works in lists, tables and forms");
     };
     // A new text replaces the old one.
-    app.find = Some(TextField::selected(text));
+    app.typing = Some(Typing::Find(TextField::selected(text)));
 }
 
 /// A key while it is open: the list follows every character.
 pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
     match key.code {
         KeyCode::Esc => {
-            app.find = None;
+            app.typing = None;
             clear(app);
         }
-        KeyCode::Enter | KeyCode::Tab => app.find = None,
+        KeyCode::Enter | KeyCode::Tab => app.typing = None,
         KeyCode::Up => act::move_by(app, -1),
         KeyCode::Down => act::move_by(app, 1),
         _ => {
-            if app.find.as_mut().is_some_and(|field| field.press(key)) {
+            if open_text(app).is_some_and(|field| field.press(key)) {
                 follow(app);
             }
         }
@@ -255,7 +257,7 @@ pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
 
 /// Show what matches the text in the field.
 pub(crate) fn follow(app: &mut App) {
-    let Some(field) = &app.find else { return };
+    let Some(field) = app.find() else { return };
     let text = field.value().trim().to_owned();
     let page = pages::of(app.tab);
     if let Some(filter) = page.filter(app) {
@@ -363,7 +365,7 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
 
 /// Whether a text is being typed: no click may take it away.
 fn is_typing(app: &App) -> bool {
-    app.field.is_some() || app.find.is_some()
+    app.typing.is_some()
 }
 
 /// An effect has been carried out, or has failed.
@@ -371,7 +373,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
     match report {
         EffectReport::Saved(name, outcome) => saved(app, name, outcome),
         EffectReport::Exported(path, outcome) => exported(app, &path, outcome),
-        EffectReport::Presets(list) => app.presets = list,
+        EffectReport::Presets(list) => app.files.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
             let base = Base { name, is_mine: false, scene: Arc::new(*scene) };
@@ -395,7 +397,7 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
             app.say(Severity::Warning, text);
         }
     }
-    app.session_lost = kept.is_err();
+    app.files.session_lost = kept.is_err();
 }
 
 fn saved(app: &mut App, name: String, outcome: Result<PathBuf, String>) {

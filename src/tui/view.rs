@@ -18,11 +18,11 @@ use crate::tui::widgets::text::{self, columns, text_role};
 /// is; on the selected row it is hidden, and a screen reader follows it.
 pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
     let area = buffer.area;
-    let mut canvas = Canvas::new(buffer, app.theme);
+    let mut canvas = Canvas::new(buffer, app.settings.theme);
     draw(app, area, &mut canvas);
     let field = canvas.cursor.map(|at| (at, true));
     let cursor = field.or_else(|| canvas.selected.map(|at| (at, false)));
-    if app.theme.glyphs == GlyphSet::Ascii {
+    if app.settings.theme.glyphs == GlyphSet::Ascii {
         ascii_pass(buffer);
     }
     cursor
@@ -32,7 +32,7 @@ pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
 pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     let screen = Rect::new(0, 0, app.size.0, app.size.1);
     let mut buffer = Buffer::empty(screen);
-    let mut canvas = Canvas::pointed(&mut buffer, app.theme, at);
+    let mut canvas = Canvas::pointed(&mut buffer, app.settings.theme, at);
     draw(app, screen, &mut canvas);
     canvas.target()
 }
@@ -53,7 +53,7 @@ pub fn pictures(app: &App) -> Vec<String> {
 /// What the drawing of the page says beside its cells: the columns of its plot, and its pictures where they are collected.
 fn drawn_page(app: &App, pictures: Option<Vec<String>>) -> (Option<u16>, Option<Vec<String>>) {
     let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
-    let mut canvas = Canvas::new(&mut buffer, app.theme);
+    let mut canvas = Canvas::new(&mut buffer, app.settings.theme);
     canvas.pictures = pictures;
     if let Some(body) = app.layout().body {
         pages::of(app.tab).draw(app, body, &mut canvas);
@@ -95,14 +95,14 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     for (row, line) in (top..area.height).zip(lines) {
         let width = text::columns(line).min(area.width);
         let x = (area.width - width) / 2;
-        canvas.set_stringn(x, row, line, usize::from(area.width), app.theme.style(Role::Text));
+        canvas.set_stringn(x, row, line, usize::from(area.width), app.settings.theme.style(Role::Text));
     }
 }
 
 type Keys = &'static [(&'static str, &'static str)];
 
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    if let Some(field) = app.find.as_ref().filter(|_| app.dialog.is_none()) {
+    if let Some(field) = app.find().filter(|_| app.dialog.is_none()) {
         return find(app, field, area, canvas);
     }
     let entries = match special(app) {
@@ -119,7 +119,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             break;
         }
         used += width;
-        spans.push(Span::styled(key, app.theme.style(Role::Key)));
+        spans.push(Span::styled(key, app.settings.theme.style(Role::Key)));
         spans.push(Span::raw(format!(" {what}  ")));
     }
     canvas.put_line(area, 0, &Line::from(spans));
@@ -151,7 +151,7 @@ fn special(app: &App) -> Option<Keys> {
         return Some(in_dialog(dialog));
     }
     let takes_unit = pages::of(app.tab).takes_unit(app);
-    app.field.is_some().then_some(if takes_unit { QUANTITY } else { WORD })
+    app.field().is_some().then_some(if takes_unit { QUANTITY } else { WORD })
 }
 
 fn in_dialog(dialog: &Dialog) -> Keys {
@@ -191,7 +191,6 @@ fn in_list(list: List, typing: bool) -> Keys {
             ("Up/Down", "move"),
             ("Esc", "close"),
         ],
-        (List::History, _) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
         (List::Words, _) => &[("Enter", "take it"), ("j/k", "move"), ("q", "close")],
         (List::Options, _) => &[("j/k", "move"), ("h/l", "change"), ("Esc", "close")],
     }
@@ -278,12 +277,12 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         (true, false) => " *",
         (true, true) => " (modified)",
     };
-    let auto = match (app.auto_run, wide) {
+    let auto = match (app.settings.auto_run, wide) {
         (true, false) => "",
         (true, true) => "  auto-run on",
         (false, _) => "  auto-run off",
     };
-    let mouse = if app.mouse { "  mouse on" } else { "" };
+    let mouse = if app.settings.mouse { "  mouse on" } else { "" };
     let preset = if wide { "preset " } else { "" };
     // What is on or off is shown in whole words, or not at all; the name has the rest of the room.
     let states = [mouse, ""].map(|mouse| format!("{changed}{auto}{mouse}"));
@@ -362,9 +361,9 @@ pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let parts = fitted(app.status(), usize::from(area.width.saturating_sub(2)));
     for (index, (severity, text)) in parts.into_iter().enumerate() {
         if index > 0 {
-            spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
+            spans.push(Span::styled(" | ", app.settings.theme.style(Role::Border)));
         }
-        spans.push(Span::styled(text, app.theme.style(text_role(severity))));
+        spans.push(Span::styled(text, app.settings.theme.style(text_role(severity))));
     }
     canvas.put_line(area, 0, &Line::from(spans));
 }

@@ -228,7 +228,7 @@ pub fn json(name: &str, report: &Report) -> Value {
 }
 
 /// The axes of impact and residual velocity for a scene's own velocity; `None` where nothing goes through.
-pub fn axes(report: &Report, own_m_s: f64) -> Option<(Axis<'static>, Axis<'static>)> {
+fn axes(report: &Report, own_m_s: f64) -> Option<(Axis<'static>, Axis<'static>)> {
     let limit = report.limit.velocity_m_s();
     let impacts = report.shots.iter().map(|shot| shot.impact_m_s);
     let own = limit.filter(|limit| own_m_s < OWN_IN_VIEW * limit).map(|_| own_m_s);
@@ -255,10 +255,9 @@ fn law(view: ViewRange, law: ResidualLaw) -> Vec<(f64, f64)> {
     std::iter::once(law.limit_m_s).chain(beyond).map(|v| (v, law.residual_m_s(v))).collect()
 }
 
-/// The chart of the impact velocities in view, or of all, with a mark at a scene's own; `None` where nothing goes through.
-pub fn residual(report: &Report, own_m_s: f64, view: Option<ViewRange>) -> Option<Chart<'static>> {
+/// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.
+pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
     let (x, y) = axes(report, own_m_s)?;
-    let x = Axis { view: view.unwrap_or(x.view), ..x };
     let law = |law: Option<ResidualLaw>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
     let stopped = |shot: &Shot| shot.residual_m_s.is_none().then_some(0.0);
     let curves = [

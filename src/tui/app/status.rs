@@ -84,7 +84,7 @@ impl App {
 
     /// Why an open field refuses its text, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
-        if let Some(error) = self.field.as_ref().and_then(|field| field.text.error.clone()) {
+        if let Some(error) = self.field().and_then(|field| field.text.error.clone()) {
             return Some((Severity::Error, self.keymap.shown(&error)));
         }
         if let Some(notice) = &self.notice {
@@ -111,14 +111,14 @@ impl App {
 
     /// What the selected variable means, with its source where there is room.
     pub(crate) fn variable_words(&self, room: usize) -> String {
-        let variable = self.editor.variable();
+        let variable = self.pages.run.editor.variable();
         let idle = !crate::model::variables::is_used(variable, &self.scene);
         let note = if idle { " (no effect here)" } else { "" };
         let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
         if let Some(points) = editor::measured(self) {
             return clip(&format!("{text}; {points}: <enter>"), room);
         }
-        let unit = self.editor.unit(self.editor.selected);
+        let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);
         let range = variable.number().and_then(|number| {
             let (low, high) = number.thesis_range?;
             let show = |value| in_unit(value, unit, number.quantity).map(|it| significant(it, 6));
@@ -142,11 +142,11 @@ impl App {
 
     /// Everything at the crosshair: the current run in full, the others in the selected chart's quantity.
     pub fn readout(&self) -> String {
-        let Some(cursor) = self.charts.cursor_s else {
+        let Some(cursor) = self.pages.run.charts.cursor_s else {
             return String::new();
         };
         let mut parts = vec![format!("t {}", engineering(cursor, "s"))];
-        let selected = self.charts.quantities[self.charts.selected];
+        let selected = self.pages.run.charts.quantities[self.pages.run.charts.selected];
         let full = [
             Channel::Penetration,
             Channel::ContactForce,

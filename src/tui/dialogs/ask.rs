@@ -107,12 +107,12 @@ pub(crate) fn copy(app: &mut App) {
 fn proposed_name(app: &App) -> String {
     let name = &app.base.name;
     // Scenes that the program kept by itself are files, too, but nobody opened them by their path.
-    let is_file = preset::is_path(name) && app.recent.contains(&app.directory.join(name));
+    let is_file = preset::is_path(name) && app.files.recent.contains(&app.files.directory.join(name));
     if app.base.is_mine || is_file {
         return name.clone();
     }
     let taken =
-        |name: &str| app.presets.iter().any(|entry| entry.part.is_none() && entry.name == name);
+        |name: &str| app.files.presets.iter().any(|entry| entry.part.is_none() && entry.name == name);
     let stem = base_stem(app);
     (2..100)
         .map(|number| format!("{stem}-{number}"))
@@ -240,7 +240,7 @@ fn path_of(app: &App, text: &str, example: &str) -> Result<PathBuf, String> {
     if text.is_empty() || text.ends_with('/') {
         return Err(format!("the path needs a file name, for example `{example}`"));
     }
-    Ok(app.directory.join(text))
+    Ok(app.files.directory.join(text))
 }
 
 /// Save the scene under the name or path; a file or one of the person's own presets is replaced only when asked.
@@ -258,7 +258,7 @@ fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTas
         }
         return Ok(Some(FileTask::SaveScene { name, path: Some(path), scene, overwrite }));
     }
-    let same = app.presets.iter().filter(|entry| entry.part.is_none() && entry.name == name);
+    let same = app.files.presets.iter().filter(|entry| entry.part.is_none() && entry.name == name);
     let origins: Vec<&str> = same.map(|entry| entry.origin).collect();
     if origins.contains(&"bundled") {
         return Err(format!(
@@ -323,8 +323,8 @@ pub(super) fn question(app: &App, state: &Ask) -> String {
         Purpose::Preset if !preset::is_path(text) => {
             (format!("your preset `{text}`"), " (its comments stay)")
         }
-        Purpose::Preset => (app.directory.join(text).display().to_string(), " (its comments stay)"),
-        _ => (app.directory.join(text).display().to_string(), ""),
+        Purpose::Preset => (app.files.directory.join(text).display().to_string(), " (its comments stay)"),
+        _ => (app.files.directory.join(text).display().to_string(), ""),
     };
     format!("! {there} exists: o overwrite{note}, r rename, Esc back")
 }
@@ -332,13 +332,13 @@ pub(super) fn question(app: &App, state: &Ask) -> String {
 fn hint(app: &App, state: &Ask) -> String {
     match state.purpose {
         Purpose::Preset if preset::is_path(state.text.value()) => {
-            format!("to {}", app.directory.join(state.text.value().trim()).display())
+            format!("to {}", app.files.directory.join(state.text.value().trim()).display())
         }
         Purpose::Preset => {
             "kept with your own presets; a path (./my.toml) writes a file".to_owned()
         }
         Purpose::Runs | Purpose::Table(_) => {
-            let path = app.directory.join(state.text.value().trim());
+            let path = app.files.directory.join(state.text.value().trim());
             let other = instead_of_table(&path).unwrap_or(
                 "a name that ends in .svg writes the charts on the screen, .html the report of the scene",
             );
@@ -354,7 +354,7 @@ fn hint(app: &App, state: &Ask) -> String {
 
 /// After a word was taken: a spring that is a table now requests its file.
 pub(crate) fn ask(app: &mut App, word: &str) {
-    let is_kind = app.editor.variable().key == "mechanism.spring.kind";
+    let is_kind = app.pages.run.editor.variable().key == "mechanism.spring.kind";
     if is_kind && word == SpringKind::Table.word() {
         open(app, Purpose::Curve, TextField::default(), Choices::default());
     }

@@ -291,7 +291,7 @@ fn one(state: &Ask, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
 /// The absolute path, then the question, error or completions, else the first lines.
 fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
     let width = usize::from(area.width);
-    let text = format!("to {}", app.directory.join(state.text.value().trim()).display());
+    let text = format!("to {}", app.files.directory.join(state.text.value().trim()).display());
     canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
     let other = ask::instead_of_table(Path::new(state.text.value().trim()));
     let of_tables = other.map(|what| format!("{what}; choices are for tables"));

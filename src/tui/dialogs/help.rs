@@ -86,7 +86,7 @@ fn about(app: &App, width: u16) -> Vec<TextLine> {
 
 /// Meaning, allowed values, range and source of the selected variable.
 fn variable(app: &App, width: u16) -> Vec<TextLine> {
-    let variable = app.editor.variable();
+    let variable = app.pages.run.editor.variable();
     let mut lines = vec![(format!("{}  {}", variable.symbol, variable.key), Role::Title)];
     let mut text = |text: String| {
         let indented = wrapped(&text, width.saturating_sub(2), Role::Text);

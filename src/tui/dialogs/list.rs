@@ -1,9 +1,8 @@
-//! Keys in the dialogs that are lists: help, palette, presets, edits, words, options.
+//! Keys in the dialogs that are lists: help, palette, presets, words, options.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::model::variables::{self, Value};
-use crate::tui::app::status::clip;
 use crate::tui::dialogs::options::{self, OptionRow};
 use crate::tui::dialogs::{self, Dialog, List, Picker, ask, frame, palette, presets};
 use crate::tui::prelude::*;
@@ -46,9 +45,8 @@ fn count(app: &App, list: List, typed: &str) -> usize {
     match list {
         List::Help => dialogs::help_rows(app, typed).len(),
         List::Palette => app.palette(typed).len(),
-        List::Presets => dialogs::preset_rows(&app.presets, typed).len(),
-        List::History => app.history.edits.len() + 1,
-        List::Words => app.editor.variable().words().len(),
+        List::Presets => dialogs::preset_rows(&app.files.presets, typed).len(),
+        List::Words => app.pages.run.editor.variable().words().len(),
         List::Options => OptionRow::ALL.len(),
     }
 }
@@ -130,7 +128,6 @@ fn chosen(app: &mut App, list: List, picker: &Picker) {
         }
         List::Palette => palette::chosen(app, picker),
         List::Presets => presets::chosen(app, picker),
-        List::History => edit::travel(app, picker.selected),
         List::Words => take_word(app, picker),
         List::Options => {}
     }
@@ -138,10 +135,10 @@ fn chosen(app: &mut App, list: List, picker: &Picker) {
 
 /// Set the selected variable to a word; one that is refused leaves the list open, with the reason.
 fn take_word(app: &mut App, picker: &Picker) {
-    let Some(word) = app.editor.variable().words().get(picker.selected) else {
+    let Some(word) = app.pages.run.editor.variable().words().get(picker.selected) else {
         return;
     };
-    match edit::set(app, app.editor.selected, Value::Word(word), None) {
+    match edit::set(app, app.pages.run.editor.selected, Value::Word(word), None) {
         Ok(()) => ask::ask(app, word),
         Err(error) => {
             app.refuse(error);
@@ -170,30 +167,12 @@ fn common_start(names: &[String]) -> Option<String> {
     Some(common)
 }
 
-pub(crate) fn history(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let edits = &app.history.edits;
-    let height = u16::try_from(edits.len() + 3).unwrap_or(u16::MAX);
-    let pane = PaneFrame::new("Edits of this session").right("Enter goes there");
-    let inner = frame(screen, (70, height.max(6)), pane, canvas);
-    let list = RowList { count: edits.len() + 1, selected: picker.selected, painted: true };
-    list.in_dialog(canvas, inner, |canvas, row, index| {
-        let label = index.checked_sub(1).map_or("the start", |at| &edits[at].label);
-        let (mark, role, undone) = match index.cmp(&app.history.done) {
-            std::cmp::Ordering::Less => (' ', Role::Text, ""),
-            std::cmp::Ordering::Equal => ('>', Role::Title, ""),
-            std::cmp::Ordering::Greater => (' ', Role::Dim, "  (undone)"),
-        };
-        let line = format!("{mark} {index:>3}  {label}{undone}");
-        canvas.put(row, (0, 0), &clip(&line, usize::from(row.width)), role);
-    });
-}
-
 const WIDTH: u16 = 58;
 /// Rows for the meaning below the words.
 const NOTE_ROWS: u16 = 3;
 
 pub(crate) fn words(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let variable = app.editor.variable();
+    let variable = app.pages.run.editor.variable();
     let words = variable.words();
     let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
     let size = (WIDTH, count.saturating_add(NOTE_ROWS + 3));
@@ -223,6 +202,6 @@ pub(crate) fn words(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canva
 /// Why the scene makes no sense with this word; `None` where it does.
 fn refusal(app: &App, word: &'static str) -> Option<String> {
     let mut scene = (*app.scene).clone();
-    let set = app.editor.variable().set(&mut scene, Value::Word(word));
+    let set = app.pages.run.editor.variable().set(&mut scene, Value::Word(word));
     set.and_then(|()| variables::validate(&scene)).err().map(|error| error.to_string())
 }

@@ -43,12 +43,12 @@ impl OptionRow {
             variables::find(key).map_or_else(|_| String::new(), |found| found.show(&app.scene))
         };
         match self {
-            Self::Characters => app.theme.glyphs.to_string(),
-            Self::Colours => app.theme.depth.word().to_owned(),
-            Self::Mouse => on(app.mouse),
-            Self::AutoRun => on(app.auto_run),
+            Self::Characters => app.settings.theme.glyphs.to_string(),
+            Self::Colours => app.settings.theme.depth.word().to_owned(),
+            Self::Mouse => on(app.settings.mouse),
+            Self::AutoRun => on(app.settings.auto_run),
             Self::Threads => {
-                app.threads.map_or_else(|| "one per core".to_owned(), |count| count.to_string())
+                app.settings.threads.map_or_else(|| "one per core".to_owned(), |count| count.to_string())
             }
             Self::Interface => of("interface.law"),
             Self::Contact => of("contact.model"),
@@ -63,24 +63,24 @@ pub(crate) fn switch(app: &mut App, row: OptionRow) {
 
 pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
     match row {
-        OptionRow::Characters => app.theme.glyphs = app.theme.glyphs.next(),
-        OptionRow::Colours => app.theme.depth = app.theme.depth.next(app.best_depth),
+        OptionRow::Characters => app.settings.theme.glyphs = app.settings.theme.glyphs.next(),
+        OptionRow::Colours => app.settings.theme.depth = app.settings.theme.depth.next(app.settings.best_depth),
         OptionRow::Mouse => {
-            app.mouse = !app.mouse;
-            app.request(Effect::Mouse(app.mouse));
+            app.settings.mouse = !app.settings.mouse;
+            app.request(Effect::Mouse(app.settings.mouse));
         }
         OptionRow::AutoRun => {
-            app.auto_run = !app.auto_run;
-            if app.auto_run && app.is_stale() {
+            app.settings.auto_run = !app.settings.auto_run;
+            if app.settings.auto_run && app.is_stale() {
                 jobs::run_now(app);
             }
         }
         OptionRow::Threads => {
             // In a circle: one a core, then 1, 2, up to as many as there are cores.
             let most = cores();
-            let now = app.threads.map_or(0, |count| count.min(most));
+            let now = app.settings.threads.map_or(0, |count| count.min(most));
             let next = dialogs::wrap(now, if forward { 1 } else { -1 }, most + 1);
-            app.threads = (next > 0).then_some(next);
+            app.settings.threads = (next > 0).then_some(next);
         }
         OptionRow::Interface => next_word(app, "interface.law", forward),
         OptionRow::Contact => next_word(app, "contact.model", forward),

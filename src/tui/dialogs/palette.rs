@@ -84,7 +84,7 @@ impl App {
             .map(|(index, _)| Item::Variable(index));
         let curves = Curve::ALL.into_iter().map(Item::Curve);
         let quantities = QUANTITIES.iter().map(Item::Quantity);
-        let presets = self.presets.iter().map(Item::Preset);
+        let presets = self.files.presets.iter().map(Item::Preset);
         let all = commands.chain(variables).chain(quantities).chain(curves).chain(presets);
         ranked(all, |item| item.rank(typed))
     }
@@ -144,8 +144,8 @@ pub(crate) fn chosen(app: &mut App, picker: &Picker) {
         Some(Item::Command(command)) => call(app, command),
         Some(Item::Variable(index)) => {
             app.focus_on(run::VARIABLES);
-            app.editor.filter.clear();
-            app.editor.selected = index;
+            app.pages.run.editor.filter.clear();
+            app.pages.run.editor.selected = index;
             run::open(app);
         }
         Some(Item::Curve(curve)) => {

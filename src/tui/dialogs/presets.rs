@@ -24,7 +24,7 @@ pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canv
     let inner = frame(screen, (110, 40), pane, canvas);
     filter(picker, inner, canvas);
     let (_, body) = split_top(inner, 2);
-    let rows = preset_rows(&app.presets, picker.filter.value());
+    let rows = preset_rows(&app.files.presets, picker.filter.value());
     let (left, right) = split_left(body, NAMES);
     let (_, right) = split_left(right, 2);
     if rows.is_empty() {
@@ -186,8 +186,8 @@ fn ask_for_face(app: &mut App) {
     let by_ratio = scene.plate.size == PlateSize::Ratio && scene.plate.mount == Mount::Sprung;
     if by_ratio && is_chosen(&usual) && is_chosen(base) {
         app.focus_on(run::VARIABLES);
-        app.editor.filter.clear();
-        app.editor.selected = index_of("face");
+        app.pages.run.editor.filter.clear();
+        app.pages.run.editor.selected = index_of("face");
         run::open(app);
         app.tell(
             "how large is the plate? type the side of its face (150mm), or <back> keeps gamma",
@@ -197,7 +197,7 @@ fn ask_for_face(app: &mut App) {
 
 /// The preset that is chosen: moved to, or the first that matches what was typed.
 fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {
-    let rows = preset_rows(&app.presets, picker.filter.value());
+    let rows = preset_rows(&app.files.presets, picker.filter.value());
     rows.get(picker.selected).map(|entry| (*entry).clone())
 }
 

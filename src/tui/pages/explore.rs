@@ -98,7 +98,7 @@ impl Page for ExploreTab {
             Action::Enter => edit::load_design(app, app.sweep_design()),
             _ => match cursor_moved(action, FAR) {
                 Some(by) => move_cursor(app, by),
-                None => return false,
+                None => return setup::zoom_map(app, action),
             },
         }
         true
@@ -239,14 +239,6 @@ impl Page for ExploreTab {
         Some(Across::of(&mut app.pages.explore.zoomed, x.view, x.scale, Some(about)))
     }
 
-    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
-        (app.pane() == RESULTS).then(|| setup::map_axes(app))?
-    }
-
-    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
-        setup::show_part(app, part)
-    }
-
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         let panes = panes(app, body);
         if let Some(area) = panes.setup {
@@ -266,7 +258,7 @@ const LONG_S: u64 = 60;
 
 /// After an edit of the scene: a picture on the screen follows at once.
 pub(crate) fn after_edit(app: &mut App) {
-    if app.auto_run && app.tab == Tab::Explore {
+    if app.settings.auto_run && app.tab == Tab::Explore {
         ExploreTab.enter(app);
     }
 }

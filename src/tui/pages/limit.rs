@@ -26,11 +26,10 @@ pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 
 #[rustfmt::skip]
 pub(super) const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
         key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo` does"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
-        key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
         key(A::Find, "", "find a shot by velocity or outcome"),
     ] },
     PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
@@ -38,11 +37,10 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Enter, "load", "load the scene with this absorber (<undo> undoes)"),
         key(A::Find, "", "find a line"),
     ] },
-    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin the design under the cursor"),
-        key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
 ];
 
@@ -80,8 +78,6 @@ impl Page for LimitTab {
             }
             (RESIDUAL, A::Down | A::PageDown) => turn(app, 1),
             (RESIDUAL, A::Up | A::PageUp) => turn(app, -1),
-            (RESIDUAL, A::LogX) => app.pages.limit.log.0 = !app.pages.limit.log.0,
-            (RESIDUAL, A::LogY) => app.pages.limit.log.1 = !app.pages.limit.log.1,
             (RESIDUAL, A::Enter) => load_shot(app),
             (RESIDUAL, _) => match along(action, FAR) {
                 Some(by) => app.pages.limit.move_cursor(by.into()),
@@ -227,31 +223,6 @@ impl Page for LimitTab {
         app.pages.limit.map_cursor = Some(cell);
     }
 
-    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        if app.pane() != RESIDUAL {
-            return None;
-        }
-        let own_m_s = app.limit_shot_m_s();
-        let tab = &mut app.pages.limit;
-        let (x, _) = limit::axes(tab.report.found.as_ref()?, own_m_s)?;
-        let scale = if tab.log.0 { Scale::Log10 } else { x.scale };
-        let about = tab.shot().map(|shot| shot.impact_m_s);
-        Some(Across::of(&mut tab.zoomed, x.view, scale, about))
-    }
-
-    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
-        (app.pane() == EFFICIENCY_MAP).then(|| app.efficiency_axes())?
-    }
-
-    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
-        if app.comparison_is_old() {
-            return Err(old("scene"));
-        }
-        app.pages.limit.part = Some(part);
-        compare(app);
-        Ok(())
-    }
-
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         for spec in PANES {
             let Some(area) = area(app, body, spec.pane) else { continue };
@@ -330,11 +301,7 @@ fn move_on_map(app: &mut App, by: (isize, isize)) {
 fn compare(app: &mut App) {
     match app.compared_scene() {
         Ok(scene) => {
-            let tab = &mut app.pages.limit;
-            if tab.comparison.is_old(&scene) {
-                tab.part = None;
-            }
-            let study = EqualMass { absorber: tab.absorber.clone(), part: tab.part };
+            let study = EqualMass { absorber: app.pages.limit.absorber.clone() };
             jobs::study_of(app, Tab::Limit, &Arc::new(scene), study);
         }
         Err(why) => app.refuse(why),

@@ -27,6 +27,8 @@ pub(super) const COMMANDS: &[Command] = &[
 
 #[derive(Clone, Debug, Default)]
 pub struct Log {
+    /// All messages of this session, oldest first.
+    pub messages: Vec<Notice>,
     /// The first row shown.
     pub scroll: usize,
     /// The lines shown contain this.
@@ -108,7 +110,7 @@ impl App {
             let word = notice.severity.word();
             (format!("{word:<8} {}", notice.text), text_role(notice.severity))
         };
-        let mut messages: Vec<TextLine> = self.log.iter().rev().map(message).collect();
+        let mut messages: Vec<TextLine> = self.pages.log.messages.iter().rev().map(message).collect();
         let older = messages.split_off(NEWEST.min(messages.len()));
         let mut lines = Vec::new();
         section(&mut lines, "Messages of this session, newest first", messages);

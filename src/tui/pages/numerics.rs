@@ -30,11 +30,10 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Enter, "use", "run the scene by this method: auto at 1e-6, or as printed"),
         key(A::Right, "cursor", "move the cursor in run time"),
     ] },
-    PaneSpec { pane: STABILITY, label: "Stability", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
         key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
-        key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[Part::Table], keys: &[
         key(A::Down, "scene", "select another scene"),
@@ -133,10 +132,6 @@ impl Page for NumericsTab {
                     stability_table::map_table(name, &map).with_warnings(&warnings).csv()
                 };
                 let table = PageTable::new("Export the map to CSV", file, is_complete, csv);
-                if app.pages.numerics.stability.part.is_some() {
-                    let part = "# a part of the map, zoomed in the workbench\n";
-                    return Some(table.noted(app, &kept.scene, |_| part.to_owned()));
-                }
                 table.of(app, &kept.scene, &command)
             }
         })
@@ -177,14 +172,6 @@ impl Page for NumericsTab {
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.pages.numerics.stability.cursor = Some(cell);
-    }
-
-    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
-        (app.pane() == STABILITY).then(|| stability::map_axes(app))?
-    }
-
-    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
-        stability::show_part(app, part)
     }
 
     fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {

@@ -13,6 +13,7 @@ use crate::tui::pages;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::steps::{Input, Press, Size};
 use crate::tui::update;
+use crate::tui::widgets::table::Listing;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
@@ -62,11 +63,29 @@ pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
     Command::new(Call::In(CHARTS, A::Difference), "Differences to the first pinned run", "compare subtract"),
     Command::new(Call::In(CHARTS, A::EventNext), "Next event", "arrest cursor"),
-    Command::new(Call::In(CHARTS, A::FitVertical), "Fit the vertical axis to the view or to everything", "scale"),
     Command::new(Call::In(CHARTS, A::LogX), "Logarithmic or linear time axis", "log x"),
     Command::new(Call::In(CHARTS, A::LogY), "Logarithmic or linear value axis", "log y"),
     Command::new(Call::In(CHARTS, A::ZoomFit), "Show everything", "fit zoom"),
 ];
+
+#[derive(Clone, Debug)]
+pub struct RunPage {
+    pub editor: editor::Editor,
+    pub charts: charts::Charts,
+    /// How the table of runs is listed.
+    pub listing: Listing,
+    /// The row selected in it: 0 is the current run.
+    pub selected: usize,
+    /// The current run is drawn.
+    pub shows_current: bool,
+}
+
+impl Default for RunPage {
+    fn default() -> Self {
+        let (editor, charts, listing, selected) = Default::default();
+        Self { editor, charts, listing, selected, shows_current: true }
+    }
+}
 
 pub(crate) struct RunTab;
 
@@ -84,15 +103,15 @@ impl Page for RunTab {
             (_, CHARTS) | (Action::Difference, RUNS) | (Action::Window, VARIABLES) => {
                 return charts::act(app, action);
             }
-            (Action::Mark, RUNS) if app.selected_run > 0 => runs::unpin(app),
+            (Action::Mark, RUNS) if app.pages.run.selected > 0 => runs::unpin(app),
             (Action::Mark, _) => runs::pin_scene(app),
             (Action::Enter, RUNS) => runs::load(app),
             (Action::ShowHide, RUNS) => runs::show_or_hide(app),
             (Action::Sort, RUNS) => {
-                let sorting = app.runs.sorting.next(&app.compared_runs().keys());
-                app.runs.sorting = sorting;
+                let sorting = app.pages.run.listing.sorting.next(&app.compared_runs().keys());
+                app.pages.run.listing.sorting = sorting;
             }
-            (_, VARIABLES) if edits(action) && !app.editor.shows(&app.scene) => {
+            (_, VARIABLES) if edits(action) && !app.pages.run.editor.shows(&app.scene) => {
                 app.tell("no variable is selected: <back> shows all of them");
             }
             (Action::Enter, VARIABLES) => open(app),
@@ -108,10 +127,10 @@ impl Page for RunTab {
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         match app.pane() {
-            CHARTS if app.charts.cursor_s.is_some() => note(Some(app.readout())),
-            CHARTS => note(Some(charts::draw::event_words(app, app.charts.selected))),
+            CHARTS if app.pages.run.charts.cursor_s.is_some() => note(Some(app.readout())),
+            CHARTS => note(Some(charts::draw::event_words(app, app.pages.run.charts.selected))),
             RUNS => note(runs::difference(app)),
-            VARIABLES if app.editor.shows(&app.scene) => note(Some(app.variable_words(room))),
+            VARIABLES if app.pages.run.editor.shows(&app.scene) => note(Some(app.variable_words(room))),
             _ => None,
         }
     }
@@ -127,20 +146,20 @@ impl Page for RunTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             VARIABLES => {
-                let listed = app.editor.listed(&app.scene);
-                let selected = listed.iter().position(|index| *index == app.editor.selected);
+                let listed = app.pages.run.editor.listed(&app.scene);
+                let selected = listed.iter().position(|index| *index == app.pages.run.editor.selected);
                 let area = app.layout().body.and_then(|body| panes(app, body).variables);
                 let shown = area.map_or(10, |area| usize::from(area.height.saturating_sub(2)));
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
             RUNS => {
                 let order = app.run_order();
-                let selected = order.iter().position(|run| *run == app.selected_run).unwrap_or(0);
+                let selected = order.iter().position(|run| *run == app.pages.run.selected).unwrap_or(0);
                 Some(Rows { count: order.len(), selected, shown: 8 })
             }
             _ => Some(Rows {
-                count: app.charts.quantities.len(),
-                selected: app.charts.selected,
+                count: app.pages.run.charts.quantities.len(),
+                selected: app.pages.run.charts.selected,
                 shown: 3,
             }),
         }
@@ -149,21 +168,21 @@ impl Page for RunTab {
     fn select(&self, app: &mut App, row: usize) {
         match app.pane() {
             VARIABLES => {
-                if let Some(index) = app.editor.listed(&app.scene).get(row) {
-                    app.editor.selected = *index;
+                if let Some(index) = app.pages.run.editor.listed(&app.scene).get(row) {
+                    app.pages.run.editor.selected = *index;
                 }
             }
             RUNS => {
-                app.selected_run = app.run_order().get(row).copied().unwrap_or(app.selected_run);
+                app.pages.run.selected = app.run_order().get(row).copied().unwrap_or(app.pages.run.selected);
             }
-            _ => app.charts.selected = row,
+            _ => app.pages.run.charts.selected = row,
         }
     }
 
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
         match app.pane() {
-            VARIABLES => Some(&mut app.editor.filter),
-            RUNS => Some(&mut app.runs.filter),
+            VARIABLES => Some(&mut app.pages.run.editor.filter),
+            RUNS => Some(&mut app.pages.run.listing.filter),
             _ => None,
         }
     }
@@ -177,7 +196,7 @@ impl Page for RunTab {
     }
 
     fn change(&self, app: &mut App, _row: usize, input: Input<'_>) -> Result<(), String> {
-        edit::change(app, app.editor.selected, input)
+        edit::change(app, app.pages.run.editor.selected, input)
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
@@ -185,7 +204,7 @@ impl Page for RunTab {
     }
 
     fn go_to_value(&self, app: &mut App, chart: usize, value: f64) {
-        app.charts.selected = chart;
+        app.pages.run.charts.selected = chart;
         app.bring_into_view(value);
     }
 
@@ -227,7 +246,7 @@ pub(crate) fn step_of(action: Action) -> Option<Press> {
 
 /// Open the selected variable's field, or the list of its words; of two words, the other one is taken.
 pub(crate) fn open(app: &mut App) {
-    match &app.editor.variable().kind {
+    match &app.pages.run.editor.variable().kind {
         Kind::Choice(choice) if choice.words.len() >= WORDS_LISTED => {
             app.dialog = Some(List::Words.at((choice.get)(&app.scene)));
         }

@@ -53,7 +53,7 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Down, "move", "move to another row"),
         key(A::Find, "find", "find a row of the setup"),
     ] },
-    PaneSpec { pane: RESULTS, label: "Search results", has: &[Part::Chart, Part::Table], keys: &[
+    PaneSpec { pane: RESULTS, label: "Search results", has: &[Part::Table], keys: &[
         key(A::Down, "move", "move to the next design or solution"),
         key(A::Enter, "load", "load this design into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin this design"),
@@ -90,7 +90,7 @@ impl Page for SearchTab {
 
     fn turn_to(&self, app: &mut App, page: usize) {
         app.pages.search.page = state::Page::ALL[page.min(state::Page::ALL.len() - 1)];
-        app.field = None;
+        app.typing = None;
         app.pages.search.row = app.search_row();
         self.enter(app);
     }
@@ -114,16 +114,6 @@ impl Page for SearchTab {
             Action::View => view(app),
             Action::Sort if self.is_idle(app, action) => app.tell("no table to sort on this page"),
             Action::Sort => app.pages.search.sort_next(),
-            Action::LogX if app.pages.search.page != state::Page::Front => {
-                app.tell("only the chart of the Pareto front has a choice of horizontal scale");
-            }
-            Action::LogY
-                if !matches!(app.pages.search.page, state::Page::Front | state::Page::Seek) =>
-            {
-                app.tell("no scale to choose here: goal seek and the Pareto front have one");
-            }
-            Action::LogX => app.pages.search.scales.0 = app.pages.search.scales.0.toggled(),
-            Action::LogY => app.pages.search.scales.1 = app.pages.search.scales.1.toggled(),
             _ => match along(action, FAR) {
                 Some(by) => move_by(app, by.into()),
                 None => return false,
@@ -188,13 +178,8 @@ impl Page for SearchTab {
         } else if let Some(answer) = news.found() {
             let (scene, request) = (Arc::clone(&running.scene), request.clone());
             let found = state::SearchResult { scene, request, answer };
-            let before = tab.found[page].replace(found);
-            let is_same = |old: state::SearchResult| {
-                old.scene == running.scene && running.study.of() == Some(&old.request)
-            };
-            tab.zoomed[page].take_if(|_| !before.is_some_and(is_same));
-            let is_complete =
-                tab.found[page].as_ref().is_some_and(state::SearchResult::is_complete);
+            let is_complete = found.is_complete();
+            tab.found[page] = Some(found);
             if news.is_last() && is_complete && waits {
                 self.enter(app);
             }
@@ -260,15 +245,6 @@ impl Page for SearchTab {
         }
     }
 
-    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        if app.pane() != RESULTS {
-            return None;
-        }
-        let tab = &mut app.pages.search;
-        let (x, about) = tab.answer()?.across(tab)?;
-        Some(Across::of(&mut tab.zoomed[tab.page as usize], x.view, x.scale, about))
-    }
-
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         let (setup, results) = panes(app, body);
         draw::render(app, setup, results, canvas);
@@ -309,7 +285,7 @@ pub(crate) fn hidden_lines(app: &App) -> usize {
 
 /// After an edit of the setup or the scene: a search that takes less than a second is made again.
 fn follow(app: &mut App) {
-    let quick = app.pages.search.page == state::Page::Seek && app.auto_run;
+    let quick = app.pages.search.page == state::Page::Seek && app.settings.auto_run;
     let running = app.jobs.study::<Request>().map(|(_, request)| request.page());
     // The search of another page goes on.
     let is_free = running.is_none_or(|page| page == state::Page::Seek);
@@ -337,10 +313,7 @@ fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     if app.pages.search.setup == before.search {
         return;
     }
-    // Another quantity may stand on the axis.
-    let page = app.pages.search.page;
-    app.pages.search.zoomed[page as usize] = None;
-    let stepping = stepped.then_some(Stepping::Search(page, row));
+    let stepping = stepped.then_some(Stepping::Search(app.pages.search.page, row));
     let first = Arc::clone(&app.history.extended(stepping).unwrap_or(&before).search);
     let after = std::mem::replace(&mut app.pages.search.setup, first);
     let old = app.search_line(row, &app.search_bounds());

@@ -147,7 +147,7 @@ fn check(app: &mut App) {
 /// Open the preset that shows the selected claim: a sweep in its tab, another scene in the Run tab.
 fn open(app: &mut App) {
     let preset = app.claim().and_then(|row| row.claim.preset);
-    let entry = app.presets.iter().find(|entry| Some(entry.name.as_str()) == preset);
+    let entry = app.files.presets.iter().find(|entry| Some(entry.name.as_str()) == preset);
     match entry.cloned() {
         Some(entry) => show(app, base_of(entry)),
         None => app.tell("no preset shows this"),

@@ -19,7 +19,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     }
     if !steps(app, action) {
         app.history.commit();
-        app.editor.stepped = None;
+        app.pages.run.editor.stepped = None;
     }
     let page = pages::of(app.tab);
     if acts_on_rows(action) && update::matches_nothing(app) {
@@ -34,9 +34,6 @@ pub(crate) fn act(app: &mut App, action: Action) {
         return move_by(app, by);
     }
     if page.across(app).is_some_and(|across| across.change(action)) {
-        return;
-    }
-    if zoom::map(app, action) {
         return;
     }
     if zoom::is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
@@ -145,7 +142,6 @@ fn anywhere(app: &mut App, action: Action) {
         A::Undo => edit::undo(app),
         A::Redo => edit::redo(app),
         A::ResetAll => edit::reset_all(app),
-        A::History => app.dialog = Some(List::History.at(app.history.done)),
         A::Palette => app.dialog = Some(List::Palette.typing()),
         A::Help => app.dialog = Some(List::Help.at(0)),
         A::Options => app.dialog = Some(List::Options.at(0)),
@@ -180,7 +176,7 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
         next_page(app, 1);
     } else {
         app.tab = tab;
-        app.field = None;
+        app.typing = None;
         pages::of(tab).enter(app);
     }
 }
@@ -251,7 +247,7 @@ fn leave(app: &mut App, action: Action) {
         Some(
             "a job is running: <quit> again quits without it, <back> in its tab cancels it and keeps what is finished",
         )
-    } else if is_quit && app.session_lost && app.is_modified() {
+    } else if is_quit && app.files.session_lost && app.is_modified() {
         Some(
             "the session cannot be kept (see <tab-log>:Log): <quit> again quits without it, <save> or <export> save the scene or the table",
         )
@@ -275,7 +271,7 @@ fn back(app: &mut App) {
         app.full_pane[at] = false;
     } else {
         let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
-        let kept = if app.session_lost { "is not kept" } else { "is kept" };
+        let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
         let text = elsewhere.map_or_else(
             || format!("nothing to close: <quit> quits (the session {kept})"),
             |tab| {

@@ -28,7 +28,7 @@ pub(crate) const CANCELLED: &str = "cancelled: partial results are shown, <run> 
 pub(crate) fn after_edit(app: &mut App) {
     app.jobs.serial += 1;
     app.jobs.failure = None;
-    if !app.auto_run {
+    if !app.settings.auto_run {
         return;
     }
     app.jobs.overdue = false;
@@ -170,7 +170,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;
     let outdated = finished.is_some_and(|job| job.scene != app.scene);
-    if outdated && app.auto_run {
+    if outdated && app.settings.auto_run {
         submit_now(app);
     }
 }

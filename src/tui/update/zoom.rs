@@ -1,7 +1,6 @@
-//! Zooming and panning the axis across of a chart, and both axes of a map: one rule for every page.
+//! Zooming and panning an axis: one rule for every chart and map.
 
 use crate::tui::chart::{Scale, ViewRange};
-use crate::tui::pages;
 use crate::tui::prelude::*;
 
 const STEP: f64 = 2.0;
@@ -74,37 +73,6 @@ impl<'a> Across<'a> {
         *self.kept = (!is_home).then_some(next);
         true
     }
-}
-
-/// What of the axes across and up of a map is shown; it is computed for just that.
-pub(crate) type MapPart = [ViewRange; 2];
-
-/// Compute another part of the map in the pane; false where it has none, or an action means nothing to one.
-pub(crate) fn map(app: &mut App, action: Action) -> bool {
-    let page = pages::of(app.tab);
-    let Some(axes) = page.map_axes(app) else { return false };
-    if matches!(action, Action::LogX | Action::LogY) {
-        app.tell("both axes of this map are logarithmic");
-        return true;
-    }
-    let is_pan = matches!(action, Action::PanLeft | Action::PanRight);
-    let [across, up] = axes.map(|axis| axis.after(action));
-    let Some((across, up)) = across.zip(if is_pan { Some(axes[1].view) } else { up }) else {
-        return false;
-    };
-    if [across, up] == axes.map(|axis| axis.view) {
-        app.tell("the map ends here");
-        return true;
-    }
-    if let Err(why) = page.show_part(app, [across, up]) {
-        app.refuse(why);
-    } else if pages::all_jobs(app).any(|(tab, _)| tab == app.tab) {
-        let all = if action == Action::ZoomFit { "" } else { " (<zoom-fit> shows all of it)" };
-        app.tell(format!("computing the map again{all}"));
-    } else {
-        app.tell("the map has other ends: press <run>");
-    }
-    true
 }
 
 #[cfg(test)]

@@ -187,7 +187,7 @@ impl Form {
         let frame = PaneFrame::new("Setup").right(hint);
         let inner = frame.focused(app.has_focus(pane)).draw(area, canvas);
         canvas.pane(area, pane);
-        let field = app.field.as_ref().filter(|_| on);
+        let field = app.field().filter(|_| on);
         let list = RowList {
             count: self.lines.len(),
             // Without the keys it shows its beginning.

@@ -127,7 +127,7 @@ impl Bench {
     /// Report how the export ended that the open dialog asked for.
     pub(crate) fn export_ended(&mut self, outcome: ExportOutcome) {
         let Some(Dialog::Ask(ask)) = &self.app.dialog else { panic!("no dialog asks") };
-        let path = self.app.directory.join(ask.text.value());
+        let path = self.app.files.directory.join(ask.text.value());
         self.send(Message::Done(EffectReport::Exported(path, outcome)));
     }
 

@@ -12,7 +12,7 @@ use super::bench::Bench;
 /// The workbench with the dialog open: `table` is the last of the spring's words.
 fn asking() -> Bench {
     let mut bench = Bench::ascii(80, 24);
-    bench.app.editor.selected =
+    bench.app.pages.run.editor.selected =
         VARIABLES.iter().position(|one| one.key == "mechanism.spring.kind").unwrap();
     bench.keys("<Enter>G<Enter>");
     bench
@@ -20,7 +20,7 @@ fn asking() -> Bench {
 
 fn report(bench: &mut Bench, points: Result<&[[f64; 2]], &str>) {
     let points = points.map(Arc::from).map_err(str::to_owned);
-    let path = bench.app.directory.join("measured/curve.csv");
+    let path = bench.app.files.directory.join("measured/curve.csv");
     bench.send(Message::Done(EffectReport::Curve(path, points)));
 }
 
@@ -48,7 +48,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     bench.send(Message::Done(EffectReport::Completions(vec!["measured/curve.csv".to_owned()])));
     bench.effects.clear();
     bench.keys("<Enter>");
-    let wanted = bench.app.directory.join("measured/curve.csv");
+    let wanted = bench.app.files.directory.join("measured/curve.csv");
     assert!(
         matches!(&bench.effects[..], [Effect::Files(FileTask::ReadCurve(path))] if *path == wanted),
         "{:?}",

@@ -23,10 +23,10 @@ fn the_table_of_runs_lists_those_that_match_and_keys_act_on_them() {
     let before = bench.app.scene.clone();
     // The letter first, then the name with a word that begins so.
     bench.keys("/B<Enter>");
-    assert_eq!((bench.app.run_order(), bench.app.selected_run), (vec![2, 1], 2));
+    assert_eq!((bench.app.run_order(), bench.app.pages.run.selected), (vec![2, 1], 2));
     bench.keys("/thesis<Enter>");
     assert!(bench.screen().contains("/thesis"), "{}", bench.screen());
-    assert_eq!((bench.app.run_order(), bench.app.selected_run), (vec![1], 1));
+    assert_eq!((bench.app.run_order(), bench.app.pages.run.selected), (vec![1], 1));
     bench.keys("e");
     let screen = bench.screen();
     assert!(screen.contains("[x] A") && screen.contains("[ ] B"), "{screen}");
@@ -34,10 +34,10 @@ fn the_table_of_runs_lists_those_that_match_and_keys_act_on_them() {
     assert_eq!(bench.app.scene, bench.app.pins[0].scene);
     assert_ne!(bench.app.scene, before);
     // The scene has that name now; the selected row is still the pin.
-    assert_eq!((bench.app.run_order(), bench.app.selected_run), (vec![0, 1], 1));
+    assert_eq!((bench.app.run_order(), bench.app.pages.run.selected), (vec![0, 1], 1));
     bench.keys(" ");
     assert_eq!(bench.app.pins.iter().map(|pin| pin.letter).collect::<String>(), "B");
-    assert_eq!((bench.app.run_order(), bench.app.selected_run), (vec![0], 0));
+    assert_eq!((bench.app.run_order(), bench.app.pages.run.selected), (vec![0], 0));
     bench.keys("/zz<Enter>");
     assert!(bench.app.run_order().is_empty());
     assert!(bench.screen().contains(NO_MATCH), "{}", bench.screen());

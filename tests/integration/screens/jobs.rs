@@ -113,7 +113,7 @@ fn a_report_that_ends_leaves_another_dialog_alone() {
 fn a_report_asks_about_its_file_first_and_is_computed_once() {
     let place = tempfile::tempdir().unwrap();
     let mut bench = Bench::ascii(80, 24);
-    bench.app.directory = place.path().to_owned();
+    bench.app.files.directory = place.path().to_owned();
     std::fs::write(place.path().join("a.html"), "").unwrap();
     bench.keys("e<C-u>a.html<Enter>");
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
@@ -250,8 +250,8 @@ fn a_design_that_is_being_computed_cannot_be_loaded_yet() {
 fn ctrl_c_closes_the_field_of_a_search_and_does_not_leave() {
     let mut bench = in_search((80, 24));
     bench.keys("<Enter>50");
-    assert!(bench.app.field.is_some());
+    assert!(bench.app.field().is_some());
     bench.keys("<C-c>");
-    assert!(bench.app.field.is_none());
+    assert!(bench.app.field().is_none());
     assert!(!bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })));
 }

@@ -14,7 +14,7 @@ use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::front::{self, Design, Front};
 use cmra::study::sensitivity;
 use cmra::study::sweep::usual::{or_usual, thesis_axes};
-use cmra::study::sweep::{Axis, PointOutcome};
+use cmra::study::sweep::PointOutcome;
 use cmra::study::{monte_carlo, search::seek};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
@@ -68,10 +68,7 @@ fn compared(scene: &Arc<Scene>, asked: &EqualMass) -> Comparison {
     let mut watch = to_its_end;
     let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
     let report = compare::compare(scene, hardware, context).unwrap();
-    let mut axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
-    for (axis, part) in axes.iter_mut().zip(asked.part.into_iter().flatten()) {
-        *axis = Axis::new(axis.symbol(), (part.lo(), part.hi()), 21, axis.spacing()).unwrap();
-    }
+    let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
     let map = Map::compute(scene, &axes, hardware, context).ok();
     Comparison { report, absorber: asked.absorber.clone(), map }
 }
@@ -194,7 +191,7 @@ fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
     bench.keys("l");
     assert!(bench.app.pages.search.setup.seek.log);
     bench.keys("gj<Enter>3kg<Enter>");
-    assert!(bench.app.field.is_some());
+    assert!(bench.app.field().is_some());
     bench.keys("<C-u>65 %<Enter>");
     answer(&mut bench);
     assert!(bench.screen().contains("> k = "), "{}", bench.screen());

@@ -16,16 +16,11 @@ use cmra::worker::study::RowsSoFar;
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
-    part(method, axis, [(1e-9, 1e-4), (1e3, 1e12)])
-}
-
-/// A part of it.
-fn part(method: FixedStep, axis: Axis, [steps, range]: [(f64, f64); 2]) -> Map {
     let ratios = |(low, high): (f64, f64), count: i32| -> Vec<f64> {
         let step = (high / low).ln() / f64::from(count - 1);
         (0..count).map(|i| low * (step * f64::from(i)).exp()).collect()
     };
-    let (dt_s, values) = (ratios(steps, 61), ratios(range, 19));
+    let (dt_s, values) = (ratios((1e-9, 1e-4), 61), ratios((1e3, 1e12), 19));
     let limit = |value: f64| 2.83 / (value / 0.0295).sqrt();
     let cell = |value: f64, dt_s: f64| match dt_s / limit(value) {
         ratio if ratio < 0.5 && dt_s < 3e-6 => Cell::Accurate,
@@ -67,15 +62,14 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
 
 /// The study of a whole map.
 fn whole(method: FixedStep, axis: Axis) -> StabilityMap {
-    StabilityMap(Wanted { method, axis, size: SIZE, ends: None })
+    StabilityMap(Wanted { method, axis, size: SIZE })
 }
 
 /// Answer what was requested.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
         let found = if let Some(asked) = study.asked.of::<StabilityMap>() {
-            let ends = asked.0.ends.unwrap_or([(1e-9, 1e-4), (1e3, 1e12)]);
-            Finding::new(part(asked.0.method, asked.0.axis, ends))
+            Finding::new(map(asked.0.method, asked.0.axis))
         } else if study.asked.of::<StiffScenes>().is_some() {
             Finding::new(RowsSoFar { rows: rows(12), is_complete: true })
         } else {

@@ -124,7 +124,7 @@ fn points_without_a_value_are_letters_with_a_legend() {
 fn a_coloured_map_shows_two_values_in_a_cell_and_ascii_one_with_its_character() {
     let draw = |glyphs| {
         let mut bench = open_map("figure-9.7", 21, glyphs, (80, 24));
-        bench.app.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
+        bench.app.settings.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
         keys(&mut bench, "2");
         let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
         view(&bench.app, &mut buffer);
@@ -267,7 +267,7 @@ fn a_refused_text_stays_with_its_reason() {
         bench.app.pages.explore.row = to;
         let before = Arc::clone(&bench.app.scene);
         keys(&mut bench, &format!("<Enter>{text}<Enter>"));
-        let field = bench.app.field.clone().expect("the field is still open");
+        let field = bench.app.field().cloned().expect("the field is still open");
         assert_eq!(field.text.value(), text);
         for fragment in fragments {
             assert!(bench.message().contains(fragment), "{}: {fragment}", bench.message());

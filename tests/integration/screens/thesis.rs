@@ -79,7 +79,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         let found = cmra::files::preset::resolve(preset, None).expect("a bundled preset");
         let (name, comment) = (preset.to_owned(), String::new());
         let scene = found.scene;
-        bench.app.presets.push(PresetEntry {
+        bench.app.files.presets.push(PresetEntry {
             name,
             origin: "bundled",
             scene,

@@ -284,7 +284,7 @@ impl<'a> ChartView<'a> {
         if let Some(levels) = &self.levels {
             let here = self.value(app.cursor_point(self.grid));
             for band in (0..levels.bands()).rev() {
-                let (symbol, style) = swatch(band, levels.bands(), app.theme);
+                let (symbol, style) = swatch(band, levels.bands(), app.settings.theme);
                 let patch: String = [symbol; 3].iter().collect();
                 put(canvas, inner, (1, row), &patch, style);
                 let (from, to) = levels.band(band);

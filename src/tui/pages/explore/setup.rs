@@ -115,7 +115,7 @@ impl App {
     fn held_line(&self, index: usize) -> FormRow {
         let variable = &VARIABLES[index];
         let is_number = matches!(variable.value(&self.scene), Value::Number(_));
-        let unit = self.editor.unit(index);
+        let unit = self.pages.run.editor.unit(index);
         let number = |digits| number_in(variable, &self.scene, unit, digits);
         let texts = (1..=6).rev().map(number);
         let shown = fitting(texts, usize::from(VALUE_WIDTH));
@@ -143,7 +143,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         }
         return action == Action::Reset;
     };
-    app.editor.selected = index;
+    app.pages.run.editor.selected = index;
     match action {
         Action::Reset => edit::reset(app),
         // A list of the words, or the other of two.
@@ -161,8 +161,34 @@ pub(crate) fn toggle_spacing(app: &mut App) {
     }
 }
 
-/// The axes of a map as they are zoomed about its cursor; home are the ends that the preset has, else the usual ones.
-pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
+/// Sweep another part of the map, about its cursor; false where there is no map, or an action means nothing to one. Home are the
+/// ends that the preset has, else the usual ones.
+pub(crate) fn zoom_map(app: &mut App, action: Action) -> bool {
+    let Some(axes) = map_axes(app) else { return false };
+    let is_pan = matches!(action, Action::PanLeft | Action::PanRight);
+    let [across, up] = axes.map(|axis| axis.after(action));
+    let Some(part) = across.zip(if is_pan { Some(axes[1].view) } else { up }) else {
+        return false;
+    };
+    if [part.0, part.1] == axes.map(|axis| axis.view) {
+        app.tell("the map ends here");
+        return true;
+    }
+    let mut sweep = sweep_of(&app.scene);
+    let mut ends = sweep.axes.iter_mut().zip([part.0, part.1]);
+    let set = ends.try_for_each(|(axis, view)| set_ends(axis, view));
+    match set.and_then(|()| checked(app, sweep, 1)) {
+        Ok(()) if app.settings.auto_run => {
+            let all = if action == Action::ZoomFit { "" } else { " (<zoom-fit> shows all of it)" };
+            app.tell(format!("computing the map again{all}"));
+        }
+        Ok(()) => app.tell("the map has other ends: press <run>"),
+        Err(why) => app.refuse(why),
+    }
+    true
+}
+
+fn map_axes(app: &App) -> Option<[Span; 2]> {
     let grid = &app.pages.explore.found(Picture::Surface)?.grid;
     if app.picture() != Picture::Surface {
         return None;
@@ -176,15 +202,6 @@ pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
         span(&app.scene, axis, home, grid.coordinate(at, place)).ok()
     };
     Some([of(0)?, of(1)?])
-}
-
-/// A part of a map, as the ends of its axes.
-pub(crate) fn show_part(app: &mut App, part: MapPart) -> Result<(), String> {
-    let mut sweep = sweep_of(&app.scene);
-    for (axis, part) in sweep.axes.iter_mut().zip(part) {
-        set_ends(axis, part)?;
-    }
-    checked(app, sweep, 1)
 }
 
 /// Take another value in a row.

@@ -10,11 +10,9 @@ use crate::report::monte_carlo::{perforation, v50};
 use crate::study::compare::map::Map;
 use crate::study::limit::{self, Limit, Report, Request, Shot};
 use crate::study::monte_carlo;
-use crate::study::sweep::Axis;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::status::fitting;
 use crate::tui::chart::{Emphasis, Layout};
-use crate::tui::pages::explore::state::nearest;
 use crate::tui::pages::limit::comparison::Comparison;
 use crate::tui::pages::limit::{RESIDUAL, area};
 use crate::tui::pages::prelude::*;
@@ -56,10 +54,6 @@ pub struct Ballistic {
     pub spread: Kept<monte_carlo::Report>,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
-    /// The part of the impact velocities in view; `None`: all of them.
-    pub zoomed: Option<ViewRange>,
-    /// Logarithmic axes: impact velocity, residual velocity.
-    pub log: (bool, bool),
     /// The comparison at equal areal mass.
     pub comparison: Kept<Comparison>,
     /// The absorber of the library it is made with; `None`: the scene's own.
@@ -68,8 +62,6 @@ pub struct Ballistic {
     pub scrolled: usize,
     /// The cell under the cursor of the map of mass efficiency; `None`: the scene's.
     pub map_cursor: Option<(usize, usize)>,
-    /// The part of the map that was chosen; `None`: all of it.
-    pub part: Option<MapPart>,
     /// Where curve and words have no room together: the page of words that is shown, 0 for the curve.
     pub page: usize,
 }
@@ -82,20 +74,13 @@ impl Ballistic {
         if self.report.keep(running, news, |report| report.is_complete)
             && shots(&before) != shots(&self.report)
         {
-            (self.cursor, self.zoomed) = (None, None);
+            self.cursor = None;
         }
         self.spread.keep(running, news, |spread| spread.is_complete);
-        let map_before = self.comparison.found.as_ref().and_then(|it| it.map.clone());
         let is_whole =
             |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
         if self.comparison.keep(running, news, is_whole) {
-            // On another part of the map the cursor stays at its values.
-            let map = self.comparison.found.as_ref().and_then(|it| it.map.as_ref());
             self.map_cursor.take_if(|_| is_old);
-            if let (Some(before), Some(map), Some((x, y))) = (&map_before, map, self.map_cursor) {
-                let at = |old: &Axis, new: &Axis, at| nearest(new, old.value(at as u64));
-                self.map_cursor = at(before.x(), map.x(), x).zip(at(before.y(), map.y(), y));
-            }
         }
     }
 
@@ -333,7 +318,7 @@ fn write(lines: &[Remark], hint: &str, area: Rect, canvas: &mut Canvas<'_>) {
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
     let found = tab.report.found.as_ref();
-    let drawn = found.and_then(|it| Some((it, residual(it, app.limit_shot_m_s(), tab.zoomed)?)));
+    let drawn = found.and_then(|it| Some((it, residual(it, app.limit_shot_m_s())?)));
     let Some((report, mut chart)) = drawn else {
         let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
         let inner = frame.draw(area, canvas);
@@ -343,11 +328,6 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
     };
     let old = app.limit_is_old();
-    for (is_log, axis) in [(tab.log.0, &mut chart.x), (tab.log.1, &mut chart.y)] {
-        if is_log {
-            axis.scale = Scale::Log10;
-        }
-    }
     for curve in &mut chart.curves {
         if old {
             curve.emphasis = Emphasis::Stale;

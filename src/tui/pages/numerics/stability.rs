@@ -67,10 +67,6 @@ pub struct Stability {
     /// Which map is wanted: of each variable by one method, then by the other.
     pub view: usize,
     pub map: Kept<Map>,
-    /// The part of the map that was chosen: steps, values; `None`: all of it.
-    pub part: Option<MapPart>,
-    /// The steps and values of all of it.
-    whole: Option<MapPart>,
     /// The crosshair: column and row of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
     /// How the table of stiff scenes is listed.
@@ -200,47 +196,8 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     if tab.map.keep(running, news, Map::is_complete)
         && let Some(map) = &tab.map.found
     {
-        // The crosshair stays at its step and value.
-        let same = before.filter(|before| before.axis == map.axis);
-        tab.cursor = same.zip(tab.cursor).and_then(|(before, (column, row))| {
-            map.nearest(before.dt_s[column], before.values[row])
-        });
-        if running.study.of::<StabilityMap>().is_some_and(|asked| asked.0.ends.is_none()) {
-            tab.whole = Some([&map.dt_s, &map.values].map(|values| ends(values)));
-        }
+        tab.cursor.take_if(|_| before.is_none_or(|before| before.axis != map.axis));
     }
-}
-
-/// The ends of rising values.
-fn ends(values: &[f64]) -> ViewRange {
-    let ends = values.first().zip(values.last());
-    ends.map_or_else(ViewRange::default, |(low, high)| ViewRange::new(*low, *high))
-}
-
-/// The steps and the values of the map shown, as they are zoomed about its crosshair.
-pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
-    let tab = &app.pages.numerics.stability;
-    let (map, (column, row)) = tab.map.found.as_ref().zip(tab.cursor())?;
-    let span = |values: &[f64], at: usize, home: ViewRange| Span {
-        view: ends(values),
-        home,
-        bounds: home,
-        scale: Scale::Log10,
-        about: Some(values[at]),
-    };
-    let [steps, values] = tab.whole?;
-    Some([span(&map.dt_s, column, steps), span(&map.values, row, values)])
-}
-
-/// Compute another part of the map.
-pub(crate) fn show_part(app: &mut App, part: MapPart) -> Result<(), String> {
-    let tab = &mut app.pages.numerics.stability;
-    if tab.map.is_old(&app.scene) {
-        return Err(old("scene"));
-    }
-    tab.part = Some(part).filter(|_| Some(part) != tab.whole);
-    ask_map(app);
-    Ok(())
 }
 
 /// What is shown is computed, unless it has been or is being.
@@ -272,7 +229,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         Action::Run => ask_map(app),
         Action::View => {
             tab.view += 1;
-            tab.part = None;
             ask_map(app);
         }
         Action::Enter => load(app),
@@ -300,12 +256,8 @@ fn load(app: &mut App) {
 }
 
 fn ask_map(app: &mut App) {
-    let tab = &mut app.pages.numerics.stability;
-    if tab.map.is_old(&app.scene) {
-        tab.part = None;
-    }
-    let ends = tab.part.map(|part| part.map(|range| (range.lo(), range.hi())));
-    let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE, ends };
+    let tab = &app.pages.numerics.stability;
+    let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE };
     jobs::study(app, Tab::Numerics, StabilityMap(wanted));
 }
 

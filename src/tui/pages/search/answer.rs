@@ -4,7 +4,6 @@ use crate::model::run::envelope::Check;
 use crate::report::Remark;
 use crate::report::table::Table;
 use crate::study::sweep;
-use crate::tui::chart::Axis;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::state::{Searching, StudyResult};
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
@@ -60,11 +59,6 @@ pub(crate) trait Answer {
     /// Whether there is something to draw.
     fn draws(&self, _tab: &Searching) -> bool {
         false
-    }
-
-    /// The axis across of the chart, all of it, and where the selected point is on it.
-    fn across(&self, _tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-        None
     }
 
     fn draw(&self, _app: &App, _area: Rect, _focused: bool, _canvas: &mut Canvas<'_>) {}

@@ -3,7 +3,7 @@
 use crate::report::front::{lacks, page_keys, table, warnings};
 use crate::report::table::Cells;
 use crate::study::quantities::named;
-use crate::study::search::front::{self, Constraint, Design, Front, Objective, USUAL};
+use crate::study::search::front::{self, Constraint, Front, Objective, USUAL};
 use crate::study::sweep;
 use crate::study::validity::counted;
 use crate::tui::app::status::outside;
@@ -139,15 +139,6 @@ impl Answer for Front {
         !self.designs.is_empty()
     }
 
-    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-        let at = tab.across(self).0;
-        let value = |design: &Design| design.measures.get(at).copied().flatten();
-        let measure = self.request.measures()[at];
-        let values: Vec<f64> = self.designs.iter().filter_map(value).collect();
-        let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
-        Some((x, tab.chosen().and_then(|at| value(&self.designs[at]))))
-    }
-
     /// Designs as points.
     fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let (found, tab) = (self, &app.pages.search);
@@ -155,14 +146,16 @@ impl Answer for Front {
         let measures = found.request.measures();
         let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
         let designs = tab.designs();
-        let x = Answer::across(self, tab).map(|(x, _)| x);
-        let ups: Vec<f64> = found.designs.iter().filter_map(|it| value(&it.measures, up)).collect();
-        let y = Axis::fitted("", measures[up].unit(), tab.scales.1, ups);
-        let Some((x, y)) = x.zip(y) else {
+        let axis = |label: String, at: usize| {
+            let values: Vec<f64> =
+                found.designs.iter().filter_map(|it| value(&it.measures, at)).collect();
+            Axis::fitted(label, measures[at].unit(), Scale::Linear, values)
+        };
+        let axes = axis(brief(measures[across]), across).zip(axis(String::new(), up));
+        let Some((x, y)) = axes else {
             let text = "no design satisfies every constraint".to_owned();
             return lines_below(app, &[(text, Role::Warning)], area, canvas);
         };
-        let x = Axis { view: tab.zoomed().unwrap_or(x.view), ..x };
         let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
         let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
         let selected =

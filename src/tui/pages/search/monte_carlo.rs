@@ -84,17 +84,11 @@ impl Answer for Report {
         drawn(self, tab).is_some_and(|it| !it.sorted.is_empty())
     }
 
-    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-        let Summary { measure, sorted, .. } = drawn(self, tab)?;
-        let values = sorted.iter().copied();
-        Some((Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values)?, None))
-    }
-
     /// How often a value falls into each of some bins, as steps.
     fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let tab = &app.pages.search;
         let Some(summary) = drawn(self, tab) else { return };
-        let sorted = &summary.sorted;
+        let Summary { measure, sorted, .. } = summary;
         let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
             let text = "no sample has this result: <next-pane>, then another one under Show";
             let text = app.keymap.shown(text);
@@ -111,7 +105,8 @@ impl Answer for Report {
         }
         // Room above for the tags.
         let highest = steps.iter().map(|step| 1.3 * step.1);
-        let x = self.across(tab).map(|(x, _)| Axis { view: tab.zoomed().unwrap_or(x.view), ..x });
+        let values = sorted.iter().copied();
+        let x = Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values);
         let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
         let Some((x, y)) = x.zip(y) else { return };
         let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));

@@ -106,27 +106,17 @@ impl Answer for Report {
         self.scan.iter().any(|point| point.1.is_some())
     }
 
-    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-        let about = tab.chosen().and_then(|at| self.solutions().nth(at));
-        Some((axis_of(&self.axis), about.map(|it| it.place.at)))
-    }
-
     fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let report = self;
         let points: Vec<(f64, f64)> =
             report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
-        let zoomed = app.pages.search.zoomed();
-        let seen =
-            report.scan.iter().filter(|point| zoomed.is_none_or(|view| view.contains(point.0)));
-        let values = seen.filter_map(|point| point.1).chain([report.target]);
-        let (_, scale) = app.pages.search.scales;
-        let y = Axis::fitted("", report.measure.unit(), scale, values);
+        let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
+        let y = Axis::fitted("", report.measure.unit(), Scale::Linear, values);
         let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
             let text = "no point has a value".to_owned();
             return lines_below(app, &[(text, Role::Warning)], area, canvas);
         };
         let x = axis_of(&report.axis);
-        let x = Axis { view: zoomed.unwrap_or(x.view), ..x };
         let old = app.search_is_old();
         let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
         let curve = Curve::new('*', "", &points).emphasis(emphasis);

@@ -63,10 +63,6 @@ pub struct Searching {
     pub problem: [Option<String>; 4],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
     pub cursor: [Option<usize>; 4],
-    /// How values are spread across and up.
-    pub scales: (Scale, Scale),
-    /// The part of the axis across that is in view, page by page; `None`: all of it.
-    pub zoomed: [Option<ViewRange>; 4],
     /// How the results are listed, page by page; designs that no column was chosen for are sorted by the objective across.
     pub listing: [Listing; 4],
 }
@@ -79,11 +75,6 @@ impl Searching {
     /// Why the page shown cannot be computed.
     pub fn problem(&self) -> Option<&String> {
         self.problem[self.page as usize].as_ref()
-    }
-
-    /// The part of the axis across that was chosen on the page shown.
-    pub fn zoomed(&self) -> Option<ViewRange> {
-        self.zoomed[self.page as usize]
     }
 
     pub fn front(&self) -> Option<&Front> {
