@@ -9,12 +9,13 @@ pub mod chart;
 pub mod dialogs;
 pub mod keymap;
 pub mod message;
+pub mod option;
 pub mod pages;
 pub(crate) mod plain;
 pub mod theme;
 pub mod update;
 pub mod view;
-mod widgets;
+pub mod widgets;
 
 mod complete;
 mod effects;
@@ -32,9 +33,9 @@ mod prelude {
 
     pub(crate) use super::app::App;
     pub(crate) use super::app::notice::Severity;
-    pub(crate) use super::keymap::{Action, Pane};
-    pub(crate) use super::message::{Effect, Target};
-    pub(crate) use super::pages::{NO_RESULTS, Tab};
+    pub(crate) use super::keymap::{Action, Pane, Tab, Target};
+    pub(crate) use super::message::Effect;
+    pub(crate) use super::pages::NO_RESULTS;
     pub(crate) use super::theme::{PaneFrame, Role};
     pub(crate) use super::widgets::Canvas;
 }

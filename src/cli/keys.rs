@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::tui::app::status::wrap;
+use crate::tui::widgets::text::wrap;
 use crate::tui::keymap::{Keymap, LINES, Scope};
 use crate::tui::pages::all_panes;
 

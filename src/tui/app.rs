@@ -2,10 +2,10 @@
 //!
 //! [`crate::tui::update`] changes it, [`crate::tui::view`] draws it. What the session file keeps is taken from here.
 
-pub mod find;
+pub mod dialog;
+pub(crate) mod edit;
 pub mod history;
 pub mod jobs;
-pub mod layout;
 pub mod notice;
 pub(crate) mod setups;
 pub mod status;
@@ -14,16 +14,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+use dialog::Dialog;
 use history::{History, Snapshot};
 use jobs::Jobs;
-use layout::Layout;
 use notice::{Notice, Severity};
 
 use crate::files::clean;
 use crate::files::session;
 use crate::model::scene::Scene;
 use crate::study::parallel::cores;
-use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::Keymap;
 use crate::tui::message::{FileTask, PresetEntry};
 use crate::tui::pages;
@@ -31,6 +30,7 @@ use crate::tui::pages::run::runs::{Pin, RunView, Shown};
 use crate::tui::prelude::*;
 use crate::tui::theme::{ColourDepth, Theme};
 use crate::tui::widgets::input::{Field, TextField};
+use crate::tui::widgets::layout::{Layout, layout};
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
@@ -105,7 +105,7 @@ pub struct App {
     /// Pinned runs, in the order of their letters.
     pub pins: Vec<Pin>,
     pub pages: pages::States,
-    pub dialog: Option<Dialog>,
+    pub dialog: Option<Box<dyn Dialog>>,
     /// The newest message, until the next key.
     pub notice: Option<Notice>,
     pub files: Files,
@@ -124,7 +124,7 @@ impl App {
                 auto_run: true,
                 ..Settings::default()
             },
-            focus: Tab::ALL.map(|tab| tab.about().panes[0].pane),
+            focus: Tab::ALL.map(|tab| Pane::of(tab, 0)),
             scene: Arc::clone(&base.scene),
             base,
             files: Files { directory, ..Files::default() },
@@ -140,6 +140,22 @@ impl App {
     /// The open field of `/`.
     pub fn find(&self) -> Option<&TextField> {
         if let Some(Typing::Find(text)) = &self.typing { Some(text) } else { None }
+    }
+
+    /// Open the field of a row of the pane that has the keys, its old text selected.
+    pub(crate) fn open_field(&mut self, row: usize) {
+        let text = pages::of(self.tab).text(self, row);
+        self.typing = Some(Typing::Field(Field::new(row, text)));
+    }
+
+    /// Whether what the tab exports and copies are runs, not a table of its own.
+    pub(crate) fn shows_runs(&self) -> bool {
+        matches!(self.tab, Tab::Run | Tab::Log)
+    }
+
+    /// The first part of every name proposed for a file about a scene: the preset's name without folders and ending.
+    pub(crate) fn base_stem(&self) -> &str {
+        self.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml")
     }
 
     /// All that edits change, as it is now.
@@ -160,7 +176,7 @@ impl App {
     pub fn layout(&self) -> Layout {
         // A pinned run takes the row that says how to pin one.
         let has_hint = self.tab != Tab::Run || self.pins.is_empty();
-        layout::layout(self.size, self.tab.about().pages.len() > 1, has_hint)
+        layout(self.size, self.tab.pages() > 1, has_hint)
     }
 
     /// Rows of a list that fills the body.

@@ -12,6 +12,7 @@ use crate::files::export::{self, Beside, Destination, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
+use crate::tui::app::Base;
 use crate::tui::prelude::*;
 use crate::worker::{Report, Task};
 
@@ -34,27 +35,6 @@ pub enum Message {
     Done(EffectReport),
     /// A line of the program's own log, for the Log tab (not for the message row).
     Logged(log::Level, String),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Target {
-    Tab(Tab),
-    /// A page of the tab, by its place among the names.
-    Page(usize),
-    /// A pane, beside its parts.
-    Pane(Pane),
-    Row(Pane, usize),
-    Cell(Pane, (usize, usize)),
-    /// A value of the axis across of a chart.
-    Value {
-        pane: Pane,
-        chart: usize,
-        value: f64,
-    },
-    /// A row of the list in the dialog on top.
-    DialogRow(usize),
-    /// Beside the dialog on top.
-    Beside,
 }
 
 /// How an effect ended. The texts are for the message row.
@@ -117,6 +97,11 @@ impl PresetEntry {
     /// The row of a file that cannot be read.
     pub fn broken(name: String, problem: String) -> Self {
         Self { name, origin: "mine", problem: Some(problem), ..Self::default() }
+    }
+
+    /// It as the reference of edits.
+    pub(crate) fn base(self) -> Base {
+        Base { name: self.name, is_mine: self.origin == "mine", scene: self.scene.into() }
     }
 
     /// The scene it makes of the present one.

@@ -265,7 +265,7 @@ impl Shell {
     ) -> io::Result<Option<Ending>> {
         match effect {
             Effect::Submit(task) => {
-                if task.study.slot() == Slot::Current {
+                if task.slot() == Slot::Current {
                     self.pace.expect_result(Instant::now());
                 }
                 self.worker.submit(task);

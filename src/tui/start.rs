@@ -1,6 +1,5 @@
 //! From the command line and the last session to the state the workbench starts with, and back to the session.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,22 +8,16 @@ use crate::files::bundled::BASELINE;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Known, Session};
+use crate::files::session::{self, Known, Session, Switch, View};
 use crate::files::{atomic, config, recent};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Base};
+use crate::tui::app::{App, Base, Settings};
 use crate::tui::keymap::Keymap;
 use crate::tui::pages::run::runs::{LETTERS, Pin};
 use crate::tui::pages::thesis;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
-
-/// The words of the session's view table.
-const GLYPHS: &str = "glyphs";
-const COLOURS: &str = "colours";
-const AUTO_RUN: &str = "auto_run";
-const THREADS: &str = "threads";
 
 /// The state to start with, and the session's file as it was found.
 pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
@@ -152,21 +145,15 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
 /// The part of the state that the session file keeps.
 pub(super) fn session(app: &App) -> Session {
     let detected = Theme::detect(environment);
-    let mut view = BTreeMap::new();
-    let mut keep = |key: &str, word: &str| view.insert(key.to_owned(), word.to_owned());
     // Only what a person chose: the next terminal may be able to show more, or less.
-    if app.settings.theme.glyphs != detected.glyphs {
-        keep(GLYPHS, app.settings.theme.glyphs.word());
-    }
-    if app.settings.theme.depth != detected.depth {
-        keep(COLOURS, app.settings.theme.depth.word());
-    }
-    if !app.settings.auto_run {
-        keep(AUTO_RUN, "off");
-    }
-    if let Some(count) = app.settings.threads {
-        keep(THREADS, &count.to_string());
-    }
+    let Settings { theme, auto_run, threads, .. } = &app.settings;
+    let chosen = |word: &str, is_chosen: bool| is_chosen.then(|| word.to_owned());
+    let view = View {
+        glyphs: chosen(theme.glyphs.word(), theme.glyphs != detected.glyphs),
+        colours: chosen(theme.depth.word(), theme.depth != detected.depth),
+        auto_run: (!auto_run).then_some(Switch::Off),
+        threads: *threads,
+    };
     Session {
         scene: (*app.scene).clone(),
         preset: Some(kept_name(app)),
@@ -240,18 +227,18 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
             job: None,
         });
     }
-    let word = |key: &str| last.view.get(key).map(String::as_str);
+    let View { glyphs: set, colours, auto_run, threads } = last.view;
     if glyphs.is_none()
-        && let Some(Ok(Some(set))) = word(GLYPHS).map(GlyphSet::named)
+        && let Some(Ok(Some(set))) = set.as_deref().map(GlyphSet::named)
     {
         app.settings.theme.glyphs = set;
     }
-    if let Some(depth) = word(COLOURS).and_then(ColourDepth::named) {
+    if let Some(depth) = colours.as_deref().and_then(ColourDepth::named) {
         app.settings.theme.depth = depth;
     }
-    app.settings.auto_run = word(AUTO_RUN) != Some("off");
-    app.settings.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
-    app.restore_setups(&last.setup);
+    app.settings.auto_run = auto_run != Some(Switch::Off);
+    app.settings.threads = threads.filter(|count| *count > 0);
+    app.restore_setups(last.setup);
     app.tell(greeting(app));
 }
 
@@ -280,8 +267,8 @@ mod tests {
     use super::*;
     use crate::tui::message::{Effect, Message};
     use crate::tui::pages::Tab;
-    use crate::tui::pages::explore::plan::PictureSweep;
     use crate::tui::update;
+    use crate::worker::studies::Asked;
 
     fn state() -> App {
         let base = baseline();
@@ -304,24 +291,15 @@ mod tests {
     }
 
     #[test]
-    fn a_setup_that_means_nothing_any_more_is_left_alone() {
-        let mut app = state();
-        let usual = app.setups();
-        let nonsense = usual.keys().map(|row| (row.clone(), "nonsense".to_owned())).collect();
-        app.restore_setups(&nonsense);
-        assert_eq!(app.pages.search.setup, state().pages.search.setup);
-        app.restore_setups(&BTreeMap::new());
-        assert_eq!(app.setups(), usual);
-    }
-
-    #[test]
     fn a_setup_that_comes_back_is_no_edit_of_the_scene() {
         let mut app = state();
-        let kept =
-            |name: &str| [("Explore".to_owned(), format!(r#"{{ "output": "{name}" }}"#))].into();
-        app.restore_setups(&kept("system_mass_kg"));
+        let kept = |name: &str| {
+            let explore = session::Explore { output: name.to_owned(), ..Default::default() };
+            session::Setup { explore: Some(explore), ..Default::default() }
+        };
+        app.restore_setups(kept("system_mass_kg"));
         assert!(!app.is_modified());
-        app.restore_setups(&kept("max_plate_displacement_m"));
+        app.restore_setups(kept("max_plate_displacement_m"));
         assert_eq!((app.pages.explore.output, app.is_modified()), (1, false));
     }
 
@@ -332,7 +310,7 @@ mod tests {
         app.pages.limit.absorber = Some("some foam".to_owned());
         let kept = app.setups();
         let mut again = state();
-        again.restore_setups(&kept);
+        again.restore_setups(kept);
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
         assert_eq!(again.pages.limit.absorber, app.pages.limit.absorber);
     }
@@ -351,7 +329,7 @@ mod tests {
             assert_eq!(state.tab, tab, "{name}");
             assert!(state.history.edits.is_empty(), "nothing to undo yet");
             let effects = update::start(&mut state);
-            let is_sweep = |effect: &Effect| matches!(effect, Effect::Submit(task) if task.study.of::<PictureSweep>().is_some());
+            let is_sweep = |effect: &Effect| matches!(effect, Effect::Submit(task) if matches!(task.asked, Asked::Picture(_)));
             assert_eq!(effects.iter().any(is_sweep), tab == Tab::Explore, "{name}");
         }
     }
@@ -379,12 +357,12 @@ mod tests {
         );
         press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
         let kept = session(&app);
-        assert!(kept.setup["Explore"].contains(r#""is_map":true"#), "{kept:?}");
+        assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.
-        let search = &kept.setup["Search"];
-        for part in ["k=8e6..9e6:65", "percent_of_baseline=45", "gamma=1..5:2", "k=0..7.5e6:2"] {
-            assert!(search.contains(part), "{part}: {search}");
-        }
+        let search = kept.setup.search.as_ref().expect("a setup");
+        assert_eq!((&*search.seek, &*search.goal), ("k=8e6..9e6:65", "percent_of_baseline=45"));
+        let bounds: Vec<&str> = search.bounds.iter().map(|it| &*it.0).collect();
+        assert!(bounds.contains(&"gamma=1..5:2") && bounds.contains(&"k=0..7.5e6:2"), "{search:?}");
         let mut again = state();
         restore(&mut again, kept.clone(), None);
         assert_eq!(again.scene, app.scene);

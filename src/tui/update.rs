@@ -1,26 +1,25 @@
 //! The update of the state for each message, and its requests to the outside. No I/O, no clock.
 
 pub(crate) mod act;
-pub(crate) mod edit;
-pub(crate) mod jobs;
-pub(crate) mod zoom;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::files::preset;
-use crate::tui::app::{Base, Typing};
-use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::notice::Notice;
-use crate::tui::dialogs::{Ask, answered, ask, asking, list};
+use crate::tui::app::{Base, Typing, edit, jobs};
+use crate::tui::dialogs;
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
-use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
-use crate::tui::widgets::input::{Field, TEXT_MAX, TextField};
+use crate::tui::widgets::find::{rank, ranked};
+use crate::tui::widgets::input::{TEXT_MAX, TextField};
+use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::zoom::is_zoom;
 
 /// The first requests: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
@@ -91,7 +90,7 @@ fn press(app: &mut App, key: KeyEvent) {
         return;
     }
     if app.dialog.is_some() {
-        return list::press(app, key);
+        return in_dialog(app, |dialog, app| dialog.press(app, key));
     }
     if app.find().is_some() {
         return in_find(app, key);
@@ -119,9 +118,20 @@ fn paste(app: &mut App, text: &str) {
         Some(field) => field.insert(&clean),
         None => app.tell("pasted text is ignored here: open a field first (<enter> on a variable)"),
     }
-    list::after_typing(app);
-    if app.dialog.is_none() {
-        follow(app);
+    match &mut app.dialog {
+        Some(dialog) => dialog.pasted(),
+        None => follow(app),
+    }
+}
+
+/// Let the dialog on top do something, and what follows.
+fn in_dialog(app: &mut App, does: impl FnOnce(&mut dyn Dialog, &mut App) -> Outcome) {
+    let Some(mut dialog) = app.dialog.take() else { return };
+    match does(&mut *dialog, app) {
+        // It may have opened another one.
+        Outcome::Stays if app.dialog.is_none() => app.dialog = Some(dialog),
+        Outcome::Stays | Outcome::Closes => {}
+        Outcome::Calls(call) => act::call(app, call),
     }
 }
 
@@ -165,7 +175,7 @@ impl App {
             (KeyCode::Char(c), _) if c.is_ascii_digit() && here.has.contains(&Part::Form) => {
                 format!("no tab has the number {c}: <enter> opens the value to type it")
             }
-            (_, None) if action.is_some_and(zoom::is_zoom) => {
+            (_, None) if action.is_some_and(is_zoom) => {
                 "only charts and maps zoom".to_owned()
             }
             (_, Some(pane)) => {
@@ -178,12 +188,6 @@ impl App {
         };
         self.notice = Some(Notice { severity: Severity::Note, text: self.keymap.shown(&text) });
     }
-}
-
-/// Open the field of a row, its old text selected.
-pub(crate) fn open_field(app: &mut App, row: usize) {
-    let text = pages::of(app.tab).text(app, row);
-    app.typing = Some(Typing::Field(Field::new(row, text)));
 }
 
 pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
@@ -245,8 +249,8 @@ pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
             clear(app);
         }
         KeyCode::Enter | KeyCode::Tab => app.typing = None,
-        KeyCode::Up => act::move_by(app, -1),
-        KeyCode::Down => act::move_by(app, 1),
+        KeyCode::Up => pages::move_by(app, -1),
+        KeyCode::Down => pages::move_by(app, 1),
         _ => {
             if open_text(app).is_some_and(|field| field.press(key)) {
                 follow(app);
@@ -305,8 +309,12 @@ pub(crate) fn clear(app: &mut App) -> bool {
 
 pub(crate) fn click(app: &mut App, target: Target) {
     app.notice = None;
-    if app.dialog.is_some() {
-        return list::click(app, target);
+    if let Some(dialog) = &app.dialog {
+        return match target {
+            Target::DialogRow(row) => in_dialog(app, |dialog, app| dialog.click(app, row)),
+            Target::Beside if dialog.closes_beside() => app.dialog = None,
+            _ => {}
+        };
     }
     if is_typing(app) {
         return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
@@ -357,7 +365,7 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     }
     if pages::of(app.tab).rows(app).is_some() {
         app.history.commit();
-        act::move_by(app, if up { -1 } else { 1 });
+        pages::move_by(app, if up { -1 } else { 1 });
     } else {
         act::act(app, if up { Action::Up } else { Action::Down });
     }
@@ -368,11 +376,43 @@ fn is_typing(app: &App) -> bool {
     app.typing.is_some()
 }
 
-/// An effect has been carried out, or has failed.
+/// An effect has been carried out, or has failed: the dialog that asked for it hears of it first.
 pub(crate) fn done(app: &mut App, report: EffectReport) {
+    let (report, with_curve) = match report {
+        EffectReport::Curve(path, points) => dialogs::checked(app, path, points),
+        other => (other, None),
+    };
+    let dialog = app.dialog.as_mut();
+    let outcome = dialog.and_then(|dialog| dialog.answered(&app.files.directory, &report));
+    if outcome == Some(Outcome::Closes) {
+        app.dialog = None;
+    }
+    // What it asked for stands in the dialog; meanwhile another one may have been opened.
+    let is_heard = outcome.is_some();
     match report {
-        EffectReport::Saved(name, outcome) => saved(app, name, outcome),
-        EffectReport::Exported(path, outcome) => exported(app, &path, outcome),
+        EffectReport::Saved(name, Ok(path)) => saved(app, name, &path),
+        EffectReport::Curve(path, Ok(points)) => {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            app.tell(format!("spring: {} points from {name} (<undo> undoes)", points.len()));
+            if let Some(scene) = with_curve {
+                edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
+            }
+        }
+        EffectReport::Exported(_, ExportOutcome::Written(files)) => {
+            let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+            app.tell(format!("written: {}", names.join(" and ")));
+        }
+        EffectReport::Exported(path, ExportOutcome::Exists(_)) if !is_heard => {
+            app.refuse(format!("{} already exists and was not replaced", path.display()));
+        }
+        EffectReport::Saved(_, Err(text))
+        | EffectReport::Exported(_, ExportOutcome::Failed(text))
+        | EffectReport::Curve(_, Err(text)) => {
+            if !is_heard {
+                app.refuse(text);
+            }
+        }
+        EffectReport::Exported(..) | EffectReport::Completions(_) => {}
         EffectReport::Presets(list) => app.files.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
@@ -383,8 +423,6 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Loaded(Err(text)) => app.refuse(text),
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
-        EffectReport::Completions(names) => list::complete(app, names),
-        EffectReport::Curve(path, points) => ask::read(app, &path, points),
     }
 }
 
@@ -400,30 +438,13 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
     app.files.session_lost = kept.is_err();
 }
 
-fn saved(app: &mut App, name: String, outcome: Result<PathBuf, String>) {
-    let Some(path) = answered(app, outcome, |ask, _| ask.saves(&name)) else { return };
+fn saved(app: &mut App, name: String, path: &Path) {
     app.tell(format!("saved `{name}` as {}", path.display()));
     let is_mine = !preset::is_path(&name);
     if !is_mine {
-        app.note_recent(&path);
+        app.note_recent(path);
     }
     app.base = Base { name, is_mine, scene: Arc::clone(&app.scene) };
     app.list_presets();
     app.request(Effect::SaveSession);
-}
-
-fn exported(app: &mut App, path: &Path, outcome: ExportOutcome) {
-    let is_it = |ask: &Ask, directory: &Path| ask.exports_to(directory, path);
-    let outcome = match outcome {
-        ExportOutcome::Written(files) => Ok(files),
-        ExportOutcome::Failed(text) => Err(text),
-        ExportOutcome::Exists(path) => match asking(app, is_it) {
-            Some(ask) => return ask.question = true,
-            None => Err(format!("{} already exists and was not replaced", path.display())),
-        },
-    };
-    if let Some(files) = answered(app, outcome, is_it) {
-        let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
-        app.tell(format!("written: {}", names.join(" and ")));
-    }
 }

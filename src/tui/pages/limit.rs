@@ -9,14 +9,13 @@ use crate::study::limit::{Limit, Request};
 use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
 use crate::study::validity;
-use crate::tui::app::layout::NARROW;
+use crate::tui::widgets::layout::NARROW;
 use crate::tui::app::status::outside;
-use crate::tui::dialogs::{around, ask, wrap};
-use crate::tui::pages::limit::comparison::EqualMass;
-use crate::tui::pages::limit::state::{LimitSearch, Spread};
+use crate::tui::widgets::{around, cycled};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::update::act::{along, cursor_moved, moved};
+use crate::tui::widgets::{along, cursor_moved, moved};
+use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
 /// The residual velocity over the impact velocity.
 pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
@@ -151,7 +150,7 @@ impl Page for LimitTab {
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let (limit, comparison) = (&app.pages.limit.report, &app.pages.limit.comparison);
-        let file = |what: &str| format!("{}-{what}.csv", ask::base_stem(app));
+        let file = |what: &str| format!("{}-{what}.csv", app.base_stem());
         let found = comparison.found.clone();
         Some(match app.pane() {
             RESIDUAL => {
@@ -311,7 +310,7 @@ fn compare(app: &mut App) {
 /// Turn from the curve through the pages of words, in a circle.
 fn turn(app: &mut App, by: isize) {
     let (page, count) = app.limit_pages().map_or((0, 0), |pages| (pages.shown, pages.count));
-    app.pages.limit.page = wrap(page, by, count + 1);
+    app.pages.limit.page = cycled(page, by, count + 1);
 }
 
 fn find(app: &mut App) {

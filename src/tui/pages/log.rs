@@ -6,7 +6,7 @@ use crate::tui::app::notice::Notice;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::Shown;
 use crate::tui::widgets::table::filtered;
-use crate::tui::widgets::text::{broken, text_role};
+use crate::tui::widgets::text::broken;
 
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
@@ -108,7 +108,7 @@ impl App {
     fn whole_lines(&self) -> Vec<TextLine> {
         let message = |notice: &Notice| {
             let word = notice.severity.word();
-            (format!("{word:<8} {}", notice.text), text_role(notice.severity))
+            (format!("{word:<8} {}", notice.text), notice.severity.role())
         };
         let mut messages: Vec<TextLine> = self.pages.log.messages.iter().rev().map(message).collect();
         let older = messages.split_off(NEWEST.min(messages.len()));

@@ -7,7 +7,6 @@ use crate::model::library;
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
 use crate::study::stability::Row;
-use crate::tui::dialogs::ask;
 use crate::tui::pages::prelude::*;
 
 /// Error against run time.
@@ -102,7 +101,7 @@ impl Page for NumericsTab {
             ACCURACY => {
                 let kept = &app.pages.numerics.accuracy.report;
                 let (report, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
-                let file = format!("{}-accuracy.csv", ask::base_stem(app));
+                let file = format!("{}-accuracy.csv", app.base_stem());
                 let csv = move |name: &str| {
                     accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
                 };
@@ -123,7 +122,7 @@ impl Page for NumericsTab {
             _ => {
                 let kept = &app.pages.numerics.stability.map;
                 let (map, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
-                let file = format!("{}-map.csv", ask::base_stem(app));
+                let file = format!("{}-map.csv", app.base_stem());
                 let command =
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
                 let warnings: Vec<String> =

@@ -4,15 +4,13 @@ pub mod charts;
 pub mod editor;
 pub(crate) mod report;
 pub mod runs;
-pub mod steps;
 
 use crate::model::variables::Kind;
-use crate::tui::app::layout::{NARROW, ROOMY, WIDE};
-use crate::tui::dialogs::List;
-use crate::tui::pages;
+use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
+use crate::tui::pages::explore;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::steps::{Input, Press, Size};
-use crate::tui::update;
+use crate::tui::widgets::step_of;
+use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::table::Listing;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
@@ -114,7 +112,7 @@ impl Page for RunTab {
             (_, VARIABLES) if edits(action) && !app.pages.run.editor.shows(&app.scene) => {
                 app.tell("no variable is selected: <back> shows all of them");
             }
-            (Action::Enter, VARIABLES) => open(app),
+            (Action::Enter, VARIABLES) => return open(app),
             (Action::Reset, VARIABLES) => edit::reset(app),
             (_, VARIABLES) => match step_of(action) {
                 Some(press) => edit::step(app, press),
@@ -230,32 +228,33 @@ fn edits(action: Action) -> bool {
 /// Words from which on a list is clearer than going to the next one.
 const WORDS_LISTED: usize = 3;
 
-/// Up or down, and by how much, an action steps a value.
-pub(crate) fn step_of(action: Action) -> Option<Press> {
-    let press = |up, size| Some(Press { up, size });
-    match action {
-        Action::Left => press(false, Size::Plain),
-        Action::Right => press(true, Size::Plain),
-        Action::FarLeft => press(false, Size::Coarse),
-        Action::FarRight => press(true, Size::Coarse),
-        Action::FineLess => press(false, Size::Fine),
-        Action::FineMore => press(true, Size::Fine),
-        _ => None,
-    }
+/// Whether the selected variable has so many words that a list is clearer than going to the next one.
+pub(crate) fn is_list(app: &App) -> bool {
+    let on_variables = app.pane() == VARIABLES || app.pane() == explore::SETUP;
+    let words = app.pages.run.editor.variable().words().len();
+    on_variables && words >= WORDS_LISTED
 }
 
-/// Open the selected variable's field, or the list of its words; of two words, the other one is taken.
-pub(crate) fn open(app: &mut App) {
+/// Select a variable in the list of all.
+pub(crate) fn focus_on(app: &mut App, index: usize) {
+    app.focus_on(VARIABLES);
+    app.pages.run.editor.filter.clear();
+    app.pages.run.editor.selected = index;
+}
+
+/// Open the selected variable's field; of two words, the other one is taken. False where it has a list of words.
+pub(crate) fn open(app: &mut App) -> bool {
+    if is_list(app) {
+        return false;
+    }
     match &app.pages.run.editor.variable().kind {
-        Kind::Choice(choice) if choice.words.len() >= WORDS_LISTED => {
-            app.dialog = Some(List::Words.at((choice.get)(&app.scene)));
-        }
         Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, Press::NEXT),
         Kind::Number(_) => {
-            let row = pages::of(Tab::Run).rows(app).map_or(0, |rows| rows.selected);
-            update::open_field(app, row);
+            let row = RunTab.rows(app).map_or(0, |rows| rows.selected);
+            app.open_field(row);
         }
     }
+    true
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -15,17 +15,19 @@ use crate::study::search::front::SAMPLES as DESIGNS;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::{Snapshot, Stepping};
-use crate::tui::app::layout::{NARROW, setup_width};
+use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::app::status::outside as validity;
-use crate::tui::dialogs::{ask, wrap};
+use crate::tui::widgets::cycled;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::run::steps::{Input, Press};
+use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::pages::search::setup::{Bound, Setup, read_bound};
-use crate::tui::pages::search::state::{Request, Row};
-use crate::tui::update::act::{along, move_by};
+use crate::tui::pages::search::state::Row;
+use crate::tui::pages::move_by;
+use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
+use crate::worker::studies::SearchRequest;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -97,7 +99,7 @@ impl Page for SearchTab {
 
     fn enter(&self, app: &mut App) {
         let tab = &app.pages.search;
-        let there = tab.shown().is_some() || app.jobs.running::<Request>().is_some();
+        let there = tab.shown().is_some() || app.jobs.running::<SearchRequest>().is_some();
         if there {
             follow(app);
         } else {
@@ -132,8 +134,8 @@ impl Page for SearchTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.search;
-        let of_page = |(running, request): (_, &Request)| (running, request.page() == tab.page);
-        let running: Option<(&Running, bool)> = app.jobs.study::<Request>().map(of_page);
+        let of_page = |(running, request): (_, &SearchRequest)| (running, state::Page::of(request) == tab.page);
+        let running: Option<(&Running, bool)> = app.jobs.study::<SearchRequest>().map(of_page);
         let mut count = None;
         let progress = match (running, tab.shown()) {
             (Some((running, true)), _) => {
@@ -166,8 +168,8 @@ impl Page for SearchTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        let Some(request) = running.study.of::<Request>() else { return };
-        let (tab, page) = (&mut app.pages.search, request.page() as usize);
+        let Some(request) = SearchRequest::of(&running.asked) else { return };
+        let (tab, page) = (&mut app.pages.search, state::Page::of(request) as usize);
         // A page that was turned to meanwhile has its turn, unless a person wants the searching to stop.
         let waits = tab.page as usize != page && app.tab == Tab::Search;
         if let ReportBody::Failed(text) = news {
@@ -176,7 +178,7 @@ impl Page for SearchTab {
                 self.enter(app);
             }
         } else if let Some(answer) = news.found() {
-            let (scene, request) = (Arc::clone(&running.scene), request.clone());
+            let (scene, request) = (Arc::clone(&running.scene), SearchRequest::clone(request));
             let found = state::SearchResult { scene, request, answer };
             let is_complete = found.is_complete();
             tab.found[page] = Some(found);
@@ -187,10 +189,10 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let file = format!("{}-{}", ask::base_stem(app), app.pages.search.page.file());
+        let file = format!("{}-{}", app.base_stem(), app.pages.search.page.file());
         let found = app.pages.search.shown()?.clone();
         let (scene, is_complete, command) =
-            (Arc::clone(&found.scene), found.is_complete(), found.request.command());
+            (Arc::clone(&found.scene), found.is_complete(), state::command(&found.request));
         let listed = app.pages.search.listed_rows();
         let csv = move |name: &str| found.csv(name, listed.as_deref());
         let table = PageTable::new("Export the results to CSV", file, is_complete, csv);
@@ -286,7 +288,7 @@ pub(crate) fn hidden_lines(app: &App) -> usize {
 /// After an edit of the setup or the scene: a search that takes less than a second is made again.
 fn follow(app: &mut App) {
     let quick = app.pages.search.page == state::Page::Seek && app.settings.auto_run;
-    let running = app.jobs.study::<Request>().map(|(_, request)| request.page());
+    let running = app.jobs.study::<SearchRequest>().map(|(_, request)| state::Page::of(request));
     // The search of another page goes on.
     let is_free = running.is_none_or(|page| page == state::Page::Seek);
     if quick && is_free && app.search_is_old() {
@@ -367,7 +369,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
         (Row::Across | Row::Up, Input::Step(press)) => {
             let (across, up) = &mut setup.axes;
             let axis = if row == Row::Up { up } else { across };
-            *axis = wrap((*axis).min(objectives - 1), press.by(), objectives);
+            *axis = cycled((*axis).min(objectives - 1), press.by(), objectives);
         }
         (_, Input::Step(press)) => step_number(setup, row, press),
         (_, Input::Text(text)) => read_number(setup, row, text)?,

@@ -8,10 +8,9 @@ use crate::model::scene::{Scene, SweepAxis};
 use crate::model::units::{self, Bare, significant};
 use crate::model::variables::{self, Allowed, Kind, Number, VARIABLES, Variable};
 use crate::tui::chart::{Scale, ViewRange};
-use crate::tui::dialogs::wrap;
-use crate::tui::pages::run::editor::shown_number;
-use crate::tui::pages::run::steps::{self, Input};
-use crate::tui::update::zoom::Span;
+use crate::tui::widgets::cycled;
+use crate::tui::widgets::steps::{self, Input, shown_number};
+use crate::tui::widgets::zoom::Span;
 use crate::tui::widgets::form::{FormRow, VALUE_WIDTH};
 
 /// The numbers of points the arrows go through.
@@ -57,7 +56,7 @@ impl Part {
             (Self::Name, Input::Text(text)) => *axis = over(scene, find(text)?, axis.count)?,
             (Self::Name, Input::Step(press)) => {
                 let all: Vec<&'static Variable> = numeric(scene).collect();
-                let next = wrap(place(axis, &all).unwrap_or(0), press.by(), all.len());
+                let next = cycled(place(axis, &all).unwrap_or(0), press.by(), all.len());
                 *axis = over(scene, all[next], axis.count)?;
             }
             (Self::From | Self::To, _) => {

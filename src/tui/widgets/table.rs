@@ -7,8 +7,8 @@ use std::ops::Range;
 use serde_json::Value;
 
 use crate::report::table::{Cells, Table};
-use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::status::fitted;
+use crate::tui::widgets::find::{rank, ranked};
+use crate::tui::widgets::text::fitted;
 
 /// Least columns of the names of a table's rows.
 const NAME_LEAST: usize = 12;

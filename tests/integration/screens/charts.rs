@@ -13,7 +13,7 @@ use cmra::tui::message::Message;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::plot_columns;
-use cmra::worker::Finding;
+use cmra::worker::studies::Found;
 
 #[test]
 fn letters_of_events_stay_beside_pinned_runs() {
@@ -104,7 +104,7 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     let mut map = stability::map(FixedStep::Thesis, Axis::K);
     let columns = map.dt_s.len();
     map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
-    bench.part(study.id, (10, 19), Finding::new(map));
+    bench.part(study.id, (10, 19), Found::from(map));
     let screen = bench.screen();
     assert!(screen.contains("computing the map: 10 of 19 rows"), "{screen}");
     assert!(screen.contains("____") && screen.contains("k [N/m^n]"), "{screen}");

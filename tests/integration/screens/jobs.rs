@@ -8,16 +8,15 @@ use super::{accuracy, limit, search};
 use cmra::model::run::EndReason;
 use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
-use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
-use cmra::tui::pages::limit::state::LimitSearch;
-use cmra::tui::pages::search::state::{Page, Request};
+use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::{Finding, ReportBody, Task, Worker};
+use cmra::worker::studies::{AskedFor, Comparison, EqualMass, LimitSearch, SearchRequest};
+use cmra::worker::{ReportBody, Task, Worker};
 
 /// The search that was submitted last.
 fn searched(bench: &mut Bench) -> (u64, Page) {
     let studies = bench.studies();
-    let found = studies.iter().rev().find_map(|it| Some((it.id, it.asked.of::<Request>()?.page())));
+    let found = studies.iter().rev().find_map(|it| Some((it.id, Page::of(SearchRequest::of(&it.asked)?))));
     found.expect("a search")
 }
 
@@ -203,9 +202,9 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     let part = stopped(&bench);
     bench.keys("r");
     let study = bench.studies().remove(0);
-    assert!(study.asked.of::<EqualMass>().is_some());
+    assert!(EqualMass::of(&study.asked).is_some());
     bench.keys("<Esc>");
-    bench.reply(study.id, ended(Finding::new(part)));
+    bench.reply(study.id, ended(part));
     for pane in ["comparison", "mass efficiency"] {
         assert!(bench.screen().contains("cancelled: press r"), "{pane}: {}", bench.screen());
         bench.keys("<Tab>");
@@ -213,8 +212,8 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     assert!(!bench.screen().contains("cancelled"), "the limit is there: {}", bench.screen());
     bench.keys("13");
     let again = bench.studies();
-    assert!(again.iter().all(|study| study.asked.of::<LimitSearch>().is_none()));
-    assert!(again.iter().all(|study| study.asked.of::<EqualMass>().is_none()));
+    assert!(again.iter().all(|study| LimitSearch::of(&study.asked).is_none()));
+    assert!(again.iter().all(|study| EqualMass::of(&study.asked).is_none()));
     // Its map is written as a part.
     bench.keys("<S-Tab>e<Enter>");
     assert!(writes_a_part(&bench));
@@ -230,10 +229,10 @@ fn a_part_of_a_run_is_not_the_result_of_a_pin() {
     let job = bench.app.pins[0].job.expect("the pin is computed");
     let mut part = made(&bench.app.pins[0].scene);
     part.end = EndReason::Cancelled;
-    bench.reply(job, ended(Finding::new(part)));
+    bench.reply(job, ended(part));
     assert!(bench.app.pins[0].run.is_none() && bench.app.pins[0].job.is_none());
     for other in jobs.iter().filter(|other| other.id != job) {
-        bench.reply(other.id, ended(Finding::new(made(&other.scene))));
+        bench.reply(other.id, ended(made(&other.scene)));
     }
     bench.keys("jl ");
     assert!(bench.app.pins.iter().all(|pin| pin.run.is_some()));

@@ -15,11 +15,11 @@ use cmra::tui::app::Base;
 use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::ExportOutcome;
 use cmra::tui::pages::Tab;
-use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
-use cmra::worker::{Finding, JobProgress, ReportBody};
+use cmra::worker::studies::{Found, PictureSweep};
+use cmra::worker::{JobProgress, ReportBody};
 use insta::assert_snapshot;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -49,7 +49,7 @@ fn grid(job: &Job, points: usize) -> Arc<Grid> {
 pub(super) fn answer(bench: &mut Bench) {
     for job in jobs(bench) {
         let grid = grid(&job, usize::MAX);
-        bench.reply(job.id, ended(Finding::from(grid)));
+        bench.reply(job.id, ended(grid));
     }
 }
 
@@ -205,7 +205,7 @@ fn a_held_variable_redraws_at_once_coarse_first() {
     assert_eq!(job.plan.base().projectile.velocity_m_s.to_bits(), 101f64.to_bits());
     let part = grid(&job, 36);
     assert!(!part.is_complete());
-    bench.part(job.id, (36, 441), Finding::from(part));
+    bench.part(job.id, (36, 441), Found::from(part));
     assert!(
         bench.screen().contains("sweeping: 36 of 441 points, 6.8 s left"),
         "{}",
@@ -216,10 +216,10 @@ fn a_held_variable_redraws_at_once_coarse_first() {
     bench.keys("l");
     let newer = jobs(&mut bench).remove(0);
     let late = grid(&job, usize::MAX);
-    bench.reply(job.id, ended(Finding::from(late)));
+    bench.reply(job.id, ended(late));
     assert!(bench.app.jobs.running::<PictureSweep>().is_some());
     let found = grid(&newer, usize::MAX);
-    bench.reply(newer.id, ended(Finding::from(found)));
+    bench.reply(newer.id, ended(found));
     assert!(bench.screen().contains("441 points in 8.0 ms"), "{}", bench.screen());
 }
 
@@ -234,7 +234,7 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
     let found = grid(&job, 100);
-    bench.reply(job.id, ended(Finding::from(found)));
+    bench.reply(job.id, ended(found));
     assert!(bench.message().contains("partial results are shown"));
     assert!(bench.screen().contains("cancelled after 100 of 441 points: press r"));
     bench.keys("12");
@@ -327,7 +327,7 @@ fn an_edit_taken_back_leaves_the_picture_as_it_is() {
     bench.keys("l");
     assert!(bench.has_cancelled());
     let found = grid(&late, usize::MAX);
-    bench.reply(late.id, ended(Finding::from(found)));
+    bench.reply(late.id, ended(found));
     let chart = |screen: &str| -> Vec<String> {
         screen.lines().take(20).filter_map(|it| it.split_once("||")).map(|it| it.1.into()).collect()
     };

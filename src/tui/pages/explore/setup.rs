@@ -8,12 +8,12 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
-use crate::tui::app::status::fitting;
-use crate::tui::dialogs::{around, wrap};
+use crate::tui::widgets::text::fitting;
+use crate::tui::widgets::{around, cycled};
 use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::{FIELD_DIGITS, number_in};
-use crate::tui::pages::run::steps::{Input, Press};
+use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::pages::{explore, run};
 use crate::tui::widgets::axis::{meaning, numeric, over, place, set_ends, span, whole};
 use crate::tui::widgets::form::{Form, FormRow, VALUE_WIDTH, quantity_after};
@@ -147,7 +147,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Reset => edit::reset(app),
         // A list of the words, or the other of two.
-        Action::Enter if !matches!(VARIABLES[index].kind, Kind::Number(_)) => run::open(app),
+        Action::Enter if !matches!(VARIABLES[index].kind, Kind::Number(_)) => return run::open(app),
         _ => return false,
     }
     true
@@ -275,8 +275,8 @@ fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     let next = match (alone, by > 0) {
         // From none to the usual one first.
         (true, true) => own,
-        (true, false) => wrap(places - 1, by, places),
-        (false, _) => wrap(own, by, places),
+        (true, false) => cycled(places - 1, by, places),
+        (false, _) => cycled(own, by, places),
     };
     let Some(variable) = choices.get(next) else {
         sweep.axes.truncate(1);

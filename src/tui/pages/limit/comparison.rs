@@ -5,62 +5,18 @@ use crate::model::library::{Entry, Library};
 use crate::report;
 use crate::report::compare::{picture, reasons, verdict};
 use crate::report::figures::column_of;
-use crate::study::compare::map::{Map, usual_axes};
-use crate::study::compare::{self, Hardware, is_equal};
-use crate::study::context::Progress;
+use crate::study::compare::map::Map;
+use crate::study::compare::{self, is_equal};
 use crate::study::sweep::Axis;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::{copy_value, nearest, placed};
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::text::put;
+use crate::worker::studies::{Comparison, EqualMass};
 
 /// What the rows of the comparison mean, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring must survive: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";
-
-/// Compares at equal areal mass, and maps the mass efficiency around the scene.
-#[derive(Debug)]
-pub struct EqualMass {
-    /// The absorber of the library that the scene has for it.
-    pub absorber: Option<String>,
-}
-
-/// A comparison at equal areal mass with its map, where there is one.
-#[derive(Clone, Debug)]
-pub struct Comparison {
-    pub report: compare::Report,
-    /// The absorber it was made with; `None`: the scene's own.
-    pub absorber: Option<String>,
-    /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
-    pub map: Option<Map>,
-}
-
-impl Study for EqualMass {
-    /// A scene without such a map has none.
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let axes = usual_axes(scene);
-        let points = axes.as_ref().map_or(0, |[x, y]| x.count() * y.count());
-        let points = usize::try_from(points)?;
-        let whole = points + compare::Candidate::ALL.len();
-        let of_all = |progress: Progress, before: usize| Progress {
-            done: before + progress.done,
-            total: whole,
-        };
-        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
-        let context = &mut Context::new(1, watch);
-        let report = compare::compare(scene, Hardware::default(), context)?;
-        let first = Comparison { report, absorber: self.absorber.clone(), map: None };
-        let Some(axes) = axes.filter(|_| first.report.is_complete) else {
-            return Ok(Finding::new(first));
-        };
-        let part = || Some(Finding::new(first.clone()));
-        let done = whole - points;
-        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
-        let context = &mut Context::new(reporter.threads(), watch);
-        let map = Map::compute(scene, &axes, Hardware::default(), context).ok();
-        Ok(Finding::new(Comparison { map, ..first }))
-    }
-}
 
 impl App {
     /// The absorbers of the library that the comparison can be made with.

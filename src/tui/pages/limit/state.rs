@@ -8,14 +8,14 @@ use crate::report::Remark;
 use crate::report::limit::{remarks, residual, taken_to_hold};
 use crate::report::monte_carlo::{perforation, v50};
 use crate::study::compare::map::Map;
-use crate::study::limit::{self, Limit, Report, Request, Shot};
+use crate::study::limit::{Limit, Report, Shot};
 use crate::study::monte_carlo;
-use crate::tui::app::layout::CHART_ROWS;
-use crate::tui::app::status::fitting;
+use crate::tui::widgets::layout::CHART_ROWS;
+use crate::tui::widgets::text::fitting;
 use crate::tui::chart::{Emphasis, Layout};
-use crate::tui::pages::limit::comparison::Comparison;
 use crate::tui::pages::limit::{RESIDUAL, area};
 use crate::tui::pages::prelude::*;
+use crate::worker::studies::{Comparison, LimitSearch};
 
 /// From this width on the facts stand beside the chart.
 pub const BESIDE: u16 = 100;
@@ -23,29 +23,6 @@ pub const BESIDE: u16 = 100;
 pub const FACTS: u16 = 40;
 /// Columns of a fact's label where it stands before the words.
 pub const LABEL: u16 = 15;
-
-#[derive(Debug, PartialEq)]
-pub struct LimitSearch(pub Request);
-
-impl Study for LimitSearch {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let watch = &mut reporter.progress();
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(Finding::new(limit::find(scene, self.0, context)?))
-    }
-}
-
-/// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
-#[derive(Debug, PartialEq)]
-pub struct Spread(pub monte_carlo::Request);
-
-impl Study for Spread {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let watch = &mut reporter.progress();
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(Finding::new(monte_carlo::sample(scene, &self.0, context)?))
-    }
-}
 
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {

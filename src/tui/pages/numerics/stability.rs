@@ -6,12 +6,14 @@ use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
 use crate::study::stability::others::Other;
-use crate::study::stability::{self, Basis, Row};
+use crate::study::stability::{Basis, Row};
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
-use crate::tui::update::act::{cursor_moved, moved};
+use crate::tui::widgets::{cursor_moved, moved};
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::NEEDS_SINGLE;
+use crate::worker::studies::{StabilityMap, StiffScenes};
+use crate::worker::study::RowsSoFar;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
@@ -23,38 +25,6 @@ pub(crate) fn stiff_scenes_words() -> String {
     let bases = Basis::ALL.iter().map(|it| format!("{}: {}", it.letter(), it.words()));
     let bases = bases.collect::<Vec<_>>().join(", ");
     format!("{COLUMNS}. The letter behind an error names what it is measured against ({bases}).")
-}
-
-/// Computes where a fixed-step method is stable.
-#[derive(Debug, PartialEq)]
-pub struct StabilityMap(pub Wanted);
-
-impl Study for StabilityMap {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        map::accepts(scene)?;
-        let watch = &mut reporter.watch(Map::clone);
-        let context = &mut Context::new(1, watch);
-        Ok(Finding::new(map::map(scene, self.0, context)))
-    }
-}
-
-/// Runs the battery of stiff and extreme scenes; the scene plays no part.
-#[derive(Debug)]
-pub struct StiffScenes;
-
-impl Study for StiffScenes {
-    fn lane(&self) -> Lane {
-        Lane::Studies
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let cases = stability::battery(false);
-        let watch = &mut reporter.watch(RowsSoFar::part);
-        // A run of an edited scene has its turn beside it.
-        let context = &mut Context::new(reporter.threads().min(2), watch);
-        let rows = stability::run(&cases, &reporter.clock(), context)?;
-        Ok(Finding::new(RowsSoFar::ended(rows, cases.len())))
-    }
 }
 
 /// The columns of the table of stiff scenes.

@@ -11,8 +11,8 @@ use crate::report::series::{Channel, thinned};
 use crate::tui::chart::Mapping;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, RunView};
-use crate::tui::update::act::along;
-use crate::tui::view::plot_columns;
+use crate::tui::widgets::along;
+use crate::tui::pages::plot_columns;
 
 /// Which part of the time is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

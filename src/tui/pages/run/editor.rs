@@ -6,9 +6,8 @@ use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES, Value, Variable, is_listed, is_offered};
 use crate::report::chart::Below;
-use crate::tui::app::find::{rank_variable, ranked};
-use crate::tui::app::status::fitting;
-use crate::tui::dialogs::ask::extent;
+use crate::tui::widgets::find::{rank_variable, ranked};
+use crate::tui::widgets::text::fitting;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::VARIABLES as PANE;
 use crate::tui::widgets::input::Field;
@@ -174,15 +173,6 @@ pub(crate) fn number_in(variable: &Variable, scene: &Scene, unit: &str, digits: 
             significant(shown, digits)
         },
     )
-}
-
-/// A number in at most `width` characters.
-pub fn shown_number(number: f64, width: usize) -> String {
-    (1..=6)
-        .rev()
-        .map(|digits| significant(number, digits))
-        .find(|text| text.len() <= width)
-        .unwrap_or_else(|| format!("{number:.0e}"))
 }
 
 /// Digits of a field: as many as a number that was typed may have.
@@ -351,4 +341,17 @@ pub(crate) fn measured(app: &App) -> Option<String> {
     let spring = &app.scene.mechanism.spring;
     let is_kind = app.pages.run.editor.variable().key == "mechanism.spring.kind";
     (is_kind && spring.kind == SpringKind::Table).then(|| extent(&spring.table.points))
+}
+
+/// `3 points, x = 0 to 0.05 m`.
+pub(crate) fn extent(points: &[[f64; 2]]) -> String {
+    match (points.first(), points.last()) {
+        (Some(first), Some(last)) => format!(
+            "{} points, x = {} to {} m",
+            points.len(),
+            units::shortest(first[0]),
+            units::shortest(last[0])
+        ),
+        _ => "no points".to_owned(),
+    }
 }

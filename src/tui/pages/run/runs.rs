@@ -14,7 +14,8 @@ use crate::study::quantities;
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::RUNS;
-use crate::tui::pages::run::editor::{shown_number, shown_value};
+use crate::tui::pages::run::editor::shown_value;
+use crate::tui::widgets::steps::shown_number;
 use crate::tui::widgets::table::{Grid, NO_MATCH};
 
 /// The letters pins get, in order.

@@ -5,8 +5,9 @@ use crate::report::Remark;
 use crate::report::table::Table;
 use crate::study::sweep;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::state::{Searching, StudyResult};
+use crate::tui::pages::search::state::Searching;
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
+use crate::worker::studies::SearchAnswer;
 
 /// The result of a study of the tab, as its page shows it.
 pub(crate) trait Answer {
@@ -64,7 +65,7 @@ pub(crate) trait Answer {
     fn draw(&self, _app: &App, _area: Rect, _focused: bool, _canvas: &mut Canvas<'_>) {}
 }
 
-impl StudyResult {
+impl SearchAnswer {
     pub(crate) fn answer(&self) -> &dyn Answer {
         match self {
             Self::Seek(report) => report,

@@ -1,16 +1,14 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
 use crate::numerics::statistics::ascending;
-use crate::study::monte_carlo;
-use crate::study::search::front::{self, Design, Front};
-use crate::study::search::seek;
-use crate::study::sensitivity;
-use crate::tui::app::layout::CHART_ROWS;
+use crate::study::search::front::{Design, Front};
+use crate::tui::widgets::layout::CHART_ROWS;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::PAGES;
 use crate::tui::pages::search::answer::Answer;
 use crate::tui::widgets::table::{Listing, Sorting};
+use crate::worker::studies::{SearchAnswer, SearchRequest};
 
 pub use crate::tui::pages::search::setup::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
@@ -48,8 +46,8 @@ impl Page {
 #[derive(Clone, Debug)]
 pub struct SearchResult {
     pub scene: Arc<Scene>,
-    pub request: Request,
-    pub answer: Arc<StudyResult>,
+    pub request: SearchRequest,
+    pub answer: Arc<SearchAnswer>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -79,7 +77,7 @@ impl Searching {
 
     pub fn front(&self) -> Option<&Front> {
         match &*self.found[Page::Front as usize].as_ref()?.answer {
-            StudyResult::Front(front) => Some(front),
+            SearchAnswer::Front(front) => Some(front),
             _ => None,
         }
     }
@@ -259,7 +257,7 @@ impl App {
     pub fn search_design(&self) -> Result<LabelledScene, String> {
         let tab = &self.pages.search;
         let Some(found) = tab.shown() else {
-            return Err(nothing::<Request>(self, BEING_COMPUTED, None));
+            return Err(nothing::<SearchRequest>(self, BEING_COMPUTED, None));
         };
         if self.search_is_old() {
             return Err(old("setup"));
@@ -279,70 +277,24 @@ impl SearchResult {
     }
 }
 
-#[derive(Clone, Debug, PartialEq)]
-pub enum Request {
-    /// Which values of a variable give a wanted result.
-    Seek(seek::Request),
-    /// The Pareto front: designs that no other one dominates.
-    Front(front::Request),
-    /// How strongly each variable acts on a quantity.
-    Sensitivity(sensitivity::Request),
-    /// How results scatter when inputs do.
-    MonteCarlo(monte_carlo::Request),
-}
-
-impl Request {
-    /// The command that makes it of the scene that was searched: its name, then its options.
-    pub fn command(&self) -> String {
-        match self {
-            Self::Seek(request) => request.to_string(),
-            Self::Front(request) => request.to_string(),
-            Self::Sensitivity(request) => request.to_string(),
-            Self::MonteCarlo(request) => request.to_string(),
-        }
-    }
-
-    pub fn page(&self) -> Page {
-        match self {
-            Self::Seek(_) => Page::Seek,
-            Self::Front(_) => Page::Front,
-            Self::Sensitivity(_) => Page::Sensitivity,
-            Self::MonteCarlo(_) => Page::MonteCarlo,
+impl Page {
+    /// The page that asks for it.
+    pub fn of(request: &SearchRequest) -> Self {
+        match request {
+            SearchRequest::Seek(_) => Self::Seek,
+            SearchRequest::Front(_) => Self::Front,
+            SearchRequest::Sensitivity(_) => Self::Sensitivity,
+            SearchRequest::MonteCarlo(_) => Self::MonteCarlo,
         }
     }
 }
 
-#[derive(Clone, Debug)]
-pub enum StudyResult {
-    Seek(seek::Report),
-    Front(Box<Front>),
-    Sensitivity(sensitivity::Report),
-    MonteCarlo(monte_carlo::Report),
-}
-
-impl Study for Request {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let (threads, plain) = (reporter.threads(), &mut reporter.progress());
-        let answer = match self {
-            Self::Seek(request) => {
-                let context = &mut Context::new(threads, plain);
-                StudyResult::Seek(seek::seek(scene, request, context)?)
-            }
-            Self::Front(request) => {
-                let answer = |front: &Front| StudyResult::Front(Box::new(front.clone()));
-                let watch = &mut reporter.watch(answer);
-                let context = &mut Context::new(threads, watch);
-                StudyResult::Front(Box::new(front::optimise(scene, request, context)?))
-            }
-            Self::Sensitivity(request) => {
-                let context = &mut Context::new(threads, plain);
-                StudyResult::Sensitivity(sensitivity::study(scene, request, context)?)
-            }
-            Self::MonteCarlo(request) => {
-                let context = &mut Context::new(threads, plain);
-                StudyResult::MonteCarlo(monte_carlo::sample(scene, request, context)?)
-            }
-        };
-        Ok(Finding::new(answer))
+/// The command that makes it of the scene that was searched: its name, then its options.
+pub(super) fn command(request: &SearchRequest) -> String {
+    match request {
+        SearchRequest::Seek(request) => request.to_string(),
+        SearchRequest::Front(request) => request.to_string(),
+        SearchRequest::Sensitivity(request) => request.to_string(),
+        SearchRequest::MonteCarlo(request) => request.to_string(),
     }
 }

@@ -7,7 +7,7 @@ use crate::report::figures::run::{contact_window_s, event_letter, event_marks};
 use crate::report::law::Law;
 use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
-use crate::tui::app::status::fitting;
+use crate::tui::widgets::text::fitting;
 use crate::tui::chart::{
     self, Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
 };

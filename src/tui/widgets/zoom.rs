@@ -1,7 +1,7 @@
 //! Zooming and panning an axis: one rule for every chart and map.
 
 use crate::tui::chart::{Scale, ViewRange};
-use crate::tui::prelude::*;
+use crate::tui::keymap::Action;
 
 const STEP: f64 = 2.0;
 /// One pan step, as a share of the span.

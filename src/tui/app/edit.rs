@@ -8,14 +8,14 @@ use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
-use crate::tui::dialogs::wrap;
+use crate::tui::widgets::cycled;
 use crate::tui::pages::explore::state::PicturePlan;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::{self, Pin};
-use crate::tui::pages::run::steps::{self, Input, Press};
+use crate::tui::widgets::steps::{self, Input, Press};
 use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
-use crate::tui::update::jobs;
+use crate::tui::app::jobs;
 
 /// Set a variable. `stepping` joins it with the steps just before.
 pub(crate) fn set(
@@ -220,7 +220,7 @@ pub(crate) fn step(app: &mut App, press: Press) {
     let index = app.pages.run.editor.selected;
     let variable = &VARIABLES[index];
     let Kind::Number(number) = &variable.kind else {
-        if let Some(value) = cycled(app, index, press.by()) {
+        if let Some(value) = neighbour(app, index, press.by()) {
             return finish(app, index, value, None);
         }
         let only = format!("{} has only one value: {}", variable.symbol, variable.show(&app.scene));
@@ -267,11 +267,11 @@ fn finish(app: &mut App, index: usize, value: Value, stepping: Option<Stepping>)
 }
 
 /// The neighbour of a choice or switch; `None` where there is only one value, or the variable is a number.
-fn cycled(app: &App, index: usize, by: isize) -> Option<Value> {
+fn neighbour(app: &App, index: usize, by: isize) -> Option<Value> {
     match &VARIABLES[index].kind {
         Kind::Switch { get, .. } => Some(Value::Switch(!get(&app.scene))),
         Kind::Choice(choice) if choice.words.len() > 1 => {
-            let next = wrap((choice.get)(&app.scene), by, choice.words.len());
+            let next = cycled((choice.get)(&app.scene), by, choice.words.len());
             Some(Value::Word(choice.words[next]))
         }
         Kind::Choice(_) | Kind::Number(_) => None,

@@ -3,7 +3,15 @@
 use crate::model::scene::Scene;
 use crate::model::units::{Dimension, significant};
 use crate::model::variables::{Number, Step, Variable};
-use crate::tui::pages::run::editor::shown_number;
+
+/// A number in at most `width` characters.
+pub fn shown_number(number: f64, width: usize) -> String {
+    (1..=6)
+        .rev()
+        .map(|digits| significant(number, digits))
+        .find(|text| text.len() <= width)
+        .unwrap_or_else(|| format!("{number:.0e}"))
+}
 
 /// What changes the value of a row.
 #[derive(Clone, Copy, Debug)]

@@ -3,14 +3,174 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use crossterm::event::{KeyCode, KeyEvent};
+
 use crate::files::export::RunTable;
 use crate::report::run::{self, NamedRun, Rows};
-use crate::tui::app::status::clip;
-use crate::tui::dialogs::{Ask, Purpose, ask, frame, wrap};
+use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::dialogs::ask::{Ask, REPLACE, Step};
+use crate::tui::dialogs::export_table::{export, exported, instead_of_table};
+use crate::tui::dialogs::frame;
+use crate::tui::dialogs::list::is_text;
+use crate::tui::message::{Content, EffectReport};
 use crate::tui::prelude::*;
-use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::{TextLine, columns, wrapped};
+use crate::tui::widgets::text::{clip, columns};
+use crate::tui::widgets::{RowList, cycled};
+
+pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
+    if !app.shows_runs() {
+        return None;
+    }
+    let runs = available(app);
+    if runs.is_empty() {
+        app.refuse("nothing to export yet: <run> runs the scene");
+        return None;
+    }
+    let about = |name: &str| {
+        let pin = app.pins.iter().find(|pin| pin.letter.to_string() == name);
+        pin.map_or_else(String::new, |pin| pin.name.clone())
+    };
+    let line = |part, value| Line { part, value };
+    let text = |text: String| Value::Text(TextField::new(text));
+    let tick = |name: String, about, on| Value::Tick { name, about, on };
+    let listed: Vec<String> = app.run_order().into_iter().map(|run| app.run_label(run)).collect();
+    let mut lines = vec![
+        line(FILE, Value::Path),
+        line(WHAT, Value::Choice(SERIES, KINDS.map(|kind| kind.words).to_vec())),
+        line(ROWS, text(GRID_ROWS.to_string())),
+    ];
+    let runs = runs.into_iter().map(|(name, _)| (about(&name), name));
+    // Of the runs those that the table lists.
+    lines.extend(runs.map(|(about, name)| {
+        let on = listed.contains(&name);
+        line(RUNS, tick(name, about, on))
+    }));
+    let names = run::columns(Rows::Series, false).into_iter();
+    lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new(), true))));
+    let ask = Ask::new(TextField::new(format!("{}.csv", app.base_stem())));
+    Some(Box::new(ExportRuns { ask, choices: Choices { lines, selected: 0 } }))
+}
+
+#[derive(Clone, Debug)]
+struct ExportRuns {
+    ask: Ask,
+    /// What is chosen beside the file.
+    choices: Choices,
+}
+
+impl Dialog for ExportRuns {
+    fn footer(&self) -> Footer {
+        if self.ask.question {
+            return REPLACE;
+        }
+        &[
+            (FootKey::Of(Action::Enter), "write"),
+            (FootKey::As("Up/Down"), "move"),
+            (FootKey::Of(Action::Mark), "tick"),
+            (FootKey::As("a"), "all or none"),
+            (FootKey::Of(Action::FocusNext), "complete path"),
+            (FootKey::Of(Action::Back), "close"),
+        ]
+    }
+
+    fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
+        let on_path = self.choices.selected == 0;
+        let has_field = on_path || self.choices.field_mut().is_some();
+        let action = app.keymap.action(key).filter(|_| !(has_field && is_text(key)));
+        match action {
+            _ if self.ask.question => {}
+            Some(Action::Down) => return self.moved(1),
+            Some(Action::Up | Action::FocusPrevious) => return self.moved(-1),
+            Some(Action::FocusNext) if !on_path => return self.moved(1),
+            Some(Action::Left) if !has_field => return self.changed(-1),
+            Some(Action::Right | Action::Mark) if !has_field => return self.changed(1),
+            Some(Action::Quit) if !has_field => return Outcome::Closes,
+            _ if !has_field && is_text(key) => {
+                if key.code == KeyCode::Char('a') {
+                    self.choices.all_or_none();
+                }
+                return Outcome::Stays;
+            }
+            Some(Action::Enter | Action::Back) => {}
+            _ => {
+                if let Some(field) = self.choices.field_mut() {
+                    field.press(key);
+                    self.ask.forget();
+                    return Outcome::Stays;
+                }
+            }
+        }
+        match self.ask.press(app, key, true) {
+            Step::Accept { overwrite } => {
+                let choices = &self.choices;
+                let table = |app: &App| table(app, choices).map(Content::Runs);
+                let path = self.ask.path(app, "run.csv");
+                let task = path.and_then(|path| export(app, path, overwrite, table));
+                self.ask.begun(app, task);
+            }
+            Step::Closes => return Outcome::Closes,
+            Step::Stays => {}
+        }
+        Outcome::Stays
+    }
+
+    fn click(&mut self, _: &mut App, row: usize) -> Outcome {
+        self.choices.click(row);
+        Outcome::Stays
+    }
+
+    fn field_mut(&mut self) -> Option<&mut TextField> {
+        if self.choices.selected == 0 {
+            Some(&mut self.ask.text)
+        } else {
+            self.choices.field_mut()
+        }
+    }
+
+    fn pasted(&mut self) {
+        self.ask.forget();
+    }
+
+    fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
+        exported(&mut self.ask, directory, report)
+    }
+
+    fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
+        let rows = self.choices.shown();
+        let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
+        let pane = PaneFrame::new("Export to CSV (charts: .svg, report: .html)");
+        let inner = frame(screen, (100, wanted), pane, canvas);
+        let foot = FOOT.min(inner.height.saturating_sub(4));
+        let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
+        let selected = rows.iter().position(|at| *at == self.choices.selected).unwrap_or(0);
+        let shown = RowList { count: rows.len(), selected, painted: false };
+        let first = shown.first(list.height);
+        let target = |row| Some(Target::DialogRow(row));
+        shown.render(canvas, list, target, |canvas, line, at| one(self, rows[at], line, canvas));
+        let hidden = rows.len().saturating_sub(first + usize::from(list.height));
+        if hidden > 0 {
+            let more = format!("({hidden} more below)");
+            let column = list.width.saturating_sub(columns(&more));
+            canvas.put(list, (column, list.height.saturating_sub(1)), &more, Role::Dim);
+        }
+        let lower = Rect { y: list.bottom(), height: foot, ..inner };
+        below(app, self, lower, canvas);
+    }
+}
+
+impl ExportRuns {
+    fn moved(&mut self, by: isize) -> Outcome {
+        self.choices.move_by(by);
+        Outcome::Stays
+    }
+
+    fn changed(&mut self, by: isize) -> Outcome {
+        self.choices.change(by);
+        self.ask.text.error = None;
+        Outcome::Stays
+    }
+}
 
 /// Rows of a grid by default.
 const GRID_ROWS: usize = 1001;
@@ -65,10 +225,10 @@ struct Line {
 
 /// What is chosen beside the file; nothing for other files.
 #[derive(Clone, Debug, Default)]
-pub struct Choices {
+struct Choices {
     lines: Vec<Line>,
     /// The selected line; the first one is the path.
-    pub(super) selected: usize,
+    selected: usize,
 }
 
 impl Choices {
@@ -117,7 +277,7 @@ impl Choices {
     }
 
     /// The field of the selected line, where that is not the path.
-    pub(super) fn field_mut(&mut self) -> Option<&mut TextField> {
+    fn field_mut(&mut self) -> Option<&mut TextField> {
         match &mut self.lines.get_mut(self.selected)?.value {
             Value::Text(field) => Some(field),
             Value::Path | Value::Choice(..) | Value::Tick { .. } => None,
@@ -125,16 +285,16 @@ impl Choices {
     }
 
     /// Change what the selected line chooses, round and round, or tick it.
-    pub(super) fn change(&mut self, by: isize) {
+    fn change(&mut self, by: isize) {
         match &mut self.lines[self.selected].value {
-            Value::Choice(at, words) => *at = wrap(*at, by, words.len()),
+            Value::Choice(at, words) => *at = cycled(*at, by, words.len()),
             Value::Tick { on, .. } => *on = !*on,
             Value::Path | Value::Text(_) => {}
         }
     }
 
     /// All lines like the selected one when one is missing, else none.
-    pub(super) fn all_or_none(&mut self) {
+    fn all_or_none(&mut self) {
         let part = self.lines[self.selected].part;
         let all = self.of(part).any(|it| matches!(it, Value::Tick { on: false, .. }));
         for line in self.lines.iter_mut().filter(|line| line.part == part) {
@@ -145,7 +305,7 @@ impl Choices {
     }
 
     /// Move the selection, stopping at the ends.
-    pub(super) fn move_by(&mut self, by: isize) {
+    fn move_by(&mut self, by: isize) {
         let shown = self.shown();
         let here = shown.iter().position(|at| *at == self.selected).unwrap_or(0);
         let next = here.saturating_add_signed(by).min(shown.len().saturating_sub(1));
@@ -153,43 +313,13 @@ impl Choices {
     }
 
     /// A click on a row: it selects, and ticks or changes what was selected.
-    pub(super) fn click(&mut self, row: usize) {
+    fn click(&mut self, row: usize) {
         let Some(row) = self.shown().get(row).copied() else { return };
         if self.selected == row {
             self.change(1);
         }
         self.selected = row;
     }
-}
-
-pub(crate) fn open(app: &mut App) {
-    let runs = available(app);
-    if runs.is_empty() {
-        return app.refuse("nothing to export yet: <run> runs the scene");
-    }
-    let about = |name: &str| {
-        let pin = app.pins.iter().find(|pin| pin.letter.to_string() == name);
-        pin.map_or_else(String::new, |pin| pin.name.clone())
-    };
-    let line = |part, value| Line { part, value };
-    let text = |text: String| Value::Text(TextField::new(text));
-    let tick = |name: String, about, on| Value::Tick { name, about, on };
-    let listed: Vec<String> = app.run_order().into_iter().map(|run| app.run_label(run)).collect();
-    let mut lines = vec![
-        line(FILE, Value::Path),
-        line(WHAT, Value::Choice(SERIES, KINDS.map(|kind| kind.words).to_vec())),
-        line(ROWS, text(GRID_ROWS.to_string())),
-    ];
-    let runs = runs.into_iter().map(|(name, _)| (about(&name), name));
-    // Of the runs those that the table lists.
-    lines.extend(runs.map(|(about, name)| {
-        let on = listed.contains(&name);
-        line(RUNS, tick(name, about, on))
-    }));
-    let names = run::columns(Rows::Series, false).into_iter();
-    lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new(), true))));
-    let path = TextField::new(format!("{}.csv", ask::base_stem(app)));
-    ask::open(app, Purpose::Runs, path, Choices { lines, selected: 0 });
 }
 
 /// The runs that can be exported: the current one and the pins, those with a result.
@@ -200,7 +330,7 @@ fn available(app: &App) -> Vec<NamedRun> {
 }
 
 /// The table of what is chosen.
-pub(super) fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
+fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
     let chosen = choices.ticked(RUNS);
     let runs = available(app).into_iter().filter(|(name, _)| chosen.contains(&&**name));
     let runs: Vec<NamedRun> = runs.collect();
@@ -235,29 +365,7 @@ const VALUE: u16 = 11;
 /// Rows below the list: absolute path, note or question, preview.
 const FOOT: u16 = 8;
 
-pub(super) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
-    let choices = &state.choices;
-    let rows = choices.shown();
-    let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
-    let pane = PaneFrame::new("Export to CSV (charts: .svg, report: .html)").right("Enter writes");
-    let inner = frame(screen, (100, wanted), pane, canvas);
-    let foot = FOOT.min(inner.height.saturating_sub(4));
-    let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
-    let selected = rows.iter().position(|at| *at == choices.selected).unwrap_or(0);
-    let shown = RowList { count: rows.len(), selected, painted: false };
-    let first = shown.first(list.height);
-    shown.in_dialog(canvas, list, |canvas, line, at| one(state, rows[at], line, canvas));
-    let hidden = rows.len().saturating_sub(first + usize::from(list.height));
-    if hidden > 0 {
-        let more = format!("({hidden} more below)");
-        let column = list.width.saturating_sub(columns(&more));
-        canvas.put(list, (column, list.height.saturating_sub(1)), &more, Role::Dim);
-    }
-    let lower = Rect { y: list.bottom(), height: foot, ..inner };
-    below(app, state, lower, canvas);
-}
-
-fn one(state: &Ask, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
+fn one(state: &ExportRuns, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
     let lines = &state.choices.lines;
     let (here, shown) = (state.choices.selected == at, &lines[at]);
     if at == 0 || lines[at - 1].part != shown.part {
@@ -270,7 +378,7 @@ fn one(state: &Ask, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
     let role = if here { Role::Selection } else { Role::Text };
     let text = match &shown.value {
         Value::Path | Value::Text(_) => {
-            let field = if let Value::Text(field) = &shown.value { field } else { &state.text };
+            let field = if let Value::Text(field) = &shown.value { field } else { &state.ask.text };
             let area = Rect { x: line.x + VALUE, width: room, ..line };
             if here {
                 TextField { error: None, ..field.clone() }.draw(canvas, area);
@@ -289,25 +397,18 @@ fn one(state: &Ask, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// The absolute path, then the question, error or completions, else the first lines.
-fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
+fn below(app: &App, state: &ExportRuns, area: Rect, canvas: &mut Canvas<'_>) {
     let width = usize::from(area.width);
-    let text = format!("to {}", app.files.directory.join(state.text.value().trim()).display());
+    let text = format!("to {}", app.files.directory.join(state.ask.value()).display());
     canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
-    let other = ask::instead_of_table(Path::new(state.text.value().trim()));
+    let other = instead_of_table(Path::new(state.ask.value()));
     let of_tables = other.map(|what| format!("{what}; choices are for tables"));
     let beside = "with a .toml file beside it that reproduces the same digits";
     canvas.put(area, (0, 2), &clip(of_tables.as_deref().unwrap_or(beside), width), Role::Dim);
-    let lines: Vec<TextLine> = if state.question {
-        wrapped(&ask::question(app, state), area.width, Role::Warning).collect()
-    } else if let Some(error) = &state.text.error {
-        wrapped(&app.keymap.shown(&format!("x {error}")), area.width, Role::Error).collect()
-    } else if state.completions.is_empty() && other.is_some() {
-        Vec::new()
-    } else if state.completions.is_empty() {
-        preview(app, &state.choices).into_iter().map(|line| (line, Role::Dim)).collect()
-    } else {
-        wrapped(&state.completions.join("  "), area.width, Role::Note).collect()
-    };
+    let lines = state.ask.found(app, area.width).unwrap_or_else(|| match other {
+        Some(_) => Vec::new(),
+        None => preview(app, &state.choices).into_iter().map(|line| (line, Role::Dim)).collect(),
+    });
     let lines = lines.into_iter().map(|(line, role)| (clip(&line, width), role));
     canvas.put_lines(area, 4, lines);
 }
