@@ -250,7 +250,8 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
         app.settings.theme.depth = depth;
     }
     app.settings.auto_run = word(AUTO_RUN) != Some("off");
-    app.settings.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
+    app.settings.threads =
+        word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
     app.restore_setups(&last.setup);
     app.tell(greeting(app));
 }

@@ -11,9 +11,9 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::files::preset;
-use crate::tui::app::{Base, Typing};
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Notice;
+use crate::tui::app::{Base, Typing};
 use crate::tui::dialogs::{Ask, answered, ask, asking, list};
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};

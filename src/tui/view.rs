@@ -95,7 +95,13 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     for (row, line) in (top..area.height).zip(lines) {
         let width = text::columns(line).min(area.width);
         let x = (area.width - width) / 2;
-        canvas.set_stringn(x, row, line, usize::from(area.width), app.settings.theme.style(Role::Text));
+        canvas.set_stringn(
+            x,
+            row,
+            line,
+            usize::from(area.width),
+            app.settings.theme.style(Role::Text),
+        );
     }
 }
 

@@ -107,12 +107,14 @@ pub(crate) fn copy(app: &mut App) {
 fn proposed_name(app: &App) -> String {
     let name = &app.base.name;
     // Scenes that the program kept by itself are files, too, but nobody opened them by their path.
-    let is_file = preset::is_path(name) && app.files.recent.contains(&app.files.directory.join(name));
+    let is_file =
+        preset::is_path(name) && app.files.recent.contains(&app.files.directory.join(name));
     if app.base.is_mine || is_file {
         return name.clone();
     }
-    let taken =
-        |name: &str| app.files.presets.iter().any(|entry| entry.part.is_none() && entry.name == name);
+    let taken = |name: &str| {
+        app.files.presets.iter().any(|entry| entry.part.is_none() && entry.name == name)
+    };
     let stem = base_stem(app);
     (2..100)
         .map(|number| format!("{stem}-{number}"))
@@ -323,7 +325,9 @@ pub(super) fn question(app: &App, state: &Ask) -> String {
         Purpose::Preset if !preset::is_path(text) => {
             (format!("your preset `{text}`"), " (its comments stay)")
         }
-        Purpose::Preset => (app.files.directory.join(text).display().to_string(), " (its comments stay)"),
+        Purpose::Preset => {
+            (app.files.directory.join(text).display().to_string(), " (its comments stay)")
+        }
         _ => (app.files.directory.join(text).display().to_string(), ""),
     };
     format!("! {there} exists: o overwrite{note}, r rename, Esc back")

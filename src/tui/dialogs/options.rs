@@ -47,9 +47,10 @@ impl OptionRow {
             Self::Colours => app.settings.theme.depth.word().to_owned(),
             Self::Mouse => on(app.settings.mouse),
             Self::AutoRun => on(app.settings.auto_run),
-            Self::Threads => {
-                app.settings.threads.map_or_else(|| "one per core".to_owned(), |count| count.to_string())
-            }
+            Self::Threads => app
+                .settings
+                .threads
+                .map_or_else(|| "one per core".to_owned(), |count| count.to_string()),
             Self::Interface => of("interface.law"),
             Self::Contact => of("contact.model"),
         }
@@ -64,7 +65,9 @@ pub(crate) fn switch(app: &mut App, row: OptionRow) {
 pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
     match row {
         OptionRow::Characters => app.settings.theme.glyphs = app.settings.theme.glyphs.next(),
-        OptionRow::Colours => app.settings.theme.depth = app.settings.theme.depth.next(app.settings.best_depth),
+        OptionRow::Colours => {
+            app.settings.theme.depth = app.settings.theme.depth.next(app.settings.best_depth)
+        }
         OptionRow::Mouse => {
             app.settings.mouse = !app.settings.mouse;
             app.request(Effect::Mouse(app.settings.mouse));
