@@ -152,7 +152,9 @@ struct SessionFile {
 
 /// What a key has, where that means something: it costs nothing else where it does not. A text may have it as JSON, or as a number, as
 /// older versions wrote it.
-fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(file: D) -> Result<Option<T>, D::Error> {
+fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
+    file: D,
+) -> Result<Option<T>, D::Error> {
     let value = toml::Value::deserialize(file)?;
     let text = value.as_str().and_then(|text| serde_json::from_str(text).ok());
     Ok(text.or_else(|| value.try_into().ok()))
@@ -339,7 +341,8 @@ mod tests {
         session.preset = Some("cocked".to_owned());
         session.pins.push(("A".to_owned(), Scene::default()));
         session.view.glyphs = Some("ascii".to_owned());
-        session.setup.search = Some(Search { goal: "stroke_m=0.6".to_owned(), ..Search::default() });
+        session.setup.search =
+            Some(Search { goal: "stroke_m=0.6".to_owned(), ..Search::default() });
         note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
         session
     }

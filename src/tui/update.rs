@@ -175,9 +175,7 @@ impl App {
             (KeyCode::Char(c), _) if c.is_ascii_digit() && here.has.contains(&Part::Form) => {
                 format!("no tab has the number {c}: <enter> opens the value to type it")
             }
-            (_, None) if action.is_some_and(is_zoom) => {
-                "only charts and maps zoom".to_owned()
-            }
+            (_, None) if action.is_some_and(is_zoom) => "only charts and maps zoom".to_owned(),
             (_, Some(pane)) => {
                 format!(
                     "`{label}` does nothing here, but in {}: <next-pane> goes there",

@@ -4,13 +4,13 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
 
-use crate::tui::widgets::layout::SMALLEST;
 use crate::tui::app::dialog::{FootKey, Footer};
 use crate::tui::pages::run::VARIABLES;
 use crate::tui::pages::{self, PageSpec, StatusPart};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
+use crate::tui::widgets::layout::SMALLEST;
 use crate::tui::widgets::text::{self, clip, columns, fitting};
 
 /// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, and whether it is shown: in a field it
@@ -72,7 +72,13 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     for (row, line) in (top..area.height).zip(lines) {
         let width = text::columns(line).min(area.width);
         let x = (area.width - width) / 2;
-        canvas.set_stringn(x, row, line, usize::from(area.width), app.settings.theme.style(Role::Text));
+        canvas.set_stringn(
+            x,
+            row,
+            line,
+            usize::from(area.width),
+            app.settings.theme.style(Role::Text),
+        );
     }
 }
 

@@ -197,9 +197,7 @@ impl<'a> Reporter<'a> {
         &self,
         part: impl Fn(&P) -> T,
     ) -> impl FnMut(study::Progress, Option<&P>) -> ControlFlow<()> {
-        move |progress, so_far| {
-            self.tell(progress, &|| so_far.map(|so_far| part(so_far).into()))
-        }
+        move |progress, so_far| self.tell(progress, &|| so_far.map(|so_far| part(so_far).into()))
     }
 
     /// Do the work; a panic becomes an error text.

@@ -8,14 +8,14 @@ use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
-use crate::tui::widgets::cycled;
+use crate::tui::app::jobs;
 use crate::tui::pages::explore::state::PicturePlan;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::{self, Pin};
-use crate::tui::widgets::steps::{self, Input, Press};
 use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
-use crate::tui::app::jobs;
+use crate::tui::widgets::cycled;
+use crate::tui::widgets::steps::{self, Input, Press};
 
 /// Set a variable. `stepping` joins it with the steps just before.
 pub(crate) fn set(

@@ -25,7 +25,9 @@ pub(super) struct Ask {
 /// What a key in the field comes to.
 pub(super) enum Step {
     /// The text is taken; a file or preset of this name may be replaced.
-    Accept { overwrite: bool },
+    Accept {
+        overwrite: bool,
+    },
     Closes,
     Stays,
 }

@@ -37,7 +37,8 @@ impl Dialog for Curve {
     fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
         match self.0.press(app, key, true) {
             Step::Accept { .. } => {
-                let task = self.0.path(app, "curve.csv").map(|path| Some(FileTask::ReadCurve(path)));
+                let task =
+                    self.0.path(app, "curve.csv").map(|path| Some(FileTask::ReadCurve(path)));
                 self.0.begun(app, task);
             }
             Step::Closes => return Outcome::Closes,

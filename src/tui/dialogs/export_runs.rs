@@ -121,11 +121,7 @@ impl Dialog for ExportRuns {
     }
 
     fn field_mut(&mut self) -> Option<&mut TextField> {
-        if self.choices.selected == 0 {
-            Some(&mut self.ask.text)
-        } else {
-            self.choices.field_mut()
-        }
+        if self.choices.selected == 0 { Some(&mut self.ask.text) } else { self.choices.field_mut() }
     }
 
     fn pasted(&mut self) {

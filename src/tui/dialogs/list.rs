@@ -75,7 +75,8 @@ impl<L: List> Dialog for Listed<L> {
         let (list, picker) = (&mut self.list, &mut self.picker);
         let action = app.keymap.action(key).filter(|_| !(picker.typing && is_text(key)));
         // Within a text, those keys move the cursor of the field.
-        let moves = action.filter(|it| !(picker.typing && matches!(it, Action::First | Action::Last)));
+        let moves =
+            action.filter(|it| !(picker.typing && matches!(it, Action::First | Action::Last)));
         if let Some(by) = moves.and_then(|action| rows_moved(action, PAGE)) {
             let last = list.count(app, picker.filter.value()).saturating_sub(1);
             picker.selected = picker.selected.saturating_add_signed(by).min(last);

@@ -8,8 +8,8 @@ use crate::tui::dialogs::frame;
 use crate::tui::dialogs::list::{List, Listed, Picker};
 use crate::tui::option::OptionRow;
 use crate::tui::prelude::*;
-use crate::tui::widgets::text::wrapped;
 use crate::tui::widgets::cycled;
+use crate::tui::widgets::text::wrapped;
 
 pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
     Listed::at(Options, 0)
@@ -80,9 +80,10 @@ fn value(row: OptionRow, app: &App) -> String {
         OptionRow::Colours => app.settings.theme.depth.word().to_owned(),
         OptionRow::Mouse => on(app.settings.mouse),
         OptionRow::AutoRun => on(app.settings.auto_run),
-        OptionRow::Threads => {
-            app.settings.threads.map_or_else(|| "one per core".to_owned(), |count| count.to_string())
-        }
+        OptionRow::Threads => app
+            .settings
+            .threads
+            .map_or_else(|| "one per core".to_owned(), |count| count.to_string()),
         OptionRow::Interface => of("interface.law"),
         OptionRow::Contact => of("contact.model"),
     }
@@ -96,7 +97,9 @@ pub(crate) fn switch(app: &mut App, row: OptionRow) {
 pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
     match row {
         OptionRow::Characters => app.settings.theme.glyphs = app.settings.theme.glyphs.next(),
-        OptionRow::Colours => app.settings.theme.depth = app.settings.theme.depth.next(app.settings.best_depth),
+        OptionRow::Colours => {
+            app.settings.theme.depth = app.settings.theme.depth.next(app.settings.best_depth)
+        }
         OptionRow::Mouse => {
             app.settings.mouse = !app.settings.mouse;
             app.request(Effect::Mouse(app.settings.mouse));

@@ -49,7 +49,8 @@ impl List for Presets {
     /// Load the selected preset; a path opens its file. What is refused leaves the list open.
     fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
         let typed = picker.filter.value().trim();
-        let is_path = typed.contains('/') || Path::new(typed).extension().is_some_and(|it| it == "toml");
+        let is_path =
+            typed.contains('/') || Path::new(typed).extension().is_some_and(|it| it == "toml");
         if typed.is_empty() && !picker.moved {
             app.tell("type a name, or move to one: nothing is loaded that was not chosen");
             return Outcome::Stays;
@@ -65,7 +66,9 @@ impl List for Presets {
             None if is_path => app.request(Effect::Files(FileTask::Load(typed.into()))),
             None => {
                 let typed = clip(typed, 24);
-                app.tell(format!("no preset matches; a file is opened by its path: ./{typed}.toml"));
+                app.tell(format!(
+                    "no preset matches; a file is opened by its path: ./{typed}.toml"
+                ));
                 return Outcome::Stays;
             }
         }

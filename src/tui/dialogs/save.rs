@@ -67,7 +67,8 @@ impl Dialog for Save {
         } else {
             "kept with your own presets; a path (./my.toml) writes a file".to_owned()
         };
-        let pane = PaneFrame::new("Save the scene; comments of a file or preset that is replaced stay");
+        let pane =
+            PaneFrame::new("Save the scene; comments of a file or preset that is replaced stay");
         self.0.draw(app, (pane, "name  ", hint), screen, canvas);
     }
 }

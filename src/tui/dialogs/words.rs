@@ -2,11 +2,11 @@
 
 use crate::model::variables::{self, Kind, Value};
 use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::app::edit;
 use crate::tui::dialogs::list::{List, Listed, Picker};
 use crate::tui::dialogs::{curve, frame};
 use crate::tui::pages::run::is_list;
 use crate::tui::prelude::*;
-use crate::tui::app::edit;
 use crate::tui::widgets::text::wrapped;
 
 /// A list of the words of the selected variable, where it has enough of them.

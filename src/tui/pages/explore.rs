@@ -11,18 +11,18 @@ use crate::report::sweep::{self, Columns};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Shard};
-use crate::tui::widgets::layout::{ROOMY, setup_width};
 use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
-use crate::tui::widgets::cycled;
+use crate::tui::pages::draw_setup;
 use crate::tui::pages::explore::plan::at_rest;
 use crate::tui::pages::explore::state::{Picture, SweepResult, no_sweep, sweep_of};
-use crate::tui::pages::draw_setup;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
+use crate::tui::widgets::cycled;
+use crate::tui::widgets::form::Form;
+use crate::tui::widgets::layout::{ROOMY, setup_width};
 use crate::tui::widgets::steps::Input;
 use crate::tui::widgets::{cursor_moved, moved};
-use crate::tui::widgets::form::Form;
 use crate::worker::studies::{PictureSweep, PrintedSweep};
 
 /// The curves or the map.

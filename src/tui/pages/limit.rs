@@ -9,12 +9,12 @@ use crate::study::limit::{Limit, Request};
 use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
 use crate::study::validity;
-use crate::tui::widgets::layout::NARROW;
 use crate::tui::app::status::outside;
-use crate::tui::widgets::{around, cycled};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
+use crate::tui::widgets::layout::NARROW;
 use crate::tui::widgets::{along, cursor_moved, moved};
+use crate::tui::widgets::{around, cycled};
 use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
 /// The residual velocity over the impact velocity.

@@ -110,7 +110,8 @@ impl App {
             let word = notice.severity.word();
             (format!("{word:<8} {}", notice.text), notice.severity.role())
         };
-        let mut messages: Vec<TextLine> = self.pages.log.messages.iter().rev().map(message).collect();
+        let mut messages: Vec<TextLine> =
+            self.pages.log.messages.iter().rev().map(message).collect();
         let older = messages.split_off(NEWEST.min(messages.len()));
         let mut lines = Vec::new();
         section(&mut lines, "Messages of this session, newest first", messages);

@@ -6,9 +6,9 @@ pub(crate) mod report;
 pub mod runs;
 
 use crate::model::variables::Kind;
-use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::pages::explore;
 use crate::tui::pages::prelude::*;
+use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::table::Listing;
@@ -128,7 +128,9 @@ impl Page for RunTab {
             CHARTS if app.pages.run.charts.cursor_s.is_some() => note(Some(app.readout())),
             CHARTS => note(Some(charts::draw::event_words(app, app.pages.run.charts.selected))),
             RUNS => note(runs::difference(app)),
-            VARIABLES if app.pages.run.editor.shows(&app.scene) => note(Some(app.variable_words(room))),
+            VARIABLES if app.pages.run.editor.shows(&app.scene) => {
+                note(Some(app.variable_words(room)))
+            }
             _ => None,
         }
     }
@@ -145,14 +147,16 @@ impl Page for RunTab {
         match app.pane() {
             VARIABLES => {
                 let listed = app.pages.run.editor.listed(&app.scene);
-                let selected = listed.iter().position(|index| *index == app.pages.run.editor.selected);
+                let selected =
+                    listed.iter().position(|index| *index == app.pages.run.editor.selected);
                 let area = app.layout().body.and_then(|body| panes(app, body).variables);
                 let shown = area.map_or(10, |area| usize::from(area.height.saturating_sub(2)));
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
             RUNS => {
                 let order = app.run_order();
-                let selected = order.iter().position(|run| *run == app.pages.run.selected).unwrap_or(0);
+                let selected =
+                    order.iter().position(|run| *run == app.pages.run.selected).unwrap_or(0);
                 Some(Rows { count: order.len(), selected, shown: 8 })
             }
             _ => Some(Rows {
@@ -171,7 +175,8 @@ impl Page for RunTab {
                 }
             }
             RUNS => {
-                app.pages.run.selected = app.run_order().get(row).copied().unwrap_or(app.pages.run.selected);
+                app.pages.run.selected =
+                    app.run_order().get(row).copied().unwrap_or(app.pages.run.selected);
             }
             _ => app.pages.run.charts.selected = row,
         }

@@ -15,18 +15,18 @@ use crate::study::search::front::SAMPLES as DESIGNS;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::{Snapshot, Stepping};
-use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::app::status::outside as validity;
-use crate::tui::widgets::cycled;
+use crate::tui::pages::move_by;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::pages::search::setup::{Bound, Setup, read_bound};
 use crate::tui::pages::search::state::Row;
-use crate::tui::pages::move_by;
 use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
+use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
+use crate::tui::widgets::layout::{NARROW, setup_width};
+use crate::tui::widgets::steps::{Input, Press};
 use crate::worker::studies::SearchRequest;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
@@ -134,7 +134,9 @@ impl Page for SearchTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.search;
-        let of_page = |(running, request): (_, &SearchRequest)| (running, state::Page::of(request) == tab.page);
+        let of_page = |(running, request): (_, &SearchRequest)| {
+            (running, state::Page::of(request) == tab.page)
+        };
         let running: Option<(&Running, bool)> = app.jobs.study::<SearchRequest>().map(of_page);
         let mut count = None;
         let progress = match (running, tab.shown()) {

@@ -5,13 +5,13 @@ pub(crate) mod draw;
 use crate::report::thesis;
 use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::app::Base;
-use crate::tui::widgets::find::{rank, ranked};
-use crate::tui::widgets::text::fitting;
-use crate::tui::widgets::around;
 use crate::tui::pages::explore::state::{Picture, PicturePlan};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::pages::{self, explore};
+use crate::tui::widgets::around;
+use crate::tui::widgets::find::{rank, ranked};
+use crate::tui::widgets::text::fitting;
 use crate::worker::studies::Claims;
 use crate::worker::study::RowsSoFar;
 

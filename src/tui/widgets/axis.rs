@@ -9,9 +9,9 @@ use crate::model::units::{self, Bare, significant};
 use crate::model::variables::{self, Allowed, Kind, Number, VARIABLES, Variable};
 use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::widgets::cycled;
+use crate::tui::widgets::form::{FormRow, VALUE_WIDTH};
 use crate::tui::widgets::steps::{self, Input, shown_number};
 use crate::tui::widgets::zoom::Span;
-use crate::tui::widgets::form::{FormRow, VALUE_WIDTH};
 
 /// The numbers of points the arrows go through.
 const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];

@@ -6,14 +6,14 @@ use ratatui::layout::Rect;
 
 use crate::model::units::significant;
 use crate::study::quantities::{QUANTITIES, Quantity, named};
-use crate::tui::widgets::find::quantity_called;
-use crate::tui::widgets::text::clip;
-use crate::tui::widgets::steps::Input;
 use crate::tui::keymap::{Pane, Target};
 use crate::tui::theme::Role;
+use crate::tui::widgets::find::quantity_called;
 use crate::tui::widgets::input::Field;
-use crate::tui::widgets::{Canvas, RowList, Rows, cycled};
+use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::text::clip;
 use crate::tui::widgets::text::columns;
+use crate::tui::widgets::{Canvas, RowList, Rows, cycled};
 
 /// Columns within a row: cursor, `*`, label, value, unit.
 const LABEL: u16 = 2;

@@ -5,6 +5,10 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
+use super::{
+    Asked, Finding, Found, LimitSearch, Measurements, Picture, PictureSweep, SearchAnswer,
+    SearchRequest,
+};
 use crate::model::scene::{InterfaceLaw, Mount, Plate, Scene};
 use crate::study::accuracy::{self, Report as Accuracy};
 use crate::study::limit;
@@ -13,10 +17,6 @@ use crate::study::search::front;
 use crate::study::search::seek::{self, Goal};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
-use super::{
-    Asked, Finding, Found, LimitSearch, Measurements, Picture, PictureSweep, SearchAnswer,
-    SearchRequest,
-};
 use crate::worker::{Report, ReportBody, Task, Worker};
 
 /// A test that waits so long hangs.
@@ -135,7 +135,8 @@ fn a_limit_is_found_and_a_stopped_one_says_so() {
     let mut scene = Scene::default();
     scene.plate.mount = Mount::Rigid;
     let found = made(scene, search()).unwrap();
-    let limit_m_s = limit::Report::of(&found).expect("a limit").limit.velocity_m_s().expect("a limit");
+    let limit_m_s =
+        limit::Report::of(&found).expect("a limit").limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
     let kept = cancelled(search());
     assert!(!limit::Report::of(&kept).expect("a limit").is_complete);

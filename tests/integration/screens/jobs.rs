@@ -16,7 +16,8 @@ use cmra::worker::{ReportBody, Task, Worker};
 /// The search that was submitted last.
 fn searched(bench: &mut Bench) -> (u64, Page) {
     let studies = bench.studies();
-    let found = studies.iter().rev().find_map(|it| Some((it.id, Page::of(SearchRequest::of(&it.asked)?))));
+    let found =
+        studies.iter().rev().find_map(|it| Some((it.id, Page::of(SearchRequest::of(&it.asked)?))));
     found.expect("a search")
 }
 

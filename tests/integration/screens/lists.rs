@@ -67,7 +67,14 @@ fn a_preset_of_a_figure_opens_its_sweep() {
     let scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
     let (comment, part, problem) = (String::new(), None, None);
     let name = "figure-9.8".to_owned();
-    bench.app.files.presets.push(PresetEntry { name, origin: "bundled", scene, comment, part, problem });
+    bench.app.files.presets.push(PresetEntry {
+        name,
+        origin: "bundled",
+        scene,
+        comment,
+        part,
+        problem,
+    });
     bench.press("pfigure 9.8");
     assert!(bench.screen().contains("shows on 2:Explore"), "{}", bench.screen());
     bench.press("<Enter>");

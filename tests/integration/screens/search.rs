@@ -13,8 +13,8 @@ use cmra::study::compare::{self, Hardware};
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::front::{self, Design, Front};
 use cmra::study::sensitivity;
-use cmra::study::sweep::usual::{or_usual, thesis_axes};
 use cmra::study::sweep::PointOutcome;
+use cmra::study::sweep::usual::{or_usual, thesis_axes};
 use cmra::study::{monte_carlo, search::seek};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::search;
@@ -49,7 +49,9 @@ fn made(scene: &Arc<Scene>, request: &SearchRequest) -> SearchAnswer {
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
     match request {
-        SearchRequest::Seek(request) => SearchAnswer::Seek(seek::seek(scene, request, context).unwrap()),
+        SearchRequest::Seek(request) => {
+            SearchAnswer::Seek(seek::seek(scene, request, context).unwrap())
+        }
         SearchRequest::Front(request) => SearchAnswer::Front(Box::new(front(scene, request))),
         SearchRequest::Sensitivity(request) => {
             let request = sensitivity::Request { samples: 256, ..request.clone() };

@@ -6,12 +6,12 @@ use crate::report::map::Map;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
-use crate::tui::widgets::text::shortened;
 use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
 use crate::tui::pages::explore::state::{Picture, SweepResult, nearest, no_value};
 use crate::tui::pages::explore::{RESULTS, SweepPanes};
 use crate::tui::pages::prelude::*;
+use crate::tui::widgets::text::shortened;
 use crate::tui::widgets::text::{put, wrapped};
 use crate::worker::studies::PictureSweep;
 

@@ -8,15 +8,15 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
-use crate::tui::widgets::text::fitting;
-use crate::tui::widgets::{around, cycled};
 use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::{FIELD_DIGITS, number_in};
-use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::pages::{explore, run};
 use crate::tui::widgets::axis::{meaning, numeric, over, place, set_ends, span, whole};
 use crate::tui::widgets::form::{Form, FormRow, VALUE_WIDTH, quantity_after};
+use crate::tui::widgets::steps::{Input, Press};
+use crate::tui::widgets::text::fitting;
+use crate::tui::widgets::{around, cycled};
 
 pub use crate::tui::widgets::axis::Part;
 
@@ -147,7 +147,9 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Reset => edit::reset(app),
         // A list of the words, or the other of two.
-        Action::Enter if !matches!(VARIABLES[index].kind, Kind::Number(_)) => return run::open(app),
+        Action::Enter if !matches!(VARIABLES[index].kind, Kind::Number(_)) => {
+            return run::open(app);
+        }
         _ => return false,
     }
     true

@@ -17,8 +17,8 @@ use crate::tui::pages::prelude::*;
 pub use crate::tui::pages::explore::plan::no_value;
 pub use crate::tui::pages::explore::setup::{Part, SetupRow};
 use crate::tui::widgets::axis::over;
-use crate::worker::studies::PictureSweep;
 pub use crate::worker::studies::Picture;
+use crate::worker::studies::PictureSweep;
 
 /// Curves of a family unless another number is chosen.
 const CURVES: u64 = 5;

@@ -10,11 +10,11 @@ use crate::report::monte_carlo::{perforation, v50};
 use crate::study::compare::map::Map;
 use crate::study::limit::{Limit, Report, Shot};
 use crate::study::monte_carlo;
-use crate::tui::widgets::layout::CHART_ROWS;
-use crate::tui::widgets::text::fitting;
 use crate::tui::chart::{Emphasis, Layout};
 use crate::tui::pages::limit::{RESIDUAL, area};
 use crate::tui::pages::prelude::*;
+use crate::tui::widgets::layout::CHART_ROWS;
+use crate::tui::widgets::text::fitting;
 use crate::worker::studies::{Comparison, LimitSearch};
 
 /// From this width on the facts stand beside the chart.

@@ -11,9 +11,9 @@ use crate::report::accuracy::{
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::{ComparisonOptions, Measured, MethodReport, RESULTS, Report};
 use crate::tui::chart::{Chart, Mapping};
+use crate::tui::pages::plot_columns;
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::along;
-use crate::tui::pages::plot_columns;
 use crate::worker::studies::Measurements;
 
 #[derive(Clone, Debug, Default)]

@@ -9,9 +9,9 @@ use crate::study::stability::others::Other;
 use crate::study::stability::{Basis, Row};
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
-use crate::tui::widgets::{cursor_moved, moved};
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::NEEDS_SINGLE;
+use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{StabilityMap, StiffScenes};
 use crate::worker::study::RowsSoFar;
 

@@ -9,10 +9,10 @@ use crate::numerics::{larger, smaller};
 use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
 use crate::tui::chart::Mapping;
+use crate::tui::pages::plot_columns;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, RunView};
 use crate::tui::widgets::along;
-use crate::tui::pages::plot_columns;
 
 /// Which part of the time is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -176,7 +176,8 @@ impl App {
 
     /// The range of values to show, over the curves; a little room is left to the chart itself.
     pub fn value_range(&self, curves: &[Curve<'_>], chart: usize) -> (f64, f64) {
-        let (scale, (from, to)) = (self.pages.run.charts.value_scales[chart], self.time_range_s(chart));
+        let (scale, (from, to)) =
+            (self.pages.run.charts.value_scales[chart], self.time_range_s(chart));
         let seen = |t: f64| (from..=to).contains(&t);
         let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
         // What a curve passes at the ends of the range counts, too: there may be no point between them.
@@ -207,7 +208,8 @@ impl App {
         let (from, to) = self.time_range_s(self.pages.run.charts.selected);
         let view = Mapping::new(self.pages.run.charts.time_scale, ViewRange::new(from, to), width);
         let middle = || view.value(width / 2);
-        let moved = self.pages.run.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
+        let moved =
+            self.pages.run.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
         self.pages.run.charts.cursor_s = Some(moved);
     }
 
@@ -240,7 +242,8 @@ impl App {
 
     /// The zoom of the selected chart, which it has in common with the others of its window.
     fn zoom_mut(&mut self) -> &mut Option<ViewRange> {
-        &mut self.pages.run.charts.zoom_s[self.pages.run.charts.windows[self.pages.run.charts.selected] as usize]
+        &mut self.pages.run.charts.zoom_s
+            [self.pages.run.charts.windows[self.pages.run.charts.selected] as usize]
     }
 
     /// The event of the current run under the crosshair.
@@ -264,7 +267,8 @@ impl App {
         let range = |(from, to)| ViewRange::new(from, to);
         let view = range(self.time_range_s(self.pages.run.charts.selected));
         let (_, whole_s) = self.window_s(Window::Whole);
-        let (from_s, home_s) = self.window_s(self.pages.run.charts.windows[self.pages.run.charts.selected]);
+        let (from_s, home_s) =
+            self.window_s(self.pages.run.charts.windows[self.pages.run.charts.selected]);
         let home = range(self.on_time_axis((from_s, home_s)));
         let bounds = range((from_s, larger(whole_s, home_s)));
         let (scale, about) = (self.pages.run.charts.time_scale, self.pages.run.charts.cursor_s);

@@ -6,12 +6,12 @@ use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES, Value, Variable, is_listed, is_offered};
 use crate::report::chart::Below;
-use crate::tui::widgets::find::{rank_variable, ranked};
-use crate::tui::widgets::text::fitting;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::VARIABLES as PANE;
+use crate::tui::widgets::find::{rank_variable, ranked};
 use crate::tui::widgets::input::Field;
 use crate::tui::widgets::table::filtered;
+use crate::tui::widgets::text::fitting;
 
 /// The variables that the thesis designs with, and those that it is given: they are always in the list. Each has a word for where
 /// its label is too long.

@@ -38,7 +38,8 @@ impl Setup {
         };
         let seek = Axis::read_range(&kept.seek, Some(SCAN_USUAL), &SCAN);
         let goal = kept.goal.parse::<Goal>().map(|goal| (goal.measure.name, goal.target));
-        let minimise = kept.minimise.as_ref().map(|it| USUAL.map(|name| it.iter().any(|one| one == name)));
+        let minimise =
+            kept.minimise.as_ref().map(|it| USUAL.map(|name| it.iter().any(|one| one == name)));
         Self {
             seek: seek.map_or(usual.seek, |axis: Axis| -> SweepAxis { axis.to_sweep_axis() }),
             goal: goal.unwrap_or(usual.goal),

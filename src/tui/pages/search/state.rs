@@ -2,11 +2,11 @@
 
 use crate::numerics::statistics::ascending;
 use crate::study::search::front::{Design, Front};
-use crate::tui::widgets::layout::CHART_ROWS;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::PAGES;
 use crate::tui::pages::search::answer::Answer;
+use crate::tui::widgets::layout::CHART_ROWS;
 use crate::tui::widgets::table::{Listing, Sorting};
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 

@@ -7,7 +7,6 @@ use crate::report::figures::run::{contact_window_s, event_letter, event_marks};
 use crate::report::law::Law;
 use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
-use crate::tui::widgets::text::fitting;
 use crate::tui::chart::{
     self, Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
 };
@@ -15,6 +14,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::charts::{Curve as Data, Window, is_free, is_held};
 use crate::tui::pages::run::runs::{RunView, engineering};
+use crate::tui::widgets::text::fitting;
 
 /// Rows of a chart that can be read.
 const LEAST: u16 = 3;
@@ -97,7 +97,9 @@ fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
     let drawn = u16::try_from(absent.iter().filter(|it| it.is_none()).count()).ok()?;
     let below = |at: usize| match charts.get(at + 1) {
         None => Below::End,
-        Some(next) if absent[at + 1].is_none() && app.pages.run.charts.shares_axis(charts[at], *next) => {
+        Some(next)
+            if absent[at + 1].is_none() && app.pages.run.charts.shares_axis(charts[at], *next) =>
+        {
             Below::Nothing
         }
         Some(_) => Below::Across,
@@ -177,8 +179,9 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     }
     let range @ (from, to) = app.time_range_s(index);
     let time = ViewRange::new(from, to);
-    let x =
-        Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")).scale(app.pages.run.charts.time_scale);
+    let x = Axis::new("t", time)
+        .unit(Unit::with_prefix(time.size(), "s"))
+        .scale(app.pages.run.charts.time_scale);
     let scale = app.pages.run.charts.value_scales[index];
     let shown = app.shown.iter().filter(|_| app.pages.run.shows_current);
     let marks = shown.flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
@@ -195,7 +198,10 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
 
 /// The plate's thickness, and where the stop stands.
 fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
-    let Some(shown) = app.shown.as_ref().filter(|_| app.pages.run.shows_current && !app.pages.run.charts.difference)
+    let Some(shown) = app
+        .shown
+        .as_ref()
+        .filter(|_| app.pages.run.shows_current && !app.pages.run.charts.difference)
     else {
         return Vec::new();
     };
@@ -289,7 +295,8 @@ fn over_displacement<'a>(
 
 /// A vertical axis that shows all of some curves.
 fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
-    let (scale, unit) = (app.pages.run.charts.value_scales[chart], app.pages.run.charts.quantities[chart].unit());
+    let (scale, unit) =
+        (app.pages.run.charts.value_scales[chart], app.pages.run.charts.quantities[chart].unit());
     let (low, high) = app.value_range(data, chart);
     let values = match scale {
         Scale::Linear => ViewRange::new(low, high),
