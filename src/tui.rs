@@ -15,7 +15,7 @@ pub(crate) mod plain;
 pub mod theme;
 pub mod update;
 pub mod view;
-pub mod widgets;
+pub(crate) mod widgets;
 
 mod complete;
 mod effects;

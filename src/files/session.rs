@@ -65,7 +65,9 @@ pub struct View {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Switch {
+    /// On.
     On,
+    /// Off.
     Off,
 }
 
@@ -76,8 +78,10 @@ pub struct Setup {
     /// The absorber that the Limit tab compares with.
     #[serde(alias = "Limit: absorber", deserialize_with = "readable")]
     pub absorber: Option<String>,
+    /// What Explore shows.
     #[serde(alias = "Explore", deserialize_with = "readable")]
     pub explore: Option<Explore>,
+    /// What Search looks for.
     #[serde(alias = "Search", deserialize_with = "readable")]
     pub search: Option<Search>,
 }
@@ -86,6 +90,7 @@ pub struct Setup {
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Explore {
+    /// A map, not curves.
     pub is_map: bool,
     /// How many curves a family has.
     pub curves: Option<u64>,
@@ -97,21 +102,29 @@ pub struct Explore {
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Search {
-    /// Goal seek: its variable with its range, and its goal.
+    /// The variable of goal seek with its range.
     pub seek: String,
+    /// Its goal.
     pub goal: String,
     /// The variables of fronts and sensitivity, and whether each is varied; none where nobody changed them.
     pub bounds: Vec<(String, bool)>,
+    /// The objectives of a front.
     pub minimise: Option<Vec<String>>,
     /// The greatest stroke, m; without one there is no bound.
     pub stroke_m: Option<f64>,
+    /// Further bounds that designs have to keep.
     pub subject_to: Vec<String>,
+    /// Only feasible designs count.
     pub feasible: Option<bool>,
+    /// Designs that a front tries.
     pub designs: Option<usize>,
     /// The objectives drawn across and up.
     pub axes: (usize, usize),
+    /// The result of sensitivity and scatter.
     pub output: String,
+    /// Standard deviation of every input, percent.
     pub percent: Option<f64>,
+    /// Samples of the scatter.
     pub samples: Option<usize>,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! [`crate::tui::update`] changes it, [`crate::tui::view`] draws it. What the session file keeps is taken from here.
 
-pub mod dialog;
+pub(crate) mod dialog;
 pub(crate) mod edit;
 pub mod history;
 pub mod jobs;
@@ -105,7 +105,7 @@ pub struct App {
     /// Pinned runs, in the order of their letters.
     pub pins: Vec<Pin>,
     pub pages: pages::States,
-    pub dialog: Option<Box<dyn Dialog>>,
+    pub(crate) dialog: Option<Box<dyn Dialog>>,
     /// The newest message, until the next key.
     pub notice: Option<Notice>,
     pub files: Files,
@@ -140,6 +140,11 @@ impl App {
     /// The open field of `/`.
     pub fn find(&self) -> Option<&TextField> {
         if let Some(Typing::Find(text)) = &self.typing { Some(text) } else { None }
+    }
+
+    /// Whether a dialog lies on top.
+    pub fn has_dialog(&self) -> bool {
+        self.dialog.is_some()
     }
 
     /// Open the field of a row of the pane that has the keys, its old text selected.

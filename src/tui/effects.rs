@@ -207,6 +207,10 @@ impl FileQueue {
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
+            Task::IsFree(to) if to.path.exists() => {
+                EffectReport::Exported(to.path.clone(), ExportOutcome::Exists(to.path))
+            }
+            Task::IsFree(to) => EffectReport::Free(to),
             Task::ReadCurve(path) => {
                 let points =
                     read_table::curve(&path, Accepts::Ordinary).map_err(|error| error.to_string());
@@ -268,14 +272,22 @@ fn save_scene(
     path: Option<PathBuf>,
     scene: &Scene,
     overwrite: bool,
-) -> Result<PathBuf, String> {
+) -> ExportOutcome {
     let existing = Existing::replaced(overwrite);
     let saved = match (path, paths) {
         (Some(path), _) => preset::save_file(&path, scene, existing).map(|()| path),
         (None, Some(paths)) => preset::save(paths, name, scene, existing),
         (None, None) => Err(FileError::NoHome),
     };
-    saved.map_err(|error| error.to_string())
+    written(saved.map(|path| vec![path]))
+}
+
+fn written(written: Result<Vec<PathBuf>, FileError>) -> ExportOutcome {
+    match written {
+        Ok(files) => ExportOutcome::Written(files),
+        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
+        Err(error) => ExportOutcome::Failed(error.to_string()),
+    }
 }
 
 fn export(to: Destination, content: &Content) -> ExportOutcome {
@@ -283,11 +295,7 @@ fn export(to: Destination, content: &Content) -> ExportOutcome {
     let written = atomic::ordinary(&to.path)
         .and_then(|()| content.text())
         .and_then(|text| to.write(text.as_bytes(), &content.scenes()));
-    match written {
-        Ok(files) => ExportOutcome::Written(files),
-        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
-        Err(error) => ExportOutcome::Failed(error.to_string()),
-    }
+    self::written(written)
 }
 
 fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
@@ -463,16 +471,16 @@ mod tests {
             });
         };
         ask(false);
-        let EffectReport::Saved(name, Ok(path)) = report(&inbox) else {
-            panic!("not saved");
+        let file = paths.preset_file("mine");
+        let saved = || match report(&inbox) {
+            EffectReport::Saved(name, outcome) if name == "mine" => outcome,
+            other => panic!("{other:?}"),
         };
-        assert_eq!((name.as_str(), &path), ("mine", &paths.preset_file("mine")));
+        assert_eq!(saved(), ExportOutcome::Written(vec![file.clone()]));
         ask(false);
-        assert!(
-            matches!(report(&inbox), EffectReport::Saved(_, Err(text)) if text.contains("exists"))
-        );
+        assert_eq!(saved(), ExportOutcome::Exists(file.clone()));
         ask(true);
-        assert!(matches!(report(&inbox), EffectReport::Saved(_, Ok(_))));
+        assert_eq!(saved(), ExportOutcome::Written(vec![file]));
         io_thread.ask(Task::ListPresets(Vec::new()));
         let EffectReport::Presets(presets) = report(&inbox) else {
             panic!("not a list");
@@ -490,10 +498,8 @@ mod tests {
         scene.plate.mass_ratio = 2.0;
         let (name, file) = ("my.toml".to_owned(), Some(path.clone()));
         io_thread.ask(Task::SaveScene { name, path: file, scene, overwrite: true });
-        let EffectReport::Saved(_, Ok(saved)) = report(&inbox) else {
-            panic!("not saved");
-        };
-        assert_eq!(saved, path);
+        let EffectReport::Saved(_, saved) = report(&inbox) else { panic!("not saved") };
+        assert_eq!(saved, ExportOutcome::Written(vec![path.clone()]));
         let text = fs::read_to_string(&path).unwrap();
         let kept = text.contains("title = \"Ours\"\n# why\n");
         assert!(kept && text.contains("mass_ratio = 2"), "{text}");

@@ -41,7 +41,9 @@ pub enum Message {
 #[derive(Clone, Debug)]
 pub enum EffectReport {
     /// A scene was saved under this name or path: its file.
-    Saved(String, Result<PathBuf, String>),
+    Saved(String, ExportOutcome),
+    /// No file is there yet: the report can be computed that will be.
+    Free(Destination),
     /// An export to this path was written; or the target exists already; or it failed.
     Exported(PathBuf, ExportOutcome),
     /// The presets that can be loaded now.
@@ -63,6 +65,19 @@ pub enum ExportOutcome {
     /// The file exists and was not replaced.
     Exists(PathBuf),
     Failed(String),
+}
+
+impl ExportOutcome {
+    /// It in words, where nothing was written.
+    pub(crate) fn words(&self) -> String {
+        match self {
+            Self::Written(_) => String::new(),
+            Self::Exists(path) => {
+                format!("{} already exists and was not replaced", path.display())
+            }
+            Self::Failed(text) => text.clone(),
+        }
+    }
 }
 
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -156,6 +171,8 @@ pub enum FileTask {
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
+    /// See whether a file is there already.
+    IsFree(Destination),
     /// Read a measured curve for a spring.
     ReadCurve(PathBuf),
     Complete(String),

@@ -404,7 +404,7 @@ static GENERAL: &[Command] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::keymap::{LINES, Scope};
+    use crate::tui::keymap::{Keymap, LINES, Scope};
 
     /// The help of 80 columns shows every key and its meaning in full.
     #[test]

@@ -265,8 +265,8 @@ mod tests {
     use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
     use super::*;
+    use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
-    use crate::tui::pages::Tab;
     use crate::tui::update;
     use crate::worker::studies::Asked;
 

@@ -2,7 +2,7 @@
 
 pub(crate) mod act;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -15,6 +15,7 @@ use crate::tui::dialogs;
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
+use crate::tui::pages::run::report;
 use crate::tui::prelude::*;
 use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
@@ -388,7 +389,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
     // What it asked for stands in the dialog; meanwhile another one may have been opened.
     let is_heard = outcome.is_some();
     match report {
-        EffectReport::Saved(name, Ok(path)) => saved(app, name, &path),
+        EffectReport::Saved(name, ExportOutcome::Written(files)) => saved(app, name, &files),
         EffectReport::Curve(path, Ok(points)) => {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             app.tell(format!("spring: {} points from {name} (<undo> undoes)", points.len()));
@@ -400,17 +401,15 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.tell(format!("written: {}", names.join(" and ")));
         }
-        EffectReport::Exported(path, ExportOutcome::Exists(_)) if !is_heard => {
-            app.refuse(format!("{} already exists and was not replaced", path.display()));
+        EffectReport::Saved(_, outcome) | EffectReport::Exported(_, outcome) if !is_heard => {
+            app.refuse(outcome.words());
         }
-        EffectReport::Saved(_, Err(text))
-        | EffectReport::Exported(_, ExportOutcome::Failed(text))
-        | EffectReport::Curve(_, Err(text)) => {
-            if !is_heard {
-                app.refuse(text);
+        EffectReport::Curve(_, Err(text)) if !is_heard => app.refuse(text),
+        EffectReport::Free(to) => {
+            if let Err(why) = report::write(app, to) {
+                app.refuse(why);
             }
         }
-        EffectReport::Exported(..) | EffectReport::Completions(_) => {}
         EffectReport::Presets(list) => app.files.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
@@ -421,6 +420,10 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Loaded(Err(text)) => app.refuse(text),
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
+        EffectReport::Saved(..)
+        | EffectReport::Exported(..)
+        | EffectReport::Curve(..)
+        | EffectReport::Completions(_) => {}
     }
 }
 
@@ -436,7 +439,8 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
     app.files.session_lost = kept.is_err();
 }
 
-fn saved(app: &mut App, name: String, path: &Path) {
+fn saved(app: &mut App, name: String, files: &[PathBuf]) {
+    let Some(path) = files.first() else { return };
     app.tell(format!("saved `{name}` as {}", path.display()));
     let is_mine = !preset::is_path(&name);
     if !is_mine {

@@ -1,14 +1,14 @@
 //! Parts that several pages and dialogs are made of: the canvas they draw on, one-line fields, tables, text in cells.
 
 pub(crate) mod axis;
-pub mod find;
+pub(crate) mod find;
 pub(crate) mod form;
 pub(crate) mod input;
-pub mod layout;
+pub(crate) mod layout;
 mod moves;
 pub(crate) mod steps;
 pub(crate) mod table;
-pub mod text;
+pub(crate) mod text;
 pub(crate) mod zoom;
 
 use std::ops::{Deref, DerefMut};

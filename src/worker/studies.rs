@@ -335,6 +335,18 @@ pub enum SearchAnswer {
     MonteCarlo(monte_carlo::Report),
 }
 
+impl SearchRequest {
+    /// The command that makes it of the scene that was searched: its name, then its options.
+    pub fn command(&self) -> String {
+        match self {
+            Self::Seek(request) => request.to_string(),
+            Self::Front(request) => request.to_string(),
+            Self::Sensitivity(request) => request.to_string(),
+            Self::MonteCarlo(request) => request.to_string(),
+        }
+    }
+}
+
 impl Study for SearchRequest {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
         let plain = &mut reporter.progress();

@@ -12,7 +12,7 @@ use crate::tui::widgets::input::TextField;
 
 /// What becomes of a dialog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub(crate) enum Outcome {
     Stays,
     Closes,
     /// It closes, and this is done.
@@ -20,7 +20,7 @@ pub enum Outcome {
 }
 
 /// A dialog: its keys, how it is drawn, and what comes of it. While it is open it has all keys but those that work everywhere.
-pub trait Dialog: Debug + Boxed {
+pub(crate) trait Dialog: Debug + Boxed {
     /// The keys in the last row of the screen, the most useful first.
     fn footer(&self) -> Footer;
 
@@ -50,11 +50,11 @@ pub trait Dialog: Debug + Boxed {
 }
 
 /// Keys with a word or two for what they do.
-pub type Footer = &'static [(FootKey, &'static str)];
+pub(crate) type Footer = &'static [(FootKey, &'static str)];
 
 /// A key in the footer of a dialog.
 #[derive(Clone, Copy, Debug)]
-pub enum FootKey {
+pub(crate) enum FootKey {
     /// The key of an action, as configured.
     Of(Action),
     /// Those of two actions.
@@ -64,7 +64,7 @@ pub enum FootKey {
 }
 
 /// A copy of a dialog, as of all of the state.
-pub trait Boxed {
+pub(crate) trait Boxed {
     fn boxed(&self) -> Box<dyn Dialog>;
 }
 

@@ -1,13 +1,14 @@
-//! A text that a dialog asks for: a preset's name, or a path.
+//! Dialogs that ask for a text: a preset's name, or a path.
 
+use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use crate::tui::app::dialog::{FootKey, Footer, Outcome};
+use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
 use crate::tui::dialogs::frame;
 use crate::tui::dialogs::list::is_text;
-use crate::tui::message::FileTask;
+use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{TextLine, wrapped};
@@ -20,6 +21,96 @@ pub(super) struct Ask {
     pub question: bool,
     /// Names that complete the path.
     pub completions: Vec<String>,
+}
+
+/// What a text is asked for.
+pub(super) trait Purpose: Clone + Debug + 'static {
+    fn footer(&self) -> Footer;
+
+    /// Do what the text was typed for; a file or preset of this name may be replaced. None: something comes first.
+    fn accept(
+        &self,
+        app: &mut App,
+        ask: &mut Ask,
+        overwrite: bool,
+    ) -> Result<Option<FileTask>, String>;
+
+    /// How an effect ended, where it is the one that was asked for.
+    fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome>;
+
+    /// The title, and the word before the field.
+    fn title(&self) -> (&'static str, &'static str);
+
+    /// What stands below the field.
+    fn hint(&self, app: &App, ask: &Ask) -> String;
+
+    /// What stands in the way where it exists already.
+    fn there(&self, app: &App, ask: &Ask) -> String {
+        app.files.directory.join(ask.value()).display().to_string()
+    }
+}
+
+/// A dialog that asks for a text.
+#[derive(Clone, Debug)]
+pub(super) struct Asking<P> {
+    pub ask: Ask,
+    pub purpose: P,
+}
+
+impl<P: Purpose> Asking<P> {
+    pub(super) fn open(purpose: P, text: TextField) -> Option<Box<dyn Dialog>> {
+        Some(Box::new(Self { ask: Ask { text, ..Ask::default() }, purpose }))
+    }
+}
+
+impl<P: Purpose> Dialog for Asking<P> {
+    fn footer(&self) -> Footer {
+        if self.ask.question { REPLACE } else { self.purpose.footer() }
+    }
+
+    fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
+        match self.ask.press(app, key) {
+            Step::Accept { overwrite } => {
+                let task = self.purpose.accept(app, &mut self.ask, overwrite);
+                self.ask.begun(app, task);
+            }
+            Step::Closes => return Outcome::Closes,
+            Step::Stays => {}
+        }
+        Outcome::Stays
+    }
+
+    fn click(&mut self, _: &mut App, _: usize) -> Outcome {
+        Outcome::Stays
+    }
+
+    fn field_mut(&mut self) -> Option<&mut TextField> {
+        Some(&mut self.ask.text)
+    }
+
+    fn pasted(&mut self) {
+        self.ask.forget();
+    }
+
+    fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
+        if let EffectReport::Completions(names) = report {
+            return Some(self.ask.complete(names));
+        }
+        let ended = self.purpose.ended(&self.ask, directory, report)?;
+        Some(self.ask.ended(&ended))
+    }
+
+    fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
+        let (title, label) = self.purpose.title();
+        let inner = frame(screen, (76, 9), PaneFrame::new(title), canvas);
+        let start = canvas.put(inner, (0, 1), label, Role::Title);
+        let width = inner.width.saturating_sub(start + 1);
+        let field = TextField { error: None, ..self.ask.text.clone() };
+        field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
+        let lines = self.ask.found(app, &self.purpose.there(app, &self.ask), inner.width);
+        let hint = || wrapped(&self.purpose.hint(app, &self.ask), inner.width, Role::Dim).collect();
+        canvas.put_lines(inner, 3, lines.unwrap_or_else(hint));
+    }
 }
 
 /// What a key in the field comes to.
@@ -40,15 +131,11 @@ pub(super) const REPLACE: Footer = &[
 ];
 
 impl Ask {
-    pub(super) fn new(text: TextField) -> Self {
-        Self { text, ..Self::default() }
-    }
-
     pub(super) fn value(&self) -> &str {
         self.text.value().trim()
     }
 
-    pub(super) fn press(&mut self, app: &mut App, key: KeyEvent, is_path: bool) -> Step {
+    pub(super) fn press(&mut self, app: &mut App, key: KeyEvent) -> Step {
         match (self.question, key.code) {
             (true, KeyCode::Char('y' | 'o')) => return Step::Accept { overwrite: true },
             (true, KeyCode::Char('n')) => self.question = false,
@@ -64,7 +151,7 @@ impl Ask {
                     self.text.all_selected = false;
                     return Step::Accept { overwrite: false };
                 }
-                Some(Action::FocusNext) if is_path => {
+                Some(Action::FocusNext) => {
                     let typed = self.text.value().to_owned();
                     app.request(Effect::Files(FileTask::Complete(typed)));
                 }
@@ -96,11 +183,16 @@ impl Ask {
         }
     }
 
-    /// It has ended: the dialog closes, or the reason why there is nothing stands in it.
-    pub(super) fn ended<T>(&mut self, outcome: &Result<T, String>) -> Outcome {
-        let Err(error) = outcome else { return Outcome::Closes };
-        self.question = false;
-        self.text.error = Some(error.clone());
+    /// It has ended: the dialog closes, or what stands in the way stands in it.
+    pub(super) fn ended(&mut self, outcome: &ExportOutcome) -> Outcome {
+        match outcome {
+            ExportOutcome::Written(_) => return Outcome::Closes,
+            ExportOutcome::Exists(_) => self.question = true,
+            ExportOutcome::Failed(text) => {
+                self.question = false;
+                self.text.error = Some(text.clone());
+            }
+        }
         Outcome::Stays
     }
 
@@ -130,34 +222,10 @@ impl Ask {
         directory.join(self.value()) == path
     }
 
-    /// The dialog of a text alone.
-    pub(super) fn draw(
-        &self,
-        app: &App,
-        (pane, label, hint): (PaneFrame<'_>, &str, String),
-        screen: Rect,
-        canvas: &mut Canvas<'_>,
-    ) {
-        let inner = frame(screen, (76, 9), pane, canvas);
-        let start = canvas.put(inner, (0, 1), label, Role::Title);
-        let width = inner.width.saturating_sub(start + 1);
-        self.plain().draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
-        let lines = self.found(app, inner.width);
-        let hint = wrapped(&hint, inner.width, Role::Dim);
-        canvas.put_lines(inner, 3, lines.unwrap_or_else(|| hint.collect()));
-    }
-
-    /// The field without the colour of an error, which stands below it.
-    pub(super) fn plain(&self) -> TextField {
-        TextField { error: None, ..self.text.clone() }
-    }
-
-    /// The question, the error or the completions, where there are some.
-    pub(super) fn found(&self, app: &App, width: u16) -> Option<Vec<TextLine>> {
+    /// The question, where this exists, the error or the completions, if there are some.
+    pub(super) fn found(&self, app: &App, there: &str, width: u16) -> Option<Vec<TextLine>> {
         let (text, role) = if self.question {
-            let path = app.files.directory.join(self.value());
-            let there = format!("! {} exists: o overwrite, r rename, Esc back", path.display());
-            (there, Role::Warning)
+            (format!("! {there} exists: o overwrite, r rename, Esc back"), Role::Warning)
         } else if let Some(error) = &self.text.error {
             (app.keymap.shown(&format!("x {error}")), Role::Error)
         } else if !self.completions.is_empty() {

@@ -3,13 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crossterm::event::KeyEvent;
-
 use crate::model::scene::{Scene, SpringKind};
 use crate::model::variables;
-use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::dialogs::ask::{Ask, Step};
-use crate::tui::message::{EffectReport, FileTask};
+use crate::tui::app::dialog::{FootKey, Footer};
+use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
+use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
 use crate::tui::pages::run::editor::extent;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
@@ -18,14 +16,14 @@ use crate::tui::widgets::input::TextField;
 pub(super) fn ask(app: &mut App, word: &str) {
     let is_kind = app.pages.run.editor.variable().key == "mechanism.spring.kind";
     if is_kind && word == SpringKind::Table.word() {
-        app.dialog = Some(Box::new(Curve::default()));
+        app.dialog = Asking::open(Curve, TextField::default());
     }
 }
 
-#[derive(Clone, Debug, Default)]
-struct Curve(Ask);
+#[derive(Clone, Debug)]
+struct Curve;
 
-impl Dialog for Curve {
+impl Purpose for Curve {
     fn footer(&self) -> Footer {
         &[
             (FootKey::Of(Action::FocusNext), "complete"),
@@ -34,49 +32,27 @@ impl Dialog for Curve {
         ]
     }
 
-    fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
-        match self.0.press(app, key, true) {
-            Step::Accept { .. } => {
-                let task =
-                    self.0.path(app, "curve.csv").map(|path| Some(FileTask::ReadCurve(path)));
-                self.0.begun(app, task);
-            }
-            Step::Closes => return Outcome::Closes,
-            Step::Stays => {}
-        }
-        Outcome::Stays
+    fn accept(&self, app: &mut App, ask: &mut Ask, _: bool) -> Result<Option<FileTask>, String> {
+        Ok(Some(FileTask::ReadCurve(ask.path(app, "curve.csv")?)))
     }
 
-    fn click(&mut self, _: &mut App, _: usize) -> Outcome {
-        Outcome::Stays
+    fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome> {
+        let EffectReport::Curve(path, points) = report else { return None };
+        let ended = points.as_ref().err().cloned();
+        let ended = ended.map_or(ExportOutcome::Written(Vec::new()), ExportOutcome::Failed);
+        ask.is_of(directory, path).then_some(ended)
     }
 
-    fn field_mut(&mut self) -> Option<&mut TextField> {
-        Some(&mut self.0.text)
+    fn title(&self) -> (&'static str, &'static str) {
+        ("Measured curve of the spring (CSV)", "file  ")
     }
 
-    fn pasted(&mut self) {
-        self.0.forget();
-    }
-
-    fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
-        match report {
-            EffectReport::Curve(path, points) if self.0.is_of(directory, path) => {
-                Some(self.0.ended(points))
-            }
-            EffectReport::Completions(names) => Some(self.0.complete(names)),
-            _ => None,
-        }
-    }
-
-    fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
-        // The required format of the file, and the present points.
-        let hint = format!(
+    /// The required format of the file, and the present points.
+    fn hint(&self, app: &App, _: &Ask) -> String {
+        format!(
             "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
             extent(&app.scene.mechanism.spring.table.points)
-        );
-        let pane = PaneFrame::new("Measured curve of the spring (CSV)");
-        self.0.draw(app, (pane, "file  ", hint), screen, canvas);
+        )
     }
 }
 

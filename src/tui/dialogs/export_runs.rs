@@ -48,7 +48,7 @@ pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
     }));
     let names = run::columns(Rows::Series, false).into_iter();
     lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new(), true))));
-    let ask = Ask::new(TextField::new(format!("{}.csv", app.base_stem())));
+    let ask = Ask { text: TextField::new(format!("{}.csv", app.base_stem())), ..Ask::default() };
     Some(Box::new(ExportRuns { ask, choices: Choices { lines, selected: 0 } }))
 }
 
@@ -101,7 +101,7 @@ impl Dialog for ExportRuns {
                 }
             }
         }
-        match self.ask.press(app, key, true) {
+        match self.ask.press(app, key) {
             Step::Accept { overwrite } => {
                 let choices = &self.choices;
                 let table = |app: &App| table(app, choices).map(Content::Runs);
@@ -129,7 +129,11 @@ impl Dialog for ExportRuns {
     }
 
     fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
-        exported(&mut self.ask, directory, report)
+        if let EffectReport::Completions(names) = report {
+            return Some(self.ask.complete(names));
+        }
+        let ended = exported(&self.ask, directory, report)?;
+        Some(self.ask.ended(&ended))
     }
 
     fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
@@ -395,13 +399,13 @@ fn one(state: &ExportRuns, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
 /// The absolute path, then the question, error or completions, else the first lines.
 fn below(app: &App, state: &ExportRuns, area: Rect, canvas: &mut Canvas<'_>) {
     let width = usize::from(area.width);
-    let text = format!("to {}", app.files.directory.join(state.ask.value()).display());
-    canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
+    let path = app.files.directory.join(state.ask.value()).display().to_string();
+    canvas.put(area, (0, 1), &clip(&format!("to {path}"), width), Role::Text);
     let other = instead_of_table(Path::new(state.ask.value()));
     let of_tables = other.map(|what| format!("{what}; choices are for tables"));
     let beside = "with a .toml file beside it that reproduces the same digits";
     canvas.put(area, (0, 2), &clip(of_tables.as_deref().unwrap_or(beside), width), Role::Dim);
-    let lines = state.ask.found(app, area.width).unwrap_or_else(|| match other {
+    let lines = state.ask.found(app, &path, area.width).unwrap_or_else(|| match other {
         Some(_) => Vec::new(),
         None => preview(app, &state.choices).into_iter().map(|line| (line, Role::Dim)).collect(),
     });

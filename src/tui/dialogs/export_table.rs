@@ -2,14 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use crossterm::event::KeyEvent;
-
 use crate::files::atomic::Existing;
 use crate::files::export::Destination;
 use crate::files::report::is_report;
 use crate::report::svg;
-use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::dialogs::ask::{Ask, REPLACE, Step};
+use crate::tui::app::dialog::{Dialog, FootKey, Footer};
+use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
 use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask};
 use crate::tui::pages;
 use crate::tui::pages::run::report;
@@ -25,22 +23,17 @@ pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
         app.refuse(pages::nothing_yet(app, "export"));
         return None;
     };
-    let ask = Ask::new(TextField::new(table.file));
-    Some(Box::new(ExportTable { ask, title: table.title }))
+    Asking::open(ExportTable { title: table.title }, TextField::new(table.file))
 }
 
 #[derive(Clone, Debug)]
 struct ExportTable {
-    ask: Ask,
     /// What the table is.
     title: &'static str,
 }
 
-impl Dialog for ExportTable {
+impl Purpose for ExportTable {
     fn footer(&self) -> Footer {
-        if self.ask.question {
-            return REPLACE;
-        }
         &[
             (FootKey::Of(Action::Enter), "write"),
             (FootKey::Of(Action::FocusNext), "complete path"),
@@ -48,63 +41,46 @@ impl Dialog for ExportTable {
         ]
     }
 
-    fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
-        match self.ask.press(app, key, true) {
-            Step::Accept { overwrite } => {
-                let table = |app: &App| {
-                    let table = pages::of(app.tab).table(app).map(Content::Page);
-                    table.ok_or_else(|| "the result to write no longer exists".to_owned())
-                };
-                let path = self.ask.path(app, "table.csv");
-                let task = path.and_then(|path| export(app, path, overwrite, table));
-                self.ask.begun(app, task);
-            }
-            Step::Closes => return Outcome::Closes,
-            Step::Stays => {}
-        }
-        Outcome::Stays
+    fn accept(
+        &self,
+        app: &mut App,
+        ask: &mut Ask,
+        overwrite: bool,
+    ) -> Result<Option<FileTask>, String> {
+        let path = ask.path(app, "table.csv")?;
+        export(app, path, overwrite, |app| {
+            let table = pages::of(app.tab).table(app).map(Content::Page);
+            table.ok_or_else(|| "the result to write no longer exists".to_owned())
+        })
     }
 
-    fn click(&mut self, _: &mut App, _: usize) -> Outcome {
-        Outcome::Stays
+    fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome> {
+        exported(ask, directory, report)
     }
 
-    fn field_mut(&mut self) -> Option<&mut TextField> {
-        Some(&mut self.ask.text)
+    fn title(&self) -> (&'static str, &'static str) {
+        (self.title, "file  ")
     }
 
-    fn pasted(&mut self) {
-        self.ask.forget();
-    }
-
-    fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
-        exported(&mut self.ask, directory, report)
-    }
-
-    fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
-        let path = app.files.directory.join(self.ask.value());
+    fn hint(&self, app: &App, ask: &Ask) -> String {
+        let path = app.files.directory.join(ask.value());
         let other = instead_of_table(&path).unwrap_or(
             "a name that ends in .svg writes the charts on the screen, .html the report of the scene",
         );
-        let hint = format!("to {}\n{other}", path.display());
-        self.ask.draw(app, (PaneFrame::new(self.title), "file  ", hint), screen, canvas);
+        format!("to {}\n{other}", path.display())
     }
 }
 
-/// What a report of an effect is to a dialog that exports.
-pub(super) fn exported(ask: &mut Ask, directory: &Path, report: &EffectReport) -> Option<Outcome> {
+/// How the export that a dialog asked for has ended.
+pub(super) fn exported(
+    ask: &Ask,
+    directory: &Path,
+    report: &EffectReport,
+) -> Option<ExportOutcome> {
     match report {
         EffectReport::Exported(path, outcome) if ask.is_of(directory, path) => {
-            Some(match outcome {
-                ExportOutcome::Written(_) => Outcome::Closes,
-                ExportOutcome::Failed(text) => ask.ended::<()>(&Err(text.clone())),
-                ExportOutcome::Exists(_) => {
-                    ask.question = true;
-                    Outcome::Stays
-                }
-            })
+            Some(outcome.clone())
         }
-        EffectReport::Completions(names) => Some(ask.complete(names)),
         _ => None,
     }
 }
@@ -119,7 +95,11 @@ pub(super) fn export(
     let existing = Existing::replaced(overwrite);
     if is_report(&path) {
         let to = Destination { path, existing, has_scene: false };
-        return report::write(app, to).map(|()| None);
+        // It is asked before the report is computed, and not only when it is written.
+        return match overwrite {
+            false => Ok(Some(FileTask::IsFree(to))),
+            true => report::write(app, to).map(|()| None),
+        };
     }
     let content = if is_svg(&path) {
         let drawn = pages::pictures(app);

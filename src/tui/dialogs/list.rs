@@ -14,7 +14,7 @@ const PAGE: usize = 11;
 
 /// Where a person is in a list.
 #[derive(Clone, Debug, Default)]
-pub struct Picker {
+pub(crate) struct Picker {
     pub filter: TextField,
     /// Characters go into the filter.
     pub typing: bool,

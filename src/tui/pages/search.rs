@@ -194,7 +194,7 @@ impl Page for SearchTab {
         let file = format!("{}-{}", app.base_stem(), app.pages.search.page.file());
         let found = app.pages.search.shown()?.clone();
         let (scene, is_complete, command) =
-            (Arc::clone(&found.scene), found.is_complete(), state::command(&found.request));
+            (Arc::clone(&found.scene), found.is_complete(), found.request.command());
         let listed = app.pages.search.listed_rows();
         let csv = move |name: &str| found.csv(name, listed.as_deref());
         let table = PageTable::new("Export the results to CSV", file, is_complete, csv);

@@ -60,7 +60,7 @@ pub(crate) fn first_row(selected: usize, height: usize, count: usize) -> usize {
 }
 
 /// At most `width` characters; what is cut ends in `..`.
-pub fn clip(text: &str, width: usize) -> String {
+pub(crate) fn clip(text: &str, width: usize) -> String {
     if theme::columns(text) <= width {
         return text.to_owned();
     }
@@ -69,7 +69,7 @@ pub fn clip(text: &str, width: usize) -> String {
 }
 
 /// The first of some texts, each shorter than the one before, that goes into a given number of columns; the last one is cut.
-pub fn fitting(texts: impl IntoIterator<Item = String>, width: usize) -> String {
+pub(crate) fn fitting(texts: impl IntoIterator<Item = String>, width: usize) -> String {
     let mut shortest = String::new();
     for text in texts {
         if theme::columns(&text) <= width {
@@ -92,7 +92,7 @@ fn fits(text: &str, width: usize) -> usize {
 }
 
 /// A result's title with shorter words, still distinguished from every other.
-pub fn shortened(title: &str) -> String {
+pub(crate) fn shortened(title: &str) -> String {
     let words = [
         ("first arrest", "arrest"),
         ("plate displacement", "travel"),
@@ -104,12 +104,12 @@ pub fn shortened(title: &str) -> String {
 }
 
 /// A result's title in a given number of columns: in shorter words where it is too long.
-pub fn fitted(title: &str, width: usize) -> String {
+pub(crate) fn fitted(title: &str, width: usize) -> String {
     if theme::columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
 }
 
 /// Lines of at most `width` columns, broken at blanks; a longer word is broken where it must be.
-pub fn wrap(text: &str, width: usize) -> Vec<String> {
+pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
     let options = textwrap::Options::new(width.max(1))
         .word_separator(textwrap::WordSeparator::AsciiSpace)
         .word_splitter(textwrap::WordSplitter::NoHyphenation);

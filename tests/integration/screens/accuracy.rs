@@ -10,8 +10,8 @@ use cmra::study::accuracy::method::{Answer, Ladder, Method, Parameter};
 use cmra::study::accuracy::reference::{Reference, ReferenceSource};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report, Saving};
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::{ExportOutcome, Message};
-use cmra::tui::pages::Tab;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
 use cmra::worker::studies::{Found, Measurements};
@@ -179,7 +179,7 @@ fn the_table_is_written_and_never_over_a_file_without_consent() {
     bench.keys("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
     bench.export_ended(ExportOutcome::Written(vec![to.path]));
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
 }
 
 #[test]

@@ -14,7 +14,6 @@ use cmra::model::run::{
 use cmra::model::scene::{Mount, Scene};
 use cmra::study::sweep::Plan;
 use cmra::tui::app::{App, Base};
-use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message, PresetEntry};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
@@ -126,8 +125,9 @@ impl Bench {
 
     /// Report how the export ended that the open dialog asked for.
     pub(crate) fn export_ended(&mut self, outcome: ExportOutcome) {
-        let Some(Dialog::Ask(ask)) = &self.app.dialog else { panic!("no dialog asks") };
-        let path = self.app.files.directory.join(ask.text.value());
+        let screen = self.screen();
+        let (_, path) = screen.split_once(" to /").expect("a dialog that asks");
+        let path = format!("/{}", path.split([' ', '|', '│']).next().expect("a path")).into();
         self.send(Message::Done(EffectReport::Exported(path, outcome)));
     }
 

@@ -10,9 +10,9 @@ use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::stability::map::{Axis, Cell, FixedStep};
 use cmra::tui::message::Message;
+use cmra::tui::pages::plot_columns;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::plot_columns;
 use cmra::worker::studies::Found;
 
 #[test]

@@ -14,10 +14,9 @@ use cmra::report::run::Rows;
 use cmra::report::series::Channel;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::chart::ViewRange;
-use cmra::tui::dialogs::{Dialog, List};
+use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::{Key, LINES};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
-use cmra::tui::pages::Tab;
 use cmra::tui::pages::all_panes;
 use cmra::tui::pages::run::charts::Window;
 use cmra::worker::{JobProgress, ReportBody};
@@ -355,10 +354,7 @@ fn eight_pins_are_the_most() {
 fn a_pin_of_a_scene_that_is_not_on_the_screen_is_computed() {
     let mut bench = bench();
     bench.keys("p<Down><Tab>");
-    assert!(
-        matches!(bench.app.dialog, Some(Dialog::List(List::Presets, _))),
-        "the picker stays open"
-    );
+    assert!(bench.screen().contains("Presets, threats"), "the picker stays open");
     assert_eq!(bench.app.pins[0].name, "rigid-mount");
     assert!(bench.app.pins[0].run.is_some());
     assert!(!bench.app.is_modified());
@@ -484,8 +480,11 @@ fn a_scene_is_saved_to_the_file_it_came_from() {
     bench.press("o");
     let file = place.path().join("my.toml");
     assert_eq!(saves(&bench), [(file.clone(), true)]);
-    bench.send(Message::Done(EffectReport::Saved("my.toml".to_owned(), Ok(file))));
-    assert!(bench.app.dialog.is_none() && !bench.app.is_modified());
+    bench.send(Message::Done(EffectReport::Saved(
+        "my.toml".to_owned(),
+        ExportOutcome::Written(vec![file]),
+    )));
+    assert!(!bench.app.has_dialog() && !bench.app.is_modified());
     bench.press("s<C-u>new/other.toml<Enter>");
     assert_eq!(saves(&bench)[1], (place.path().join("new/other.toml"), false));
     assert_eq!(bench.app.base.name, "my.toml");
@@ -515,19 +514,16 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
     bench.press("y");
     assert_eq!(saves(&bench), [("heavy-plate".to_owned(), true)]);
     let ended = |outcome| Message::Done(EffectReport::Saved("heavy-plate".to_owned(), outcome));
-    let error = |bench: &Bench| match &bench.app.dialog {
-        Some(Dialog::Ask(ask)) => ask.text.error.clone(),
-        _ => None,
-    };
-    bench.send(ended(Err("the disk is full".to_owned())));
-    assert_eq!(error(&bench).as_deref(), Some("the disk is full"));
+    let error = |bench: &Bench| bench.screen().contains("x the disk is full");
+    bench.send(ended(ExportOutcome::Failed("the disk is full".to_owned())));
+    assert!(error(&bench), "{}", bench.screen());
     // A dialog that was opened meanwhile asked for something else.
     bench.press("<Esc>e");
-    bench.send(ended(Err("the disk is full".to_owned())));
-    assert_eq!((error(&bench), bench.message()), (None, "the disk is full".to_owned()));
+    bench.send(ended(ExportOutcome::Failed("the disk is full".to_owned())));
+    assert_eq!(bench.message(), "the disk is full");
     bench.press("<Esc>s<C-u>heavy-plate<Enter>y");
-    bench.send(ended(Ok("/home/ada/heavy-plate.toml".into())));
-    assert!(bench.app.dialog.is_none());
+    bench.send(ended(ExportOutcome::Written(vec!["/home/ada/heavy-plate.toml".into()])));
+    assert!(!bench.app.has_dialog());
     assert_eq!(bench.app.base.name, "heavy-plate");
     assert!(bench.message().contains("/home/ada/heavy-plate.toml"));
 }
@@ -556,12 +552,9 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     assert!(!request.columns.contains(&"mode".to_owned()));
     bench.export_ended(ExportOutcome::Exists("x".into()));
     bench.press("r");
-    let Some(Dialog::Ask(ask)) = &bench.app.dialog else {
-        panic!("the dialog stays open");
-    };
-    assert_eq!(ask.text.value(), "thesis-baseline-x-2.csv");
+    assert!(bench.screen().contains("thesis-baseline-x-2.csv"), "the dialog stays open");
     bench.export_ended(ExportOutcome::Written(vec!["a.csv".into()]));
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
     assert!(bench.message().contains("written: a.csv"));
 }
 
@@ -668,7 +661,7 @@ fn popups_close_by_q_and_escape() {
         let mut bench = bench();
         bench.effects.clear();
         bench.keys(keys);
-        assert!(bench.app.dialog.is_none(), "{keys}");
+        assert!(!bench.app.has_dialog(), "{keys}");
         assert!(
             !bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })),
             "{keys}"

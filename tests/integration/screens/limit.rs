@@ -174,7 +174,7 @@ fn v_computes_v50_as_the_command_does() {
     bench.keys("v");
     let asked = bench.studies().remove(0).asked;
     let task = monte_carlo::Request::v50();
-    assert_eq!(Spread::of(asked).map(|it| &**it), Some(&Spread(task)));
+    assert_eq!(Spread::of(&asked).map(|it| &**it), Some(&Spread(task)));
 }
 
 /// The limit is that of any shot: another impact velocity starts no second search.
@@ -220,7 +220,7 @@ fn shots_are_exported_and_a_file_is_not_replaced_without_consent() {
     bench.keys("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
     bench.export_ended(ExportOutcome::Written(vec![to.path]));
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
 }
 
 #[test]

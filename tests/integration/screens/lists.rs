@@ -7,8 +7,9 @@ use super::bench::Bench;
 use super::search::{keys, sought};
 use super::{limit, search, stability};
 use cmra::tui::keymap::Keymap;
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::{Message, PresetEntry};
-use cmra::tui::pages::{Tab, explore, run};
+use cmra::tui::pages::{explore, run};
 use cmra::tui::theme::GlyphSet;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
@@ -96,7 +97,7 @@ fn options_are_a_menu_of_named_lines() {
     assert!(!bench.app.settings.auto_run);
     bench.send(Message::Resize(80, 24));
     bench.press("<Esc>");
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
 }
 
 /// A name that no quantity has is answered with titles as they stand on the screen, never with keys of files.
@@ -315,5 +316,5 @@ fn a_search_without_a_match_explains_how_to_open_a_file() {
     bench.press("zzz");
     bench.press("<Enter>");
     assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
-    assert!(bench.app.dialog.is_some());
+    assert!(bench.app.has_dialog());
 }

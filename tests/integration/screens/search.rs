@@ -16,7 +16,7 @@ use cmra::study::sensitivity;
 use cmra::study::sweep::PointOutcome;
 use cmra::study::sweep::usual::{or_usual, thesis_axes};
 use cmra::study::{monte_carlo, search::seek};
-use cmra::tui::pages::Tab;
+use cmra::tui::keymap::Tab;
 use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;

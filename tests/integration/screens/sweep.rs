@@ -12,9 +12,8 @@ use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
 use cmra::tui::app::Base;
-use cmra::tui::dialogs::Dialog;
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::ExportOutcome;
-use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
@@ -364,7 +363,7 @@ fn results_are_exported_and_nothing_is_replaced_without_consent() {
     );
     assert_eq!(text.lines().count(), 1 + 25);
     bench.export_ended(ExportOutcome::Exists("x.csv".into()));
-    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
+    assert!(bench.screen().contains(" o overwrite"), "{}", bench.screen());
     bench.press("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
 }

@@ -4,8 +4,8 @@ use super::accuracy;
 use super::bench::Bench;
 use super::{limit, search, sweep};
 use cmra::study::accuracy::method::Method;
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
-use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore;
 use cmra::tui::pages::search::state::Page;
 

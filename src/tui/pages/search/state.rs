@@ -288,13 +288,3 @@ impl Page {
         }
     }
 }
-
-/// The command that makes it of the scene that was searched: its name, then its options.
-pub(super) fn command(request: &SearchRequest) -> String {
-    match request {
-        SearchRequest::Seek(request) => request.to_string(),
-        SearchRequest::Front(request) => request.to_string(),
-        SearchRequest::Sensitivity(request) => request.to_string(),
-        SearchRequest::MonteCarlo(request) => request.to_string(),
-    }
-}
