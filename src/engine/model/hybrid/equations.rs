@@ -103,6 +103,11 @@ impl Setup {
         self.projectile_kg * self.cos / self.joined_kg
     }
 
+    /// Whether spring or damper is infinitely steep at its zero.
+    pub(super) fn is_steep(&self) -> bool {
+        self.spring.is_steep_at_zero() || self.damper.is_steep_at_zero()
+    }
+
     /// The velocity of the projectile.
     pub(super) fn projectile_m_s(&self, state: &State) -> f64 {
         state.u_m_s + state.w_m_s * self.cos
@@ -201,7 +206,7 @@ impl Equations<'_> {
             _ => (0.0, 0.0),
         };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
-        let [_, _, x_least_m, w_least_m_s] = self.sizes(&State::default());
+        let (x_least_m, w_least_m_s) = self.sizes_of_plate(0.0, 0.0);
         let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
         let x_m = larger(x_m.abs(), x_least_m);
         let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
@@ -323,16 +328,16 @@ impl Equations<'_> {
         UNRESOLVED * self.setup.velocity_m_s
     }
 
-    /// The sizes by which errors of travel, slip, displacement and velocity count, at a state: never less than a thousandth of the
-    /// impact velocity for the slip and a millionth for the plate, a thousandth of the tip radius for the travel, and a
-    /// thousand-millionth of it for the plate: less does not move the projectile.
-    pub(super) fn sizes(&self, state: &State) -> [f64; 4] {
+    /// What errors of travel and slip are relative to: never less than a thousandth of tip radius and impact velocity.
+    pub(super) fn sizes_of_travel(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
         let (v, r) = (self.setup.velocity_m_s, self.setup.geometry.nose.radius_m);
-        [
-            larger(state.q_m.abs(), 1e-3 * r),
-            larger(state.u_m_s.abs(), 1e-3 * v),
-            larger(state.x_m.abs(), 1e-9 * r),
-            larger(state.w_m_s.abs(), 1e-6 * v),
-        ]
+        (larger(q_m.abs(), 1e-3 * r), larger(u_m_s.abs(), 1e-3 * v))
+    }
+
+    /// The same of the plate: a thousand-millionth of the tip radius and a millionth of the velocity, less than which does not move the
+    /// projectile.
+    pub(super) fn sizes_of_plate(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
+        let (v, r) = (self.setup.velocity_m_s, self.setup.geometry.nose.radius_m);
+        (larger(x_m.abs(), 1e-9 * r), larger(w_m_s.abs(), 1e-6 * v))
     }
 }
