@@ -20,7 +20,6 @@ pub(crate) mod widgets;
 mod complete;
 mod effects;
 mod input;
-mod log;
 mod pace;
 mod shell;
 mod signals;
@@ -83,8 +82,6 @@ enum Incoming {
 pub fn run(options: Options) -> Result<u8, TuiError> {
     let paths = Paths::of_user().ok();
     let (sender, inbox) = mpsc::channel();
-    let level = std::env::var("CMRA_LOG").ok();
-    log::install(paths.as_ref().map(Paths::log_file), level.as_deref(), sender.clone());
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
     let mut shell = Shell::start(options, paths, sender, inbox)?;
     let ending = shell.run();

@@ -99,9 +99,8 @@ impl IoThread {
     }
 
     fn request(&self, request: Request) {
-        if self.requests.send(request).is_err() {
-            log::error!("the thread for files has ended; nothing is saved any more");
-        }
+        // It ends only with the loop.
+        let _ = self.requests.send(request);
     }
 
     /// Have the session saved soon.
@@ -301,9 +300,9 @@ fn export(to: Destination, content: &Content) -> ExportOutcome {
 fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     let preset::List { presets, unreadable } = preset::list(paths);
     let (parts, wrong_parts) = library::list(paths);
-    for error in unreadable.iter().map(|one| &one.error).chain(&wrong_parts) {
-        log::warn!("{error}");
-    }
+    let wrong_parts = wrong_parts
+        .iter()
+        .map(|error| PresetEntry::broken("library".to_owned(), error.to_string()));
     // A recent file that is gone or broken is omitted: loading it says why.
     let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
     let recent = unsaved
@@ -326,6 +325,7 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
         .chain(recent.map(|found| entry(found, "recent")))
         .chain(parts.into_iter().map(PresetEntry::of_part))
         .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.name, it.error.to_string())))
+        .chain(wrong_parts)
         .collect()
 }
 

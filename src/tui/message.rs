@@ -33,8 +33,6 @@ pub enum Message {
     LongJob(u64),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),
-    /// A line of the program's own log, for the Log tab (not for the message row).
-    Logged(log::Level, String),
 }
 
 /// How an effect ended. The texts are for the message row.

@@ -24,7 +24,7 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::message::PageTable;
     pub(crate) use crate::tui::prelude::*;
     pub(crate) use crate::tui::widgets::text::{TextLine, clip, columns, wrap};
-    pub(crate) use crate::tui::widgets::zoom::{Across, Span};
+    pub(crate) use crate::tui::widgets::zoom::Across;
     pub(crate) use crate::tui::widgets::{RowList, Rows, split_bottom, split_left, split_top};
     pub(crate) use crate::worker::ReportBody;
     pub(crate) use crate::worker::studies::AskedFor;

@@ -79,7 +79,6 @@ impl Shell {
         })?;
         let (mut app, known) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
-        log::info!("cmra {} started", env!("CARGO_PKG_VERSION"));
         let io_thread = IoThread::spawn(paths, known, effects::SESSION_DELAY, sender.clone())?;
         let unsaved = io_thread.unsaved();
         let left = signals::spawn(sender.clone(), move || {

@@ -53,7 +53,6 @@ fn take(app: &mut App, message: Message) {
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => app.jobs.long.push(id),
         Message::Done(report) => done(app, report),
-        Message::Logged(level, text) => app.note(level, text),
     }
 }
 
@@ -176,7 +175,9 @@ impl App {
             (KeyCode::Char(c), _) if c.is_ascii_digit() && here.has.contains(&Part::Form) => {
                 format!("no tab has the number {c}: <enter> opens the value to type it")
             }
-            (_, None) if action.is_some_and(is_zoom) => "only charts and maps zoom".to_owned(),
+            (_, None) if action.is_some_and(is_zoom) => {
+                "only charts of Run and Explore zoom".to_owned()
+            }
             (_, Some(pane)) => {
                 format!(
                     "`{label}` does nothing here, but in {}: <next-pane> goes there",

@@ -18,8 +18,7 @@ use ratatui::layout::Rect;
 use ratatui::text::Line;
 use text::{columns, put};
 
-use crate::report::svg::Svg;
-use crate::tui::chart::{Chart, Curve, Draw, Layout};
+use crate::tui::chart::{Draw, Layout};
 use crate::tui::keymap::{Pane, Target};
 use crate::tui::theme::{PaneFrame, Role, Theme};
 use crate::tui::widgets::text::{TextLine, first_row};
@@ -109,22 +108,6 @@ impl<'a> Canvas<'a> {
             pictures.push(picture.svg());
         }
         picture.render(area, self.buffer, self.theme)
-    }
-
-    /// Draw a chart whose points the caller writes as letters. The picture of it has these curves instead; without curves there is no
-    /// picture.
-    pub(crate) fn draw_with_picture(
-        &mut self,
-        chart: &Chart<'_>,
-        area: Rect,
-        curves: impl FnOnce() -> Vec<Curve<'static>>,
-    ) -> Layout {
-        if let Some(pictures) = &mut self.pictures {
-            let curves = curves();
-            let picture = (!curves.is_empty()).then(|| Chart { curves, ..chart.clone() }.svg());
-            pictures.extend(picture);
-        }
-        chart.render(area, self.buffer, self.theme)
     }
 
     /// The target under the pointer; `None` where a click has no effect.

@@ -212,7 +212,7 @@ impl<'a> Reporter<'a> {
             }
             Ok(Err(error)) => error.to_string(),
             Err(payload) => format!(
-                "internal error: {}; the log has the details, please report it",
+                "internal error: {}; its state directory has the details (panic-*.txt), please report them",
                 panic_text(payload.as_ref())
             ),
         };

@@ -18,8 +18,8 @@ const WORKBENCH: [&[&str]; 7] = [
     &["app", "message", "pages"],
     &["dialogs"],
     &[
-        "complete", "effects", "input", "log", "pace", "plain", "shell", "signals", "start",
-        "terminal", "update", "view",
+        "complete", "effects", "input", "pace", "plain", "shell", "signals", "start", "terminal",
+        "update", "view",
     ],
 ];
 

@@ -32,20 +32,13 @@ pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
         pin.map_or_else(String::new, |pin| pin.name.clone())
     };
     let line = |part, value| Line { part, value };
-    let text = |text: String| Value::Text(TextField::new(text));
     let tick = |name: String, about, on| Value::Tick { name, about, on };
-    let listed: Vec<String> = app.run_order().into_iter().map(|run| app.run_label(run)).collect();
     let mut lines = vec![
         line(FILE, Value::Path),
-        line(WHAT, Value::Choice(SERIES, KINDS.map(|kind| kind.words).to_vec())),
-        line(ROWS, text(GRID_ROWS.to_string())),
+        line(WHAT, Value::Choice(0, KINDS.map(|kind| kind.0).to_vec())),
     ];
     let runs = runs.into_iter().map(|(name, _)| (about(&name), name));
-    // Of the runs those that the table lists.
-    lines.extend(runs.map(|(about, name)| {
-        let on = listed.contains(&name);
-        line(RUNS, tick(name, about, on))
-    }));
+    lines.extend(runs.map(|(about, name)| line(RUNS, tick(name, about, true))));
     let names = run::columns(Rows::Series, false).into_iter();
     lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new(), true))));
     let ask = Ask { text: TextField::new(format!("{}.csv", app.base_stem())), ..Ask::default() };
@@ -76,30 +69,22 @@ impl Dialog for ExportRuns {
 
     fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
         let on_path = self.choices.selected == 0;
-        let has_field = on_path || self.choices.field_mut().is_some();
-        let action = app.keymap.action(key).filter(|_| !(has_field && is_text(key)));
+        let action = app.keymap.action(key).filter(|_| !(on_path && is_text(key)));
         match action {
             _ if self.ask.question => {}
             Some(Action::Down) => return self.moved(1),
             Some(Action::Up | Action::FocusPrevious) => return self.moved(-1),
             Some(Action::FocusNext) if !on_path => return self.moved(1),
-            Some(Action::Left) if !has_field => return self.changed(-1),
-            Some(Action::Right | Action::Mark) if !has_field => return self.changed(1),
-            Some(Action::Quit) if !has_field => return Outcome::Closes,
-            _ if !has_field && is_text(key) => {
+            Some(Action::Left) if !on_path => return self.changed(-1),
+            Some(Action::Right | Action::Mark) if !on_path => return self.changed(1),
+            Some(Action::Quit) if !on_path => return Outcome::Closes,
+            _ if !on_path && is_text(key) => {
                 if key.code == KeyCode::Char('a') {
                     self.choices.all_or_none();
                 }
                 return Outcome::Stays;
             }
-            Some(Action::Enter | Action::Back) => {}
-            _ => {
-                if let Some(field) = self.choices.field_mut() {
-                    field.press(key);
-                    self.ask.forget();
-                    return Outcome::Stays;
-                }
-            }
+            _ => {}
         }
         match self.ask.press(app, key) {
             Step::Accept { overwrite } => {
@@ -121,7 +106,7 @@ impl Dialog for ExportRuns {
     }
 
     fn field_mut(&mut self) -> Option<&mut TextField> {
-        if self.choices.selected == 0 { Some(&mut self.ask.text) } else { self.choices.field_mut() }
+        (self.choices.selected == 0).then_some(&mut self.ask.text)
     }
 
     fn pasted(&mut self) {
@@ -172,32 +157,18 @@ impl ExportRuns {
     }
 }
 
-/// Rows of a grid by default.
-const GRID_ROWS: usize = 1001;
-/// The most rows of grids that a table may have, since it is made in memory.
-const GRID_ROWS_MAX: usize = 1_000_000;
-
-/// A kind of table.
-struct Kind {
-    words: &'static str,
-    /// Its rows; this many for a grid.
-    rows: fn(usize) -> Rows,
-}
-
-const KINDS: [Kind; 4] = [
-    Kind { words: "time series: solver steps and points between", rows: |_| Rows::Series },
-    Kind { words: "time series on a uniform grid", rows: Rows::Grid },
-    Kind { words: "results: one row per run", rows: |_| Rows::Results },
-    Kind { words: "events with their times", rows: |_| Rows::Events },
+/// The kinds of table, with their words.
+const KINDS: [(&str, Rows); 4] = [
+    ("time series: solver steps and points between", Rows::Series),
+    ("time series on a uniform grid of 1001 rows", Rows::Grid(1001)),
+    ("results: one row per run", Rows::Results),
+    ("events with their times", Rows::Events),
 ];
-const SERIES: usize = 0;
-const GRID: usize = 1;
 
 /// The part that a line belongs to, which stands at the left of its first line; lines of one part stand together.
 type Part = &'static str;
 const FILE: Part = "file";
 const WHAT: Part = "what";
-const ROWS: Part = "rows";
 const RUNS: Part = "runs";
 const COLUMNS: Part = "columns";
 
@@ -205,7 +176,6 @@ const COLUMNS: Part = "columns";
 enum Value {
     /// What the dialog asks for.
     Path,
-    Text(TextField),
     /// One of some words.
     Choice(usize, Vec<&'static str>),
     /// Whether a run or a column goes along.
@@ -232,10 +202,9 @@ struct Choices {
 }
 
 impl Choices {
-    /// The lines there are now: the grid's number only for a grid, columns only for a series.
+    /// The lines there are now: columns only for a series.
     fn shown(&self) -> Vec<usize> {
         let is_shown = |at: &usize| match self.lines[*at].part {
-            ROWS => self.choice(WHAT) == GRID,
             COLUMNS => self.is_series(),
             _ => true,
         };
@@ -252,12 +221,6 @@ impl Choices {
             .unwrap_or(0)
     }
 
-    fn text(&self, part: Part) -> &str {
-        self.of(part)
-            .find_map(|it| if let Value::Text(field) = it { Some(field.value()) } else { None })
-            .unwrap_or("")
-    }
-
     fn ticked(&self, part: Part) -> Vec<&str> {
         self.of(part)
             .filter_map(|it| {
@@ -267,7 +230,7 @@ impl Choices {
     }
 
     fn is_series(&self) -> bool {
-        matches!(self.choice(WHAT), SERIES | GRID)
+        matches!(KINDS[self.choice(WHAT)].1, Rows::Series | Rows::Grid(_))
     }
 
     /// The columns that are chosen of a series; none of another table.
@@ -276,20 +239,12 @@ impl Choices {
         chosen.into_iter().map(str::to_owned).collect()
     }
 
-    /// The field of the selected line, where that is not the path.
-    fn field_mut(&mut self) -> Option<&mut TextField> {
-        match &mut self.lines.get_mut(self.selected)?.value {
-            Value::Text(field) => Some(field),
-            Value::Path | Value::Choice(..) | Value::Tick { .. } => None,
-        }
-    }
-
     /// Change what the selected line chooses, round and round, or tick it.
     fn change(&mut self, by: isize) {
         match &mut self.lines[self.selected].value {
             Value::Choice(at, words) => *at = cycled(*at, by, words.len()),
             Value::Tick { on, .. } => *on = !*on,
-            Value::Path | Value::Text(_) => {}
+            Value::Path => {}
         }
     }
 
@@ -337,8 +292,6 @@ fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
     if runs.is_empty() {
         return Err("no run is chosen: Space on a run ticks it".to_owned());
     }
-    let what = choices.choice(WHAT);
-    let grid = if what == GRID { grid_rows(choices.text(ROWS), runs.len())? } else { 0 };
     let mut columns = choices.columns();
     if choices.is_series() && columns.is_empty() {
         return Err("no column is chosen: Space on a column ticks it".to_owned());
@@ -346,18 +299,8 @@ fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
     if columns.len() == choices.of(COLUMNS).count() {
         columns.clear();
     }
-    let rows = (KINDS[what].rows)(grid);
+    let rows = KINDS[choices.choice(WHAT)].1;
     Ok(RunTable { rows, runs, columns })
-}
-
-/// The number of rows typed; all runs together have no more than [`GRID_ROWS_MAX`].
-fn grid_rows(text: &str, runs: usize) -> Result<usize, String> {
-    let most = GRID_ROWS_MAX / runs.max(1);
-    let rows = text.trim().parse().ok().filter(|rows| (2..=most).contains(rows));
-    rows.ok_or_else(|| {
-        let of = if runs > 1 { format!(" for each of {runs} runs") } else { String::new() };
-        format!("rows = `{}` is impossible: write a whole number from 2 to {most}{of}", text.trim())
-    })
 }
 
 /// Column the values begin in.
@@ -377,13 +320,12 @@ fn one(state: &ExportRuns, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
     let room = line.width.saturating_sub(VALUE + 1);
     let role = if here { Role::Selection } else { Role::Text };
     let text = match &shown.value {
-        Value::Path | Value::Text(_) => {
-            let field = if let Value::Text(field) = &shown.value { field } else { &state.ask.text };
+        Value::Path => {
             let area = Rect { x: line.x + VALUE, width: room, ..line };
             if here {
-                TextField { error: None, ..field.clone() }.draw(canvas, area);
+                TextField { error: None, ..state.ask.text.clone() }.draw(canvas, area);
             } else {
-                field.put(canvas, area, role);
+                state.ask.text.put(canvas, area, role);
             }
             return;
         }
@@ -417,7 +359,10 @@ fn below(app: &App, state: &ExportRuns, area: Rect, canvas: &mut Canvas<'_>) {
 fn preview(app: &App, choices: &Choices) -> Vec<String> {
     let Some(shown) = &app.shown else { return Vec::new() };
     let named = [("now".to_owned(), Arc::clone(&shown.run))];
-    let rows = (KINDS[choices.choice(WHAT)].rows)(3);
+    let rows = match KINDS[choices.choice(WHAT)].1 {
+        Rows::Grid(_) => Rows::Grid(3),
+        rows => rows,
+    };
     let text = run::csv(rows, &named, &choices.columns(), 2).unwrap_or_default();
     text.lines().take(3).map(str::to_owned).collect()
 }

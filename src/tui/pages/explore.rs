@@ -36,7 +36,7 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::View, "quantity", "show the next quantity"),
         key(A::Mark, "pin", "pin the design under the cursor"),
-        key(A::ZoomIn, "zoom", "zoom about the cursor; of a map its ends (<undo> undoes)"),
+        key(A::ZoomIn, "zoom", "zoom curves about the cursor; a map has the ends of its setup"),
         key(A::Down, "curve", "move to another curve, or down the map"),
         key(A::Find, "", "find a quantity, and show it"),
     ] },
@@ -100,7 +100,7 @@ impl Page for ExploreTab {
             Action::Enter => edit::load_design(app, app.sweep_design()),
             _ => match cursor_moved(action, FAR) {
                 Some(by) => move_cursor(app, by),
-                None => return setup::zoom_map(app, action),
+                None => return false,
             },
         }
         true
@@ -200,8 +200,9 @@ impl Page for ExploreTab {
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
-        let alone = app.picture() == Picture::Line && !state::has_family(&app.scene);
-        app.pane() == RESULTS && action == Action::Down && alone
+        let is_line = app.picture() == Picture::Line;
+        let alone = action == Action::Down && is_line && !state::has_family(&app.scene);
+        app.pane() == RESULTS && (alone || (action == Action::ZoomIn && !is_line))
     }
 
     fn form(&self, app: &App) -> Option<Form> {

@@ -84,16 +84,6 @@ impl Page for LogTab {
 const NEWEST: usize = 5;
 
 impl App {
-    /// Keep a line of the program's own log; it does not show in the message row.
-    pub fn note(&mut self, level: log::Level, text: String) {
-        let severity = match level {
-            log::Level::Error => Severity::Error,
-            log::Level::Warn => Severity::Warning,
-            log::Level::Info | log::Level::Debug | log::Level::Trace => Severity::Note,
-        };
-        self.keep(Notice { severity, text });
-    }
-
     /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
     pub fn log_lines(&self, columns: usize) -> Vec<TextLine> {
         // Two borders, and three columns of indent with one of air.

@@ -38,7 +38,7 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Down, "scene", "select another scene"),
         key(A::View, "columns", "show the next columns of the table"),
         key(A::Sort, "sort", "sort the table by the next column"),
-        key(A::Find, "filter", "show only the scenes that match a text"),
+        key(A::Find, "find", "find a scene"),
     ] },
 ];
 
@@ -161,12 +161,14 @@ impl Page for NumericsTab {
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let method = Method::ALL.get(row).filter(|_| app.pane() == ACCURACY)?;
-        Some(method.name().to_owned())
-    }
-
-    fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        (app.pane() == STIFF_SCENES).then_some(&mut app.pages.numerics.stability.listing.filter)
+        match app.pane() {
+            ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
+            STIFF_SCENES => {
+                let tab = &app.pages.numerics.stability;
+                Some(tab.rows()[*tab.order().get(row)?].case.name.to_string())
+            }
+            _ => None,
+        }
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {

@@ -11,7 +11,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::steps::{Input, Press};
-use crate::tui::widgets::table::Listing;
+use crate::tui::widgets::table::Sorting;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
@@ -46,7 +46,7 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Difference, "difference", "show curves as differences to the first pinned run"),
         key(A::Down, "move", "select another run"),
         key(A::Sort, "sort", "sort the table by the next column"),
-        key(A::Find, "filter", "show only the runs that match a text"),
+        key(A::Find, "find", "find a run by its name"),
     ] },
 ];
 
@@ -70,8 +70,8 @@ pub(super) const COMMANDS: &[Command] = &[
 pub struct RunPage {
     pub editor: editor::Editor,
     pub charts: charts::Charts,
-    /// How the table of runs is listed.
-    pub listing: Listing,
+    /// How the table of runs is sorted.
+    pub sorting: Sorting,
     /// The row selected in it: 0 is the current run.
     pub selected: usize,
     /// The current run is drawn.
@@ -80,8 +80,8 @@ pub struct RunPage {
 
 impl Default for RunPage {
     fn default() -> Self {
-        let (editor, charts, listing, selected) = Default::default();
-        Self { editor, charts, listing, selected, shows_current: true }
+        let (editor, charts, sorting, selected) = Default::default();
+        Self { editor, charts, sorting, selected, shows_current: true }
     }
 }
 
@@ -106,8 +106,8 @@ impl Page for RunTab {
             (Action::Enter, RUNS) => runs::load(app),
             (Action::ShowHide, RUNS) => runs::show_or_hide(app),
             (Action::Sort, RUNS) => {
-                let sorting = app.pages.run.listing.sorting.next(&app.compared_runs().keys());
-                app.pages.run.listing.sorting = sorting;
+                let sorting = app.pages.run.sorting.next(&app.compared_runs().keys());
+                app.pages.run.sorting = sorting;
             }
             (_, VARIABLES) if edits(action) && !app.pages.run.editor.shows(&app.scene) => {
                 app.tell("no variable is selected: <back> shows all of them");
@@ -182,12 +182,14 @@ impl Page for RunTab {
         }
     }
 
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        let run = *app.run_order().get(row).filter(|_| app.pane() == RUNS)?;
+        let name = run.checked_sub(1).map_or("", |at| app.pins[at].name.as_str());
+        Some(format!("{} {name}", app.run_label(run)))
+    }
+
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        match app.pane() {
-            VARIABLES => Some(&mut app.pages.run.editor.filter),
-            RUNS => Some(&mut app.pages.run.listing.filter),
-            _ => None,
-        }
+        (app.pane() == VARIABLES).then_some(&mut app.pages.run.editor.filter)
     }
 
     fn takes_unit(&self, _app: &App) -> bool {

@@ -61,7 +61,7 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Mark, "pin", "pin this design"),
         key(A::Sort, "sort", "sort the table by the next column"),
         key(A::View, "axes", "show the next pair of objectives in the chart"),
-        key(A::Find, "", "show only the rows that match a text"),
+        key(A::Find, "", "find a design or a solution"),
     ] },
 ];
 
@@ -195,8 +195,7 @@ impl Page for SearchTab {
         let found = app.pages.search.shown()?.clone();
         let (scene, is_complete, command) =
             (Arc::clone(&found.scene), found.is_complete(), found.request.command());
-        let listed = app.pages.search.listed_rows();
-        let csv = move |name: &str| found.csv(name, listed.as_deref());
+        let csv = move |name: &str| found.csv(name);
         let table = PageTable::new("Export the results to CSV", file, is_complete, csv);
         Some(table.of(app, &scene, &command))
     }
@@ -228,16 +227,18 @@ impl Page for SearchTab {
             return Some(form.rows(shown));
         }
         let (count, selected) = match tab.choices() {
-            0 if !tab.lists_some() => (hidden_lines(app) + 1, tab.scrolled()),
+            0 => (hidden_lines(app) + 1, tab.scrolled()),
             choices => (choices, tab.selected()),
         };
         Some(Rows { count, selected, shown })
     }
 
-    fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        let tab = &mut app.pages.search;
-        let is_there = app.focus[Tab::Search.index()] == RESULTS && tab.shown().is_some();
-        is_there.then_some(&mut tab.listing[tab.page as usize].filter)
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        if let Some(form) = self.form(app) {
+            return Some(form.row(row)?.label.clone());
+        }
+        let tab = &app.pages.search;
+        tab.answer()?.name(tab, *tab.order().get(row)?)
     }
 
     fn select(&self, app: &mut App, row: usize) {

@@ -41,7 +41,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
         return;
     }
     if is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
-        return app.tell("nothing to zoom yet");
+        return app.tell("nothing to zoom: a map has the ends that its setup says");
     }
     anywhere(app, action);
 }

@@ -1,4 +1,4 @@
-//! Zooming and panning an axis: one rule for every chart and map.
+//! Zooming and panning the axis across of a chart: one rule for all.
 
 use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::keymap::Action;
@@ -13,9 +13,10 @@ pub(crate) fn is_zoom(action: Action) -> bool {
     matches!(action, ZoomIn | ZoomOut | ZoomFit | PanLeft | PanRight)
 }
 
-/// An axis, and what can be shown of it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Span {
+/// The axis across of the chart in the pane, and what can be shown of it.
+pub(crate) struct Across<'a> {
+    /// The part of it that was chosen; `None`: home.
+    pub kept: &'a mut Option<ViewRange>,
     pub view: ViewRange,
     /// What is in view where nothing was chosen.
     pub home: ViewRange,
@@ -24,33 +25,6 @@ pub(crate) struct Span {
     pub scale: Scale,
     /// The value that keeps its place.
     pub about: Option<f64>,
-}
-
-impl Span {
-    /// The view that an action requests; `None` where it is not a zoom.
-    pub(crate) fn after(&self, action: Action) -> Option<ViewRange> {
-        let (view, scale) = (self.view, self.scale);
-        let about = || {
-            let middle = scale.back(0.5 * (scale.place(view.lo()) + scale.place(view.hi())));
-            self.about.filter(|at| view.contains(*at)).unwrap_or(middle)
-        };
-        let next = match action {
-            Action::ZoomIn => view.zoomed(scale, about(), STEP),
-            Action::ZoomOut => view.zoomed(scale, about(), 1.0 / STEP),
-            Action::ZoomFit => self.home,
-            Action::PanLeft => view.panned(scale, -PAN, self.bounds),
-            Action::PanRight => view.panned(scale, PAN, self.bounds),
-            _ => return None,
-        };
-        Some(next.within(self.bounds))
-    }
-}
-
-/// The axis across of the chart in the pane.
-pub(crate) struct Across<'a> {
-    /// The part of it that was chosen; `None`: home.
-    pub kept: &'a mut Option<ViewRange>,
-    pub span: Span,
 }
 
 impl<'a> Across<'a> {
@@ -63,13 +37,26 @@ impl<'a> Across<'a> {
     ) -> Self {
         let home = home.on(scale);
         let view = kept.map_or(home, |view| view.on(scale));
-        Self { kept, span: Span { view, home, bounds: home, scale, about } }
+        Self { kept, view, home, bounds: home, scale, about }
     }
 
     /// Show what an action requests; false where it is not a zoom.
     pub(crate) fn change(self, action: Action) -> bool {
-        let Some(next) = self.span.after(action) else { return false };
-        let is_home = action == Action::ZoomFit || next == self.span.home;
+        let (view, scale) = (self.view, self.scale);
+        let about = || {
+            let middle = scale.back(0.5 * (scale.place(view.lo()) + scale.place(view.hi())));
+            self.about.filter(|at| view.contains(*at)).unwrap_or(middle)
+        };
+        let next = match action {
+            Action::ZoomIn => view.zoomed(scale, about(), STEP),
+            Action::ZoomOut => view.zoomed(scale, about(), 1.0 / STEP),
+            Action::ZoomFit => self.home,
+            Action::PanLeft => view.panned(scale, -PAN, self.bounds),
+            Action::PanRight => view.panned(scale, PAN, self.bounds),
+            _ => return false,
+        };
+        let next = next.within(self.bounds);
+        let is_home = action == Action::ZoomFit || next == self.home;
         *self.kept = (!is_home).then_some(next);
         true
     }

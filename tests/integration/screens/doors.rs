@@ -63,7 +63,7 @@ fn by_tab(bench: &Bench, request: &SearchRequest) -> Result<String, String> {
     };
     let answer = Arc::new(answer.map_err(|error| error.to_string())?);
     let found = SearchResult { scene: Arc::clone(scene), request: request.clone(), answer };
-    Ok(found.csv(NAME, None))
+    Ok(found.csv(NAME))
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Zoom, fit and pan in Explore, and what the Limit tab says of a change of closure.
+//! Zoom of curves in Explore, and what the Limit tab says of a change of closure.
 
 use std::sync::Arc;
 
@@ -6,57 +6,6 @@ use super::bench::Bench;
 use super::{search, sweep};
 use cmra::model::scene::Closure;
 use cmra::tui::theme::GlyphSet;
-
-/// The ends of the map of Explore, which are those of its setup.
-fn swept(bench: &Bench) -> Vec<(f64, f64)> {
-    let axes = &bench.app.scene.sweep.as_ref().expect("a sweep").axes;
-    axes.iter().map(|axis| (axis.from, axis.to)).collect()
-}
-
-#[test]
-fn the_map_of_explore_is_zoomed_by_the_ends_of_its_axes_and_an_undo_takes_it_back() {
-    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (80, 24));
-    bench.keys("2");
-    sweep::answer(&mut bench);
-    bench.keys("<Right>");
-    let design = bench.app.sweep_design().expect("a design").scene;
-    let before = swept(&bench);
-    bench.keys("+");
-    assert!(bench.message().contains("computing the map again"), "{}", bench.message());
-    sweep::answer(&mut bench);
-    for ((from, to), (low, high)) in before.iter().zip(swept(&bench)) {
-        assert!(((high - low) / (to - from) - 0.5).abs() < 1e-3, "{from} {to}: {low} {high}");
-    }
-    let after = bench.app.sweep_design().expect("a design").scene;
-    assert!((after.plate.mass_ratio / design.plate.mass_ratio - 1.0).abs() < 1e-3, "in its place");
-    bench.keys("u");
-    assert_eq!(swept(&bench), before);
-}
-
-#[test]
-fn the_map_of_explore_is_panned_and_fitted_to_the_ends_of_the_preset() {
-    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (80, 24));
-    bench.keys("2");
-    sweep::answer(&mut bench);
-    let before = swept(&bench);
-    bench.keys("+");
-    sweep::answer(&mut bench);
-    let near = swept(&bench);
-    bench.keys("]");
-    sweep::answer(&mut bench);
-    let panned = swept(&bench);
-    let quarter = 0.25 * (near[0].1 - near[0].0);
-    assert!((panned[0].0 - near[0].0 - quarter).abs() < 1e-3 * quarter, "{near:?} {panned:?}");
-    assert_eq!(panned[1], near[1], "only across");
-    bench.keys("[");
-    sweep::answer(&mut bench);
-    assert_eq!(swept(&bench), near);
-    bench.keys("0");
-    sweep::answer(&mut bench);
-    assert_eq!(swept(&bench), before);
-    bench.keys("0");
-    assert_eq!(bench.message(), "the map ends here");
-}
 
 /// A hard core on AA6082, as in `cmra compare`: of 271 to 285 m/s only the change of closure at h = D decides.
 #[test]
@@ -86,7 +35,7 @@ fn the_change_of_closure_is_named_in_the_comparison() {
 fn a_pane_without_chart_or_map_says_that_it_does_not_zoom() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("7+");
-    assert_eq!(bench.message(), "only charts and maps zoom");
+    assert_eq!(bench.message(), "only charts of Run and Explore zoom");
 }
 
 /// As in Run, the axis of values is that of what is in view.

@@ -12,7 +12,7 @@ use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::{FIELD_DIGITS, number_in};
 use crate::tui::pages::{explore, run};
-use crate::tui::widgets::axis::{meaning, numeric, over, place, set_ends, span, whole};
+use crate::tui::widgets::axis::{meaning, numeric, over, place, whole};
 use crate::tui::widgets::form::{Form, FormRow, VALUE_WIDTH, quantity_after};
 use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::text::fitting;
@@ -161,49 +161,6 @@ pub(crate) fn toggle_spacing(app: &mut App) {
     if let Err(error) = change(app, SetupRow::Axis(0, Part::Spacing), next) {
         app.refuse(error);
     }
-}
-
-/// Sweep another part of the map, about its cursor; false where there is no map, or an action means nothing to one. Home are the
-/// ends that the preset has, else the usual ones.
-pub(crate) fn zoom_map(app: &mut App, action: Action) -> bool {
-    let Some(axes) = map_axes(app) else { return false };
-    let is_pan = matches!(action, Action::PanLeft | Action::PanRight);
-    let [across, up] = axes.map(|axis| axis.after(action));
-    let Some(part) = across.zip(if is_pan { Some(axes[1].view) } else { up }) else {
-        return false;
-    };
-    if [part.0, part.1] == axes.map(|axis| axis.view) {
-        app.tell("the map ends here");
-        return true;
-    }
-    let mut sweep = sweep_of(&app.scene);
-    let mut ends = sweep.axes.iter_mut().zip([part.0, part.1]);
-    let set = ends.try_for_each(|(axis, view)| set_ends(axis, view));
-    match set.and_then(|()| checked(app, sweep, 1)) {
-        Ok(()) if app.settings.auto_run => {
-            let all = if action == Action::ZoomFit { "" } else { " (<zoom-fit> shows all of it)" };
-            app.tell(format!("computing the map again{all}"));
-        }
-        Ok(()) => app.tell("the map has other ends: press <run>"),
-        Err(why) => app.refuse(why),
-    }
-    true
-}
-
-fn map_axes(app: &App) -> Option<[Span; 2]> {
-    let grid = &app.pages.explore.found(Picture::Surface)?.grid;
-    if app.picture() != Picture::Surface {
-        return None;
-    }
-    let (sweep, preset) = (sweep_of(&app.scene), sweep_of(&app.base.scene));
-    let at = app.cursor_point(grid);
-    let of = |place: usize| {
-        let axis = sweep.axes.get(place)?;
-        let home = preset.axes.iter().find(|it| it.name == axis.name);
-        let home = home.map(|it| ViewRange::new(it.from, it.to));
-        span(&app.scene, axis, home, grid.coordinate(at, place)).ok()
-    };
-    Some([of(0)?, of(1)?])
 }
 
 /// Take another value in a row.

@@ -10,7 +10,7 @@ use crate::report::monte_carlo::{perforation, v50};
 use crate::study::compare::map::Map;
 use crate::study::limit::{Limit, Report, Shot};
 use crate::study::monte_carlo;
-use crate::tui::chart::{Emphasis, Layout};
+use crate::tui::chart::Emphasis;
 use crate::tui::pages::limit::{RESIDUAL, area};
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::layout::CHART_ROWS;
@@ -325,28 +325,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     chart.crosshair = tab.shot().map(|shot| shot.impact_m_s);
     chart.focused = app.has_focus(RESIDUAL);
     let layout = canvas.draw(&chart, area);
-    marks(app, report, &layout, canvas);
     let shots = report.shots.iter();
     let places = shots.map(|shot| Some((shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0))));
     canvas.points(&layout, places, |shot| Target::Row(RESIDUAL, shot));
-}
-
-/// A letter for each shot, whatever the characters of curves: its outcome.
-fn marks(app: &App, report: &Report, layout: &Layout, canvas: &mut Canvas<'_>) {
-    let tab = &app.pages.limit;
-    for (index, shot) in report.shots.iter().enumerate() {
-        let (letter, colour) = match shot.outcome {
-            Outcome::Perforated => ("o", 3),
-            Outcome::Arrested | Outcome::Separated => ("s", 4),
-            Outcome::Moving => ("m", 4),
-        };
-        let height = shot.residual_m_s.unwrap_or(0.0);
-        let Some(place) = layout.place(shot.impact_m_s, height) else { continue };
-        let role = match (tab.cursor == Some(index), app.limit_is_old()) {
-            (true, _) => Role::Crosshair,
-            (false, true) => Role::Dim,
-            (false, false) => Role::Curve(colour),
-        };
-        canvas.put(layout.plot, place, letter, role);
-    }
 }

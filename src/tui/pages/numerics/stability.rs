@@ -9,7 +9,7 @@ use crate::study::stability::others::Other;
 use crate::study::stability::{Basis, Row};
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
-use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
+use crate::tui::widgets::table::{Grid, Sorting};
 use crate::tui::widgets::text::NEEDS_SINGLE;
 use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{StabilityMap, StiffScenes};
@@ -39,8 +39,8 @@ pub struct Stability {
     pub map: Kept<Map>,
     /// The crosshair: column and row of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    /// How the table of stiff scenes is listed.
-    pub listing: Listing,
+    /// How the table of stiff scenes is sorted.
+    pub sorting: Sorting,
     pub battery: Kept<RowsSoFar<Row>>,
     /// The selected scene, by its place among all.
     pub selected: usize,
@@ -76,7 +76,7 @@ impl Stability {
 
     /// The places of the scenes listed, in the order of the table.
     pub fn order(&self) -> Vec<usize> {
-        self.listing.order(&table(self.rows()), &keys())
+        self.sorting.order(&table(self.rows()))
     }
 
     /// The row of the selected scene; the first where it is not listed.
@@ -194,7 +194,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run if on_scenes => ask_battery(app),
         Action::View if on_scenes => tab.table_page += 1,
-        Action::Sort if on_scenes => tab.listing.sorting = tab.listing.sorting.next(&keys()),
+        Action::Sort if on_scenes => tab.sorting = tab.sorting.next(&keys()),
         _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
@@ -275,30 +275,27 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let table = table(rows.iter().copied());
     let keys = keys();
     let mut cells = table.cells(&keys);
-    tab.listing.sorting.mark(&keys, &mut cells);
+    tab.sorting.mark(&keys, &mut cells);
     let grid = Grid::of(cells, area.width.saturating_sub(2), tab.table_page);
     let height = usize::from(area.height.saturating_sub(3));
     let (count, selected) = (rows.len(), tab.selected_row());
     let list = RowList { count, selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
     let title = if area.width < 70 { "Battery" } else { "Stiff and extreme scenes" };
-    let title = tab.listing.titled(title);
-    let title = if rows.len() > height {
+    let counted = if rows.len() > height {
         let last = (first + height).min(rows.len());
-        format!("{title} {}-{last}/{}", first + 1, rows.len())
+        format!(" {}-{last}/{}", first + 1, rows.len())
     } else {
-        title
+        String::new()
     };
+    let title = format!("{title}{counted}");
     let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
     let hint = app.keymap.shown(&(hint + "<next-pane>: map"));
     let pane = PaneFrame::new(title).right(hint).focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {
-        let text = match tab.rows() {
-            [] => nothing::<StiffScenes>(app, "running the first scenes", None),
-            _ => app.keymap.shown(NO_MATCH),
-        };
+        let text = nothing::<StiffScenes>(app, "running the first scenes", None);
         canvas.put(inner, (1, 2), &text, Role::Dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };

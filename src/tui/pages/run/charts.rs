@@ -273,7 +273,7 @@ impl App {
         let bounds = range((from_s, larger(whole_s, home_s)));
         let (scale, about) = (self.pages.run.charts.time_scale, self.pages.run.charts.cursor_s);
         let mut across = Across::of(self.zoom_mut(), home, scale, about);
-        (across.span.view, across.span.bounds) = (view, bounds);
+        (across.view, across.bounds) = (view, bounds);
         across
     }
 }

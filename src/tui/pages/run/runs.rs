@@ -8,7 +8,7 @@ use crate::model::units;
 use crate::model::variables::{self, VARIABLES, Value};
 use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison};
-use crate::report::table::{Cells, Table};
+use crate::report::table::Table;
 use crate::study::models::by_every_model;
 use crate::study::quantities;
 use crate::tui::chart::MARKERS;
@@ -16,7 +16,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::RUNS;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::widgets::steps::shown_number;
-use crate::tui::widgets::table::{Grid, NO_MATCH};
+use crate::tui::widgets::table::Grid;
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
@@ -62,14 +62,9 @@ impl App {
         comparison(std::iter::once(now).chain(pins))
     }
 
-    /// The runs listed in their table, in its order: 0 the current one, then the pins.
+    /// The runs in the order of their table: 0 the current one, then the pins.
     pub fn run_order(&self) -> Vec<usize> {
-        let table = self.compared_runs();
-        self.pages.run.listing.matching(self.pages.run.listing.sorting.order(&table), || {
-            let labels = (0..table.rows.len()).map(|run| self.run_label(run)).collect();
-            let labels = Cells { head: String::new(), is_text: true, cells: labels };
-            table.cells(&table.keys()).into_iter().chain([labels]).collect()
-        })
+        self.pages.run.sorting.order(&self.compared_runs())
     }
 
     /// `now`, or the letter of a pin.
@@ -156,18 +151,12 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         keys.retain(|key| !matches!(*key, "plastic" | "peak_mount_force_n"));
     }
     let mut cells = table.cells(&keys);
-    app.pages.run.listing.sorting.mark(&keys, &mut cells);
+    app.pages.run.sorting.mark(&keys, &mut cells);
     let grid = Grid::shortened(cells, area.width.saturating_sub(LEAD + 1));
     let role = if focused { Role::Focus } else { Role::Title };
     canvas.put(area, (LEAD, 0), &grid.line(None), role);
-    if !app.pages.run.listing.filter.is_empty() {
-        canvas.put(area, (1, 0), &format!("/{} ", app.pages.run.listing.filter), Role::Key);
-    }
     let order = app.run_order();
     let list = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
-    if order.is_empty() {
-        canvas.put(list, (LEAD, 0), &app.keymap.shown(NO_MATCH), Role::Dim);
-    }
     let selected = order.iter().position(|run| *run == app.pages.run.selected).unwrap_or(0);
     let rows = RowList { count: order.len(), selected, painted: focused };
     rows.render(

@@ -55,7 +55,6 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 pub(super) fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup" } else { "" };
     let title = format!("{}{old}", app.pages.search.page.title());
-    let title = app.pages.search.listing().titled(&title);
     let focused = app.has_focus(RESULTS);
     let height = usize::from(area.height.saturating_sub(2));
     let (has_choices, more) = (app.pages.search.choices() > 0, lines.len() > height);

@@ -4,7 +4,7 @@ use crate::report::monte_carlo::{perforation, table, warnings};
 use crate::study::monte_carlo::{Report, Request, Summary, USUAL_DEVIATION, usual_tolerances};
 use crate::tui::chart::{Axis, Chart, Curve, Mark, Unit};
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::answer::{Answer, no_match, note, only, table_lines};
+use crate::tui::pages::search::answer::{Answer, note, table_lines};
 use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::setup::{Row, Setup};
 use crate::tui::pages::search::state::Searching;
@@ -56,28 +56,18 @@ impl Answer for Report {
         let mut lines = broken(lines, width);
         let mut table = table("", report);
         table.rows.retain(|summary| summary.deviation.is_some());
-        let listing = app.pages.search.listing();
-        let listed = listing.order(&table, &QUANTILES);
         let output = app.pages.search.setup.output;
-        let selected = listed.iter().position(|at| table.rows[*at].measure.name == output);
-        let mut rows: Vec<TextLine> = table_lines(&table, &QUANTILES, listing, width).collect();
+        let selected = table.rows.iter().position(|row| row.measure.name == output);
+        let mut rows: Vec<TextLine> = table_lines(&table, &QUANTILES, width).collect();
         if let Some((row, _)) = selected.and_then(|at| rows.get_mut(at + 1)) {
             row.replace_range(..1, ">");
         }
-        rows.extend(no_match(app, listed.is_empty() && !table.rows.is_empty()));
         lines.extend(rows);
         lines
     }
 
-    fn listed(&self, tab: &Searching) -> Vec<usize> {
-        let table = table("", self);
-        let mut listed = tab.listing().order(&table, &QUANTILES);
-        listed.retain(|at| table.rows[*at].deviation.is_some());
-        listed
-    }
-
-    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
-        only(table(name, self), listed, &warnings(scene, self))
+    fn csv(&self, scene: &Scene, name: &str) -> String {
+        table(name, self).with_warnings(&warnings(scene, self)).csv()
     }
 
     fn draws(&self, tab: &Searching) -> bool {

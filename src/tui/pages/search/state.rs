@@ -7,7 +7,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::PAGES;
 use crate::tui::pages::search::answer::Answer;
 use crate::tui::widgets::layout::CHART_ROWS;
-use crate::tui::widgets::table::{Listing, Sorting};
+use crate::tui::widgets::table::Sorting;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 
 pub use crate::tui::pages::search::setup::Bound;
@@ -61,8 +61,8 @@ pub struct Searching {
     pub problem: [Option<String>; 4],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
     pub cursor: [Option<usize>; 4],
-    /// How the results are listed, page by page; designs that no column was chosen for are sorted by the objective across.
-    pub listing: [Listing; 4],
+    /// The measure that the designs of a front are sorted by; `None`: the objective across.
+    pub sorting: Sorting,
 }
 
 impl Searching {
@@ -84,14 +84,9 @@ impl Searching {
 
     /// The measure that the table of the front is sorted by, by its place.
     pub fn sorted(&self, front: &Front) -> usize {
-        let by = self.listing[Page::Front as usize].sorting.0;
+        let by = self.sorting.0;
         let chosen = front.request.measures().iter().position(|measure| Some(measure.name) == by);
         chosen.unwrap_or_else(|| self.across(front).0)
-    }
-
-    /// How the results of the page shown are listed.
-    pub fn listing(&self) -> &Listing {
-        &self.listing[self.page as usize]
     }
 
     /// The places of all designs of a front in the order of the table.
@@ -107,20 +102,9 @@ impl Searching {
         Some(self.shown()?.answer.answer())
     }
 
-    /// The places of the designs or solutions that are listed, in the order of the table.
+    /// The places of the designs or solutions, in the order of the table.
     pub fn order(&self) -> Vec<usize> {
         self.answer().map_or_else(Vec::new, |answer| answer.order(self))
-    }
-
-    /// The places in the exported table of the rows that are listed; `None` where all are.
-    pub(super) fn listed_rows(&self) -> Option<Vec<usize>> {
-        let answer = self.answer().filter(|_| !self.listing().filter.is_empty())?;
-        Some(answer.listed(self))
-    }
-
-    /// Whether only some designs or solutions are listed.
-    pub fn lists_some(&self) -> bool {
-        matches!(self.page, Page::Seek | Page::Front) && !self.listing().filter.is_empty()
     }
 
     /// The selected design or solution, by its place among all.
@@ -160,9 +144,6 @@ impl Searching {
     /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart, none where it
     /// stands alone.
     pub fn words_height(&self, height: u16, lines: usize) -> u16 {
-        if !self.listing().filter.is_empty() && self.is_crowded(height, lines) {
-            return height;
-        }
         match (self.draws(), self.is_crowded(height, lines)) {
             (true, false) => words_rows(lines).min(height - CHART_ROWS).max(3),
             (true, true) => 0,
@@ -178,12 +159,11 @@ impl Searching {
     /// Select a row of the table; where there is none, the first line shown.
     pub fn select(&mut self, row: usize) {
         let order = self.order();
-        let is_list = !order.is_empty() || self.lists_some();
-        let at = if is_list { order.get(row).copied() } else { Some(row) };
+        let at = if !order.is_empty() { order.get(row).copied() } else { Some(row) };
         self.cursor[self.page as usize] = at.or(self.cursor[self.page as usize]);
     }
 
-    /// The row of the selected one of them: of a front its knee, until another one is selected; the first where it is not listed.
+    /// The row of the selected one of them: of a front its knee, until another one is selected; the first where there is none.
     pub fn selected(&self) -> usize {
         let knee = || self.knee().filter(|_| self.page == Page::Front);
         let chosen = self.cursor[self.page as usize].or_else(knee);
@@ -224,7 +204,7 @@ impl Searching {
         let Some(front) = self.front() else { return };
         let measures = front.request.measures();
         let next = measures.get((self.sorted(front) + 1) % measures.len().max(1));
-        self.listing[Page::Front as usize].sorting = Sorting(next.map(|measure| measure.name));
+        self.sorting = Sorting(next.map(|measure| measure.name));
     }
 }
 
@@ -267,9 +247,9 @@ impl App {
 }
 
 impl SearchResult {
-    /// The results as a table; the scene has this name. Of listed results it has the rows that are listed.
-    pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
-        self.answer.answer().csv(&self.scene, name, listed)
+    /// The results as a table; the scene has this name.
+    pub fn csv(&self, name: &str) -> String {
+        self.answer.answer().csv(&self.scene, name)
     }
 
     pub fn is_complete(&self) -> bool {
