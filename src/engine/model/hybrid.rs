@@ -38,7 +38,7 @@ pub enum Stepping {
     Rk4WithoutEvents(f64),
 }
 
-/// One impact on a valid scene by a method; `None` where this engine does not know the contact or the spring.
+/// One impact on a valid scene by a method; `None` where this engine does not know the contact.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     bounds: Bounds,
@@ -48,7 +48,7 @@ pub(in crate::model) fn run(
     if scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
-    let setup = &Setup::of(scene)?;
+    let setup = &Setup::of(scene);
     Some(match stepping {
         Stepping::Collocation(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };

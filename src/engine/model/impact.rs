@@ -29,6 +29,7 @@ mod singular_crossing;
 mod start;
 mod step_control;
 mod stiff;
+mod straight_core;
 mod taylor;
 mod termination;
 pub mod window;

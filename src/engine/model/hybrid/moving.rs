@@ -1,9 +1,8 @@
 //! What moves in a mode, as the integrator takes it: both bodies, the plate (with the projectile or without it), or the projectile in a
 //! plate that rests.
 
-use crate::model::hybrid::equations::{Equations, State};
+use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::modes::Contact;
-use crate::model::mechanism::PowerLaw;
 use crate::numerics::smaller;
 use crate::numerics::step::{Acceleration, Point, Slopes};
 
@@ -68,8 +67,7 @@ impl Moving<1> for Projectile<'_> {
 }
 
 /// The part of a change of a law's argument that does not pass its zero, where it is infinitely steep there.
-fn passed(law: PowerLaw, from: f64, to: f64) -> f64 {
-    let is_steep = !law.is_absent() && law.exponent < 1.0;
+fn passed(is_steep: bool, from: f64, to: f64) -> f64 {
     if is_steep && from * to < 0.0 { OF_THE_WAY * from / (from - to) } else { 1.0 }
 }
 
@@ -174,6 +172,10 @@ impl Acceleration<1> for Projectile<'_> {
 impl Equations<'_> {
     fn without_passing(&self, from: (f64, f64), to: (f64, f64)) -> f64 {
         let [from_x, to_x] = [from.0, to.0].map(|x_m| self.displacement_m(x_m));
-        smaller(passed(self.setup.spring, from_x, to_x), passed(self.setup.damper, from.1, to.1))
+        let Setup { spring, damper, .. } = self.setup;
+        smaller(
+            passed(spring.is_steep_at_zero(), from_x, to_x),
+            passed(damper.is_steep_at_zero(), from.1, to.1),
+        )
     }
 }

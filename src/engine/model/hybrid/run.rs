@@ -95,7 +95,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
 
     /// A law that is infinitely steep where the plate begins is left by the balance of forces.
     fn first_moment(&mut self) {
-        if self.setup.is_steep() && self.setup.start_m == 0.0 && self.mode.hold == Hold::Free {
+        if self.setup.starts_steep() && self.mode.hold == Hold::Free {
             self.state = self.equations().after_first_moment();
             self.h_s = self.state.t_s;
         }
@@ -148,13 +148,13 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
 
     /// Takes an event at a state on it.
     fn react(&mut self, event: Event, on_it: State) {
-        let (before, mut state) = (self.mode, on_it);
-        let mut next = modes::after(self.setup, &before, event, &mut state);
+        let mut state = on_it;
+        let mut next = modes::after(self.setup, &self.mode, event, &mut state);
         if event != Event::StopRelease {
             modes::face(self.setup, &mut next, &state);
         }
         (self.last, self.previous) = (Some(event), None);
-        self.record.event(event, &Equations { setup: self.setup, mode: &before }, &next, &state);
+        self.record.event(event, &Equations { setup: self.setup, mode: &self.mode }, &next, &state);
         (self.mode, self.state) = (next, state);
         if let Some(travel_m) = self.last_slips_m() {
             modes::take_slips(self.setup, &mut self.mode, &mut self.state, travel_m);
@@ -163,7 +163,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
 
     /// One step by the law of whatever moves.
     fn advance(&mut self) -> Option<EndReason> {
-        let mode = self.mode;
+        let mode = self.mode.clone();
         let equations = Equations { setup: self.setup, mode: &mode };
         match (mode.hold, mode.contact) {
             (Hold::Free, Contact::Joined | Contact::Gone) => self.advance_by(&Plate(equations)),
@@ -290,7 +290,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     /// The travel of all slips to come, where they are so small that energy alone gives it.
     fn last_slips_m(&self) -> Option<f64> {
         let equations = self.equations();
-        let far_m = equations.reach_m(equations.energy_j(&self.state));
+        let far_m = equations.reach_m(&self.state, equations.energy_j(&self.state));
         let is_past = self.state.w_m_s < 0.0 && far_m <= self.record.farthest_m;
         is_past.then(|| equations.last_slips_m(&self.state)).flatten()
     }
@@ -342,7 +342,8 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             Some(Farthest::Unbounded) => None,
             // Of an undecided run as far as there is no energy to go farther.
             Some(Farthest::Pending) | None => {
-                let reach_m = equations.reach_m(equations.energy_left_j(&self.state));
+                let left_j = equations.energy_left_j(&self.state);
+                let reach_m = equations.reach_m(&self.state, left_j);
                 let is_farthest = reach_m <= record.farthest_m * (1.0 + AT_ONCE);
                 is_farthest.then_some(record.farthest_m)
             }

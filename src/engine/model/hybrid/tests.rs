@@ -110,7 +110,7 @@ fn valid_a_rigid_stop_is_the_greatest_displacement() {
 fn the_two_members_agree() {
     for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.2", "b=2000 k=1e5", "k=1e5 theta=30deg"] {
         let scene = Arc::new(scene_with(pairs));
-        let setup = Setup::of(&scene).unwrap();
+        let setup = Setup::of(&scene);
         let go_on = &mut |_: f64| ControlFlow::Continue(());
         let nine =
             run::run(&scene, &setup, &Collocation { member: &*NINE, tolerance: 1e-12 }, FAR, go_on);
