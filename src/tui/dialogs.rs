@@ -20,8 +20,11 @@ use crate::tui::prelude::*;
 pub(crate) use curve::checked;
 pub(crate) use options::switch;
 
-/// The dialogs by the action that opens each; one that has nothing to show says why instead.
-const OPENED: &[(Action, fn(&mut App) -> Option<Box<dyn Dialog>>)] = &[
+/// Opens a dialog; one that has nothing to show says why instead.
+type Open = fn(&mut App) -> Option<Box<dyn Dialog>>;
+
+/// The dialogs by the action that opens each.
+const OPENED: &[(Action, Open)] = &[
     (Action::Help, help::open),
     (Action::Palette, palette::open),
     (Action::Presets, presets::open),

@@ -28,7 +28,7 @@ impl App {
         let picture = kept.explore.unwrap_or_default();
         let explore = &mut self.pages.explore;
         explore.plan.picture = if picture.is_map { Picture::Surface } else { Picture::Line };
-        let curves = picture.curves.unwrap_or(PicturePlan::default().curves);
+        let curves = picture.curves.unwrap_or_else(|| PicturePlan::default().curves);
         explore.plan.curves = curves.clamp(*CURVES.start(), *CURVES.end());
         let outputs = sweep_of(&self.scene).outputs;
         explore.output = outputs.iter().position(|it| *it == picture.output).unwrap_or(0);

@@ -58,8 +58,8 @@ pub(super) struct Asking<P> {
 }
 
 impl<P: Purpose> Asking<P> {
-    pub(super) fn open(purpose: P, text: TextField) -> Option<Box<dyn Dialog>> {
-        Some(Box::new(Self { ask: Ask { text, ..Ask::default() }, purpose }))
+    pub(super) fn open(purpose: P, text: TextField) -> Box<dyn Dialog> {
+        Box::new(Self { ask: Ask { text, ..Ask::default() }, purpose })
     }
 }
 

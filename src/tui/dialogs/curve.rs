@@ -16,7 +16,7 @@ use crate::tui::widgets::input::TextField;
 pub(super) fn ask(app: &mut App, word: &str) {
     let is_kind = app.pages.run.editor.variable().key == "mechanism.spring.kind";
     if is_kind && word == SpringKind::Table.word() {
-        app.dialog = Asking::open(Curve, TextField::default());
+        app.dialog = Some(Asking::open(Curve, TextField::default()));
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
         app.refuse(pages::nothing_yet(app, "export"));
         return None;
     };
-    Asking::open(ExportTable { title: table.title }, TextField::new(table.file))
+    Some(Asking::open(ExportTable { title: table.title }, TextField::new(table.file)))
 }
 
 #[derive(Clone, Debug)]
@@ -96,10 +96,10 @@ pub(super) fn export(
     if is_report(&path) {
         let to = Destination { path, existing, has_scene: false };
         // It is asked before the report is computed, and not only when it is written.
-        return match overwrite {
-            false => Ok(Some(FileTask::IsFree(to))),
-            true => report::write(app, to).map(|()| None),
-        };
+        if overwrite {
+            return report::write(app, to).map(|()| None);
+        }
+        return Ok(Some(FileTask::IsFree(to)));
     }
     let content = if is_svg(&path) {
         let drawn = pages::pictures(app);

@@ -16,7 +16,7 @@ use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 
 pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
-    Listed::at(Help, 0)
+    Some(Listed::at(Help, 0))
 }
 
 #[derive(Clone, Debug)]

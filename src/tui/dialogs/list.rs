@@ -56,13 +56,13 @@ pub(crate) struct Listed<L> {
 
 impl<L: List> Listed<L> {
     /// Open on a row.
-    pub(crate) fn at(list: L, selected: usize) -> Option<Box<dyn Dialog>> {
-        Some(Box::new(Self { list, picker: Picker { selected, ..Picker::default() } }))
+    pub(crate) fn at(list: L, selected: usize) -> Box<dyn Dialog> {
+        Box::new(Self { list, picker: Picker { selected, ..Picker::default() } })
     }
 
     /// Open with characters going into the filter.
-    pub(crate) fn typing(list: L) -> Option<Box<dyn Dialog>> {
-        Some(Box::new(Self { list, picker: Picker { typing: true, ..Picker::default() } }))
+    pub(crate) fn typing(list: L) -> Box<dyn Dialog> {
+        Box::new(Self { list, picker: Picker { typing: true, ..Picker::default() } })
     }
 }
 

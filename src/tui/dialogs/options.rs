@@ -12,7 +12,7 @@ use crate::tui::widgets::cycled;
 use crate::tui::widgets::text::wrapped;
 
 pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
-    Listed::at(Options, 0)
+    Some(Listed::at(Options, 0))
 }
 
 #[derive(Clone, Debug)]
@@ -98,7 +98,7 @@ pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
     match row {
         OptionRow::Characters => app.settings.theme.glyphs = app.settings.theme.glyphs.next(),
         OptionRow::Colours => {
-            app.settings.theme.depth = app.settings.theme.depth.next(app.settings.best_depth)
+            app.settings.theme.depth = app.settings.theme.depth.next(app.settings.best_depth);
         }
         OptionRow::Mouse => {
             app.settings.mouse = !app.settings.mouse;

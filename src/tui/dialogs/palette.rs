@@ -19,7 +19,7 @@ use crate::tui::widgets::text::{clip, wrapped};
 use crate::tui::widgets::{split_bottom, split_top};
 
 pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
-    Listed::typing(Palette)
+    Some(Listed::typing(Palette))
 }
 
 #[derive(Clone, Debug)]

@@ -20,7 +20,7 @@ use crate::tui::widgets::{split_left, split_top};
 
 pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
     app.list_presets();
-    Listed::typing(Presets)
+    Some(Listed::typing(Presets))
 }
 
 #[derive(Clone, Debug)]

@@ -11,7 +11,7 @@ use crate::tui::widgets::input::TextField;
 
 pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
     app.list_presets();
-    Asking::open(Save, TextField::selected(proposed_name(app)))
+    Some(Asking::open(Save, TextField::selected(proposed_name(app))))
 }
 
 #[derive(Clone, Debug)]

@@ -12,7 +12,7 @@ use crate::tui::widgets::text::wrapped;
 /// A list of the words of the selected variable, where it has enough of them.
 pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
     let Kind::Choice(choice) = &app.pages.run.editor.variable().kind else { return None };
-    if is_list(app) { Listed::at(Words, (choice.get)(&app.scene)) } else { None }
+    is_list(app).then(|| Listed::at(Words, (choice.get)(&app.scene)))
 }
 
 #[derive(Clone, Debug)]

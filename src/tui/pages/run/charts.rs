@@ -139,7 +139,7 @@ impl App {
         let over_time = quantity.is_over_time();
         // Over the displacement the whole way is drawn.
         let range = self.time_range_s(chart);
-        let seen = if over_time { self.samples_seen(run, range) } else { 0..run.series.len() };
+        let seen = if over_time { Self::samples_seen(run, range) } else { 0..run.series.len() };
         let samples = &run.series[seen];
         let mut points = quantity.points(run, samples);
         if quantity == Channel::ContactForce && is_held(run) {
@@ -165,7 +165,7 @@ impl App {
         Curve { view, points }
     }
 
-    fn samples_seen(&self, run: &Run, (from, to): (f64, f64)) -> Range<usize> {
+    fn samples_seen(run: &Run, (from, to): (f64, f64)) -> Range<usize> {
         // The outermost dots of a chart stand for times a little beyond its range.
         let beyond = BEYOND * (to - from);
         let (from, to) = (from - beyond, to + beyond);

@@ -159,7 +159,7 @@ impl Searching {
     /// Select a row of the table; where there is none, the first line shown.
     pub fn select(&mut self, row: usize) {
         let order = self.order();
-        let at = if !order.is_empty() { order.get(row).copied() } else { Some(row) };
+        let at = if order.is_empty() { Some(row) } else { order.get(row).copied() };
         self.cursor[self.page as usize] = at.or(self.cursor[self.page as usize]);
     }
 
