@@ -26,6 +26,7 @@ mod search;
 pub(in crate::study) mod verdict;
 
 pub use closures::Closures;
+pub use verdict::Criterion;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);
@@ -48,22 +49,6 @@ enumeration! {
     ClosedForm { words: "closed form" }
     /// Bisection on the outcome of runs.
     Outcome { words: "bisection on the outcome" }
-}
-
-enumeration! {
-    /// The criterion of perforation.
-    #[derive(Default)]
-    pub enum Criterion in CriterionRow {
-        /// The word on the command line and in files.
-        word: &'static str,
-        /// A short text.
-        label: &'static str,
-    }
-    /// The nose is clear of the rear face: complete passage, as the navy criterion has it.
-    #[default]
-    Passage { word: "passage", label: "complete passage: the nose is clear of the rear face (navy criterion)" }
-    /// The nose stands out of the rear face: the army criterion.
-    Protrusion { word: "protrusion", label: "protrusion: the nose stands out of the rear face (army criterion)" }
 }
 
 /// Whether there is a limit, and where.

@@ -8,6 +8,7 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::context::Context;
+use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::closures::jump;
 use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide};
 use crate::study::limit::{
@@ -15,7 +16,6 @@ use crate::study::limit::{
     SCAN, Shot, closed_form,
 };
 use crate::study::load::Load;
-use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the limit is closed in.
 const WIDTH: f64 = 1e-10;
@@ -54,7 +54,7 @@ impl ShotRunner<'_, '_, '_> {
     /// Whether a shot goes through; `None` when stopped.
     fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
-        if let Some(end) = kernel::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
+        if let Some(end) = first_contact::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
             let out = self.criterion == Criterion::Protrusion
                 && end.penetration_m > aimed.effective_thickness_m();
             let verdict =

@@ -8,7 +8,22 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::model::units::fixed_significant;
 use crate::numerics::smaller;
-use crate::study::limit::Criterion;
+
+enumeration! {
+    /// The criterion of perforation.
+    #[derive(Default)]
+    pub enum Criterion in CriterionRow {
+        /// The word on the command line and in files.
+        word: &'static str,
+        /// A short text.
+        label: &'static str,
+    }
+    /// The nose is clear of the rear face: complete passage, as the navy criterion has it.
+    #[default]
+    Passage { word: "passage", label: "complete passage: the nose is clear of the rear face (navy criterion)" }
+    /// The nose stands out of the rear face: the army criterion.
+    Protrusion { word: "protrusion", label: "protrusion: the nose stands out of the rear face (army criterion)" }
+}
 
 /// Relative width up to which undecided shots are one limit for any purpose, and that to which their edges are closed in.
 pub(in crate::study) const ONE_POINT: f64 = 1e-6;
