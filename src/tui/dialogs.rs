@@ -19,6 +19,7 @@ use crate::tui::prelude::*;
 
 pub(crate) use curve::checked;
 pub(crate) use options::switch;
+pub(crate) use words::open as list_words;
 
 /// Opens a dialog; one that has nothing to show says why instead.
 type Open = fn(&mut App) -> Option<Box<dyn Dialog>>;
@@ -29,7 +30,6 @@ const OPENED: &[(Action, Open)] = &[
     (Action::Palette, palette::open),
     (Action::Presets, presets::open),
     (Action::Options, options::open),
-    (Action::Enter, words::open),
     (Action::Save, save::open),
     (Action::Export, export_runs::open),
     (Action::Export, export_table::open),
@@ -37,14 +37,9 @@ const OPENED: &[(Action, Open)] = &[
 
 /// Open the dialog of an action; false where it has none here.
 pub(crate) fn open(app: &mut App, action: Action) -> bool {
-    let mut is_known = false;
-    for (_, open) in OPENED.iter().filter(|(opens, _)| *opens == action) {
-        app.dialog = open(app);
-        is_known |= action != Action::Enter;
-        if app.dialog.is_some() {
-            return true;
-        }
-    }
+    let mut opened = OPENED.iter().filter(|(opens, _)| *opens == action).peekable();
+    let is_known = opened.peek().is_some();
+    app.dialog = opened.find_map(|(_, open)| open(app));
     is_known
 }
 

@@ -171,6 +171,11 @@ pub(crate) trait Page: Sync {
         false
     }
 
+    /// Select the variable of the row that has the keys, where that has a list of words; whether it has.
+    fn lists_words(&self, _app: &mut App) -> bool {
+        false
+    }
+
     /// Whether a key that the pane lists has nothing to act on as things are.
     fn is_idle(&self, _app: &App, _action: Action) -> bool {
         false

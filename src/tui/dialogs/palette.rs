@@ -54,8 +54,10 @@ impl List for Palette {
             Some(Item::Command(command)) => return Outcome::Calls(command.call),
             Some(Item::Variable(index)) => {
                 run::focus_on(app, index);
-                if !run::open(app) {
-                    app.dialog = words::open(app);
+                if run::is_list(app) {
+                    words::open(app);
+                } else {
+                    run::open(app);
                 }
             }
             Some(Item::Curve(curve)) => {

@@ -1,18 +1,18 @@
 //! The words that the selected variable can be.
 
 use crate::model::variables::{self, Kind, Value};
-use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::app::dialog::{FootKey, Footer, Outcome};
 use crate::tui::app::edit;
 use crate::tui::dialogs::list::{List, Listed, Picker};
 use crate::tui::dialogs::{curve, frame};
-use crate::tui::pages::run::is_list;
 use crate::tui::prelude::*;
 use crate::tui::widgets::text::wrapped;
 
-/// A list of the words of the selected variable, where it has enough of them.
-pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
-    let Kind::Choice(choice) = &app.pages.run.editor.variable().kind else { return None };
-    is_list(app).then(|| Listed::at(Words, (choice.get)(&app.scene)))
+/// A list of the words of the selected variable.
+pub(crate) fn open(app: &mut App) {
+    if let Kind::Choice(choice) = &app.pages.run.editor.variable().kind {
+        app.dialog = Some(Listed::at(Words, (choice.get)(&app.scene)));
+    }
 }
 
 #[derive(Clone, Debug)]

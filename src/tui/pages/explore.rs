@@ -106,6 +106,10 @@ impl Page for ExploreTab {
         true
     }
 
+    fn lists_words(&self, app: &mut App) -> bool {
+        app.pane() == SETUP && setup::lists_words(app)
+    }
+
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         note(app.sweep_readout(room))
     }

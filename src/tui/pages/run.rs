@@ -6,7 +6,6 @@ pub(crate) mod report;
 pub mod runs;
 
 use crate::model::variables::Kind;
-use crate::tui::pages::explore;
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
@@ -112,7 +111,7 @@ impl Page for RunTab {
             (_, VARIABLES) if edits(action) && !app.pages.run.editor.shows(&app.scene) => {
                 app.tell("no variable is selected: <back> shows all of them");
             }
-            (Action::Enter, VARIABLES) => return open(app),
+            (Action::Enter, VARIABLES) => open(app),
             (Action::Reset, VARIABLES) => edit::reset(app),
             (_, VARIABLES) => match step_of(action) {
                 Some(press) => edit::step(app, press),
@@ -121,6 +120,10 @@ impl Page for RunTab {
             _ => return false,
         }
         true
+    }
+
+    fn lists_words(&self, app: &mut App) -> bool {
+        app.pane() == VARIABLES && app.pages.run.editor.shows(&app.scene) && is_list(app)
     }
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
@@ -237,9 +240,7 @@ const WORDS_LISTED: usize = 3;
 
 /// Whether the selected variable has so many words that a list is clearer than going to the next one.
 pub(crate) fn is_list(app: &App) -> bool {
-    let on_variables = app.pane() == VARIABLES || app.pane() == explore::SETUP;
-    let words = app.pages.run.editor.variable().words().len();
-    on_variables && words >= WORDS_LISTED
+    app.pages.run.editor.variable().words().len() >= WORDS_LISTED
 }
 
 /// Select a variable in the list of all.
@@ -249,11 +250,8 @@ pub(crate) fn focus_on(app: &mut App, index: usize) {
     app.pages.run.editor.selected = index;
 }
 
-/// Open the selected variable's field; of two words, the other one is taken. False where it has a list of words.
-pub(crate) fn open(app: &mut App) -> bool {
-    if is_list(app) {
-        return false;
-    }
+/// Open the selected variable's field; of two words, the other one is taken.
+pub(crate) fn open(app: &mut App) {
     match &app.pages.run.editor.variable().kind {
         Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, Press::NEXT),
         Kind::Number(_) => {
@@ -261,7 +259,6 @@ pub(crate) fn open(app: &mut App) -> bool {
             app.open_field(row);
         }
     }
-    true
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

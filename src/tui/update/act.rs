@@ -29,6 +29,9 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if acts_on_rows(action) && update::matches_nothing(app) {
         return app.tell(NO_MATCH);
     }
+    if action == Action::Enter && page.lists_words(app) {
+        return dialogs::list_words(app);
+    }
     if page.act(app, action) || in_form(app, action) {
         return;
     }

@@ -475,18 +475,20 @@ fn a_scene_is_saved_to_the_file_it_came_from() {
     let loaded = Ok(("my.toml".to_owned(), Box::default()));
     bench.send(Message::Done(EffectReport::Loaded(loaded)));
     bench.press("ls<Enter>");
-    assert!(bench.screen().contains("exists: o overwrite"), "{}", bench.screen());
-    assert!(saves(&bench).is_empty());
-    bench.press("o");
     let file = place.path().join("my.toml");
-    assert_eq!(saves(&bench), [(file.clone(), true)]);
+    assert_eq!(saves(&bench), [(file.clone(), false)]);
+    let exists = ExportOutcome::Exists(file.clone());
+    bench.send(Message::Done(EffectReport::Saved("my.toml".to_owned(), exists)));
+    assert!(bench.screen().contains("exists: o overwrite"), "{}", bench.screen());
+    bench.press("o");
+    assert_eq!(saves(&bench)[1], (file.clone(), true));
     bench.send(Message::Done(EffectReport::Saved(
         "my.toml".to_owned(),
         ExportOutcome::Written(vec![file]),
     )));
     assert!(!bench.app.has_dialog() && !bench.app.is_modified());
     bench.press("s<C-u>new/other.toml<Enter>");
-    assert_eq!(saves(&bench)[1], (place.path().join("new/other.toml"), false));
+    assert_eq!(saves(&bench)[2], (place.path().join("new/other.toml"), false));
     assert_eq!(bench.app.base.name, "my.toml");
 }
 

@@ -147,12 +147,17 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Reset => edit::reset(app),
         // A list of the words, or the other of two.
-        Action::Enter if !matches!(VARIABLES[index].kind, Kind::Number(_)) => {
-            return run::open(app);
-        }
+        Action::Enter if !matches!(VARIABLES[index].kind, Kind::Number(_)) => run::open(app),
         _ => return false,
     }
     true
+}
+
+/// Select the held variable of the row; whether it has a list of words.
+pub(crate) fn lists_words(app: &mut App) -> bool {
+    let SetupRow::Held(index) = app.setup_row() else { return false };
+    app.pages.run.editor.selected = index;
+    run::is_list(app)
 }
 
 /// The variable along on the other scale.
