@@ -463,7 +463,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
     line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load what is under the cursor into the scene"),
     line(Everywhere, &[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
-    line(Everywhere, &[(A::Find, "find", "/")], "find in this pane; lists of variables and claims show what matches"),
+    line(Everywhere, &[(A::Find, "find", "/")], "find in this pane; variables and claims: show what matches"),
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
     line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
     line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r")], "undo, redo: scene, setups, pins"),

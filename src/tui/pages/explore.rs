@@ -36,7 +36,7 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::View, "quantity", "show the next quantity"),
         key(A::Mark, "pin", "pin the design under the cursor"),
-        key(A::ZoomIn, "zoom", "zoom curves about the cursor; a map has the ends of its setup"),
+        key(A::ZoomIn, "zoom", "zoom curves about the cursor; maps have the ends typed"),
         key(A::Down, "curve", "move to another curve, or down the map"),
         key(A::Find, "", "find a quantity, and show it"),
     ] },

@@ -126,8 +126,8 @@ impl Bench {
     /// Report how the export ended that the open dialog asked for.
     pub(crate) fn export_ended(&mut self, outcome: ExportOutcome) {
         let screen = self.screen();
-        let (_, path) = screen.split_once(" to /").expect("a dialog that asks");
-        let path = format!("/{}", path.split([' ', '|', '│']).next().expect("a path")).into();
+        let at = screen.find("/home/ada/work/").expect("a dialog that asks");
+        let path = screen[at..].split([' ', '|', '│']).next().expect("a path").into();
         self.send(Message::Done(EffectReport::Exported(path, outcome)));
     }
 
