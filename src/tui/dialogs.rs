@@ -39,7 +39,9 @@ const OPENED: &[(Action, Open)] = &[
 pub(crate) fn open(app: &mut App, action: Action) -> bool {
     let mut opened = OPENED.iter().filter(|(opens, _)| *opens == action).peekable();
     let is_known = opened.peek().is_some();
-    app.dialog = opened.find_map(|(_, open)| open(app));
+    if is_known {
+        app.dialog = opened.find_map(|(_, open)| open(app));
+    }
     is_known
 }
 
