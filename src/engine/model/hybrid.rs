@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use crate::model::mechanism::{Mechanism, PowerLaw};
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
@@ -42,6 +43,18 @@ pub enum Stepping {
     Rk4WithoutEvents(f64),
 }
 
+/// Exponents from which on power laws are followed through their zeros in few steps.
+const FLAT: f64 = 0.5;
+
+/// Whether runs of a scene are this engine's: those on power laws that are not very steep at their zeros.
+pub(in crate::model) fn serves(scene: &Scene) -> bool {
+    let Mechanism { spring, damper, .. } = Mechanism::of(scene);
+    let is_flat = |law: PowerLaw| law.is_absent() || law.exponent >= FLAT;
+    scene.contact.model == ContactModel::Hydrodynamic
+        && spring.power().is_some_and(is_flat)
+        && is_flat(damper)
+}
+
 /// One impact on a valid scene by a method; `None` where this engine does not know the contact.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
@@ -53,7 +66,6 @@ pub(in crate::model) fn run(
         return None;
     }
     let setup = &Setup::of(scene);
-    setup.spring.power()?;
     Some(match stepping {
         Stepping::Collocation(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::hybrid::{self, Stepping};
-use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
+use crate::model::run::{EndReason, EstimateBasis, Observer, Outcome, Run, Settings};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
@@ -41,6 +41,8 @@ const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
+/// Tolerance of the other engine as the second computation, whatever that of the first: its order is so high that it costs little.
+const COLLOCATION: f64 = 1e-12;
 /// What both computations may be off by alike where a steep power law of a combination is straight close to zero, relative.
 const STRAIGHTENED: f64 = 2e-7;
 /// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
@@ -58,8 +60,8 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     let extent =
         hybrid::Extent { keep_series: settings.series, window: Some(window), horizons: 1.0 };
     let stepping = Stepping::Collocation(local_tolerance(scene));
-    if let Some(run) = hybrid::run(scene, extent, stepping, observer)
-        && (run.end.is_complete() || run.end == EndReason::Cancelled)
+    if hybrid::serves(scene)
+        && let Some(run) = hybrid::run(scene, extent, stepping, observer)
     {
         return if settings.estimate { with_estimate(run, observer, window) } else { run };
     }
@@ -75,7 +77,7 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     let mut run = report::gather(&problem, simulation, end);
     if settings.estimate && run.end.is_complete() {
         let is_closed = run.cost.steps == 0;
-        let second = second(&problem, &mut |t_s| {
+        let second = second(&problem, &run, &mut |t_s| {
             window.show(|| run.clone());
             observer(t_s)
         });
@@ -118,8 +120,8 @@ fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
     let extent = hybrid::Extent { horizons: FOLLOWED_HORIZONS, ..hybrid::Extent::BARE };
     let stepping = Stepping::Collocation(local_tolerance(scene));
-    if let Some(run) = hybrid::run(scene, extent, stepping, observer)
-        && (run.end.is_complete() || run.end == EndReason::Cancelled)
+    if hybrid::serves(scene)
+        && let Some(run) = hybrid::run(scene, extent, stepping, observer)
     {
         return run;
     }
@@ -138,8 +140,22 @@ fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'
     if is_cancelled { EndReason::Cancelled } else { end }
 }
 
-/// The same at a much tighter tolerance, with another order; `None` when it was cancelled.
-fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
+/// The same at a much tighter tolerance, by the other engine where that serves the scene and comes to an end, else by this one with
+/// another order; `None` when it was cancelled. An engine that decides nothing says nothing of one that does, and a closed form is
+/// compared with itself.
+fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run> {
+    let stepping = Stepping::Collocation(COLLOCATION);
+    if first.cost.steps > 0
+        && let Some(run) = hybrid::run(&problem.scene, hybrid::Extent::BARE, stepping, observer)
+    {
+        if run.end == EndReason::Cancelled {
+            return None;
+        }
+        let decides = run.outcome != Outcome::Moving || first.outcome == Outcome::Moving;
+        if run.end.is_complete() && decides {
+            return Some(run);
+        }
+    }
     let own = problem.has_absorber().then(|| problem.anew());
     let problem = own.as_ref().unwrap_or(problem);
     let tolerance = larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST);

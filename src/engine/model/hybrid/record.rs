@@ -299,6 +299,8 @@ impl Record<'_> {
         if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
             self.changes += 1;
             self.row(after, to, true);
+        } else if let Some(row) = self.series.last_mut().filter(|_| self.keep_series) {
+            *row = sample(after, to, true);
         }
     }
 
