@@ -45,13 +45,13 @@ const TIGHTEST: f64 = 1e-14;
 const COLLOCATION: f64 = 1e-12;
 /// What both computations may be off by alike where a steep power law of a combination is straight close to zero, relative.
 const STRAIGHTENED: f64 = 2e-7;
-/// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
 const LOCAL: f64 = 1e-3;
 const LEAST: f64 = 1e-13;
 /// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
 const LOOSER: f64 = 10.0;
 const FLOOR: f64 = 1.0 / 30.0;
+/// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
 const FOLLOWED_HORIZONS: f64 = 50.0;
 const FOLLOWED_OSCILLATIONS: usize = 4;
 

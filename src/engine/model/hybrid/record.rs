@@ -43,7 +43,7 @@ pub(super) struct Record<'a> {
     pub(super) least_m: f64,
     /// Greatest speed of the plate at the ends of steps, m/s.
     pub(super) fastest_m_s: f64,
-    /// A steep spring held the plate up to the first arrest.
+    /// A steep law held the plate up to the first arrest.
     pub(super) was_held: bool,
     pub(super) steps: usize,
     pub(super) rejected: usize,
@@ -140,7 +140,7 @@ impl Record<'_> {
         match equations.mode.hold {
             Hold::Mount => {}
             // What a plate that is held does not take, the mount does.
-            Hold::OnStop | Hold::Spring => {
+            Hold::OnStop | Hold::Law => {
                 let push_n = |theta: f64| contact_n(theta) * equations.setup.cos;
                 let known_n = self.loads.mount_n;
                 self.loads.mount_n = larger(greatest(0.0, 1.0, known_n, push_n), known_n);
@@ -315,7 +315,7 @@ impl Record<'_> {
         let (old, new) = (before.mode, after.mode);
         let departure = Departure { t_s: to.t_s, velocity_m_s: setup.projectile_m_s(to) };
         match event {
-            modes::Event::SlipZero => self.arrest(after, to, old.hold == Hold::Spring),
+            modes::Event::SlipZero => self.arrest(after, to, old.hold == Hold::Law),
             modes::Event::PieceEnd if new.contact == Contact::Gone => {
                 self.exit = Some(departure);
                 self.note(to.t_s, EventKind::Perforation);
@@ -418,7 +418,7 @@ fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
         _ => equations.contact_n(state.q_m, state.u_m_s),
     };
     let (x_m, w_m_s) = match mode.hold {
-        Hold::Spring => equations.balanced(state),
+        Hold::Law => equations.balanced(state),
         _ => (equations.displacement_m(state.x_m), state.w_m_s),
     };
     let spring_n = mode.spring.force(x_m);
