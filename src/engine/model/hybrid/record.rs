@@ -289,7 +289,7 @@ impl Record<'_> {
             self.work.stop_j += before.kinetic_j(from) - after.kinetic_j(to);
         }
         let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
-        self.turns += usize::from(turns && before.mode.w_side != after.mode.w_side);
+        self.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
         if after.mode.contact == Contact::Joined && after.mode.hold == Hold::Free {
             let force_n = after.mechanism_n(to.x_m, to.w_m_s);
             self.note_load(after, to, [force_n, -force_n]);
@@ -324,11 +324,11 @@ impl Record<'_> {
                 self.pass_joint(setup, to);
             }
             modes::Event::Recontact => self.note(to.t_s, EventKind::Recontact),
-            modes::Event::SpeedZero if old.w_side > 0.0 => {
-                if after.displacement_m(to.x_m) >= self.farthest_m {
-                    self.events.retain(|it| it.kind != EventKind::GreatestDisplacement);
-                    self.note(to.t_s, EventKind::GreatestDisplacement);
-                }
+            modes::Event::SpeedZero
+                if old.w_side > 0.0 && after.displacement_m(to.x_m) >= self.farthest_m =>
+            {
+                self.events.retain(|it| it.kind != EventKind::GreatestDisplacement);
+                self.note(to.t_s, EventKind::GreatestDisplacement);
             }
             modes::Event::StopReached if from.w_m_s > NOTED_HIT * setup.velocity_m_s => {
                 self.note(to.t_s, EventKind::StopHit);

@@ -183,7 +183,7 @@ fn valid_rows_at_equal_times_lie_on_the_motion() {
     let found = run(&scene, extent, Stepping::Collocation(1e-12), go_on).unwrap();
     let rows = window.rows();
     let end_s = 1.25 * found.first_arrest.unwrap().t_s;
-    assert_eq!(rows.len(), (end_s / 1e-6) as usize + 1);
+    assert!((rows.len() as f64 - end_s / 1e-6 - 0.5).abs() <= 0.5, "{}", rows.len());
     for (index, row) in rows.iter().enumerate() {
         assert!((row.t_s - index as f64 * 1e-6).abs() < 1e-18);
         let momentum = row.projectile_velocity_m_s + row.plate_velocity_m_s;
