@@ -6,7 +6,6 @@
 
 use std::sync::Arc;
 
-use crate::model::mechanism::{Mechanism, PowerLaw};
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
@@ -43,18 +42,6 @@ pub enum Stepping {
     Rk4(f64),
     /// The same; events are only noticed after the step in which they happened.
     Rk4WithoutEvents(f64),
-}
-
-/// Exponents from which on power laws are followed through their zeros in few steps.
-const FLAT: f64 = 0.5;
-
-/// Whether runs of a scene are this engine's: those on power laws that are not very steep at their zeros.
-pub(in crate::model) fn serves(scene: &Scene) -> bool {
-    let Mechanism { spring, damper, .. } = Mechanism::of(scene);
-    let is_flat = |law: PowerLaw| law.is_absent() || law.exponent >= FLAT;
-    scene.contact.model == ContactModel::Hydrodynamic
-        && spring.power().is_some_and(is_flat)
-        && is_flat(damper)
 }
 
 /// One impact on a valid scene by a method; `None` where this engine does not know the contact.

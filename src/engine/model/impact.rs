@@ -45,26 +45,12 @@ const TIGHTEST: f64 = 1e-14;
 const COLLOCATION: f64 = 1e-12;
 /// What both computations may be off by alike where a steep power law of a combination is straight close to zero, relative.
 const STRAIGHTENED: f64 = 2e-7;
-/// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
-const LOCAL: f64 = 1e-3;
-const LEAST: f64 = 1e-13;
-/// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
-const LOOSER: f64 = 10.0;
-const FLOOR: f64 = 1.0 / 30.0;
 /// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
 const FOLLOWED_HORIZONS: f64 = 50.0;
 const FOLLOWED_OSCILLATIONS: usize = 4;
 
 /// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
-    let extent =
-        hybrid::Extent { keep_series: settings.series, window: Some(window), horizons: 1.0 };
-    let stepping = Stepping::Collocation(local_tolerance(scene));
-    if hybrid::serves(scene)
-        && let Some(run) = hybrid::run(scene, extent, stepping, observer)
-    {
-        return if settings.estimate { with_estimate(run, observer, window) } else { run };
-    }
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;
     let mut simulation = Simulation::new(&problem, tolerance, settings.series);
@@ -90,41 +76,9 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     run
 }
 
-/// Error of each step for the tolerance of a scene.
-fn local_tolerance(scene: &Scene) -> f64 {
-    larger(LOCAL * scene.run.tolerance, LEAST)
-}
-
-/// The run with the estimates of its errors, from a second computation by another member of the family of methods.
-fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
-    if !run.end.is_complete() {
-        return run;
-    }
-    let scene = Arc::clone(&run.scene);
-    let mut show = |t_s: f64| {
-        window.show(|| run.clone());
-        observer(t_s)
-    };
-    let tolerance = LOOSER * local_tolerance(&scene);
-    let stepping = Stepping::Second(tolerance);
-    let second = hybrid::run(&scene, hybrid::Extent::BARE, stepping, &mut show);
-    if let Some(second) = second.filter(|second| second.end != EndReason::Cancelled) {
-        let floor = larger(ROUNDING, FLOOR * local_tolerance(&scene));
-        estimate::set(&mut run, &second, EstimateBasis::SecondComputation, floor);
-    }
-    run
-}
-
 /// As [`run`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
 /// long. The scene has no horizon.
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
-    let extent = hybrid::Extent { horizons: FOLLOWED_HORIZONS, ..hybrid::Extent::BARE };
-    let stepping = Stepping::Collocation(local_tolerance(scene));
-    if hybrid::serves(scene)
-        && let Some(run) = hybrid::run(scene, extent, stepping, observer)
-    {
-        return run;
-    }
     let mut problem = Problem::of(scene);
     problem.horizon_s *= FOLLOWED_HORIZONS;
     problem.oscillation_factor = FOLLOWED_OSCILLATIONS;
@@ -144,9 +98,8 @@ fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'
 /// another order; `None` when it was cancelled. An engine that decides nothing says nothing of one that does, and a closed form is
 /// compared with itself.
 fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run> {
-    let stepping = Stepping::Collocation(COLLOCATION);
     if first.cost.steps > 0
-        && let Some(run) = hybrid::run(&problem.scene, hybrid::Extent::BARE, stepping, observer)
+        && let Some(run) = by_collocation(problem, Stepping::Collocation(COLLOCATION), observer)
     {
         if run.end == EndReason::Cancelled {
             return None;
@@ -163,6 +116,11 @@ fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run>
     simulation.control.is_second = true;
     let end = compute::<TERMS_CHECK>(&mut simulation, observer);
     (end != EndReason::Cancelled).then(|| report::gather(problem, simulation, end))
+}
+
+/// One impact by the other engine.
+fn by_collocation(problem: &Problem, stepping: Stepping, observer: Observer<'_>) -> Option<Run> {
+    hybrid::run(&problem.scene, hybrid::Extent::BARE, stepping, observer)
 }
 
 /// The one method of a simulation for comparison, where [`run`] chooses by itself.
@@ -183,7 +141,7 @@ pub enum Forced {
 pub fn step_by(stepping: Stepping, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
     let go_on = &mut |_: f64| ControlFlow::Continue(());
-    Ok(hybrid::run(scene, hybrid::Extent::BARE, stepping, go_on))
+    Ok(by_collocation(&Problem::of(scene), stepping, go_on))
 }
 
 /// Simulate one impact in this way, without series or error estimate. `None` when Taylor steps had to be left before the end of
@@ -196,8 +154,7 @@ pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, Va
     let problem = Problem::of(scene);
     let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
     if forced == Forced::Collocation {
-        let stepping = Stepping::Collocation(local_tolerance(scene));
-        return Ok(hybrid::run(scene, hybrid::Extent::BARE, stepping, observer));
+        return Ok(by_collocation(&problem, Stepping::Collocation(COLLOCATION), observer));
     }
     let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
     simulation.control.unit_s = 0.1 * problem.time_scales().contact_s;
