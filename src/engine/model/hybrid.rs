@@ -1,8 +1,9 @@
 //! One impact by one loop, one integrator and one locator: the second computation that the error estimate of a run rests on.
 //!
 //! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
-//! `moving` is what the integrator sees of it; `run` is the loop; `outcome` decides by energy when it is over; `record` keeps what is asked for. It shares the law with the
-//! first computation (area, springs, dampers) and nothing of its method or its rules.
+//! `moving` is what the integrator sees of it; `run` is the loop; `outcome` decides by energy when it is over, `horizon` when it is
+//! at the latest; `record` keeps rows, work and greatest forces, and `report` makes the run of them. It shares the law with the first
+//! computation (area, springs, dampers) and nothing of its method or its rules.
 
 use std::sync::Arc;
 

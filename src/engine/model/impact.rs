@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::hybrid::{self, Stepping};
-use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
+use crate::model::run::{EndReason, EstimateBasis, Observer, Outcome, Run, Settings};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
@@ -41,28 +41,16 @@ const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
+/// Tolerance of the other engine as the second computation, whatever that of the first: its order is so high that it costs little.
+const COLLOCATION: f64 = 1e-12;
 /// What both computations may be off by alike where a steep power law of a combination is straight close to zero, relative.
 const STRAIGHTENED: f64 = 2e-7;
 /// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
-/// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
-const LOCAL: f64 = 1e-3;
-const LEAST: f64 = 1e-13;
-/// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
-const LOOSER: f64 = 10.0;
-const FLOOR: f64 = 1.0 / 30.0;
 const FOLLOWED_HORIZONS: f64 = 50.0;
 const FOLLOWED_OSCILLATIONS: usize = 4;
 
 /// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
-    let extent =
-        hybrid::Extent { keep_series: settings.series, window: Some(window), horizons: 1.0 };
-    let stepping = Stepping::Collocation(local_tolerance(scene));
-    if let Some(run) = hybrid::run(scene, extent, stepping, observer)
-        && (run.end.is_complete() || run.end == EndReason::Cancelled)
-    {
-        return if settings.estimate { with_estimate(run, observer, window) } else { run };
-    }
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;
     let mut simulation = Simulation::new(&problem, tolerance, settings.series);
@@ -75,7 +63,7 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     let mut run = report::gather(&problem, simulation, end);
     if settings.estimate && run.end.is_complete() {
         let is_closed = run.cost.steps == 0;
-        let second = second(&problem, &mut |t_s| {
+        let second = second(&problem, &run, &mut |t_s| {
             window.show(|| run.clone());
             observer(t_s)
         });
@@ -88,41 +76,9 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     run
 }
 
-/// Error of each step for the tolerance of a scene.
-fn local_tolerance(scene: &Scene) -> f64 {
-    larger(LOCAL * scene.run.tolerance, LEAST)
-}
-
-/// The run with the estimates of its errors, from a second computation by another member of the family of methods.
-fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
-    if !run.end.is_complete() {
-        return run;
-    }
-    let scene = Arc::clone(&run.scene);
-    let mut show = |t_s: f64| {
-        window.show(|| run.clone());
-        observer(t_s)
-    };
-    let tolerance = LOOSER * local_tolerance(&scene);
-    let stepping = Stepping::Second(tolerance);
-    let second = hybrid::run(&scene, hybrid::Extent::BARE, stepping, &mut show);
-    if let Some(second) = second.filter(|second| second.end != EndReason::Cancelled) {
-        let floor = larger(ROUNDING, FLOOR * local_tolerance(&scene));
-        estimate::set(&mut run, &second, EstimateBasis::SecondComputation, floor);
-    }
-    run
-}
-
 /// As [`run`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
 /// long. The scene has no horizon.
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
-    let extent = hybrid::Extent { horizons: FOLLOWED_HORIZONS, ..hybrid::Extent::BARE };
-    let stepping = Stepping::Collocation(local_tolerance(scene));
-    if let Some(run) = hybrid::run(scene, extent, stepping, observer)
-        && (run.end.is_complete() || run.end == EndReason::Cancelled)
-    {
-        return run;
-    }
     let mut problem = Problem::of(scene);
     problem.horizon_s *= FOLLOWED_HORIZONS;
     problem.oscillation_factor = FOLLOWED_OSCILLATIONS;
@@ -138,8 +94,21 @@ fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'
     if is_cancelled { EndReason::Cancelled } else { end }
 }
 
-/// The same at a much tighter tolerance, with another order; `None` when it was cancelled.
-fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
+/// The same at a much tighter tolerance, by the other engine where that serves the scene and comes to an end, else by this one with
+/// another order; `None` when it was cancelled. An engine that decides nothing says nothing of one that does, and a closed form is
+/// compared with itself.
+fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run> {
+    if first.cost.steps > 0
+        && let Some(run) = by_collocation(problem, Stepping::Collocation(COLLOCATION), observer)
+    {
+        if run.end == EndReason::Cancelled {
+            return None;
+        }
+        let decides = run.outcome != Outcome::Moving || first.outcome == Outcome::Moving;
+        if run.end.is_complete() && decides {
+            return Some(run);
+        }
+    }
     let own = problem.has_absorber().then(|| problem.anew());
     let problem = own.as_ref().unwrap_or(problem);
     let tolerance = larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST);
@@ -147,6 +116,11 @@ fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
     simulation.control.is_second = true;
     let end = compute::<TERMS_CHECK>(&mut simulation, observer);
     (end != EndReason::Cancelled).then(|| report::gather(problem, simulation, end))
+}
+
+/// One impact by the other engine.
+fn by_collocation(problem: &Problem, stepping: Stepping, observer: Observer<'_>) -> Option<Run> {
+    hybrid::run(&problem.scene, hybrid::Extent::BARE, stepping, observer)
 }
 
 /// The one method of a simulation for comparison, where [`run`] chooses by itself.
@@ -167,7 +141,7 @@ pub enum Forced {
 pub fn step_by(stepping: Stepping, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
     let go_on = &mut |_: f64| ControlFlow::Continue(());
-    Ok(hybrid::run(scene, hybrid::Extent::BARE, stepping, go_on))
+    Ok(by_collocation(&Problem::of(scene), stepping, go_on))
 }
 
 /// Simulate one impact in this way, without series or error estimate. `None` when Taylor steps had to be left before the end of
@@ -180,8 +154,7 @@ pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, Va
     let problem = Problem::of(scene);
     let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
     if forced == Forced::Collocation {
-        let stepping = Stepping::Collocation(local_tolerance(scene));
-        return Ok(hybrid::run(scene, hybrid::Extent::BARE, stepping, observer));
+        return Ok(by_collocation(&problem, Stepping::Collocation(COLLOCATION), observer));
     }
     let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
     simulation.control.unit_s = 0.1 * problem.time_scales().contact_s;

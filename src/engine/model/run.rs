@@ -74,8 +74,8 @@ pub struct Run {
     pub separation: Option<Departure>,
     /// Greatest N/(A `S_y`) the interface carried, or would have had to carry, while fused.
     pub interface_demand_ratio: Option<f64>,
-    /// Greatest tension that the fused interface carries, the way back of the plate included, over its strength `g A S_y`; infinite
-    /// where there is no grip g, `None` where the interface can let go.
+    /// Greatest tension that the fused interface carried up to the end of the run, over its strength `g A S_y`; infinite where
+    /// there is no grip g, `None` where the interface can let go.
     pub interface_tension_ratio: Option<f64>,
     /// Relative error estimate of the final penetration, and where it comes from.
     pub error_estimate: Option<ErrorEstimate>,

@@ -44,7 +44,7 @@ pub(super) struct Record<'a> {
     pub(super) least_m: f64,
     /// Greatest speed of the plate at the ends of steps, m/s.
     pub(super) fastest_m_s: f64,
-    /// A steep spring held the plate up to the first arrest.
+    /// A steep law held the plate up to the first arrest.
     pub(super) was_held: bool,
     pub(super) steps: usize,
     pub(super) rejected: usize,
@@ -316,6 +316,8 @@ impl Record<'_> {
         if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
             self.changes += 1;
             self.row(after, to, true);
+        } else if let Some(row) = self.series.last_mut().filter(|_| self.keep_series) {
+            *row = sample(after, to, true);
         }
     }
 

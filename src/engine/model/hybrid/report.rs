@@ -299,6 +299,20 @@ impl Course<'_> {
         })
     }
 
+    fn cost(&self) -> Cost {
+        let record = &self.record;
+        Cost {
+            steps: record.steps,
+            rejected: record.rejected,
+            turns: record.turns,
+            events: record.changes,
+            rhs_evaluations: record.evaluations,
+            took_s: None,
+            method: "Radau IIA 17",
+            reason: "one implicit method of high order: smooth, stiff and steep alike",
+        }
+    }
+
     fn omitted(&self) -> Vec<&'static str> {
         let (setup, record) = (self.setup, &self.record);
         let spring = &setup.spring;
@@ -356,7 +370,7 @@ pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
         warnings.push(Warning::StillMoving { outcome, at_least });
     }
     let (mechanism, omitted) = (course.load(max_plate_displacement_m), course.omitted());
-    let interface_tension_ratio = course.tension();
+    let (cost, interface_tension_ratio) = (course.cost(), course.tension());
     let Course { scene, record, .. } = course;
     let mut events = record.events;
     // A turn that was passed later, on a stop, was not the greatest displacement.
@@ -383,16 +397,7 @@ pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
         events,
         ledger,
         mechanism,
-        cost: Cost {
-            steps: record.steps,
-            rejected: record.rejected,
-            turns: record.turns,
-            events: record.changes,
-            rhs_evaluations: record.evaluations,
-            took_s: None,
-            method: "Radau IIA 17",
-            reason: "one implicit method of high order: smooth, stiff and steep alike",
-        },
+        cost,
         omitted,
         warnings,
         ..Run::default()

@@ -300,6 +300,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         {
             Ok(taken) => taken,
             Err(shorter_s) => {
+                self.course.record.rejected += 1;
                 self.h_s = shorter_s;
                 return None;
             }
