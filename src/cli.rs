@@ -109,9 +109,10 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
             match usage::line(&error, &commands::whole(), &written) {
                 // The parser repeats what was written; a terminal would obey it.
                 Some(line) => output::note(&clean::line(&format!("error: {line}"))),
-                // Help and version; a closed pipe ends them quietly.
+                // Help and version.
                 None => {
-                    let _ = error.print();
+                    output::open()?;
+                    error.print().map_err(CliError::Stdout)?;
                 }
             }
             return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));

@@ -9,9 +9,10 @@ use crate::files::bundled::BASELINE;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Known, Session};
+use crate::files::session::{self, Known, Session, UNDO_MAX, UndoStep};
 use crate::files::{atomic, config, recent};
 use crate::model::scene::Scene;
+use crate::tui::app::history::{Change, Edit, History, Snapshot};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base};
 use crate::tui::keymap::Keymap;
@@ -60,7 +61,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         (None, Some(last)) => {
             let base = base_of_session(&last, paths);
             let mut app = App::new(base, theme, directory);
-            restore(&mut app, last, options.glyphs);
+            restore(&mut app, last, options.glyphs, paths);
             app
         }
         (None, None) => App::new(baseline(), theme, directory),
@@ -169,19 +170,54 @@ pub(super) fn session(app: &App) -> Session {
     }
     Session {
         scene: (*app.scene).clone(),
-        preset: Some(kept_name(app)),
+        preset: Some(kept_name(app, &app.base)),
         pins: app.pins.iter().map(|pin| (pin.letter.to_string(), (*pin.scene).clone())).collect(),
         view,
         setup: app.setups(),
         recent: app.recent.clone(),
+        undo: undo_steps(app),
     }
+}
+
+/// The last edits of the scene that can be undone, oldest first.
+fn undo_steps(app: &App) -> Vec<UndoStep> {
+    let edits = app.history.edits[..app.history.done].iter().rev();
+    let step = |edit: &Edit| {
+        let Change::State(states) = &edit.change else { return None };
+        let (before, after) = &**states;
+        (before.scene != after.scene).then(|| UndoStep {
+            label: edit.label.clone(),
+            scene: (*before.scene).clone(),
+            preset: kept_name(app, &before.base),
+        })
+    };
+    let mut steps: Vec<UndoStep> = edits.filter_map(step).take(UNDO_MAX).collect();
+    steps.reverse();
+    steps
+}
+
+/// The edits that can be undone, from the scenes before them.
+fn undoable(app: &App, steps: Vec<UndoStep>, paths: Option<&Paths>) -> History {
+    let mut after = app.snapshot();
+    let mut edits = Vec::new();
+    for UndoStep { label, scene, preset } in steps.into_iter().rev() {
+        let is_same = preset == kept_name(app, &after.base);
+        let base =
+            if is_same { after.base.clone() } else { base_named(Some(&preset), &scene, paths) };
+        let before = Snapshot { scene: Arc::new(scene), base, ..after.clone() };
+        let change = Change::State(Box::new((before.clone(), after)));
+        edits.push(Edit { label, change, stepping: None });
+        after = before;
+    }
+    edits.reverse();
+    History { done: edits.len(), edits }
 }
 
 /// The name of what the scene came from. A path is kept whole: the next start may be in another directory, where a file of the
 /// same name is something else.
-fn kept_name(app: &App) -> String {
-    let name = &app.base.name;
-    if !app.base.is_mine && preset::is_path(name) {
+fn kept_name(app: &App, base: &Base) -> String {
+    let name = &base.name;
+    if !base.is_mine && preset::is_path(name) {
         app.directory.join(name).to_str().unwrap_or(name).to_owned()
     } else {
         name.clone()
@@ -209,14 +245,17 @@ fn baseline() -> Base {
     )
 }
 
-/// The preset the session's scene came from; where it is gone, the scene itself.
 fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
-    let name = last.preset.as_deref();
+    base_named(last.preset.as_deref(), &last.scene, paths)
+}
+
+/// The preset of this name that a scene came from; where it is gone, the scene itself.
+fn base_named(name: Option<&str>, scene: &Scene, paths: Option<&Paths>) -> Base {
     name.and_then(|name| preset::resolve_kept(name, paths).ok()).map_or_else(
         || Base {
             name: name.unwrap_or("session").to_owned(),
             is_mine: false,
-            scene: Arc::new(last.scene.clone()),
+            scene: Arc::new(scene.clone()),
         },
         base_of,
     )
@@ -228,7 +267,7 @@ fn scene_of_session(last: &Session, base: &Base) -> Scene {
 }
 
 /// Take over what the session has, and say so.
-fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
+fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option<&Paths>) {
     app.scene = Arc::new(scene_of_session(&last, &app.base));
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
         app.pins.push(Pin {
@@ -252,6 +291,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     app.auto_run = word(AUTO_RUN) != Some("off");
     app.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
     app.restore_setups(&last.setup);
+    app.history = undoable(app, last.undo, paths);
     app.tell(greeting(app));
 }
 
@@ -281,7 +321,8 @@ mod tests {
     use crate::tui::message::{Effect, Message};
     use crate::tui::pages::Tab;
     use crate::tui::pages::explore::plan::PictureSweep;
-    use crate::tui::update;
+    use crate::tui::pages::explore::state::PicturePlan;
+    use crate::tui::update::{self, edit};
 
     fn state() -> App {
         let base = baseline();
@@ -386,20 +427,40 @@ mod tests {
             assert!(search.contains(part), "{part}: {search}");
         }
         let mut again = state();
-        restore(&mut again, kept.clone(), None);
+        restore(&mut again, kept.clone(), None, None);
         assert_eq!(again.scene, app.scene);
         assert_eq!((again.theme, again.threads), (app.theme, Some(1)));
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
         assert_eq!(again.pages.explore.plan, app.pages.explore.plan);
-        assert!(again.history.edits.is_empty() && again.effects.is_empty());
+        assert!(again.effects.is_empty());
         again.recent.clone_from(&app.recent);
         assert_eq!(session(&again), kept);
         let text = again.notice.expect("it says so").text;
         assert!(text.contains("modified, 1 pinned run"), "{text}");
         // What the command line requests goes before what the session has.
         let mut fixed = state();
-        restore(&mut fixed, kept, Some(GlyphSet::Ascii));
+        restore(&mut fixed, kept, Some(GlyphSet::Ascii), None);
         assert_eq!(fixed.theme.glyphs, state().theme.glyphs);
+    }
+
+    /// Three edits, one of them another preset: after a restart each is undone, and done again.
+    #[test]
+    fn edits_are_undone_after_a_restart() {
+        let mut app = state();
+        press(&mut app, "l");
+        let cocked = base_of(preset::resolve("cocked", None).unwrap());
+        edit::load(&mut app, cocked.clone(), PicturePlan::default());
+        press(&mut app, "l");
+        let mut again = App::new(cocked, app.theme, PathBuf::new());
+        restore(&mut again, session(&app), None, None);
+        let steps: [fn(&mut App); 5] = [edit::undo, edit::undo, edit::undo, edit::undo, edit::redo];
+        for step in steps {
+            assert_eq!((&again.scene, &again.base), (&app.scene, &app.base));
+            step(&mut app);
+            step(&mut again);
+        }
+        assert_eq!(app.history.done, 1);
+        assert_eq!((&again.scene, &again.base), (&app.scene, &app.base));
     }
 
     #[test]

@@ -97,9 +97,11 @@ impl<'a> Axis<'a> {
         }
     }
 
-    /// Its quantity and unit.
+    /// Its quantity and unit; a percentage may begin with it.
     pub fn text(&self, exponent: i32) -> String {
-        spaced(&self.label, &self.unit_text(exponent))
+        let has_unit = self.label.starts_with('%') && exponent == 0;
+        let unit = if has_unit { String::new() } else { self.unit_text(exponent) };
+        spaced(&self.label, &unit)
     }
 }
 

@@ -40,7 +40,8 @@ impl App {
             lines.extend(hint.map(|text| (Severity::Note, text)));
             return lines;
         };
-        let mut lines = wrapped(&text);
+        let room = room.saturating_sub(columns(severity.mark()).saturating_sub(1)).max(10);
+        let mut lines = wrap(&glued(&text), room);
         if lines.len() > MESSAGE_LINES {
             lines.truncate(MESSAGE_LINES);
             let end = self.keymap.shown(" ...: <tab-log>:Log");
@@ -344,13 +345,8 @@ fn fits(text: &str, width: usize) -> usize {
 
 /// A result's title with shorter words, still distinguished from every other.
 pub fn shortened(title: &str) -> String {
-    let words = [
-        ("first arrest", "arrest"),
-        ("plate displacement", "travel"),
-        ("plate velocity", "speed"),
-        ("penetration", "depth"),
-        ("percent of", "% of"),
-    ];
+    let words =
+        [("plate displacement", "travel"), ("plate velocity", "speed"), ("penetration", "depth")];
     words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word))
 }
 

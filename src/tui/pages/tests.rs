@@ -132,12 +132,11 @@ fn measurements_of_an_impossible_scene_are_refused_and_cancelled_ones_are_kept()
 /// A rigid mount has its limit in closed form.
 #[test]
 fn a_limit_is_found_and_a_stopped_one_says_so() {
-    let search = || LimitSearch(limit::Request::default());
     let mut scene = Scene::default();
     scene.plate.mount = Mount::Rigid;
-    let found = made(scene, search()).unwrap().get::<limit::Report>().expect("a limit");
+    let found = made(scene, LimitSearch).unwrap().get::<limit::Report>().expect("a limit");
     let limit_m_s = found.limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-    let kept = cancelled(search()).get::<limit::Report>();
+    let kept = cancelled(LimitSearch).get::<limit::Report>();
     assert!(!kept.expect("a limit").is_complete);
 }

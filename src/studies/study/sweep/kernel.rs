@@ -11,7 +11,7 @@ use crate::model::contact::Geometry;
 use crate::model::contact_kernel::{Contact, ContactEnd, contact_end};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::Outcome;
-use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::model::scene::{ContactModel, Criterion, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
 use crate::study::load::holds_still;
@@ -138,7 +138,7 @@ impl<'p> Kernel<'p> {
         };
         let max_displacement_m =
             if self.displacement { max_displacement_m(scene, &end) } else { None };
-        let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
+        let outcome = if is_through(scene, &end) { Outcome::Perforated } else { Outcome::Arrested };
         (
             PointOutcome::Ended(outcome),
             KernelResult { end, baseline_m, max_displacement_m, start_m: scene.start_m() },
@@ -163,6 +163,12 @@ pub(in crate::study) fn contact(
     tolerance: f64,
 ) -> Option<ContactEnd> {
     decides(scene, wanted).then(|| contact_end(scene, tolerance))?
+}
+
+/// Whether a shot whose first contact ends so has perforated the plate, by the scene's criterion.
+pub(in crate::study) fn is_through(scene: &Scene, end: &ContactEnd) -> bool {
+    let by_protrusion = scene.target.criterion == Criterion::Protrusion;
+    !end.arrested || by_protrusion && end.penetration_m > scene.effective_thickness_m()
 }
 
 /// Whether the first contact alone decides that: what is fused at the first arrest stays. All else takes the simulation.

@@ -8,7 +8,7 @@ use crate::report::Remark;
 use crate::report::limit::{remarks, residual, taken_to_hold};
 use crate::report::monte_carlo::{perforation, v50};
 use crate::study::compare::map::Map;
-use crate::study::limit::{self, Limit, Report, Request, Shot};
+use crate::study::limit::{self, Limit, Report, Shot};
 use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
 use crate::tui::app::layout::CHART_ROWS;
@@ -27,13 +27,13 @@ pub const FACTS: u16 = 40;
 pub const LABEL: u16 = 15;
 
 #[derive(Debug, PartialEq)]
-pub struct LimitSearch(pub Request);
+pub struct LimitSearch;
 
 impl Study for LimitSearch {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let watch = &mut reporter.progress();
         let context = &mut Context::new(reporter.threads(), watch);
-        Ok(Finding::new(limit::find(scene, self.0, context)?))
+        Ok(Finding::new(limit::find(scene, context)?))
     }
 }
 

@@ -21,7 +21,7 @@ impl Study for ReportFile {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let watch = &mut reporter.progress();
         let context = &mut Context::new(reporter.threads(), watch);
-        let limit = limit::find(scene, limit::Request::default(), context)?;
+        let limit = limit::find(scene, context)?;
         let sweep = if scene.sweep.is_some() { own_sweep(scene, reporter)? } else { None };
         if !limit.is_complete || sweep.as_ref().is_some_and(|grid| !grid.is_complete()) {
             return Err("cancelled: no report was written".into());
