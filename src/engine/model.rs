@@ -50,7 +50,7 @@ pub mod design;
 pub mod estimate;
 mod event_function;
 mod fixed_plate;
-mod hybrid;
+pub mod hybrid;
 pub mod impact;
 pub mod library;
 pub mod mechanism;

@@ -16,6 +16,7 @@ pub(crate) mod collocation;
 pub(crate) mod crossing;
 pub mod double_double;
 pub(crate) mod event;
+pub(crate) mod explicit;
 pub(crate) mod exponential;
 pub(crate) mod graded;
 pub(crate) mod implicit;

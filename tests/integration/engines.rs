@@ -82,16 +82,27 @@ fn compare(words: &[(String, Arc<Scene>)]) {
     assert!(1000 * close[0] > 990 * alike, "{close:?} of {alike}");
 }
 
-#[test]
-#[ignore = "takes minutes: some thousand scenes by both engines"]
-fn the_two_engines_agree_on_moderate_scenes() {
-    let mut random = Random(5_001);
+/// Both on scenes as a way to draw them has them.
+fn compare_drawn(seed: u64, draw: fn(&mut Random) -> String) {
+    let mut random = Random(seed);
     let mut one = || {
-        let typed = draw::plain(&mut random);
+        let typed = draw(&mut random);
         let scene = Arc::new(draw::read(&typed));
         (typed, scene)
     };
     compare(&(0..SCENES).map(|_| one()).collect::<Vec<_>>());
+}
+
+#[test]
+#[ignore = "takes minutes: some thousand scenes by both engines"]
+fn the_two_engines_agree_on_moderate_scenes() {
+    compare_drawn(5_001, draw::plain);
+}
+
+#[test]
+#[ignore = "takes minutes: some thousand scenes by both engines"]
+fn the_two_engines_agree_on_springs_of_every_kind() {
+    compare_drawn(5_003, draw::curved);
 }
 
 #[test]

@@ -8,7 +8,8 @@ use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::NINE;
+use crate::numerics::collocation::{Collocation, NINE, THREE};
+use crate::numerics::explicit::{Dop853, Rk4};
 use equations::Setup;
 pub(in crate::model) use run::Bounds;
 
@@ -22,15 +23,49 @@ mod run;
 #[cfg(test)]
 mod tests;
 
-/// One impact on a valid scene; `None` where this engine does not know the contact or the spring.
+/// A method that the loop can step by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stepping {
+    /// Radau IIA with nine stages, the engine's own, to a tolerance.
+    Collocation(f64),
+    /// Radau IIA with three stages, of order five, to a tolerance.
+    Radau5(f64),
+    /// DOP853 to a tolerance.
+    Dop853(f64),
+    /// The classical Runge-Kutta method with steps of this length, s; events are located.
+    Rk4(f64),
+    /// The same; events are only noticed after the step in which they happened.
+    Rk4WithoutEvents(f64),
+}
+
+/// One impact on a valid scene by a method; `None` where this engine does not know the contact.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     bounds: Bounds,
+    stepping: Stepping,
     observer: Observer<'_>,
 ) -> Option<Run> {
     if scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
-    let setup = Setup::of(scene)?;
-    Some(run::run(scene, &setup, &NINE, bounds, observer))
+    let setup = &Setup::of(scene);
+    Some(match stepping {
+        Stepping::Collocation(tolerance) => {
+            let stepper = Collocation { member: &*NINE, tolerance };
+            run::run(scene, setup, &stepper, bounds, observer)
+        }
+        Stepping::Radau5(tolerance) => {
+            let stepper = Collocation { member: &*THREE, tolerance };
+            run::run(scene, setup, &stepper, bounds, observer)
+        }
+        Stepping::Dop853(tolerance) => {
+            run::run(scene, setup, &Dop853 { tolerance }, bounds, observer)
+        }
+        Stepping::Rk4(step) => {
+            run::run(scene, setup, &Rk4 { step, locates: true }, bounds, observer)
+        }
+        Stepping::Rk4WithoutEvents(step) => {
+            run::run(scene, setup, &Rk4 { step, locates: false }, bounds, observer)
+        }
+    })
 }

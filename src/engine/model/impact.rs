@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
-use crate::model::hybrid;
+use crate::model::hybrid::{self, Stepping};
 use crate::model::run::{EndReason, EstimateBasis, Observer, Outcome, Run, Settings};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
@@ -29,6 +29,7 @@ mod singular_crossing;
 mod start;
 mod step_control;
 mod stiff;
+mod straight_core;
 mod taylor;
 mod termination;
 pub mod window;
@@ -98,7 +99,7 @@ fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'
 /// compared with itself.
 fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run> {
     if first.cost.steps > 0
-        && let Some(run) = by_collocation(problem, observer)
+        && let Some(run) = by_collocation(problem, Stepping::Collocation(COLLOCATION), observer)
     {
         if run.end == EndReason::Cancelled {
             return None;
@@ -118,13 +119,10 @@ fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run>
 }
 
 /// One impact by the other engine.
-fn by_collocation(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
-    let bounds = hybrid::Bounds {
-        horizon_s: problem.horizon_s,
-        to_horizon: problem.horizon_is_given,
-        tolerance: COLLOCATION,
-    };
-    hybrid::run(&problem.scene, bounds, observer)
+fn by_collocation(problem: &Problem, stepping: Stepping, observer: Observer<'_>) -> Option<Run> {
+    let bounds =
+        hybrid::Bounds { horizon_s: problem.horizon_s, to_horizon: problem.horizon_is_given };
+    hybrid::run(&problem.scene, bounds, stepping, observer)
 }
 
 /// The one method of a simulation for comparison, where [`run`] chooses by itself.
@@ -138,6 +136,16 @@ pub enum Forced {
     Collocation,
 }
 
+/// Simulate one impact by this method, without series or error estimate. `None` where the engine does not know the scene.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
+pub fn step_by(stepping: Stepping, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
+    variables::validate(scene)?;
+    let go_on = &mut |_: f64| ControlFlow::Continue(());
+    Ok(by_collocation(&Problem::of(scene), stepping, go_on))
+}
+
 /// Simulate one impact in this way, without series or error estimate. `None` when Taylor steps had to be left before the end of
 /// the contact, on a stiff stretch, or the other engine does not know the scene.
 ///
@@ -148,7 +156,7 @@ pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, Va
     let problem = Problem::of(scene);
     let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
     if forced == Forced::Collocation {
-        return Ok(by_collocation(&problem, observer));
+        return Ok(by_collocation(&problem, Stepping::Collocation(COLLOCATION), observer));
     }
     let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
     simulation.control.unit_s = 0.1 * problem.time_scales().contact_s;

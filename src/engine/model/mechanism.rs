@@ -109,6 +109,15 @@ impl PowerLaw {
         }
     }
 
+    /// The force on one side of zero, 1 or -1: a square goes on smoothly a little beyond it, any other law oddly.
+    pub fn force_on(self, side: f64, z: f64) -> f64 {
+        match self.kind() {
+            PowerKind::Whole(2) => self.coefficient * z * z * side,
+            PowerKind::Whole(3) => self.coefficient * z * z * z,
+            _ => self.force(z),
+        }
+    }
+
     /// The derivative of the force at `z`; infinite at zero for exponents below one.
     pub fn tangent(self, z: f64) -> f64 {
         match self.kind() {

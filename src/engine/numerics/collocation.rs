@@ -8,7 +8,7 @@
 use std::sync::LazyLock;
 
 use crate::numerics::quadrature::legendre;
-use crate::numerics::step::{Step, series};
+use crate::numerics::step::{Acceleration, Near, Point, Square, Step, Stepper, series};
 use crate::numerics::{larger, smaller};
 
 /// Iterations after which a step has failed. One that contracts by the usual tenth is at rounding after 16.
@@ -19,44 +19,34 @@ const SLOW: f64 = 0.03;
 const SOLVED: f64 = 1e-2;
 /// Rounding of the stage equations, relative to the scales: a few units of the last place of a sum of ten terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Excess of a step's error over its tolerance that is aimed at, greatest growth, and least and greatest cut.
+const AIM: f64 = 0.5;
+const GROWTH_MAX: f64 = 4.0;
+const CUT: (f64, f64) = (0.1, 0.7);
+/// Part of a step that is tried where its equations were not solved.
+const AFTER_FAILURE: f64 = 0.25;
 /// Real eigenvalue of A of the nine stages is near 0.1: the filter of the error estimate damps like the method.
 const FILTER: f64 = 0.1;
 
-/// A square matrix.
-pub(crate) type Square<const D: usize> = [[f64; D]; D];
-
-/// Derivatives of the acceleration by places and by speeds.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Slopes<const D: usize> {
-    pub(crate) place: Square<D>,
-    pub(crate) speed: Square<D>,
-}
-
-/// The law of motion of `D` places.
-pub(crate) trait Acceleration<const D: usize> {
-    fn at(&self, place: &[f64; D], speed: &[f64; D]) -> [f64; D];
-
-    fn slopes(&self, place: &[f64; D], speed: &[f64; D]) -> Slopes<D>;
-
-    /// The part of a change of place and speed after which no steep law has passed its zero, where its derivative misleads.
-    fn without_passing(&self, from: Point<D>, to: Point<D>) -> f64;
-}
-
-/// Places and speeds.
-pub(crate) type Point<const D: usize> = ([f64; D], [f64; D]);
-
 /// What errors are measured by: the size of places and of speeds times the tolerance.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Tolerances<const D: usize> {
-    pub(crate) place: [f64; D],
-    pub(crate) speed: [f64; D],
+struct Tolerances<const D: usize> {
+    place: [f64; D],
+    speed: [f64; D],
     /// The tolerance, relative.
-    pub(crate) relative: f64,
+    relative: f64,
 }
 
 impl<const D: usize> Tolerances<D> {
+    /// Those at a point of a motion.
+    fn at(law: &impl Acceleration<D>, point: &Point<D>, relative: f64) -> Self {
+        let (place, speed) = law.sizes(point);
+        let scaled = |sizes: [f64; D]| sizes.map(|size| relative * size);
+        Self { place: scaled(place), speed: scaled(speed), relative }
+    }
+
     /// Of each size the larger.
-    pub(crate) fn or_larger(self, other: &Self) -> Self {
+    fn or_larger(self, other: &Self) -> Self {
         let both = |a: [f64; D], b: [f64; D]| std::array::from_fn(|d| larger(a[d], b[d]));
         Self {
             place: both(self.place, other.place),
@@ -76,13 +66,11 @@ impl<const D: usize> Tolerances<D> {
 
 /// How the stage equations are solved.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Way<const D: usize, const S: usize> {
-    /// From the acceleration at the start.
-    Free,
-    /// From there without passing a zero of a steep law.
+enum Way<const D: usize, const S: usize> {
+    /// From the acceleration at the start, or from that of another step.
+    From(Option<Near<D, S>>),
+    /// From the start without passing a zero of a steep law.
     Guarded,
-    /// From the acceleration of another step, within it or as it would go on: from this part of it, over so many of its lengths.
-    Along { acceleration: [[f64; S]; D], from: f64, over: f64 },
 }
 
 /// A member of the family.
@@ -100,8 +88,49 @@ pub(crate) struct Member<const S: usize> {
 }
 
 pub(crate) static NINE: LazyLock<Member<9>> = LazyLock::new(Member::new);
+pub(crate) static THREE: LazyLock<Member<3>> = LazyLock::new(Member::new);
 #[cfg(test)]
 pub(crate) static SEVEN: LazyLock<Member<7>> = LazyLock::new(Member::new);
+
+/// A member that steps to a tolerance.
+#[derive(Debug)]
+pub(crate) struct Collocation<'a, const S: usize> {
+    pub(crate) member: &'a Member<S>,
+    /// Error of a step relative to the sizes of what moves.
+    pub(crate) tolerance: f64,
+}
+
+impl<const S: usize> Stepper<S> for Collocation<'_, S> {
+    fn step<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        start: Point<D>,
+        h: f64,
+        near: Option<Near<D, S>>,
+        evaluations: &mut usize,
+    ) -> Result<(Step<D, S>, f64), f64> {
+        let goal = Tolerances::at(law, &start, self.tolerance);
+        let mut solved = None;
+        for way in [Way::From(near), Way::Guarded] {
+            let (step, count) = self.member.step(law, start, h, &goal, way);
+            *evaluations += count;
+            solved = step;
+            if solved.is_some() || !law.is_steep() {
+                break;
+            }
+        }
+        let Some(step) = solved else { return Err(AFTER_FAILURE * h) };
+        let goal = Tolerances::at(law, &step.end, self.tolerance).or_larger(&goal);
+        *evaluations += S;
+        let excess = self.member.error(law, &step, &goal);
+        let factor = (AIM / excess).powf(1.0 / Member::<S>::ERROR_ORDER);
+        if excess <= 1.0 {
+            return Ok((step, h * smaller(factor, GROWTH_MAX)));
+        }
+        let cut = factor * factor;
+        Err(h * if cut > CUT.0 { smaller(cut, CUT.1) } else { CUT.0 })
+    }
+}
 
 /// The root of `f`, which has one there, from a value close by: Newton's method to rounding, with the slope by `f` itself.
 fn polished(start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
@@ -175,11 +204,14 @@ impl<const S: usize> Member<S> {
         Self { nodes, a, square, modes, gauss }
     }
 
-    /// The power of the step by which its error grows, about: of the estimate below, less than the order of the method.
-    pub(crate) const ERROR_ORDER: f64 = (2 * S - 3) as f64;
+    /// Whether there are enough coefficients to see them fall.
+    const HAS_TAIL: bool = S > 4;
+
+    /// The power of the step by which its error grows, about: of the estimate below, that of the tail less than the order of the method.
+    const ERROR_ORDER: f64 = if Self::HAS_TAIL { 2 * S - 3 } else { 2 * S - 1 } as f64;
 
     /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations.
-    pub(crate) fn step<const D: usize>(
+    fn step<const D: usize>(
         &self,
         law: &impl Acceleration<D>,
         start: Point<D>,
@@ -188,10 +220,10 @@ impl<const S: usize> Member<S> {
         way: Way<D, S>,
     ) -> (Option<Step<D, S>>, usize) {
         let mut stages = match way {
-            Way::Along { acceleration, from, over } => {
+            Way::From(Some(Near { acceleration, from, over })) => {
                 self.nodes.map(|node| series(&acceleration, from + over * node))
             }
-            Way::Free | Way::Guarded => [guess(law, start, h); S],
+            Way::From(None) | Way::Guarded => [guess(law, start, h); S],
         };
         let mut matrix = Factored::zero();
         let mut is_old = true;
@@ -328,7 +360,7 @@ impl<const S: usize> Member<S> {
     /// The tail: as the acceleration's Legendre coefficients fall from degree 3 and 4 to the last, so they go on; the error of the
     /// end is theirs of about twice the degree. It misses a corner that begins softly within the step. The defect: what the
     /// polynomial misses of the equations at Gauss's nodes, summed; it misses what is over before the first of them.
-    pub(crate) fn error<const D: usize>(
+    fn error<const D: usize>(
         &self,
         law: &impl Acceleration<D>,
         step: &Step<D, S>,
@@ -336,7 +368,7 @@ impl<const S: usize> Member<S> {
     ) -> f64 {
         let h = step.h;
         let mut tail = ([0.0; D], [0.0; D]);
-        for d in 0..D {
+        for d in (0..D).filter(|_| Self::HAS_TAIL) {
             let modes = &step.acceleration[d];
             let high = larger(modes[S - 1].abs(), modes[S - 2].abs());
             let low = larger(modes[3].abs(), modes[4].abs());
@@ -453,6 +485,7 @@ impl<const D: usize, const S: usize> Factored<D, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::step::Slopes;
 
     /// y'' = -y, or -k y for a stiff one.
     struct Spring(f64);
@@ -468,6 +501,14 @@ mod tests {
 
         fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
             1.0
+        }
+
+        fn is_steep(&self) -> bool {
+            false
+        }
+
+        fn sizes(&self, _: &Point<1>) -> Point<1> {
+            ([1.0], [1.0])
         }
     }
 
@@ -486,13 +527,21 @@ mod tests {
         fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
             1.0
         }
+
+        fn is_steep(&self) -> bool {
+            false
+        }
+
+        fn sizes(&self, _: &Point<1>) -> Point<1> {
+            ([1.0], [1.0])
+        }
     }
 
     const GOAL: Tolerances<1> = Tolerances { place: [1e-15], speed: [1e-15], relative: 1e-15 };
 
     /// Greatest error of place and speed after a step of a whole.
     fn error<const S: usize>(member: &Member<S>, h: f64) -> f64 {
-        let step = member.step(&Drag, ([0.0], [1.0]), h, &GOAL, Way::Free).0.unwrap();
+        let step = member.step(&Drag, ([0.0], [1.0]), h, &GOAL, Way::From(None)).0.unwrap();
         let (place, speed) = step.end;
         larger((place[0] - h.ln_1p()).abs(), (speed[0] - 1.0 / (1.0 + h)).abs())
     }
@@ -536,9 +585,10 @@ mod tests {
 
     #[test]
     fn valid_a_stiff_oscillation_is_damped_and_a_slow_one_is_followed() {
-        let slow = NINE.step(&Spring(1.0), ([1.0], [0.0]), 1.0, &GOAL, Way::Free).0.unwrap();
+        let slow = NINE.step(&Spring(1.0), ([1.0], [0.0]), 1.0, &GOAL, Way::From(None)).0.unwrap();
         assert!((slow.end.0[0] - 1f64.cos()).abs() < 1e-15);
-        let stiff = NINE.step(&Spring(1e12), ([1.0], [0.0]), 1.0, &GOAL, Way::Free).0.unwrap();
+        let stiff =
+            NINE.step(&Spring(1e12), ([1.0], [0.0]), 1.0, &GOAL, Way::From(None)).0.unwrap();
         assert!(stiff.end.0[0].abs() < 1e-3, "{:?}", stiff.end);
     }
 
@@ -546,7 +596,7 @@ mod tests {
     fn valid_the_estimate_of_a_step_is_not_below_its_error_and_falls_fast() {
         let mut before = f64::INFINITY;
         for h in [4.0, 2.0, 1.0, 0.5] {
-            let step = SEVEN.step(&Drag, ([0.0], [1.0]), h, &GOAL, Way::Free).0.unwrap();
+            let step = SEVEN.step(&Drag, ([0.0], [1.0]), h, &GOAL, Way::From(None)).0.unwrap();
             let estimate = SEVEN.error(&Drag, &step, &GOAL) * GOAL.relative;
             assert!(estimate > error(&SEVEN, h), "{h}: {estimate:e}");
             assert!(estimate < 0.1 * before, "{h}: {estimate:e} {before:e}");

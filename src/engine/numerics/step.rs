@@ -1,6 +1,65 @@
-//! One step of a collocation method as polynomials: the state at any moment of it.
+//! What methods that step through a motion have in common: the law of the motion, and each step as polynomials.
 
-use crate::numerics::collocation::{Point, integrals};
+use crate::numerics::collocation::integrals;
+
+/// A square matrix.
+pub(crate) type Square<const D: usize> = [[f64; D]; D];
+
+/// Derivatives of the acceleration by places and by speeds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slopes<const D: usize> {
+    pub(crate) place: Square<D>,
+    pub(crate) speed: Square<D>,
+}
+
+/// The law of motion of `D` places.
+pub(crate) trait Acceleration<const D: usize> {
+    fn at(&self, place: &[f64; D], speed: &[f64; D]) -> [f64; D];
+
+    fn slopes(&self, place: &[f64; D], speed: &[f64; D]) -> Slopes<D>;
+
+    /// The part of a change of place and speed after which no steep law has passed its zero, where its derivative misleads.
+    fn without_passing(&self, from: Point<D>, to: Point<D>) -> f64;
+
+    /// Whether there is such a law.
+    fn is_steep(&self) -> bool;
+
+    /// What errors of places and speeds are relative to at a point.
+    fn sizes(&self, at: &Point<D>) -> Point<D>;
+}
+
+/// Places and speeds.
+pub(crate) type Point<const D: usize> = ([f64; D], [f64; D]);
+
+/// A method that steps through motions.
+pub(crate) trait Stepper<const S: usize> {
+    /// A step of length `h` from a point and the length of the next, or else the length to try. Counts evaluations.
+    ///
+    /// # Errors
+    /// The shorter length to try, where the step is not as accurate as it has to be.
+    fn step<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        start: Point<D>,
+        h: f64,
+        near: Option<Near<D, S>>,
+        evaluations: &mut usize,
+    ) -> Result<(Step<D, S>, f64), f64>;
+
+    /// Whether events are located, or only noticed after the step in which they happened.
+    fn locates(&self) -> bool {
+        true
+    }
+}
+
+/// What is known of a step from another: its acceleration is about that of the other from a part `from` of it, over so many of its
+/// lengths.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Near<const D: usize, const S: usize> {
+    pub(crate) acceleration: [[f64; S]; D],
+    pub(crate) from: f64,
+    pub(crate) over: f64,
+}
 
 /// A step of length h, in Legendre polynomials of the part theta of it, 0 to 1.
 #[derive(Clone, Debug)]

@@ -8,7 +8,6 @@
 pub mod dop853;
 mod landing;
 pub mod rk4;
-mod tableau;
 
 /// A one-step method for systems of N components of the kind S.
 pub trait Stepper<const N: usize, S> {

@@ -6,8 +6,8 @@
 
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};
-use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, moving_plate_kg};
-use crate::model::scene::{InterfaceLaw, Scene, Stop};
+use crate::model::mechanism::{Mechanism, PowerLaw, Spring, moving_plate_kg};
+use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
 use crate::numerics::larger;
 
 /// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
@@ -30,7 +30,10 @@ const ROUNDING: f64 = f64::EPSILON;
 #[derive(Clone, Debug)]
 pub(super) struct Setup {
     pub(super) geometry: Geometry,
-    pub(super) spring: PowerLaw,
+    /// At first contact; an absorber's law changes as it is crushed.
+    pub(super) spring: Spring,
+    /// What an absorber is part of, where there is one.
+    absorber: Option<Box<scene::Mechanism>>,
     pub(super) damper: PowerLaw,
     pub(super) stop: Option<Stop>,
     /// Infinite where there is none.
@@ -71,16 +74,19 @@ pub(super) struct Equations<'a> {
 }
 
 impl Setup {
-    /// Of a valid scene by the hydrodynamic model; `None` where its spring is no power law.
-    pub(super) fn of(scene: &Scene) -> Option<Self> {
+    /// Of a valid scene by the hydrodynamic model.
+    pub(super) fn of(scene: &Scene) -> Self {
         let geometry = Geometry::of(scene);
         let mechanism = Mechanism::of(scene);
         let cos = geometry.nose.cos;
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = moving_plate_kg(scene);
-        Some(Self {
+        let absorber = scene.mechanism.spring.law().absorber();
+        let absorber = absorber.filter(|_| !scene.is_rigid());
+        Self {
             geometry,
-            spring: mechanism.spring.power()?,
+            spring: mechanism.spring,
+            absorber: absorber.map(|_| Box::new(scene.mechanism.clone())),
             damper: mechanism.damper,
             stop: mechanism.stop,
             stop_at_m: mechanism.stop_at_m,
@@ -95,12 +101,45 @@ impl Setup {
             start_m: scene.start_m(),
             plastic: scene.interface.law == InterfaceLaw::Plastic,
             still: scene.is_rigid(),
-        })
+        }
+    }
+
+    /// Spring and elastic stop together, without what damps.
+    pub(super) fn with_stop(&self, spring: &Spring) -> Spring {
+        match self.stop {
+            Some(stop) if stop.kind == StopKind::Elastic => {
+                spring.beside_stop(self.stop_at_m, stop.stiffness_n_m)
+            }
+            _ => spring.clone(),
+        }
+    }
+
+    /// The spring and how far its absorber is crushed, m, where a plate does not go on from x, and has crushed it farther than before.
+    pub(super) fn crushed_at(&self, x_m: f64, before_m: f64) -> Option<(Spring, f64)> {
+        let mechanism = self.absorber.as_ref()?;
+        let crushed_m = mechanism.spring.law().absorber()?.crushed_by(x_m, before_m)?;
+        Some((Spring::after(mechanism, crushed_m), crushed_m))
     }
 
     /// Part of the mechanism's force that the interface carries while the bodies move together.
     pub(super) fn interface_fraction(&self) -> f64 {
         self.projectile_kg * self.cos / self.joined_kg
+    }
+
+    /// Whether the plate crushes an absorber.
+    pub(super) fn is_absorbing(&self) -> bool {
+        self.absorber.is_some()
+    }
+
+    /// Whether the spring or the damper is infinitely steep somewhere.
+    pub(super) fn is_steep(&self) -> bool {
+        self.spring.is_steep_at_zero() || self.damper.is_steep_at_zero()
+    }
+
+    /// Whether the plate begins, without force, where one of its laws is infinitely steep.
+    pub(super) fn starts_steep(&self) -> bool {
+        let is_at_zero = !self.still && self.start_m == 0.0 && self.spring.force(0.0) == 0.0;
+        is_at_zero && self.is_steep()
     }
 
     /// The velocity of the projectile.
@@ -109,22 +148,16 @@ impl Setup {
     }
 }
 
-/// The force of a power law on the side of zero on which its mode has it: a law that is smooth on either side goes on
-/// smoothly a little beyond.
-fn force(law: PowerLaw, z: f64, side: f64) -> f64 {
-    match law.kind() {
-        PowerKind::Absent => 0.0,
-        PowerKind::Linear => law.coefficient * z,
-        PowerKind::Whole(2) => law.coefficient * z * z * side,
-        PowerKind::Whole(3) => law.coefficient * z * z * z,
-        PowerKind::Whole(_) | PowerKind::General => law.force(z),
-    }
-}
-
 impl Equations<'_> {
     /// Displacement from the zero of the spring.
     pub(super) fn displacement_m(&self, x_m: f64) -> f64 {
         self.mode.origin_m + x_m
+    }
+
+    /// The ends of the spring's stretch, from the mode's origin.
+    pub(super) fn knots_m(&self) -> (f64, f64) {
+        let (below, above) = self.mode.spring.ends(self.mode.stretch);
+        (below - self.mode.origin_m, above - self.mode.origin_m)
     }
 
     /// Displacement beyond the stop.
@@ -175,9 +208,9 @@ impl Equations<'_> {
 
     /// Force of spring, damper and elastic stop against the plate's motion forwards, N.
     pub(super) fn mechanism_n(&self, x_m: f64, w_m_s: f64) -> f64 {
-        let Setup { spring, damper, .. } = *self.setup;
-        force(spring, self.displacement_m(x_m), self.mode.x_side)
-            + force(damper, w_m_s, self.mode.w_side)
+        let mode = self.mode;
+        mode.spring.force_in(mode.stretch, self.displacement_m(x_m))
+            + self.setup.damper.force_on(mode.w_side, w_m_s)
             + self.pressed_stop_n(x_m, w_m_s)
     }
 
@@ -195,17 +228,17 @@ impl Equations<'_> {
 
     /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
     pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
-        let Setup { spring, damper, stop, .. } = self.setup;
+        let Setup { damper, stop, .. } = self.setup;
         let (k, b) = match (self.mode.touch, stop) {
             (Touch::Pressed, Some(stop)) => (stop.stiffness_n_m, stop.damping_n_s_m),
             _ => (0.0, 0.0),
         };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
-        let [_, _, x_least_m, w_least_m_s] = self.sizes(&State::default());
+        let (x_least_m, w_least_m_s) = self.sizes_of_plate(0.0, 0.0);
         let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
-        let x_m = larger(x_m.abs(), x_least_m);
+        let x_m = larger(x_m.abs(), x_least_m).copysign(x_m);
         let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
-        (spring.tangent(x_m) + k, damper.tangent(w_m_s) + b)
+        (self.mode.spring.tangent_in(self.mode.stretch, x_m) + k, damper.tangent(w_m_s) + b)
     }
 
     /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.
@@ -241,7 +274,7 @@ impl Equations<'_> {
 
     /// What presses the plate forwards on a stop on which it rests, N: the mechanism's force at rest, and the contact's.
     pub(super) fn push_on_stop_n(&self, state: &State) -> f64 {
-        let spring = self.setup.spring.force(self.displacement_m(state.x_m));
+        let spring = self.mode.spring.force(self.displacement_m(state.x_m));
         self.contact_n(state.q_m, state.u_m_s) * self.setup.cos - spring
     }
 
@@ -269,7 +302,8 @@ impl Equations<'_> {
         let rate_n_s = self.contact_slopes(0.0, v).0 * v;
         let push_n = rate_n_s * setup.cos * t_s;
         let by_inertia = (push_n * t_s * t_s / (6.0 * setup.plate_kg), 3.0);
-        let by_spring = (setup.spring.at_force(push_n), 1.0 / setup.spring.exponent);
+        let at_m = setup.spring.at_force(push_n);
+        let by_spring = (at_m, push_n / (at_m * setup.spring.tangent(at_m)));
         let power = 1.0 / setup.damper.exponent + 1.0;
         let by_damper = (setup.damper.at_force(push_n) * t_s / power, power);
         let (x_m, power) = [by_spring, by_damper]
@@ -289,7 +323,7 @@ impl Equations<'_> {
     /// yields noticeably, so that it follows the balance of contact and spring from then on.
     pub(super) fn is_held_by_spring(&self) -> bool {
         let setup = self.setup;
-        if !setup.spring.is_steep_at_zero() || setup.start_m != 0.0 || setup.still {
+        if !setup.starts_steep() || !setup.spring.is_steep_at_zero() {
             return false;
         }
         let rate_n_s =
@@ -315,7 +349,7 @@ impl Equations<'_> {
         let slopes = self.contact_slopes(state.q_m, state.u_m_s);
         let rate_n_s = slopes.0 * state.u_m_s - slopes.1 * force_n / setup.projectile_kg;
         let x_m = setup.spring.at_force(force_n * setup.cos);
-        (x_m, x_m * rate_n_s / (force_n * setup.spring.exponent))
+        (x_m, rate_n_s / setup.spring.tangent(x_m))
     }
 
     /// A velocity of the plate that is lost among errors, m/s.
@@ -323,16 +357,16 @@ impl Equations<'_> {
         UNRESOLVED * self.setup.velocity_m_s
     }
 
-    /// The sizes by which errors of travel, slip, displacement and velocity count, at a state: never less than a thousandth of the
-    /// impact velocity for the slip and a millionth for the plate, a thousandth of the tip radius for the travel, and a
-    /// thousand-millionth of it for the plate: less does not move the projectile.
-    pub(super) fn sizes(&self, state: &State) -> [f64; 4] {
+    /// What errors of travel and slip are relative to: never less than a thousandth of tip radius and impact velocity.
+    pub(super) fn sizes_of_travel(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
         let (v, r) = (self.setup.velocity_m_s, self.setup.geometry.nose.radius_m);
-        [
-            larger(state.q_m.abs(), 1e-3 * r),
-            larger(state.u_m_s.abs(), 1e-3 * v),
-            larger(state.x_m.abs(), 1e-9 * r),
-            larger(state.w_m_s.abs(), 1e-6 * v),
-        ]
+        (larger(q_m.abs(), 1e-3 * r), larger(u_m_s.abs(), 1e-3 * v))
+    }
+
+    /// The same of the plate: a thousand-millionth of the tip radius and a millionth of the velocity, less than which does not move the
+    /// projectile.
+    pub(super) fn sizes_of_plate(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
+        let (v, r) = (self.setup.velocity_m_s, self.setup.geometry.nose.radius_m);
+        (larger(x_m.abs(), 1e-9 * r), larger(w_m_s.abs(), 1e-6 * v))
     }
 }

@@ -40,8 +40,12 @@ impl Events {
             }
             Hold::Free => events.add(&[Event::SpeedZero]),
         }
-        if !setup.spring.is_smooth_at_zero() {
-            events.add(&[Event::PlaceZero]);
+        let (below, above) = mode.spring.ends(mode.stretch);
+        if above.is_finite() {
+            events.add(&[Event::KnotAhead]);
+        }
+        if below.is_finite() {
+            events.add(&[Event::KnotBehind]);
         }
         match (setup.stop.map(|stop| stop.kind), mode.touch) {
             (Some(_), Touch::Away) => events.add(&[Event::StopReached]),
@@ -79,7 +83,8 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::Recontact => -state.q_m,
         Event::PushLimit => limits_n(setup, mode, state.q_m).0 - equations.carried_n(state),
         Event::PullLimit => limits_n(setup, mode, state.q_m).1 + equations.carried_n(state),
-        Event::PlaceZero => mode.x_side * equations.displacement_m(state.x_m),
+        Event::KnotAhead => equations.knots_m().1 - state.x_m,
+        Event::KnotBehind => state.x_m - equations.knots_m().0,
         Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
         Event::StopReached => -equations.beyond_stop_m(state.x_m),
         Event::StopSlack => equations.stop_n(state.x_m, state.w_m_s),
@@ -102,7 +107,7 @@ mod tests {
     #[rustfmt::skip]
     const MODES: [(&str, Contact, Touch, &[Event]); 8] = [
         ("k=1e5", Contact::Deepening, Touch::Away, &[Event::PieceEnd, Event::SlipZero, Event::SpeedZero]),
-        ("k=1e5 n=2", Contact::Closing, Touch::Away, &[Event::PieceEnd, Event::SlipZero, Event::Bottom, Event::SpeedZero, Event::PlaceZero]),
+        ("k=1e5 n=2", Contact::Closing, Touch::Away, &[Event::PieceEnd, Event::SlipZero, Event::Bottom, Event::SpeedZero, Event::KnotBehind]),
         ("k=1e5 n=3", Contact::PullingOut, Touch::Away, &[Event::PieceStart, Event::SlipZero, Event::SpeedZero]),
         ("k=1e5", Contact::Apart, Touch::Away, &[Event::Recontact, Event::SpeedZero]),
         ("k=1e5", Contact::Joined, Touch::Away, &[Event::SpeedZero]),
@@ -114,11 +119,11 @@ mod tests {
     #[test]
     fn a_mode_has_the_events_that_can_end_it() {
         for (pairs, contact, touch, expected) in MODES {
-            let setup = Setup::of(&scene_with(pairs)).unwrap();
+            let setup = Setup::of(&scene_with(pairs));
             let mode = Mode { contact, touch, ..first(&setup).0 };
             assert_eq!(Events::of(&setup, &mode).list(), expected, "{pairs} {contact:?}");
         }
-        let setup = Setup::of(&scene_with("mount=rigid")).unwrap();
+        let setup = Setup::of(&scene_with("mount=rigid"));
         let mode = first(&setup).0;
         assert_eq!(Events::of(&setup, &mode).list(), [Event::PieceEnd, Event::SlipZero]);
     }
@@ -142,7 +147,7 @@ mod tests {
     #[test]
     fn a_gap_is_above_zero_before_its_event_and_below_beyond_it() {
         for (pairs, contact, event, before, beyond) in GAPS {
-            let setup = Setup::of(&scene_with(pairs)).unwrap();
+            let setup = Setup::of(&scene_with(pairs));
             let mode = Mode { contact, deepest_m: 5e-3, ..first(&setup).0 };
             let at = |[q_m, u_m_s, x_m, w_m_s]: [f64; 4]| {
                 let state = State { t_s: 0.0, q_m, u_m_s, x_m, w_m_s };

@@ -6,7 +6,7 @@
 
 use crate::model::contact::AreaPiece;
 use crate::model::hybrid::equations::{Equations, Setup, State};
-use crate::model::mechanism::sign;
+use crate::model::mechanism::{Spring, sign};
 use crate::model::scene::StopKind;
 use crate::numerics::larger;
 
@@ -58,7 +58,7 @@ pub(super) enum Touch {
 }
 
 /// What holds between two events.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Mode {
     pub(super) contact: Contact,
     pub(super) hold: Hold,
@@ -69,9 +69,15 @@ pub(super) struct Mode {
     pub(super) deepest_m: f64,
     /// Displacement from which the state's is measured: the stop's, once it has been struck, so that bounces keep their digits.
     pub(super) origin_m: f64,
-    /// Side of the spring's zero on which the plate is or to which it goes, 1 or -1.
-    pub(super) x_side: f64,
-    /// The same of the velocity's zero.
+    pub(super) spring: Spring,
+    /// Spring and elastic stop together.
+    pub(super) elastic: Spring,
+    /// The stretch of the spring's law in which the plate is or into which it goes.
+    pub(super) stretch: usize,
+    /// How far the absorber is crushed, m, and the energy that it has taken, J.
+    pub(super) crushed_m: f64,
+    pub(super) crushed_j: f64,
+    /// Side of the velocity's zero on which the plate is or to which it goes, 1 or -1.
     pub(super) w_side: f64,
 }
 
@@ -92,8 +98,10 @@ pub(super) enum Event {
     PushLimit,
     /// It is pulled beyond its grip.
     PullLimit,
-    /// The plate passes the zero of its spring.
-    PlaceZero,
+    /// The spring's law changes, going forwards.
+    KnotAhead,
+    /// It changes going back.
+    KnotBehind,
     /// The plate turns.
     SpeedZero,
     StopReached,
@@ -128,7 +136,11 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         piece: setup.geometry.piece(0.0),
         deepest_m: 0.0,
         origin_m: 0.0,
-        x_side: if setup.start_m < 0.0 { -1.0 } else { 1.0 },
+        spring: setup.spring.clone(),
+        elastic: setup.with_stop(&setup.spring),
+        stretch: setup.spring.stretch(setup.start_m),
+        crushed_m: 0.0,
+        crushed_j: 0.0,
         w_side: 1.0,
     };
     let mut state = State { u_m_s: setup.velocity_m_s, x_m: setup.start_m, ..State::default() };
@@ -144,7 +156,7 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
 
 /// The mode that follows an event; the state is put exactly on the event, and jumps where the event makes it.
 pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State) -> Mode {
-    let mut next = *mode;
+    let mut next = mode.clone();
     match event {
         Event::PieceEnd => {
             state.q_m = mode.piece.to_m;
@@ -179,31 +191,23 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
         }
         Event::PushLimit => push_in(setup, &mut next, state),
         Event::PullLimit => pull_out(setup, &mut next, state),
-        Event::PlaceZero => {
-            state.x_m = -mode.origin_m;
-            next.x_side = -mode.x_side;
+        Event::KnotAhead => {
+            state.x_m = Equations { setup, mode }.knots_m().1;
+            next.stretch += 1;
+        }
+        Event::KnotBehind => {
+            state.x_m = Equations { setup, mode }.knots_m().0;
+            next.stretch -= 1;
         }
         Event::SpeedZero => {
             state.w_m_s = 0.0;
             next.w_side = -mode.w_side;
         }
-        Event::StopReached => {
-            state.x_m = setup.stop_at_m - mode.origin_m;
-            reach_stop(setup, &mut next, state);
-        }
-        Event::StopSlack => {
-            let beyond_m = Equations { setup, mode }.beyond_stop_m(state.x_m);
-            next.touch = if beyond_m > 0.0 && damps(setup) { Touch::Slack } else { Touch::Away };
-            if next.touch == Touch::Away {
-                state.x_m = setup.stop_at_m - mode.origin_m;
-            }
-        }
-        Event::StopCleared => {
-            state.x_m = setup.stop_at_m - mode.origin_m;
-            next.touch = Touch::Away;
-        }
-        Event::StopPressed => next.touch = Touch::Pressed,
-        Event::StopRelease => release(setup, &mut next, state),
+        Event::StopReached
+        | Event::StopSlack
+        | Event::StopCleared
+        | Event::StopPressed
+        | Event::StopRelease => at_stop(setup, mode, event, (&mut next, state)),
         Event::Yields => {
             next.hold = Hold::Free;
             (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
@@ -213,7 +217,42 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
     if next.hold == Hold::OnStop && (Equations { setup, mode: &next }).push_on_stop_n(state) < 0.0 {
         release(setup, &mut next, state);
     }
+    unload(setup, &mut next, state);
     next
+}
+
+/// What follows an event of the stop.
+fn at_stop(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mode, &mut State)) {
+    let equations = Equations { setup, mode };
+    if event != Event::StopPressed && event != Event::StopRelease {
+        // Slack, the plate may be beyond its stop still.
+        let is_beyond = event == Event::StopSlack && equations.beyond_stop_m(state.x_m) > 0.0;
+        if is_beyond && damps(setup) {
+            next.touch = Touch::Slack;
+            return;
+        }
+        state.x_m = setup.stop_at_m - mode.origin_m;
+    }
+    match event {
+        Event::StopReached => reach_stop(setup, next, state),
+        Event::StopPressed => next.touch = Touch::Pressed,
+        Event::StopRelease => release(setup, next, state),
+        _ => next.touch = Touch::Away,
+    }
+}
+
+/// A plate that does not go on unloads the absorber that it has crushed from where it is: what was spent on crushing is gone.
+fn unload(setup: &Setup, mode: &mut Mode, state: &State) {
+    let x_m = mode.origin_m + state.x_m;
+    if state.w_m_s > 0.0 {
+        return;
+    }
+    let Some((spring, crushed_m)) = setup.crushed_at(x_m, mode.crushed_m) else { return };
+    mode.crushed_j += mode.spring.energy(x_m) - spring.energy(x_m);
+    mode.crushed_m = crushed_m;
+    mode.stretch = spring.stretch_below(x_m);
+    mode.elastic = setup.with_stop(&spring);
+    mode.spring = spring;
 }
 
 /// The nose goes forward where it is.
@@ -316,8 +355,7 @@ fn release(setup: &Setup, mode: &mut Mode, state: &State) {
 fn leave_stop(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.hold = Hold::Free;
     mode.w_side = -1.0;
-    let x_m = mode.origin_m + state.x_m;
-    mode.x_side = if x_m > 0.0 { 1.0 } else { -1.0 };
+    mode.stretch = mode.spring.stretch_below(mode.origin_m + state.x_m);
     debug_assert!(setup.stop.is_some(), "only a stop lets go");
 }
 
@@ -325,17 +363,22 @@ fn damps(setup: &Setup) -> bool {
     setup.stop.is_some_and(|stop| stop.damping_n_s_m > 0.0)
 }
 
-/// The side of zero on which a plate at rest, or at the zero of its spring, goes on.
+/// The way on which a plate at rest goes on, and the stretch of the spring into which one at the end of a stretch does.
 pub(super) fn face(setup: &Setup, mode: &mut Mode, state: &State) {
-    if mode.hold != Hold::Free || state.w_m_s != 0.0 {
+    if mode.hold != Hold::Free {
         return;
     }
-    let way = sign(Equations { setup, mode }.accelerations(state).1);
-    if way != 0.0 {
+    let equations = Equations { setup, mode };
+    let (behind, ahead) = equations.knots_m();
+    let is_at_rest = state.w_m_s == 0.0;
+    let way = if is_at_rest { sign(equations.accelerations(state).1) } else { sign(state.w_m_s) };
+    if is_at_rest && way != 0.0 {
         mode.w_side = way;
-        if mode.origin_m + state.x_m == 0.0 {
-            mode.x_side = way;
-        }
+    }
+    if way > 0.0 && state.x_m >= ahead {
+        mode.stretch += 1;
+    } else if way < 0.0 && state.x_m <= behind {
+        mode.stretch -= 1;
     }
 }
 
@@ -363,7 +406,7 @@ mod tests {
         event: Event,
         [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
     ) -> (Mode, State) {
-        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let setup = Setup::of(&scene_with(pairs));
         let (first, state) = first(&setup);
         let mut mode = Mode { contact, deepest_m: 5e-3, ..first };
         if contact == Contact::PullingOut {
@@ -406,7 +449,7 @@ mod tests {
             after_event("k=1e5", Contact::Deepening, Event::PieceEnd, [6e-3, 9.0, 0.0, 1.0]);
         assert_eq!(mode.contact, Contact::Deepening);
         assert_eq!(mode.piece.from_m.to_bits(), state.q_m.to_bits());
-        let setup = Setup::of(&scene_with("k=1e5")).unwrap();
+        let setup = Setup::of(&scene_with("k=1e5"));
         let mut last = first(&setup).0;
         last.piece = *setup.geometry.pieces().last().unwrap();
         let mut state = State { u_m_s: 9.0, ..State::default() };
@@ -472,8 +515,8 @@ mod tests {
     fn sides_follow_the_plate_through_the_zeros_of_its_laws() {
         let pairs = "k=1e5 n=1.5";
         let state = [5e-3, 7.0, 1e-20, -2.0];
-        let (mode, state) = after_event(pairs, Contact::Deepening, Event::PlaceZero, state);
-        assert_eq!((mode.x_side.to_bits(), state.x_m.abs().to_bits()), ((-1.0f64).to_bits(), 0));
+        let (mode, state) = after_event(pairs, Contact::Deepening, Event::KnotBehind, state);
+        assert_eq!((mode.stretch, state.x_m.abs().to_bits()), (0, 0));
         let state = [5e-3, 7.0, 1e-3, 1e-20];
         let (mode, state) = after_event(pairs, Contact::Deepening, Event::SpeedZero, state);
         assert_eq!((mode.w_side.to_bits(), state.w_m_s.to_bits()), ((-1.0f64).to_bits(), 0));
@@ -482,7 +525,7 @@ mod tests {
     /// 19 kN against k x^n: a spring of 1 MN/m^0.1 yields by 7e-18 m, one of 100 kN/m by 0.19 m.
     #[test]
     fn a_steep_spring_holds_the_plate_at_first_and_a_soft_one_does_not() {
-        let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs)).unwrap()).0.hold;
+        let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs))).0.hold;
         assert_eq!(hold("k=1e6 n=0.1"), Hold::Spring);
         assert_eq!(hold("k=1e6 n=0.2"), Hold::Spring);
         for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001"] {

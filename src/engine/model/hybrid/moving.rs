@@ -1,11 +1,10 @@
 //! What moves in a mode, as the integrator takes it: both bodies, the plate (with the projectile or without it), or the projectile in a
 //! plate that rests.
 
-use crate::model::hybrid::equations::{Equations, State};
+use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::modes::Contact;
-use crate::model::mechanism::PowerLaw;
-use crate::numerics::collocation::{Acceleration, Point, Slopes};
 use crate::numerics::smaller;
+use crate::numerics::step::{Acceleration, Point, Slopes};
 
 /// Part of the way to the zero of a steep law that an iteration may go at once.
 const OF_THE_WAY: f64 = 0.8;
@@ -15,8 +14,6 @@ pub(super) trait Moving<const D: usize>: Acceleration<D> {
     fn point(&self, state: &State) -> Point<D>;
     /// The state at a time and a point, from that at the start of the step.
     fn state(&self, start: &State, t_s: f64, point: &Point<D>) -> State;
-    /// The sizes of places and speeds among those of travel, slip, displacement and velocity.
-    fn sizes(&self, sizes: [f64; 4]) -> Point<D>;
 }
 
 impl Moving<2> for Both<'_> {
@@ -30,10 +27,6 @@ impl Moving<2> for Both<'_> {
 
     fn state(&self, _: &State, t_s: f64, ([q_m, x_m], [u_m_s, w_m_s]): &Point<2>) -> State {
         State { t_s, q_m: *q_m, u_m_s: *u_m_s, x_m: *x_m, w_m_s: *w_m_s }
-    }
-
-    fn sizes(&self, [q, u, x, w]: [f64; 4]) -> Point<2> {
-        ([q, x], [u, w])
     }
 }
 
@@ -57,10 +50,6 @@ impl Moving<1> for Plate<'_> {
         }
         State { t_s, q_m, u_m_s, x_m: *x_m, w_m_s: *w_m_s }
     }
-
-    fn sizes(&self, [_, _, x, w]: [f64; 4]) -> Point<1> {
-        ([x], [w])
-    }
 }
 
 impl Moving<1> for Projectile<'_> {
@@ -75,15 +64,10 @@ impl Moving<1> for Projectile<'_> {
     fn state(&self, start: &State, t_s: f64, ([q_m], [u_m_s]): &Point<1>) -> State {
         State { t_s, q_m: *q_m, u_m_s: *u_m_s, ..*start }
     }
-
-    fn sizes(&self, [q, u, _, _]: [f64; 4]) -> Point<1> {
-        ([q], [u])
-    }
 }
 
 /// The part of a change of a law's argument that does not pass its zero, where it is infinitely steep there.
-fn passed(law: PowerLaw, from: f64, to: f64) -> f64 {
-    let is_steep = !law.is_absent() && law.exponent < 1.0;
+fn passed(is_steep: bool, from: f64, to: f64) -> f64 {
     if is_steep && from * to < 0.0 { OF_THE_WAY * from / (from - to) } else { 1.0 }
 }
 
@@ -117,6 +101,16 @@ impl Acceleration<2> for Both<'_> {
     fn without_passing(&self, from: Point<2>, to: Point<2>) -> f64 {
         self.0.without_passing((from.0[1], from.1[1]), (to.0[1], to.1[1]))
     }
+
+    fn is_steep(&self) -> bool {
+        self.0.setup.is_steep()
+    }
+
+    fn sizes(&self, ([q, x], [u, w]): &Point<2>) -> Point<2> {
+        let (travel, slip) = self.0.sizes_of_travel(*q, *u);
+        let (place, speed) = self.0.sizes_of_plate(*x, *w);
+        ([travel, place], [slip, speed])
+    }
 }
 
 /// The plate, with the projectile or without it: displacement.
@@ -135,6 +129,15 @@ impl Acceleration<1> for Plate<'_> {
 
     fn without_passing(&self, from: Point<1>, to: Point<1>) -> f64 {
         self.0.without_passing((from.0[0], from.1[0]), (to.0[0], to.1[0]))
+    }
+
+    fn is_steep(&self) -> bool {
+        self.0.setup.is_steep()
+    }
+
+    fn sizes(&self, ([x], [w]): &Point<1>) -> Point<1> {
+        let (place, speed) = self.0.sizes_of_plate(*x, *w);
+        ([place], [speed])
     }
 }
 
@@ -155,11 +158,24 @@ impl Acceleration<1> for Projectile<'_> {
     fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
         1.0
     }
+
+    fn is_steep(&self) -> bool {
+        false
+    }
+
+    fn sizes(&self, ([q], [u]): &Point<1>) -> Point<1> {
+        let (travel, slip) = self.0.sizes_of_travel(*q, *u);
+        ([travel], [slip])
+    }
 }
 
 impl Equations<'_> {
     fn without_passing(&self, from: (f64, f64), to: (f64, f64)) -> f64 {
         let [from_x, to_x] = [from.0, to.0].map(|x_m| self.displacement_m(x_m));
-        smaller(passed(self.setup.spring, from_x, to_x), passed(self.setup.damper, from.1, to.1))
+        let Setup { spring, damper, .. } = self.setup;
+        smaller(
+            passed(spring.is_steep_at_zero(), from_x, to_x),
+            passed(damper.is_steep_at_zero(), from.1, to.1),
+        )
     }
 }

@@ -46,14 +46,7 @@ impl Equations<'_> {
     }
 
     fn potential_j(&self, x_m: f64) -> f64 {
-        let beyond_m = larger(self.beyond_stop_m(x_m), 0.0);
-        let elastic = self.elastic_stop_n_m().unwrap_or(0.0);
-        self.setup.spring.integral(self.displacement_m(x_m)) + 0.5 * elastic * beyond_m * beyond_m
-    }
-
-    fn elastic_stop_n_m(&self) -> Option<f64> {
-        let stop = self.setup.stop.filter(|stop| stop.kind == StopKind::Elastic)?;
-        Some(stop.stiffness_n_m)
+        self.mode.elastic.energy(self.displacement_m(x_m))
     }
 
     fn stops_rigidly(&self) -> bool {
@@ -69,32 +62,17 @@ impl Equations<'_> {
         self.setup.damper.is_absent() && stop_n_s_m == 0.0
     }
 
-    /// How far an elastic stop is pressed at most with this energy, m.
-    fn pressed_m(&self, energy_j: f64) -> f64 {
-        let Some(stiffness) = self.elastic_stop_n_m() else { return 0.0 };
-        let (spring, at) = (self.setup.spring, self.setup.stop_at_m);
-        let over_j = |pressed: f64| {
-            spring.integral(at + pressed) + 0.5 * stiffness * pressed * pressed - energy_j
-        };
-        let far = (2.0 * energy_j / stiffness).sqrt();
-        // A spring that drives the plate forwards, behind its zero, presses the stop where it has its least energy or farther.
-        let least = |pressed: f64| spring.force(at + pressed) + stiffness * pressed;
-        let near = if at < 0.0 { in_bracket(0.0, larger(far, -at), least) } else { 0.0 };
-        if over_j(near) >= 0.0 { 0.0 } else { in_bracket(near, larger(far, near), over_j) }
+    /// How far forward the plate goes at most from a state with this energy, m from the spring's zero.
+    pub(super) fn reach_m(&self, state: &State, energy_j: f64) -> f64 {
+        let by_spring = self.mode.elastic.forward(self.displacement_m(state.x_m), energy_j);
+        if self.stops_rigidly() { smaller(by_spring, self.setup.stop_at_m) } else { by_spring }
     }
 
-    /// How far forward the plate goes at most with this energy, m from the spring's zero.
-    pub(super) fn reach_m(&self, energy_j: f64) -> f64 {
-        let by_spring = self.setup.spring.at_integral(energy_j);
-        if by_spring <= self.setup.stop_at_m {
-            return by_spring;
-        }
-        smaller(by_spring, self.setup.stop_at_m + self.pressed_m(energy_j))
-    }
-
-    /// Whether the plate goes back with nothing to stop it.
+    /// Whether the plate goes back where nothing is to stop it or to send it back.
     fn leaves(&self, state: &State) -> bool {
-        self.setup.spring.is_absent() && state.w_m_s <= 0.0 && self.mode.touch == Touch::Away
+        let x_m = self.displacement_m(state.x_m);
+        let forces = || self.mode.elastic.forces_between(f64::NEG_INFINITY, x_m);
+        state.w_m_s <= 0.0 && forces() == (0.0, 0.0)
     }
 
     /// Most force forwards on the joined interface with this energy, N.
@@ -102,27 +80,33 @@ impl Equations<'_> {
         if self.leaves(state) {
             return 0.0;
         }
+        let Equations { setup, mode } = self;
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
-        let reach_m = self.reach_m(energy_j);
-        let spring = if reach_m.is_finite() { self.setup.spring.force(reach_m) } else { 0.0 };
-        let stop = self.setup.stop.filter(|stop| stop.kind == StopKind::Elastic);
-        let stop_n = stop.filter(|_| reach_m > self.setup.stop_at_m).map_or(0.0, |stop| {
-            stop.stiffness_n_m * (reach_m - self.setup.stop_at_m) + stop.damping_n_s_m * speed
-        });
-        let mechanism = spring + stop_n + self.setup.damper.force(speed);
-        self.setup.interface_fraction() * mechanism
+        let reach_m = self.reach_m(state, energy_j);
+        let x_m = self.displacement_m(state.x_m);
+        let elastic_n = mode.elastic.greatest_push(x_m, energy_j, reach_m);
+        let stop = setup.stop.filter(|stop| stop.kind == StopKind::Elastic);
+        let stop = stop.filter(|_| reach_m > setup.stop_at_m);
+        let damping_n = stop.map_or(0.0, |stop| stop.damping_n_s_m * speed);
+        setup.interface_fraction() * (elastic_n + damping_n + setup.damper.force(speed))
     }
 
     /// Most force backwards on it, N.
     fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
-        let Equations { setup, .. } = self;
-        if setup.spring.is_absent() && state.w_m_s >= 0.0 && setup.stop.is_none() {
+        let Equations { setup, mode } = self;
+        if mode.spring.is_absent() && state.w_m_s >= 0.0 && setup.stop.is_none() {
             return 0.0;
         }
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
-        let back_m = setup.spring.at_integral(energy_j);
-        let spring = if back_m.is_finite() { setup.spring.force(back_m) } else { 0.0 };
-        setup.interface_fraction() * (spring + setup.damper.force(speed))
+        let x_m = self.displacement_m(state.x_m);
+        let elastic_n = mode.elastic.greatest_pull(x_m, energy_j);
+        setup.interface_fraction() * (elastic_n + setup.damper.force(speed))
+    }
+
+    /// Whether the spring drives the plate on for ever, and which way, where no stop is in it.
+    fn drives_away(&self, state: &State) -> Option<f64> {
+        let x_m = self.displacement_m(state.x_m);
+        self.mode.spring.drives_away(x_m).filter(|_| self.setup.stop.is_none())
     }
 
     fn initial_j(&self) -> f64 {
@@ -131,7 +115,9 @@ impl Equations<'_> {
 
     /// Whether what still moves has no energy to speak of.
     fn is_at_rest(&self, state: &State) -> bool {
-        self.energy_j(state) <= NO_ENERGY * self.initial_j()
+        // Where the spring drives the plate away, its energy is less than nothing.
+        let has_none = self.energy_j(state) <= NO_ENERGY * self.initial_j();
+        has_none && self.mode.spring.drives_away(self.displacement_m(state.x_m)).is_none()
             || self.plate_rests() && self.mode.contact == Contact::Joined
     }
 
@@ -163,9 +149,9 @@ impl Equations<'_> {
         if is_nothing(energy_j) {
             return true;
         }
-        let returns = !setup.spring.is_absent() || state.w_m_s > 0.0;
-        if self.stops_rigidly() && returns && self.reach_m(energy_j) >= setup.stop_at_m {
-            let on_arrival_j = energy_j - setup.spring.integral(setup.stop_at_m);
+        let returns = !mode.spring.is_absent() || state.w_m_s > 0.0;
+        if self.stops_rigidly() && returns && self.reach_m(state, energy_j) >= setup.stop_at_m {
+            let on_arrival_j = energy_j - mode.spring.energy(setup.stop_at_m);
             if !is_nothing(on_arrival_j) {
                 return false;
             }
@@ -193,13 +179,19 @@ impl Equations<'_> {
     pub(super) fn last_slips_m(&self, state: &State) -> Option<f64> {
         let Equations { setup, mode } = self;
         let is_joined = mode.contact == Contact::Joined && state.q_m >= mode.deepest_m;
-        if !setup.plastic || !is_joined || !self.is_undamped() || self.stops_rigidly() {
+        let keeps = self.is_undamped() && !setup.is_absorbing() && !self.stops_rigidly();
+        if !setup.plastic || !is_joined || !keeps {
             return None;
         }
         let energy_j = self.energy_j(state);
         let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
         let excess = self.push_at_most_n(state, energy_j) / push_n - 1.0;
-        if !(excess > 0.0 && excess < LAST_SLIPS) || self.pull_at_most_n(state, energy_j) > pull_n {
+        // It is where the plate turns that the interface has to carry most.
+        let far_m = self.reach_m(state, energy_j);
+        let grows = mode.elastic.tangent(far_m) > 0.0
+            && setup.interface_fraction() * mode.elastic.force(far_m) > push_n;
+        let is_small = excess > 0.0 && excess < LAST_SLIPS && grows;
+        if !is_small || self.pull_at_most_n(state, energy_j) > pull_n {
             return None;
         }
         let (geometry, strength) = (&setup.geometry, setup.strength_pa);
@@ -209,11 +201,10 @@ impl Equations<'_> {
             let left_j = energy_j - strength * (geometry.swept_m3(q_m) - swept_m3);
             self.push_at_most_n(state, larger(left_j, 0.0)) - geometry.area_m2(q_m) * strength
         };
-        // The energy of a power law's oscillation grows with at most twice the excess and a little.
-        let most_m = 4.0 * excess * energy_j / push_n;
-        let travel_m = in_bracket(0.0, most_m, overload_n) * (1.0 + 4.0 * f64::EPSILON);
-        let kinetic_j = 0.5 * setup.joined_kg * state.w_m_s * state.w_m_s;
-        (push_n * travel_m < kinetic_j).then_some(travel_m)
+        let most_m = 0.5 * setup.joined_kg * state.w_m_s * state.w_m_s / push_n;
+        let is_enough = overload_n(most_m) < 0.0;
+        let travel_m = || in_bracket(0.0, most_m, overload_n) * (1.0 + 4.0 * f64::EPSILON);
+        is_enough.then(travel_m)
     }
 
     /// The force that the interface carries forwards at the bottom of the hole, N.
@@ -223,7 +214,7 @@ impl Equations<'_> {
 
     /// Whether a projectile that is out of the plate never meets it again.
     fn is_separated(&self, state: &State) -> bool {
-        let Equations { setup, .. } = self;
+        let Equations { setup, mode } = self;
         let apart_m = -state.q_m;
         if state.u_m_s > 0.0 || (apart_m <= 0.0 && state.u_m_s == 0.0) {
             return false;
@@ -234,13 +225,17 @@ impl Equations<'_> {
         if v < -speed * setup.cos {
             return true;
         }
-        if setup.spring.is_absent() && setup.stop.is_none() {
+        if mode.spring.is_absent() && setup.stop.is_none() {
             let keeps_going = setup.damper.is_absent();
             return state.u_m_s < 0.0 && (v <= 0.0 || state.w_m_s < 0.0 || keeps_going);
         }
-        // The projectile flies away, and is beyond the plate's farthest place backwards.
-        let back_m = setup.spring.at_integral(energy_j);
         let x_m = self.displacement_m(state.x_m);
+        // The plate is driven away from it, ever faster.
+        if state.u_m_s < 0.0 && state.w_m_s >= 0.0 && self.drives_away(state) == Some(1.0) {
+            return self.accelerations(state).1 >= 0.0;
+        }
+        // The projectile flies away, and is beyond the plate's farthest place backwards.
+        let back_m = mode.elastic.backward(x_m, energy_j);
         v < 0.0 && (x_m + back_m) * setup.cos < apart_m
     }
 
@@ -250,18 +245,18 @@ impl Equations<'_> {
         if mode.hold == Hold::Mount || self.is_at_rest(state) {
             return Farthest::Known(so_far_m);
         }
-        let reach_m = self.reach_m(self.energy_j(state));
-        if reach_m - so_far_m <= NEGLIGIBLE * so_far_m.abs() {
+        if let Some(way) = self.drives_away(state)
+            && way * state.w_m_s >= 0.0
+        {
+            return if way > 0.0 { Farthest::Unbounded } else { Farthest::Known(so_far_m) };
+        }
+        let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
+        let reach_m = self.reach_m(state, energy_j);
+        if reach_m - so_far_m <= NEGLIGIBLE * so_far_m.abs() || self.leaves(state) {
             return Farthest::Known(so_far_m);
         }
-        if setup.spring.is_absent() {
-            if mode.touch != Touch::Away {
-                return Farthest::Pending;
-            }
-            if state.w_m_s <= 0.0 {
-                return Farthest::Known(so_far_m);
-            }
-            let x_m = self.displacement_m(state.x_m);
+        let ahead = mode.spring.forces_between(x_m, f64::INFINITY);
+        if ahead == (0.0, 0.0) && mode.touch == Touch::Away && state.w_m_s > 0.0 {
             let far_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
             return match (far_m < setup.stop_at_m, far_m.is_finite()) {
                 (true, true) => Farthest::Known(larger(far_m, so_far_m)),
@@ -269,9 +264,14 @@ impl Equations<'_> {
                 _ => Farthest::Pending,
             };
         }
-        // Without damper and stop the plate comes to where all its energy is in the spring.
         if setup.damper.is_absent() && setup.stop.is_none() {
-            return Farthest::Known(larger(reach_m, so_far_m));
+            // Nothing but the spring turns the plate, if anything does.
+            let is_gone = state.w_m_s < 0.0 && mode.spring.backward(x_m, energy_j).is_infinite();
+            return match reach_m.is_finite() {
+                _ if is_gone => Farthest::Known(so_far_m),
+                true => Farthest::Known(larger(reach_m, so_far_m)),
+                false => Farthest::Unbounded,
+            };
         }
         Farthest::Pending
     }
@@ -300,7 +300,7 @@ mod tests {
         [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
         look: impl Fn(&Equations<'_>, &State) -> T,
     ) -> T {
-        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let setup = Setup::of(&scene_with(pairs));
         let mode = Mode { contact, deepest_m: 5e-3, ..first(&setup).0 };
         let state = State { t_s: 0.0, q_m, u_m_s, x_m, w_m_s };
         look(&Equations { setup: &setup, mode: &mode }, &state)
@@ -354,14 +354,18 @@ mod tests {
     fn valid_an_elastic_stop_takes_what_the_spring_does_not() {
         let pairs = "k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6";
         let reach_m = |energy_j: f64| {
-            look(pairs, Contact::Joined, [5e-3, 0.0, 0.0, 0.0], |it, _| it.reach_m(energy_j))
+            look(pairs, Contact::Joined, [5e-3, 0.0, 0.0, 0.0], |it, state| {
+                it.reach_m(state, energy_j)
+            })
         };
         let (x, stop) = (3e-3, 2e-3);
         let energy_j = 0.5 * (1e5 * x * x + 1e6 * stop * stop);
         assert!((reach_m(energy_j) / x - 1.0).abs() < 1e-14);
         assert!((reach_m(0.5 * 1e5 * 1e-8) / 1e-4 - 1.0).abs() < 1e-14);
         // A rigid stop gives way to nothing.
-        let rigid = look("k=1e5 x_stop=1mm", Contact::Joined, [0.0; 4], |it, _| it.reach_m(10.0));
+        let rigid = look("k=1e5 x_stop=1mm", Contact::Joined, [0.0; 4], |it, state| {
+            it.reach_m(state, 10.0)
+        });
         assert!((rigid - 1e-3).abs() < 1e-18);
     }
 
@@ -369,7 +373,7 @@ mod tests {
     #[test]
     fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
         let pairs = "k=1e7 gamma=1 interface=plastic g=2";
-        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let setup = Setup::of(&scene_with(pairs));
         let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
         let energy_j = 1.005 * 1.005 * holding_j;

@@ -10,22 +10,15 @@ use crate::model::hybrid::outcome::Farthest;
 use crate::model::hybrid::record::Record;
 use crate::model::run::{Cost, EndReason, Observer, Outcome, Run};
 use crate::model::scene::{Scene, Stop, StopKind};
-use crate::numerics::collocation::{Member, Tolerances, Way};
 use crate::numerics::locate::{Found, first_fall};
-use crate::numerics::step::Step;
+use crate::numerics::step::{Near, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
 /// Evaluations of the equations after which a run ends undecided: about 0.1 s.
 const EVALUATIONS_MAX: usize = 400_000;
 /// Length of the first step in passages of a tip radius.
 const FIRST_STEP: f64 = 0.2;
-/// Excess of a step's error over its tolerance that is aimed at, greatest growth, and least and greatest cut.
-const AIM: f64 = 0.5;
-const GROWTH_MAX: f64 = 4.0;
-const CUT: (f64, f64) = (0.1, 0.7);
-/// Part of a step that is tried where its equations were not solved.
-const AFTER_FAILURE: f64 = 0.25;
-/// The same where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
+/// Part of a step that is tried where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
 const CLOSER: f64 = 1.0 / 16.0;
 /// Part of a step from the end of which its polynomial is followed to an event: over so little it is as good as at the end.
 const NEAR_END: f64 = 1e-5;
@@ -46,14 +39,12 @@ pub(in crate::model) struct Bounds {
     pub(in crate::model) horizon_s: f64,
     /// Go on to the horizon although all is decided.
     pub(in crate::model) to_horizon: bool,
-    pub(in crate::model) tolerance: f64,
 }
 
 /// A run in progress.
-struct Progress<'a, const S: usize> {
+struct Progress<'a, M, const S: usize> {
     setup: &'a Setup,
-    member: &'a Member<S>,
-    tolerance: f64,
+    stepper: &'a M,
     mode: Mode,
     state: State,
     record: Record,
@@ -68,11 +59,11 @@ struct Progress<'a, const S: usize> {
     horizon_s: f64,
 }
 
-/// One impact by a member of the family. A run whose work is used up ends early, with what is known.
+/// One impact, stepped through by a method. A run whose work is used up ends early, with what is known.
 pub(super) fn run<const S: usize>(
     scene: &Arc<Scene>,
     setup: &Setup,
-    member: &Member<S>,
+    stepper: &impl Stepper<S>,
     bounds: Bounds,
     observer: Observer<'_>,
 ) -> Run {
@@ -82,8 +73,7 @@ pub(super) fn run<const S: usize>(
     let waits = !bounds.to_horizon && setup.spring.is_absent() && setup.stop.is_some();
     let mut progress = Progress {
         setup,
-        member,
-        tolerance: bounds.tolerance,
+        stepper,
         mode,
         state,
         record: Record { farthest_m: setup.start_m, ..Record::default() },
@@ -98,14 +88,14 @@ pub(super) fn run<const S: usize>(
     progress.gather(scene, end)
 }
 
-impl<const S: usize> Progress<'_, S> {
+impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     fn equations(&self) -> Equations<'_> {
         Equations { setup: self.setup, mode: &self.mode }
     }
 
     /// A law that is infinitely steep where the plate begins is left by the balance of forces.
     fn first_moment(&mut self) {
-        if self.has_steep_law() && self.setup.start_m == 0.0 && self.mode.hold == Hold::Free {
+        if self.setup.starts_steep() && self.mode.hold == Hold::Free {
             self.state = self.equations().after_first_moment();
             self.h_s = self.state.t_s;
         }
@@ -158,13 +148,13 @@ impl<const S: usize> Progress<'_, S> {
 
     /// Takes an event at a state on it.
     fn react(&mut self, event: Event, on_it: State) {
-        let (before, mut state) = (self.mode, on_it);
-        let mut next = modes::after(self.setup, &before, event, &mut state);
+        let mut state = on_it;
+        let mut next = modes::after(self.setup, &self.mode, event, &mut state);
         if event != Event::StopRelease {
             modes::face(self.setup, &mut next, &state);
         }
         (self.last, self.previous) = (Some(event), None);
-        self.record.event(event, &Equations { setup: self.setup, mode: &before }, &next, &state);
+        self.record.event(event, &Equations { setup: self.setup, mode: &self.mode }, &next, &state);
         (self.mode, self.state) = (next, state);
         if let Some(travel_m) = self.last_slips_m() {
             modes::take_slips(self.setup, &mut self.mode, &mut self.state, travel_m);
@@ -173,7 +163,7 @@ impl<const S: usize> Progress<'_, S> {
 
     /// One step by the law of whatever moves.
     fn advance(&mut self) -> Option<EndReason> {
-        let mode = self.mode;
+        let mode = self.mode.clone();
         let equations = Equations { setup: self.setup, mode: &mode };
         match (mode.hold, mode.contact) {
             (Hold::Free, Contact::Joined | Contact::Gone) => self.advance_by(&Plate(equations)),
@@ -197,19 +187,21 @@ impl<const S: usize> Progress<'_, S> {
         if h_s < NO_TIME * no_time_s {
             return Some(EndReason::StepUnderflow);
         }
-        let way = self.previous.map_or(Way::Free, |(before_s, acceleration)| Way::Along {
+        let near = self.previous.map(|(before_s, acceleration)| Near {
             acceleration: std::array::from_fn(|d| acceleration[d]),
             from: 1.0,
             over: h_s / before_s,
         });
-        let (step, factor) = match self.try_step(law, h_s, way) {
-            Ok(tried) => tried,
-            Err(part) => {
-                self.h_s = part * h_s;
+        let start = self.state;
+        let evaluations = &mut self.record.evaluations;
+        let (step, next_s) = match self.stepper.step(law, law.point(&start), h_s, near, evaluations)
+        {
+            Ok(taken) => taken,
+            Err(shorter_s) => {
+                self.h_s = shorter_s;
                 return None;
             }
         };
-        let start = self.state;
         let found = first_fall(events.list().len(), |theta, gaps| {
             let state = law.state(&start, start.t_s + theta * h_s, &step.at(theta));
             for (value, event) in gaps.iter_mut().zip(events.list()) {
@@ -227,10 +219,13 @@ impl<const S: usize> Progress<'_, S> {
                 let mut acceleration = [[0.0; S]; 2];
                 acceleration[..D].copy_from_slice(&step.acceleration);
                 self.previous = Some((h_s, acceleration));
-                self.h_s = factor * h_s;
+                self.h_s = next_s;
             }
             Found::Unresolved(which) if h_s < no_time_s => self.react(events.list()[which], start),
             Found::Unresolved(_) => self.h_s = CLOSER * h_s,
+            Found::Fall(which, _) if !self.stepper.locates() => {
+                self.react(events.list()[which], law.state(&start, start.t_s + h_s, &step.end));
+            }
             Found::Fall(which, theta) => {
                 let whole_s = self.h_s;
                 match self.land(law, &events, (which, theta * h_s), &step) {
@@ -243,51 +238,6 @@ impl<const S: usize> Progress<'_, S> {
             }
         }
         None
-    }
-
-    /// A step of this length and what the next may be longer by; or the part of it that is to be tried.
-    fn try_step<const D: usize>(
-        &mut self,
-        law: &impl Moving<D>,
-        h_s: f64,
-        way: Way<D, S>,
-    ) -> Result<(Step<D, S>, f64), f64> {
-        let start = law.point(&self.state);
-        let goal = self.tolerances(law, &self.state);
-        let mut solved = None;
-        for way in [way, Way::Guarded] {
-            let (step, evaluations) = self.member.step(law, start, h_s, &goal, way);
-            self.record.evaluations += evaluations;
-            solved = step;
-            if solved.is_some() || !self.has_steep_law() {
-                break;
-            }
-        }
-        let Some(step) = solved else { return Err(AFTER_FAILURE) };
-        let end = law.state(&self.state, self.state.t_s + h_s, &step.end);
-        let goal = self.tolerances(law, &end).or_larger(&goal);
-        self.record.evaluations += S;
-        let excess = self.member.error(law, &step, &goal);
-        let factor = (AIM / excess).powf(1.0 / Member::<S>::ERROR_ORDER);
-        if excess <= 1.0 {
-            return Ok((step, smaller(factor, GROWTH_MAX)));
-        }
-        let cut = factor * factor;
-        Err(if cut > CUT.0 { smaller(cut, CUT.1) } else { CUT.0 })
-    }
-
-    fn has_steep_law(&self) -> bool {
-        self.setup.spring.is_steep_at_zero() || self.setup.damper.is_steep_at_zero()
-    }
-
-    fn tolerances<const D: usize>(&self, law: &impl Moving<D>, state: &State) -> Tolerances<D> {
-        let relative = self.tolerance;
-        let (place, speed) = law.sizes(law.equations().sizes(state));
-        Tolerances {
-            place: place.map(|size| relative * size),
-            speed: speed.map(|size| relative * size),
-            relative,
-        }
     }
 
     /// The state on an event near the end of a step of about this length, by a step that ends there, guessed from the `near` one that
@@ -303,9 +253,10 @@ impl<const S: usize> Progress<'_, S> {
         let event = events.list()[which];
         let mut h_s = about_s;
         for _ in 0..LANDINGS_MAX {
-            let acceleration = near.acceleration;
-            let way = Way::Along { acceleration, from: 0.0, over: h_s / near.h };
-            let (step, _) = self.try_step(law, h_s, way).map_err(|part| part * h_s)?;
+            let near = Near { acceleration: near.acceleration, from: 0.0, over: h_s / near.h };
+            let evaluations = &mut self.record.evaluations;
+            let (step, _) =
+                self.stepper.step(law, law.point(&start), h_s, Some(near), evaluations)?;
             let at = |theta: f64| law.state(&start, start.t_s + theta * h_s, &step.at(theta));
             let theta = near_root(|theta| gap(equations, event, &at(theta)));
             if (theta - 1.0).abs() > NEAR_END {
@@ -339,7 +290,7 @@ impl<const S: usize> Progress<'_, S> {
     /// The travel of all slips to come, where they are so small that energy alone gives it.
     fn last_slips_m(&self) -> Option<f64> {
         let equations = self.equations();
-        let far_m = equations.reach_m(equations.energy_j(&self.state));
+        let far_m = equations.reach_m(&self.state, equations.energy_j(&self.state));
         let is_past = self.state.w_m_s < 0.0 && far_m <= self.record.farthest_m;
         is_past.then(|| equations.last_slips_m(&self.state)).flatten()
     }
@@ -391,7 +342,8 @@ impl<const S: usize> Progress<'_, S> {
             Some(Farthest::Unbounded) => None,
             // Of an undecided run as far as there is no energy to go farther.
             Some(Farthest::Pending) | None => {
-                let reach_m = equations.reach_m(equations.energy_left_j(&self.state));
+                let left_j = equations.energy_left_j(&self.state);
+                let reach_m = equations.reach_m(&self.state, left_j);
                 let is_farthest = reach_m <= record.farthest_m * (1.0 + AT_ONCE);
                 is_farthest.then_some(record.farthest_m)
             }

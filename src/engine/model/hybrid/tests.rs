@@ -3,16 +3,17 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::{Bounds, equations::Setup, run};
+use super::{Bounds, Stepping, equations::Setup, run};
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::variables::scene_with;
-use crate::numerics::collocation::{NINE, SEVEN};
+use crate::numerics::collocation::{Collocation, NINE, SEVEN};
 
-const FAR: Bounds = Bounds { horizon_s: 1.0, to_horizon: false, tolerance: 1e-12 };
+const FAR: Bounds = Bounds { horizon_s: 1.0, to_horizon: false };
 
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
-    let found = run(&scene, FAR, &mut |_| ControlFlow::Continue(())).unwrap();
+    let found =
+        run(&scene, FAR, Stepping::Collocation(1e-12), &mut |_| ControlFlow::Continue(())).unwrap();
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -109,11 +110,17 @@ fn valid_a_rigid_stop_is_the_greatest_displacement() {
 fn the_two_members_agree() {
     for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.2", "b=2000 k=1e5", "k=1e5 theta=30deg"] {
         let scene = Arc::new(scene_with(pairs));
-        let setup = Setup::of(&scene).unwrap();
+        let setup = Setup::of(&scene);
         let go_on = &mut |_: f64| ControlFlow::Continue(());
-        let nine = run::run(&scene, &setup, &NINE, FAR, go_on);
-        let loose = Bounds { tolerance: 1e-11, ..FAR };
-        let seven = run::run(&scene, &setup, &SEVEN, loose, go_on);
+        let nine =
+            run::run(&scene, &setup, &Collocation { member: &*NINE, tolerance: 1e-12 }, FAR, go_on);
+        let seven = run::run(
+            &scene,
+            &setup,
+            &Collocation { member: &*SEVEN, tolerance: 1e-11 },
+            FAR,
+            go_on,
+        );
         let depth = |run: &Run| run.final_penetration_m.unwrap();
         assert!(is_near(depth(&nine), depth(&seven), 1e-11), "{pairs}");
         assert!(nine.cost.steps < 300, "{pairs}: {:?}", nine.cost);
@@ -125,11 +132,37 @@ fn the_two_members_agree() {
 fn a_run_that_is_cancelled_says_so() {
     let scene = Arc::new(scene_with("k=1e5"));
     let mut steps = 0;
-    let found = run(&scene, FAR, &mut |_| {
+    let found = run(&scene, FAR, Stepping::Collocation(1e-12), &mut |_| {
         steps += 1;
         if steps > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     let run = found.unwrap();
     assert_eq!((run.end, run.outcome), (EndReason::Cancelled, Outcome::Moving));
     assert!(run.final_penetration_m.unwrap() > 0.0);
+}
+
+/// Methods of four families, one of them without events: each approaches the same run.
+#[test]
+fn valid_every_method_steps_to_the_same_end() {
+    for pairs in ["k=1e5", "k=1e5 interface=plastic gamma=0.8 b=50", "h=0.003 v_i=400 k=1e5"] {
+        let scene = Arc::new(scene_with(pairs));
+        let end = |stepping: Stepping| {
+            let run = run(&scene, FAR, stepping, &mut |_| ControlFlow::Continue(())).unwrap();
+            assert!(run.end.is_complete(), "{pairs}: {stepping:?} {:?}", run.end);
+            let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
+            [time_s, run.final_penetration_m, run.peak_contact_force_n].map(Option::unwrap)
+        };
+        let exact = end(Stepping::Collocation(1e-13));
+        for (stepping, within) in [
+            (Stepping::Radau5(1e-11), 1e-9),
+            (Stepping::Dop853(1e-12), 1e-9),
+            (Stepping::Rk4(2e-7), 1e-8),
+            (Stepping::Rk4WithoutEvents(1e-7), 1e-2),
+        ] {
+            for (found, exact) in end(stepping).into_iter().zip(exact) {
+                let off = (found / exact - 1.0).abs();
+                assert!(off < within, "{pairs}: {stepping:?} {off:e}");
+            }
+        }
+    }
 }

@@ -193,7 +193,8 @@ impl<'a> Body<'a> {
 
     /// The ends of the present stretch of the spring's curve, m; infinite for a power law.
     pub(super) fn spring_ends(&self) -> (f64, f64) {
-        self.problem.mechanism.spring.ends(self.region)
+        let curve = self.problem.mechanism.spring.curve();
+        curve.map_or((f64::NEG_INFINITY, f64::INFINITY), |curve| curve.ends(self.region))
     }
 
     /// Whether the spring is a whole power, which changes its form exactly at zero.

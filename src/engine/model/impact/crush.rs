@@ -7,11 +7,8 @@ use std::sync::OnceLock;
 
 use crate::model::impact::problem::Problem;
 use crate::model::impact::simulation::Simulation;
+use crate::model::impact::straight_core::with_straight_core;
 use crate::model::mechanism::Spring;
-use crate::numerics::larger;
-
-/// Crushing below this part of the displacement is rounding.
-const ROUNDING: f64 = 1e-12;
 
 impl Problem {
     pub(super) fn has_absorber(&self) -> bool {
@@ -27,21 +24,22 @@ impl Problem {
     /// How far the absorber is crushed when the plate turns at x; `None` where that is no farther than before.
     fn crushed_by(&self, x: f64) -> Option<f64> {
         let absorber = self.scene.mechanism.spring.law().absorber()?;
-        let reached = larger(self.crushed_m, absorber.rise_m()) * (1.0 + ROUNDING);
-        (self.crushed_m < absorber.stroke_m && x > reached).then_some(x)
+        absorber.crushed_by(x, self.crushed_m)
     }
 
     /// The spring after its absorber was crushed up to x; `None` where that is no farther than before.
     pub(super) fn unloaded_spring(&self, x: f64) -> Option<Spring> {
         let crushed_m = if self.has_absorber() { self.crushed_by(x) } else { None };
-        crushed_m.map(|crushed_m| Spring::after(&self.scene.mechanism, crushed_m))
+        crushed_m
+            .map(|crushed_m| with_straight_core(Spring::after(&self.scene.mechanism, crushed_m)))
     }
 
     /// The same impact with its absorber crushed so far.
     fn crushed(&self, crushed_m: f64) -> &Self {
         self.next.get_or_init(|| {
             let mut own = self.anew();
-            own.mechanism.spring = Spring::after(&own.scene.mechanism, crushed_m);
+            own.mechanism.spring =
+                with_straight_core(Spring::after(&own.scene.mechanism, crushed_m));
             own.crushed_m = crushed_m;
             Box::new(own)
         })

@@ -6,6 +6,7 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::{self, ContactLaw, Scales};
 use crate::model::fixed_plate::plate_is_fixed;
+use crate::model::impact::straight_core::with_straight_core;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::numerics::{larger, smaller};
@@ -115,7 +116,8 @@ impl Problem {
         let geometry = Geometry::of(scene);
         let contact = contact_models::of(scene, &geometry);
         let flows = scene.contact.model == ContactModel::Hydrodynamic;
-        let mechanism = Mechanism::of(scene);
+        let mut mechanism = Mechanism::of(scene);
+        mechanism.spring = with_straight_core(mechanism.spring);
         let rigid = scene.is_rigid();
         let cos = geometry.nose.cos;
         let inertia = Inertia::of(scene);

@@ -34,6 +34,7 @@ pub struct Curve {
     extremes_m: Vec<f64>,
     /// A length that the law is made of, m.
     scale_m: f64,
+    steep: bool,
 }
 
 impl Curve {
@@ -45,6 +46,7 @@ impl Curve {
             stations_m: Vec::new(),
             extremes_m: Vec::new(),
             scale_m,
+            steep: segments.pieces.iter().any(Piece::is_steep_at_zero),
             segments,
         };
         for (at, knot) in curve.segments.knots_m.iter().enumerate() {
@@ -110,6 +112,11 @@ impl Curve {
         &self.segments.pieces[region]
     }
 
+    /// Whether the law is infinitely steep at zero.
+    pub fn is_steep_at_zero(&self) -> bool {
+        self.steep
+    }
+
     /// Force at x, N.
     pub fn force(&self, x: f64) -> f64 {
         self.piece(self.region(x)).force(x)
@@ -160,8 +167,15 @@ impl Curve {
         let mut from = x;
         for to in marks.into_iter().chain(beyond) {
             if is_past(to) {
-                let is_there = function(from) >= 0.0;
-                return Some(if is_there { from } else { in_bracket(from, to, function) });
+                return Some(if function(from) >= 0.0 {
+                    from
+                } else if from == 0.0 && self.steep {
+                    // What a steep law does next to its zero is spread over the logarithm of the place.
+                    let log = |l: f64| function(way * l.exp());
+                    way * in_bracket(f64::MIN_POSITIVE.ln(), (way * to).ln(), log).exp()
+                } else {
+                    in_bracket(from, to, function)
+                });
             }
             from = to;
         }

@@ -3,7 +3,7 @@
 //! Between two knots a law is one analytic function, and stays so a little beyond them: the integrators look past an event
 //! before they come back to it.
 
-use crate::model::mechanism::PowerLaw;
+use crate::model::mechanism::{PowerKind, PowerLaw};
 
 /// An analytic force over displacement, N over m.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub enum Piece {
         /// gamma l, m.
         reach_m: f64,
     },
-    /// A power law on one side of zero.
+    /// A power law on one side of zero; the side of one that is smooth there does not matter.
     Power {
         /// The law.
         law: PowerLaw,
@@ -50,7 +50,7 @@ impl Piece {
                 let s = x / reach_m;
                 force_n * s.asin() / (1.0 - s * s).sqrt()
             }
-            Self::Power { law, side } => side * law.coefficient * raised(side * x, law.exponent),
+            Self::Power { law, side } => law.force_on(*side, x),
             Self::Parallel(laws) => laws[0].force(x) + laws[1].force(x),
         }
     }
@@ -67,10 +67,7 @@ impl Piece {
                 let s = x / reach_m;
                 (force_n + s * self.force(x)) / ((1.0 - s * s) * reach_m)
             }
-            Self::Power { law, side } => {
-                let n = law.exponent;
-                law.coefficient * n * raised(side * x, n - 1.0)
-            }
+            Self::Power { law, .. } => law.tangent(x),
             Self::Parallel(laws) => laws[0].tangent(x) + laws[1].tangent(x),
         }
     }
@@ -86,11 +83,26 @@ impl Piece {
                 let angle = (x / reach_m).asin();
                 0.5 * force_n * reach_m * angle * angle
             }
-            Self::Power { law, side } => {
-                let n = law.exponent;
-                law.coefficient / (n + 1.0) * raised(side * x, n + 1.0)
-            }
+            Self::Power { law, .. } => law.integral(x),
             Self::Parallel(laws) => laws[0].energy(x) + laws[1].energy(x),
+        }
+    }
+
+    /// Whether it is infinitely steep at zero.
+    pub fn is_steep_at_zero(&self) -> bool {
+        match self {
+            Self::Power { law, .. } => law.is_steep_at_zero(),
+            Self::Parallel(laws) => laws.iter().any(Self::is_steep_at_zero),
+            Self::Cubic { .. } | Self::Link { .. } => false,
+        }
+    }
+
+    /// Whether it cannot be expanded at zero.
+    pub fn is_singular(&self) -> bool {
+        match self {
+            Self::Power { law, .. } => law.is_singular(),
+            Self::Parallel(laws) => laws.iter().any(Self::is_singular),
+            Self::Cubic { .. } | Self::Link { .. } => false,
         }
     }
 
@@ -99,6 +111,7 @@ impl Piece {
         match self {
             Self::Cubic { c, .. } => (1..4).rev().find(|k| c[*k] != 0.0).unwrap_or(0),
             Self::Parallel(laws) => laws[0].degree().max(laws[1].degree()),
+            Self::Power { law, .. } if law.kind() == PowerKind::Linear => 1,
             Self::Link { .. } | Self::Power { .. } => usize::MAX,
         }
     }

@@ -4,11 +4,14 @@
 
 use std::sync::Arc;
 
-use crate::model::mechanism::curve::Curve;
+use crate::model::mechanism::curve::{Curve, Segments};
 use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{PowerLaw, combine};
 use crate::model::scene;
-use crate::numerics::larger;
+use crate::numerics::{larger, smaller};
+
+/// A length for what has none, m: a plate's travel, about.
+const SCALE_M: f64 = 1e-3;
 
 /// The force law of all springs together.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,6 +53,18 @@ impl Spring {
         }
     }
 
+    /// It and a stop of a stiffness that begins at a displacement, together.
+    #[must_use]
+    pub fn beside_stop(&self, at_m: f64, stiffness_n_m: f64) -> Self {
+        let pieces = vec![Piece::line(at_m, 0.0, 0.0), Piece::line(at_m, 0.0, stiffness_n_m)];
+        let stop =
+            Curve::new(Segments { knots_m: vec![at_m], pieces }, larger(at_m.abs(), SCALE_M));
+        Self::Curve(Arc::new(match self {
+            Self::Power(law) => combine::parallel(&Curve::power(*law), &stop),
+            Self::Curve(curve) => combine::parallel(curve, &stop),
+        }))
+    }
+
     /// No spring.
     pub const NONE: Self = Self::Power(PowerLaw::NONE);
 
@@ -69,9 +84,55 @@ impl Spring {
         }
     }
 
-    /// The ends of a stretch of the curve, m; infinite for a power law.
-    pub fn ends(&self, region: usize) -> (f64, f64) {
-        self.curve().map_or((f64::NEG_INFINITY, f64::INFINITY), |curve| curve.ends(region))
+    /// The analytic stretch in which x lies; its end belongs to the stretch above it. A power law has one on either side of zero, or
+    /// one alone where it goes smoothly through it.
+    pub fn stretch(&self, x: f64) -> usize {
+        match self {
+            Self::Power(law) => usize::from(!law.is_smooth_at_zero() && x >= 0.0),
+            Self::Curve(curve) => curve.region(x),
+        }
+    }
+
+    /// The same, but an end belongs to the stretch below it.
+    pub fn stretch_below(&self, x: f64) -> usize {
+        match self {
+            Self::Power(law) => usize::from(!law.is_smooth_at_zero() && x > 0.0),
+            Self::Curve(curve) => curve.region_below(x),
+        }
+    }
+
+    /// The ends of a stretch, m; infinite where it has none.
+    pub fn ends(&self, stretch: usize) -> (f64, f64) {
+        match self {
+            Self::Power(law) if law.is_smooth_at_zero() => (f64::NEG_INFINITY, f64::INFINITY),
+            Self::Power(_) if stretch == 0 => (f64::NEG_INFINITY, 0.0),
+            Self::Power(_) => (0.0, f64::INFINITY),
+            Self::Curve(curve) => curve.ends(stretch),
+        }
+    }
+
+    /// Force at x by the law of a stretch, which goes on a little beyond its ends, N.
+    pub fn force_in(&self, stretch: usize, x: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.force_on(if stretch == 0 { -1.0 } else { 1.0 }, x),
+            Self::Curve(curve) => curve.piece(stretch).force(x),
+        }
+    }
+
+    /// dF/dx at x by the law of a stretch, N/m.
+    pub fn tangent_in(&self, stretch: usize, x: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.tangent(x),
+            Self::Curve(curve) => curve.piece(stretch).tangent(x),
+        }
+    }
+
+    /// Whether it is infinitely steep at zero.
+    pub fn is_steep_at_zero(&self) -> bool {
+        match self {
+            Self::Power(law) => law.is_steep_at_zero(),
+            Self::Curve(curve) => curve.is_steep_at_zero(),
+        }
     }
 
     /// Whether there is no spring at all.
@@ -142,6 +203,15 @@ impl Spring {
         match self {
             Self::Power(law) => law.at_force(force_n),
             Self::Curve(curve) => curve.at_force(force_n.abs()),
+        }
+    }
+
+    /// The least and the greatest of zero and the forces between two displacements, N; infinite where they have no bound.
+    pub fn forces_between(&self, low_m: f64, high_m: f64) -> (f64, f64) {
+        match self {
+            Self::Power(law) if law.is_absent() => (0.0, 0.0),
+            Self::Power(law) => (smaller(law.force(low_m), 0.0), larger(law.force(high_m), 0.0)),
+            Self::Curve(curve) => curve.forces_between(low_m, high_m),
         }
     }
 

@@ -5,8 +5,8 @@
 //! proportional-integral controller (volume II, section IV.2).
 
 use super::landing::Ends;
-use super::tableau::{ERRORS, STAGES};
 use super::{Count, Point, Reached, Start, Stepper, StopReason, System, is_finite};
+use crate::numerics::explicit::tableau::{ERRORS, STAGES};
 
 /// Stages of a step.
 const S: usize = 12;

@@ -8,6 +8,9 @@ use crate::model::variables::VariableError;
 use crate::model::variables::part::parts;
 use crate::numerics::{larger, smaller};
 
+/// Crushing below this part of the displacement is rounding.
+const ROUNDING: f64 = 1e-12;
+
 parts! {
     /// A crush force, the way to it, and its end.
     #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +28,12 @@ impl Crush {
     /// The displacement at which an absorber that was never loaded begins to be crushed, m.
     pub fn rise_m(&self) -> f64 {
         self.force_n / self.stiffness_n_m
+    }
+
+    /// How far it is crushed, m, where what presses it turns at x, and has not been as far before.
+    pub fn crushed_by(&self, x_m: f64, before_m: f64) -> Option<f64> {
+        let farthest_m = larger(before_m, self.rise_m()) * (1.0 + ROUNDING);
+        (before_m < self.stroke_m && x_m > farthest_m).then_some(x_m)
     }
 }
 

@@ -1,0 +1,249 @@
+//! Explicit Runge-Kutta methods, which the engine's own is compared with: the classical one with a fixed step, and DOP853.
+//!
+//! W. Kutta, *Zeitschrift für Mathematik und Physik* 46 (1901) 435-453; J. R. Dormand and P. J. Prince's pair of order eight with error
+//! estimates of order five and three, in the form of E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential Equations
+//! I*, 2nd ed. (1993), section II.10. Within a step the place is the quintic through places, speeds and accelerations of both ends.
+
+use crate::numerics::larger;
+use crate::numerics::step::{Acceleration, Near, Point, Step, Stepper};
+use tableau::{ERRORS, STAGES};
+
+pub(in crate::numerics) mod tableau;
+
+/// Coefficients of a step: its acceleration is a cubic, its speed of degree four.
+pub(crate) const COEFFICIENTS: usize = 5;
+
+/// The usual safety and limits of the control of DOP853's step.
+const SAFETY: f64 = 0.9;
+const CUT_MAX: f64 = 1.0 / 3.0;
+const GROWTH_MAX: f64 = 6.0;
+/// Part of a step that is tried where it left all numbers.
+const AFTER_FAILURE: f64 = 0.1;
+/// Order of DOP853.
+const ORDER: f64 = 8.0;
+
+/// Row i gives the stage after the first i + 1 stages; the last gives the end of the step.
+const CLASSICAL: [[f64; 4]; 4] = [
+    [0.5, 0.0, 0.0, 0.0],
+    [0.0, 0.5, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0],
+    [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
+];
+
+/// The classical method with a fixed step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rk4 {
+    /// Length of a step, above zero.
+    pub(crate) step: f64,
+    /// Whether events are located, or only noticed after the step in which they happened.
+    pub(crate) locates: bool,
+}
+
+/// DOP853 to a tolerance.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Dop853 {
+    /// Error of a step relative to the sizes of what moves.
+    pub(crate) tolerance: f64,
+}
+
+impl Stepper<COEFFICIENTS> for Rk4 {
+    fn locates(&self) -> bool {
+        self.locates
+    }
+
+    fn step<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        start: Point<D>,
+        h: f64,
+        _: Option<Near<D, COEFFICIENTS>>,
+        evaluations: &mut usize,
+    ) -> Result<(Step<D, COEFFICIENTS>, f64), f64> {
+        if h > self.step {
+            return Err(self.step);
+        }
+        let (step, _) = of_stages(law, start, h, &CLASSICAL, evaluations);
+        Ok((step, self.step))
+    }
+}
+
+impl Stepper<COEFFICIENTS> for Dop853 {
+    fn step<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        start: Point<D>,
+        h: f64,
+        _: Option<Near<D, COEFFICIENTS>>,
+        evaluations: &mut usize,
+    ) -> Result<(Step<D, COEFFICIENTS>, f64), f64> {
+        let (step, rates) = of_stages(law, start, h, &STAGES, evaluations);
+        let [before, after] = [&start, &step.end].map(|point| law.sizes(point));
+        let of = |weights: &[f64; 12], get: fn(&Point<D>) -> &[f64; D], d: usize| -> f64 {
+            weights.iter().zip(&rates).map(|(weight, rate)| weight * get(rate)[d]).sum()
+        };
+        let (mut fifth, mut third) = (0.0, 0.0);
+        for get in [(|point| &point.0) as fn(&Point<D>) -> &[f64; D], |point| &point.1] {
+            for d in 0..D {
+                let scale = self.tolerance * larger(get(&before)[d], get(&after)[d]);
+                fifth += (h * of(&ERRORS[1], get, d) / scale).powi(2);
+                third += (h * of(&ERRORS[0], get, d) / scale).powi(2);
+            }
+        }
+        let mix = fifth + 0.01 * third;
+        let error = if mix == 0.0 { 0.0 } else { fifth / (mix * (2 * D) as f64).sqrt() };
+        if !error.is_finite() {
+            return Err(AFTER_FAILURE * h);
+        }
+        let next = h * (SAFETY * error.powf(-1.0 / ORDER)).clamp(CUT_MAX, GROWTH_MAX);
+        if error > 1.0 { Err(next) } else { Ok((step, next)) }
+    }
+}
+
+/// A step by the rows of a method, and the rates (speeds and accelerations) at its stages.
+fn of_stages<const D: usize, const N: usize>(
+    law: &impl Acceleration<D>,
+    start: Point<D>,
+    h: f64,
+    rows: &[[f64; N]; N],
+    evaluations: &mut usize,
+) -> (Step<D, COEFFICIENTS>, [Point<D>; N]) {
+    let mut rates = [([0.0; D], [0.0; D]); N];
+    let mut at = start;
+    for (stage, row) in rows.iter().enumerate() {
+        rates[stage] = (at.1, law.at(&at.0, &at.1));
+        at = start;
+        for (weight, (speed, acceleration)) in row.iter().zip(&rates[..=stage]) {
+            for d in 0..D {
+                at.0[d] += h * weight * speed[d];
+                at.1[d] += h * weight * acceleration[d];
+            }
+        }
+    }
+    *evaluations += N + 1;
+    (through(h, start, at, [rates[0].1, law.at(&at.0, &at.1)]), rates)
+}
+
+/// The step between two points with these accelerations at its ends.
+fn through<const D: usize>(
+    h: f64,
+    start: Point<D>,
+    end: Point<D>,
+    [first, last]: [[f64; D]; 2],
+) -> Step<D, COEFFICIENTS> {
+    let mut step = Step { h, start, acceleration: [[0.0; 5]; D], speed: [[0.0; 5]; D], end };
+    for d in 0..D {
+        // In Legendre polynomials of the part of the step: the mean is the change of the speed, the moment about the end that of the place.
+        let mean = (end.1[d] - start.1[d]) / h;
+        let moment = ((end.0[d] - start.0[d]) / h - start.1[d]) / h;
+        let tilt = 3.0 * mean - 6.0 * moment;
+        let bend = 0.5 * (first[d] + last[d]) - mean;
+        let twist = 0.5 * (last[d] - first[d]) - tilt;
+        step.acceleration[d] = [mean, tilt, bend, twist, 0.0];
+        step.speed[d] = [
+            start.1[d] + h * (0.5 * mean - tilt / 6.0),
+            h * (0.5 * mean - bend / 10.0),
+            h * (tilt / 6.0 - twist / 14.0),
+            h * bend / 10.0,
+            h * twist / 14.0,
+        ];
+    }
+    step
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::step::Slopes;
+
+    /// y'' = -y.
+    struct Oscillator;
+
+    impl Acceleration<1> for Oscillator {
+        fn at(&self, place: &[f64; 1], _: &[f64; 1]) -> [f64; 1] {
+            [-place[0]]
+        }
+
+        fn slopes(&self, _: &[f64; 1], _: &[f64; 1]) -> Slopes<1> {
+            Slopes { place: [[-1.0]], speed: [[0.0]] }
+        }
+
+        fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
+            1.0
+        }
+
+        fn is_steep(&self) -> bool {
+            false
+        }
+
+        fn sizes(&self, _: &Point<1>) -> Point<1> {
+            ([1.0], [1.0])
+        }
+    }
+
+    const START: Point<1> = ([1.0], [0.0]);
+
+    /// Errors of the place at the end of a step and in its middle.
+    fn errors(stepper: &impl Stepper<COEFFICIENTS>, h: f64) -> [f64; 2] {
+        let (step, _) = stepper.step(&Oscillator, START, h, None, &mut 0).unwrap();
+        [1.0, 0.5].map(|part| (step.at(part).0[0] - (part * h).cos()).abs())
+    }
+
+    #[test]
+    fn valid_half_the_step_leaves_two_to_the_order_and_one_of_the_error() {
+        let rate = |stepper: &dyn Fn(f64) -> [f64; 2], h: f64, which: usize| {
+            (stepper(h)[which] / stepper(0.5 * h)[which]).log2()
+        };
+        let classical = |h: f64| errors(&Rk4 { step: 1.0, locates: true }, h);
+        let high = |h: f64| errors(&Dop853 { tolerance: 1.0 }, h);
+        // The place of a step of even order begins to err one power later.
+        assert!((rate(&classical, 0.2, 0) - 6.0).abs() < 0.5, "{}", rate(&classical, 0.2, 0));
+        assert!(rate(&high, 1.0, 0) > 8.5, "{}", rate(&high, 1.0, 0));
+        assert!((rate(&high, 0.5, 1) - 6.0).abs() < 0.5, "{}", rate(&high, 0.5, 1));
+    }
+
+    #[test]
+    fn valid_a_step_ends_where_its_polynomials_end() {
+        let (step, _) =
+            Dop853 { tolerance: 1.0 }.step(&Oscillator, START, 1.0, None, &mut 0).unwrap();
+        let (place, speed) = step.at(1.0);
+        assert!(
+            (place[0] - step.end.0[0]).abs() < 1e-15 && (speed[0] - step.end.1[0]).abs() < 1e-15
+        );
+        let accelerations = [0.0, 1.0].map(|part| step.acceleration_at(part)[0]);
+        assert!((accelerations[0] + 1.0).abs() < 1e-14, "{accelerations:?}");
+        assert!((accelerations[1] + step.end.0[0]).abs() < 1e-14, "{accelerations:?}");
+    }
+
+    #[test]
+    fn valid_the_tolerance_of_dop853_bounds_the_error_of_a_step() {
+        for tolerance in [1e-4, 1e-7, 1e-10] {
+            let method = Dop853 { tolerance };
+            let (mut h, mut evaluations) = (10.0, 0);
+            let step = loop {
+                match method.step(&Oscillator, START, h, None, &mut evaluations) {
+                    Ok((step, _)) => break step,
+                    Err(shorter) => h = shorter,
+                }
+            };
+            let error = (step.end.0[0] - step.h.cos()).abs();
+            assert!(error < tolerance && error > 1e-7 * tolerance, "{tolerance:e}: {error:e}");
+            assert_eq!(evaluations % 13, 0);
+        }
+    }
+
+    /// Their sums are the nodes; the weights of the end integrate powers up to the eighth exactly.
+    #[test]
+    fn valid_the_rows_of_dop853_satisfy_the_conditions_of_quadrature() {
+        let nodes: Vec<f64> =
+            std::iter::once(0.0).chain(STAGES[..11].iter().map(|row| row.iter().sum())).collect();
+        for power in 0..8 {
+            let sum: f64 =
+                STAGES[11].iter().zip(&nodes).map(|(weight, node)| weight * node.powi(power)).sum();
+            let exact = 1.0 / f64::from(power + 1);
+            assert!((sum / exact - 1.0).abs() < 1e-13, "{power}: {sum}");
+        }
+        for errors in ERRORS {
+            assert!(errors.iter().sum::<f64>().abs() < 1e-14);
+        }
+    }
+}
