@@ -97,11 +97,16 @@ impl<'a> Axis<'a> {
         }
     }
 
-    /// Its quantity and unit; a percentage may begin with it.
+    /// Its quantity and unit.
     pub fn text(&self, exponent: i32) -> String {
-        let has_unit = self.label.starts_with('%') && exponent == 0;
+        self.after(&self.label, exponent)
+    }
+
+    /// A title of its values and their unit, unless the title begins with it: `% of rigid-mount depth`.
+    pub fn after(&self, title: &str, exponent: i32) -> String {
+        let has_unit = title.starts_with('%') && exponent == 0;
         let unit = if has_unit { String::new() } else { self.unit_text(exponent) };
-        spaced(&self.label, &unit)
+        spaced(title, &unit)
     }
 }
 

@@ -217,7 +217,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("first_arrest_penetration_m", Length, "depth when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.penetration_m)))
         .by_contact(End(|it| Some(it.arrest()?.penetration_m))).titled("depth at first stop"),
     quantity("first_arrest_time_s", Time, "time at which projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.t_s)))
-        .by_contact(End(|it| Some(it.arrest()?.t_s))).titled("time of first stop"),
+        .by_contact(End(|it| Some(it.arrest()?.t_s))).titled("time at first stop"),
     quantity("first_arrest_plate_displacement_m", Length, "plate displacement when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.plate_displacement_m)))
         .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))).titled("plate displacement at first stop"),
     quantity("first_arrest_plate_velocity_m_s", Velocity, "the first common velocity of projectile and plate", Source::Run(|run| Some(run.first_arrest?.plate_velocity_m_s)))

@@ -345,8 +345,12 @@ fn fits(text: &str, width: usize) -> usize {
 
 /// A result's title with shorter words, still distinguished from every other.
 pub fn shortened(title: &str) -> String {
-    let words =
-        [("plate displacement", "travel"), ("plate velocity", "speed"), ("penetration", "depth")];
+    let words = [
+        ("% of rigid-mount depth", "% rigid mount"),
+        ("at first stop", "at stop"),
+        ("common velocity", "speed"),
+        ("plate displacement", "travel"),
+    ];
     words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word))
 }
 
