@@ -6,7 +6,7 @@
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{FromArgMatches as _, Parser, ValueEnum};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, ValueEnum};
 
 use crate::files::clean;
 use crate::tui::plain as draw;
@@ -103,7 +103,7 @@ pub fn run_by(
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
     progress::survive_large_files();
     let written: Vec<OsString> = arguments.collect();
-    let matches = match help::command().try_get_matches_from(&written) {
+    let matches = match help::grouped(Arguments::command()).try_get_matches_from(&written) {
         Ok(matches) => matches,
         Err(error) => {
             match usage::line(&error, &commands::whole(), &written) {

@@ -24,5 +24,6 @@ pub mod write;
 mod read_stack;
 mod read_sweep;
 pub mod read_table;
+mod reader;
 
 pub use crate::report::clean;

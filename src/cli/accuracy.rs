@@ -78,8 +78,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     }
     let (page, json) = (page(&reports, &arguments.table), accuracy::json(&reports));
     let only = scenes.first().filter(|_| scenes.len() == 1);
-    let command = if arguments.quick { "accuracy --quick" } else { "accuracy" };
-    let table = arguments.table.of_scene(&arguments.changes, only.map(|it| &it.scene), command);
+    let table = arguments.table.of_scene(&arguments.changes, only.map(|it| &it.scene), effort);
     table.deliver_report(&page, json, accuracy::table(&reports))?;
     let failures: Vec<String> = reports.iter().flat_map(auto_failures).collect();
     for failure in &failures {

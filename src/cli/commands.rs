@@ -10,9 +10,6 @@ use crate::cli::{
     sweep, validate,
 };
 
-/// How many commands `cmra --help` lists first: those that do what most people come for.
-pub(super) const FIRST: usize = 9;
-
 /// Every command, in the order of `cmra --help`. The descriptions are attributes since those of shared arguments would replace doc
 /// comments.
 #[derive(Debug, Subcommand)]
@@ -84,9 +81,9 @@ impl Commands {
             Self::Explain(it) => explain::run(it).map(done),
             Self::Libraries(it) => libraries::run(it).map(done),
             Self::Design(it) => design::run(it).map(done),
-            Self::Help(it) => help::run(it).map(done),
-            Self::Completions(it) => completions::run(it).map(done),
-            Self::Install(it) => install::run(it).map(done),
+            Self::Help(it) => help::run(it, Arguments::command()).map(done),
+            Self::Completions(it) => completions::run(it, whole()).map(done),
+            Self::Install(it) => install::run(it, &whole()).map(done),
         }
     }
 }

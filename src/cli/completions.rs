@@ -5,7 +5,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Arg, Args, Command};
 use clap_complete::Shell;
 
-use crate::cli::{CliError, commands, help, output};
+use crate::cli::{CliError, help, output};
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset;
@@ -19,23 +19,25 @@ pub(super) struct CompletionsArguments {
     shell: Shell,
 }
 
-pub(super) fn run(arguments: &CompletionsArguments) -> Result<(), CliError> {
-    output::print(&String::from_utf8_lossy(&script(arguments.shell)))
+pub(super) fn run(arguments: &CompletionsArguments, program: Command) -> Result<(), CliError> {
+    output::print(&String::from_utf8_lossy(&script(arguments.shell, program)))
 }
 
-pub(super) fn script(shell: Shell) -> Vec<u8> {
+pub(super) fn script(shell: Shell, program: Command) -> Vec<u8> {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut named(commands::whole()), "cmra", &mut script);
+    let topics: Vec<String> = help::names(&program).into_iter().map(str::to_owned).collect();
+    clap_complete::generate(shell, &mut named(program, &topics), "cmra", &mut script);
     script
 }
 
 /// The commands with the words that each of their arguments may begin with. Only for completion: they accept more.
-fn named(command: Command) -> Command {
+fn named(command: Command, topics: &[String]) -> Command {
     let owner = command.get_name().to_owned();
-    command.mut_args(|argument| with_names(&owner, argument)).mut_subcommands(named)
+    let command = command.mut_args(|argument| with_names(&owner, argument, topics));
+    command.mut_subcommands(|command| named(command, topics))
 }
 
-fn with_names(owner: &str, argument: Arg) -> Arg {
+fn with_names(owner: &str, argument: Arg, topics: &[String]) -> Arg {
     let symbols = |end: &str| -> Vec<String> {
         VARIABLES.iter().map(|variable| format!("{}{end}", variable.symbol)).collect()
     };
@@ -51,7 +53,7 @@ fn with_names(owner: &str, argument: Arg) -> Arg {
         "subject_to" => quantities("<="),
         "name" if owner == "show" => presets(),
         "name" if owner == "explain" => [symbols(""), quantities("")].concat(),
-        "topic" => help::names(),
+        "topic" => topics.to_vec(),
         "threat" => entries(Library::Threats),
         "material" => entries(Library::Materials),
         "absorber" => entries(Library::Absorbers),

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use clap::{Args, Command, CommandFactory as _};
+use clap::{Args, Command};
 
-use crate::cli::{Arguments, CliError, commands, keys, output};
+use crate::cli::{CliError, keys, output};
 use crate::files::error::did_you_mean;
 
 /// One page of `cmra help`.
@@ -34,43 +34,40 @@ pub(super) struct HelpArguments {
     topic: Option<String>,
 }
 
-/// The command line with its commands in groups.
-pub(super) fn command() -> Command {
-    let groups = grouped();
-    Arguments::command().help_template(format!(
-        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}\
+/// How many of the commands do what most people come for.
+const FIRST: usize = 9;
+
+/// The command line with its commands in groups: those that most people come for, then the others, with what they do.
+pub(super) fn grouped(program: Command) -> Command {
+    let mut groups = String::from("Commands:\n");
+    for (index, command) in program.get_subcommands().enumerate() {
+        if index == FIRST {
+            groups.push_str("\nMore:\n");
+        }
+        let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+        let _ = writeln!(groups, "  {:<12} {about}", command.get_name());
+    }
+    program.help_template(format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}\n\
          Arguments:\n{{positionals}}\n\nOptions:\n{{options}}{{after-help}}"
     ))
 }
 
-/// The commands that most people come for, then the others, with what they do.
-fn grouped() -> String {
-    let mut text = String::from("Commands:\n");
-    for (index, command) in Arguments::command().get_subcommands().enumerate() {
-        if index == commands::FIRST {
-            text.push_str("\nMore:\n");
-        }
-        let about = command.get_about().map(ToString::to_string).unwrap_or_default();
-        let _ = writeln!(text, "  {:<12} {about}", command.get_name());
-    }
-    text + "\n"
-}
-
 /// Print a topic, the help of a command, or the list of topics.
-pub(super) fn run(arguments: &HelpArguments) -> Result<(), CliError> {
+pub(super) fn run(arguments: &HelpArguments, program: Command) -> Result<(), CliError> {
     let Some(name) = arguments.topic.as_deref() else {
         return output::print(&list());
     };
-    let mut command = command();
-    command.build();
+    let mut program = grouped(program);
+    program.build();
     let text = if name == KEYS {
         keys::page()
     } else if let Some(topic) = TOPICS.iter().find(|topic| topic.name == name) {
         topic.text.to_owned()
-    } else if let Some(found) = command.find_subcommand_mut(name) {
+    } else if let Some(found) = program.find_subcommand_mut(name) {
         found.render_long_help().to_string()
     } else {
-        return Err(unknown(name));
+        return Err(unknown(name, &program));
     };
     output::print(&text)
 }
@@ -80,13 +77,12 @@ fn topics() -> Vec<&'static str> {
 }
 
 /// The topics and the commands.
-pub(super) fn names() -> Vec<String> {
-    topics().into_iter().map(str::to_owned).chain(commands::names()).collect()
+pub(super) fn names(program: &Command) -> Vec<&str> {
+    topics().into_iter().chain(program.get_subcommands().map(Command::get_name)).collect()
 }
 
-fn unknown(name: &str) -> CliError {
-    let names = names();
-    let cure = did_you_mean(name, &names.iter().map(String::as_str).collect::<Vec<_>>())
+fn unknown(name: &str, program: &Command) -> CliError {
+    let cure = did_you_mean(name, &names(program))
         .unwrap_or_else(|| format!("the topics are {}", topics().join(", ")));
     CliError::Option(format!("`{name}` is neither a topic nor a command: {cure}"))
 }
@@ -103,15 +99,15 @@ fn list() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::Parser as _;
+    use clap::{CommandFactory as _, Parser as _};
 
-    use crate::cli::completions;
+    use crate::cli::{Arguments, commands, completions};
 
     const COLUMNS: usize = 80;
 
     #[test]
     fn completion_offers_topics_and_commands() {
-        let script = completions::script(clap_complete::Shell::Bash);
+        let script = completions::script(clap_complete::Shell::Bash, commands::whole());
         let script = String::from_utf8(script).unwrap();
         for (command, word) in [("help", "mechanisms"), ("help", "limit")] {
             let at = script
@@ -153,7 +149,7 @@ mod tests {
                 assert!(line.chars().count() <= COLUMNS, "{name}: {line}");
             }
         }
-        let help = command().term_width(COLUMNS).render_help().to_string();
+        let help = grouped(Arguments::command()).term_width(COLUMNS).render_help().to_string();
         assert!(help.lines().all(|line| line.chars().count() <= COLUMNS), "{help}");
     }
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Command};
 use clap_complete::Shell;
 
-use crate::cli::{CliError, commands, completions, output};
+use crate::cli::{CliError, completions, output};
 use crate::files::atomic::{self, Existing};
 use crate::files::paths;
 
@@ -23,20 +23,19 @@ const SCRIPTS: [(Shell, &str); 3] = [
     (Shell::Fish, "fish/vendor_completions.d/cmra.fish"),
 ];
 
-pub(super) fn run(arguments: &InstallArguments) -> Result<(), CliError> {
+pub(super) fn run(arguments: &InstallArguments, program: &Command) -> Result<(), CliError> {
     let share = match &arguments.prefix {
         Some(prefix) => prefix.join("share"),
         None => paths::share_of_user()?,
     };
     let pages = share.join("man/man1");
     let mut files = Vec::new();
-    let program = commands::whole();
-    for command in std::iter::once(&program).chain(program.get_subcommands()) {
+    for command in std::iter::once(program).chain(program.get_subcommands()) {
         files.push(manual_page(command.clone(), &pages)?);
     }
     let page_count = files.len();
     for (shell, path) in SCRIPTS {
-        files.push((share.join(path), completions::script(shell)));
+        files.push((share.join(path), completions::script(shell, program.clone())));
     }
     for (path, content) in &files {
         atomic::make_folder_of(path)?;

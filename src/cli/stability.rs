@@ -14,13 +14,11 @@ use crate::model::units::engineering;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
-use crate::study::stability::map::{self, Axis, FixedStep, Map, Size, Wanted};
+use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;
-/// The size of a coarser map.
-const QUICK: Size = Size { rows: 10, columns: 31 };
 
 #[derive(Debug, Args)]
 #[command(
@@ -76,14 +74,12 @@ fn failures(rows: &[Row]) -> impl Iterator<Item = String> {
 fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     map::accepts(&preset.scene)?;
-    let size = if arguments.quick { QUICK } else { map::SIZE };
+    let size = if arguments.quick { map::QUICK } else { map::SIZE };
     let wanted = Wanted { method: arguments.method, axis, size, ends: None };
     let map = arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
-    let quick = if arguments.quick { " --quick" } else { "" };
-    let (symbol, method) = (axis.symbol(), arguments.method.word());
     let answer = StudyOutput {
-        command: format!("stability --map {symbol} --method {method}{quick}"),
+        command: wanted.to_string(),
         warnings: library::warnings(&preset.scene).map(str::to_owned).collect(),
         page: map_page(&map, name),
         object: tables::map_json(name, &map),

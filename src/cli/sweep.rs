@@ -219,7 +219,7 @@ impl Job<'_> {
         if let (Some(file), TableDestination::File(to)) = (file, target) {
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
-            let notes = |own: &str| notes(own, &scene, self.shard, missing.as_deref());
+            let notes = |own: &str| notes(own, self.plan, self.shard, missing.as_deref());
             let beside = Beside { run: None, scene: &scene, notes: Box::new(notes) };
             // Another program may have taken the name meanwhile.
             let taken = if missing.is_none() { to.check().err() } else { None };

@@ -452,19 +452,6 @@ mod tests {
     }
 
     #[test]
-    fn an_existing_file_is_kept_unless_it_may_be_replaced() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("a.csv");
-        write(&path, b"one", Existing::Keep).unwrap();
-        let refused = write(&path, b"two", Existing::Keep).unwrap_err();
-        assert!(matches!(refused, FileError::Exists(_)), "{refused}");
-        assert_eq!(fs::read(&path).unwrap(), b"one");
-        write(&path, b"two", Existing::Replace).unwrap();
-        assert_eq!(fs::read(&path).unwrap(), b"two");
-        assert_eq!(names(place.path()), ["a.csv"]);
-    }
-
-    #[test]
     fn all_files_are_written_or_none() {
         let place = tempfile::tempdir().unwrap();
         let (first, second) = (place.path().join("a.csv"), place.path().join("a.toml"));
@@ -581,7 +568,6 @@ mod tests {
         assert!(error.to_string().contains("directory"), "{error}");
     }
 
-    #[cfg(unix)]
     #[test]
     fn a_link_stays_a_link_and_permissions_stay() {
         use std::os::unix::fs::{PermissionsExt as _, symlink};
@@ -604,21 +590,6 @@ mod tests {
         let refused = write(&link, b"newest", Existing::Replace).unwrap_err().to_string();
         assert!(refused.contains("read-only"), "{refused}");
         assert_eq!((fs::read(&real).unwrap().as_slice(), mode()), (&b"newer"[..], 0o444));
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn a_named_pipe_is_refused_and_not_waited_for() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("pipe");
-        assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
-        for refused in [
-            write(&path, b"1", Existing::Replace),
-            check(&path, Existing::Replace),
-            Growing::begin(&path, Existing::Replace).map(drop),
-        ] {
-            assert!(refused.unwrap_err().to_string().contains("a device or a pipe"));
-        }
     }
 
     #[test]

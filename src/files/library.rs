@@ -12,7 +12,8 @@ use toml::de::{DeTable, DeValue};
 use crate::files::clean;
 use crate::files::error::{FileError, SceneErrors, nearest};
 use crate::files::paths::Paths;
-use crate::files::read::{self, Accepts, Reader};
+use crate::files::read::{self, Accepts};
+use crate::files::reader::{self, Reader};
 use crate::model::library::{Entry, Library, Status};
 use crate::model::scene::Scene;
 use crate::model::variables::VARIABLES;
@@ -98,7 +99,7 @@ fn entries(
         Ok(document) => document,
         Err(error) => {
             let mut reader = Reader::new(text, file);
-            reader.problem(error.span().unwrap_or(0..0), read::syntax(error.message()));
+            reader.problem(error.span().unwrap_or(0..0), reader::syntax(error.message()));
             return (Vec::new(), reader.finish().err().into_iter().collect());
         }
     };

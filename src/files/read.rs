@@ -11,7 +11,8 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::files::error::{FileError, Problem, SceneErrors, nearest, shown};
+use crate::files::error::{FileError, SceneErrors, nearest, shown};
+use crate::files::reader::{Reader, kind_of, syntax};
 use crate::files::{clean, read_stack, read_sweep, read_table};
 use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::units::{self, Bare};
@@ -22,9 +23,6 @@ pub const FORMAT: i64 = 1;
 
 /// No scene is larger than this; a larger file is a mistake.
 pub const BYTES_MAX: u64 = 1 << 20;
-
-/// Maximum number of reported problems of one file: a file of another kind has one in each line.
-const PROBLEMS_MAX: usize = 20;
 
 /// Which files are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,55 +104,18 @@ pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
     reader.finish().map(|()| scene)
 }
 
-/// The parser's own words, on one line.
-pub(super) fn syntax(message: &str) -> String {
-    format!("not TOML: {}", message.replace('\n', ", "))
-}
-
-/// The error of a value, in the words of a scene file.
-pub(super) fn misfit(error: &toml::de::Error) -> String {
-    let text = clean::line(error.message()).into_owned();
-    [("f64", "a number"), ("u64", "a whole number"), ("a sequence", "a list")].into_iter().fold(
-        text,
-        |text, (type_name, word)| {
-            text.replace(&format!("expected {type_name}"), &format!("expected {word}"))
-        },
-    )
-}
-
-/// The text being read, and what has been found wrong so far.
-pub(super) struct Reader<'t> {
-    text: &'t str,
-    file: &'t str,
-    problems: Vec<Problem>,
-    more: bool,
-}
-
-impl<'t> Reader<'t> {
-    /// A reader of a text; `file` is the name used in errors.
-    pub(super) fn new(text: &'t str, file: &'t str) -> Self {
-        Self { text, file, problems: Vec::new(), more: false }
-    }
-
-    /// Everything that was wrong, in the order of lines.
-    pub(super) fn finish(mut self) -> Result<(), SceneErrors> {
-        if self.problems.is_empty() {
-            return Ok(());
-        }
-        self.problems.sort();
-        Err(SceneErrors { file: self.file.to_owned(), problems: self.problems, more: self.more })
-    }
-
+/// The keys of a scene.
+impl Reader<'_> {
     /// Notes two sizes of one plate in the table that has it.
     pub(super) fn one_size(&mut self, table: &DeTable<'_>) {
         let sizes = PlateSize::KEYS.iter().filter_map(|key| Some((*key, find(table, key)?)));
         // A word says that it is absent.
-        let sizes = sizes.filter(|(_, span)| !self.text[span.clone()].starts_with(['"', '\'']));
-        if let [(first, _), (second, span), ..] = &sizes.collect::<Vec<_>>()[..] {
+        let sizes = sizes.filter(|(_, value)| !matches!(value.get_ref(), DeValue::String(_)));
+        if let [(first, _), (second, value), ..] = &sizes.collect::<Vec<_>>()[..] {
             let all = PlateSize::KEYS.join(", ");
             let text =
                 format!("{first} and {second} both give the plate's size: give only one of {all}");
-            self.problem(span.clone(), text);
+            self.problem(value.span(), text);
         }
     }
 
@@ -189,14 +150,14 @@ impl<'t> Reader<'t> {
         {
             scene.stack.layers = read_stack::layers(self, scene, list);
         }
-        if self.problems.is_empty()
+        if self.is_right()
             && let Err(error) = variables::validate(scene)
         {
             // Every value has passed by itself: what is left concerns several together.
             let text = error.to_string();
             let named = VARIABLES.iter().map(|variable| variable.key).chain([read_table::KEY]);
             let key = named.filter(|key| text.contains(key)).find_map(|key| find(document, key));
-            let span = key.unwrap_or(0..0);
+            let span = key.map_or(0..0, Spanned::span);
             self.problem(span, error.to_string());
         }
     }
@@ -204,10 +165,10 @@ impl<'t> Reader<'t> {
     /// A spring that is a table needs its points: the example in their place was not measured.
     fn measured_curve(&mut self, scene: &Scene, document: &DeTable<'_>) {
         let (kind, key) = ("mechanism.spring.kind", read_table::KEY);
-        let Some(span) = find(document, kind) else { return };
+        let Some(found) = find(document, kind) else { return };
         if scene.mechanism.spring.kind == SpringKind::Table && find(document, key).is_none() {
             self.problem(
-                span,
+                found.span(),
                 format!(
                     "{kind} = \"table\" has no measured curve: add [{key}] with file = \"curve.csv\" or points = [[x, F], ...] in m \
                      and N"
@@ -350,61 +311,6 @@ impl<'t> Reader<'t> {
             kind_of(value.get_ref()),
         )
     }
-
-    pub(super) fn text_value(
-        &mut self,
-        key: &str,
-        value: &Spanned<DeValue<'_>>,
-        target: &mut String,
-    ) {
-        if let DeValue::String(text) = value.get_ref() {
-            text.as_ref().clone_into(target);
-        } else {
-            let text = format!(
-                "{key} = {} is {}: it must be text; write it in quotes",
-                self.shown(value),
-                kind_of(value.get_ref())
-            );
-            self.problem(value.span(), text);
-        }
-    }
-
-    /// The name of the file, as the user wrote it.
-    pub(super) fn file(&self) -> &str {
-        self.file
-    }
-
-    /// Whether the maximum number of problems is reached: the rest of the file is not checked, and this is reported.
-    pub(super) fn is_full(&mut self) -> bool {
-        self.more |= self.problems.len() >= PROBLEMS_MAX;
-        self.more
-    }
-
-    pub(super) fn problem(&mut self, span: Range<usize>, text: String) {
-        if self.is_full() {
-            return;
-        }
-        let before = self.text.get(..span.start).unwrap_or(self.text);
-        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
-        self.problems.push(Problem {
-            line: before.matches('\n').count() + 1,
-            column: before[line_start..].chars().count() + 1,
-            text,
-        });
-    }
-
-    /// A value as it stands in the file, cut short.
-    pub(super) fn shown(&self, value: &Spanned<DeValue<'_>>) -> String {
-        const SHOWN_MAX: usize = 40;
-        let source = self.text.get(value.span()).unwrap_or_default();
-        let line = source.lines().next().unwrap_or_default();
-        if line.chars().count() > SHOWN_MAX || line.len() < source.trim_end().len() {
-            let cut: String = line.chars().take(SHOWN_MAX).collect();
-            format!("{cut}...")
-        } else {
-            line.to_owned()
-        }
-    }
 }
 
 /// The number in a TOML value, if it is one (integers count).
@@ -421,24 +327,12 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
     }
 }
 
-/// The kind of a TOML value in words.
-pub(super) fn kind_of(value: &DeValue<'_>) -> &'static str {
-    match value {
-        DeValue::String(_) => "text",
-        DeValue::Integer(_) | DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "a switch",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
-    }
-}
-
-/// Where in the text the value of a dotted key stands.
-fn find(document: &DeTable<'_>, key: &str) -> Option<Range<usize>> {
+/// The value of a dotted key.
+fn find<'d, 't>(document: &'d DeTable<'t>, key: &str) -> Option<&'d Spanned<DeValue<'t>>> {
     let (first, rest) = key.split_once('.').unwrap_or((key, ""));
     let value = document.get(first)?;
     match value.get_ref() {
-        _ if rest.is_empty() => Some(value.span()),
+        _ if rest.is_empty() => Some(value),
         DeValue::Table(table) => find(table, rest),
         _ => None,
     }

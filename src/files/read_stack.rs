@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::DeValue;
 
-use crate::files::read::{Reader, kind_of};
+use crate::files::reader::{Reader, kind_of};
 use crate::model::scene::{LAYERS_MAX, Layer, Scene};
 
 /// The key of the list.

@@ -5,7 +5,7 @@ use toml::Spanned;
 use toml::de::{DeValue, ValueDeserializer};
 
 use crate::files::clean;
-use crate::files::read::{Reader, misfit};
+use crate::files::reader::{Reader, misfit};
 use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::variables;
 use crate::study::quantities;

@@ -9,7 +9,8 @@ use toml::de::{DeValue, ValueDeserializer};
 
 use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::read::{self, Accepts, Reader};
+use crate::files::read::{self, Accepts};
+use crate::files::reader::{self, Reader};
 use crate::model::units::{self, Bare, Dimension};
 
 /// The table of the spring, and the key of its measured points.
@@ -44,7 +45,7 @@ pub(super) fn points(
         }
         Ok(Curve { points: None, file: None }) => return None,
         Err(error) => {
-            let what = read::misfit(&error);
+            let what = reader::misfit(&error);
             let text = format!(
                 "{key}: {what}; write file = \"curve.csv\" or points = [[x, F], ...] with x in m and F in N"
             );

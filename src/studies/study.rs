@@ -6,10 +6,13 @@
 pub mod accuracy;
 pub mod compare;
 pub mod context;
+pub mod error;
+mod first_contact;
 pub mod limit;
 pub mod load;
 pub mod models;
 pub mod monte_carlo;
+pub mod outcome;
 pub mod parallel;
 pub mod principles;
 pub mod quantities;
@@ -24,11 +27,8 @@ pub mod thesis;
 pub mod validation;
 pub mod validity;
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-
-use serde::Deserialize;
 
 use crate::model::run::Run;
 use crate::model::scene::Scene;
@@ -38,10 +38,4 @@ use crate::model::variables::{changed, changed_free_plate};
 /// A run without its course in time and without an estimate of its error; `None` for a scene that makes no physical sense.
 pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {
     simulate(&Arc::new(scene.clone()), &Settings::BARE, &mut |_| ControlFlow::Continue(())).ok()
-}
-
-/// The entries of a file of one list.
-fn listed<T: Deserialize<'static>>(text: &'static str) -> Result<Vec<T>, toml::de::Error> {
-    let lists: BTreeMap<&str, Vec<T>> = toml::from_str(text)?;
-    Ok(lists.into_values().flatten().collect())
 }

@@ -9,7 +9,7 @@ use cmra::model::scene::{Closure, Combination, ContactModel, PlateSize, Scene, S
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
-use crate::support::{files_in, in_repository, says, scene_file};
+use crate::support::{files_in, in_repository, scene_file};
 
 #[test]
 fn invalid_scenes_are_refused_with_place_and_cure() {
@@ -229,28 +229,5 @@ proptest! {
         if let Err(errors) = read::scene(&text, "file") {
             prop_assert!(!errors.problems.is_empty());
         }
-    }
-}
-
-#[test]
-fn an_unknown_result_gets_the_nearest_names_in_a_short_line() {
-    for (command, arguments, hint) in [
-        ("sweep", ["--over", "d=0..1:2", "--outputs", "foo"], "`cmra explain` lists all"),
-        ("sweep", ["--over", "d=0..1:2", "--outputs", "strok"], "did you mean `stroke_m`?"),
-        (
-            "seek",
-            ["--over", "d=0..1", "--goal", "percnt=60"],
-            "did you mean `percent_of_baseline`?",
-        ),
-        ("seek", ["--over", "d=0..1", "--goal", "sistem_mass=1"], "did you mean `system_mass_kg`?"),
-        ("seek", ["--over", "d=0..1", "--goal", "foo=60"], "system_mass_kg"),
-    ] {
-        let said = says(command, &arguments, 2).1;
-        assert!(said.contains(hint), "{hint} is not in {said}");
-        assert!(said.lines().count() == 1 && said.len() < 320, "{}: {said}", said.len());
-    }
-    let help = says("sweep", &["--help"], 0).0;
-    for column in cmra::study::quantities::QUANTITIES {
-        assert!(help.contains(column.name), "{} is not in the help", column.name);
     }
 }

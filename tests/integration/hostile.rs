@@ -36,15 +36,6 @@ fn a_file_that_is_not_a_scene_is_refused_in_a_short_line() {
     }
 }
 
-#[test]
-fn a_title_cannot_command_the_terminal() {
-    let place = tempfile::tempdir().unwrap();
-    let path = place.path().join("scene.toml");
-    fs::write(&path, "format = 1\ntitle = \"a\\u001b[31mred\"\n").unwrap();
-    let (page, _) = says("run", &[path.to_str().unwrap()], 0);
-    assert!(page.contains("[31mred") && !page.contains('\u{1b}'), "{page}");
-}
-
 #[cfg(unix)]
 #[test]
 fn an_endless_device_is_refused_as_scene_and_table() {

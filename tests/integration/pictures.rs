@@ -6,10 +6,10 @@ use std::path::Path;
 
 use roxmltree::{Document, ParsingOptions};
 
-use crate::sweep::{Done, cmra};
+use crate::support::{Done, in_folder};
 
 fn svg_of(place: &Path, arguments: &str) -> String {
-    let done = cmra(place, &format!("{arguments} --svg picture.svg --force"));
+    let done = in_folder(place, &format!("{arguments} --svg picture.svg --force"));
     assert_eq!(done.code, 0, "{arguments}: {}", done.err);
     assert!(done.err.contains("wrote picture.svg"), "{}", done.err);
     fs::read_to_string(place.join("picture.svg")).unwrap()
@@ -55,10 +55,14 @@ fn a_run_is_drawn_with_the_law_of_its_mechanism() {
     // The spring is linear: two points tell its stiffness, 100 kN/m.
     let svg = svg_of(place.path(), "run concept-cocked-cantilever");
     check(&svg, &["greatest stress over yield strength", "yield", "cocked"]);
-    let done = cmra(place.path(), "run --svg -");
+    let done = in_folder(place.path(), "run --svg -");
     check(&done.out, &axes);
-    assert_eq!(cmra(place.path(), "run --svg picture.svg").code, 2, "nothing is replaced unasked");
-    assert_eq!(cmra(place.path(), "run --json --svg -").code, 2);
+    assert_eq!(
+        in_folder(place.path(), "run --svg picture.svg").code,
+        2,
+        "nothing is replaced unasked"
+    );
+    assert_eq!(in_folder(place.path(), "run --json --svg -").code, 2);
 }
 
 #[test]
@@ -88,7 +92,7 @@ fn sweeps_limits_and_comparisons_are_drawn() {
         map.split("fill=\"rgb").skip(1).filter_map(|it| it.split('"').next()).collect();
     assert!(colours.len() > 2, "{colours:?}");
     for arguments in ["compare --svg a.svg", "sweep --over gamma=1..2:3 --shard 1/2 --svg a.svg"] {
-        let Done { code, err, .. } = cmra(place.path(), arguments);
+        let Done { code, err, .. } = in_folder(place.path(), arguments);
         assert_eq!((code, err.lines().count()), (2, 1), "{err}");
     }
 }
@@ -102,7 +106,7 @@ fn a_report_is_one_file_that_links_to_nothing() {
          outputs = [\"stroke_m\"]\n",
     )
     .unwrap();
-    let done = cmra(place.path(), "report own.toml --set v_i=90 -o report.html");
+    let done = in_folder(place.path(), "report own.toml --set v_i=90 -o report.html");
     assert_eq!(done.code, 0, "{}", done.err);
     let html = fs::read_to_string(place.path().join("report.html")).unwrap();
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
@@ -128,14 +132,14 @@ fn a_report_is_one_file_that_links_to_nothing() {
     fs::write(place.path().join("again.toml"), code.text().unwrap()).unwrap();
     let depth = |arguments: &str| {
         let json: serde_json::Value =
-            serde_json::from_str(&cmra(place.path(), arguments).out).unwrap();
+            serde_json::from_str(&in_folder(place.path(), arguments).out).unwrap();
         json["final_penetration_m"].clone()
     };
     assert_eq!(depth("run again.toml --json"), depth("run own.toml --set v_i=90 --json"));
 
-    let done = cmra(place.path(), "report own.toml --set v_i=90 -o -");
+    let done = in_folder(place.path(), "report own.toml --set v_i=90 -o -");
     assert_eq!((done.code, done.out), (0, html), "{}", done.err);
-    let done = cmra(place.path(), "report -o report.pdf");
+    let done = in_folder(place.path(), "report -o report.pdf");
     assert_eq!(done.code, 2);
     assert!(done.err.contains("a report is .html, for example -o report.html"), "{}", done.err);
 }

@@ -68,34 +68,60 @@ fn the_baseline_is_the_default_scene() {
     assert_eq!(baseline.sweep, None);
 }
 
+/// Of Figures 9.2 to 9.12, and no other preset has a sweep. `cmra reproduce` shows the trends that section 9.3 describes.
 #[test]
-fn every_figure_has_its_sweep_over_the_range_searched() {
-    let mut figures = 0;
-    for preset in all() {
-        let Some(number) = preset.name.strip_prefix("figure-9.") else {
-            assert_eq!(preset.scene.sweep, None, "{}", preset.name);
-            continue;
-        };
-        figures += 1;
-        let number: usize = number.parse().unwrap();
-        let sweep = preset.scene.sweep.expect("a figure has a sweep");
-        // Figures 9.2 to 9.6 are curves, 9.7 to 9.12 surfaces.
-        assert_eq!(sweep.axes.len(), if number <= 6 { 1 } else { 2 }, "{number}");
+fn every_figure_agrees_with_its_caption() {
+    // Held: gamma, d, b, k, n; NaN where the figure sweeps it. Ranges of Table 9.2.
+    let nan = f64::NAN;
+    let ranges = [
+        ("gamma", 0.8, 7.0),
+        ("d", 0.0, 0.5),
+        ("b", 0.0, 2000.0),
+        ("k", 0.0, 7.5e6),
+        ("n", 0.1, 3.0),
+    ];
+    let figures = [
+        (2, ["gamma", ""], [nan, 0.0, 0.0, 1e5, 1.0]),
+        (3, ["d", ""], [1.0, nan, 0.0, 1e5, 1.0]),
+        (4, ["b", ""], [1.0, 0.0, nan, 0.0, 1.0]),
+        (5, ["k", ""], [1.0, 0.0, 0.0, nan, 1.0]),
+        // The caption has k = 1e5; the text fits 1e6 better.
+        (6, ["n", ""], [1.0, 0.0, 0.0, 1e6, nan]),
+        (7, ["gamma", "k"], [nan, 0.0, 0.0, nan, 1.0]),
+        (8, ["gamma", "n"], [nan, 0.0, 0.0, 1e5, nan]),
+        (9, ["k", "n"], [1.0, 0.0, 0.0, nan, nan]),
+        (10, ["d", "gamma"], [nan, nan, 0.0, 1e5, 1.0]),
+        (11, ["d", "k"], [1.0, nan, 0.0, nan, 1.0]),
+        (12, ["d", "n"], [1.0, nan, 0.0, 1e5, nan]),
+    ];
+    let swept = all().into_iter().filter(|preset| preset.scene.sweep.is_some());
+    let names: Vec<String> = swept.map(|preset| preset.name).collect();
+    assert_eq!(names, figures.map(|(figure, ..)| format!("figure-9.{figure}")));
+    for (figure, axes, held) in figures {
+        let scene = preset::resolve(&format!("figure-9.{figure}"), None).unwrap().scene;
+        let sweep = scene.sweep.as_ref().unwrap();
+        let names: Vec<&str> = sweep.axes.iter().map(|axis| axis.name.as_str()).collect();
+        let expected: Vec<&str> = axes.into_iter().filter(|name| !name.is_empty()).collect();
+        assert_eq!(names, expected, "figure 9.{figure}");
         assert_eq!(sweep.outputs, ["percent_of_baseline", "max_plate_displacement_m"]);
-        for axis in sweep.axes {
-            // Table 9.2 of the thesis.
-            let range = match axis.name.as_str() {
-                "gamma" => (0.8, 7.0),
-                "d" => (0.0, 0.5),
-                "b" => (0.0, 2000.0),
-                "k" => (0.0, 7.5e6),
-                "n" => (0.1, 3.0),
-                other => panic!("figure 9.{number} sweeps over {other}"),
-            };
-            assert_eq!((axis.from, axis.to), range, "figure 9.{number}");
+        for axis in &sweep.axes {
+            let (_, from, to) = *ranges.iter().find(|range| range.0 == axis.name).unwrap();
+            assert_eq!([axis.from, axis.to].map(f64::to_bits), [from, to].map(f64::to_bits));
+            assert!(!axis.log && axis.count >= 41);
         }
+        let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+        let found = [
+            scene.plate.mass_ratio,
+            scene.plate.cocking_m,
+            damper.coefficient,
+            spring.coefficient,
+            spring.exponent,
+        ];
+        for (found, held) in found.into_iter().zip(held).filter(|(_, held)| !held.is_nan()) {
+            assert_eq!(found.to_bits(), held.to_bits(), "figure 9.{figure}");
+        }
+        assert_eq!(scene.mechanism.damper.exponent.to_bits(), 1f64.to_bits());
     }
-    assert_eq!(figures, 11);
 }
 
 /// What a preset must give, with where the numbers come from in a comment.

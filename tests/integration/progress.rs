@@ -73,17 +73,6 @@ fn a_long_run_reports_the_time_it_has_reached() {
     assert!(rows.lines().count() > 10 && rows.ends_with('\n'));
 }
 
-#[test]
-fn every_long_computation_reports_its_progress() {
-    for (words, said) in [
-        ("accuracy --set interface=plastic", " of 89 points"),
-        ("montecarlo --samples 1000000 --set n=0.7", " runs"),
-    ] {
-        let (page, _) = interrupted(words, said);
-        assert!(page.contains("interrupted: "), "{words}: {page}");
-    }
-}
-
 /// A table goes where the screen does not cut it.
 #[test]
 fn what_is_cut_short_says_so_and_draws_no_conclusion() {

@@ -2,20 +2,8 @@
 //! nothing that was requested is ignored.
 
 use std::fs;
-use std::path::Path;
 
-struct Done {
-    out: String,
-    err: String,
-    code: i32,
-}
-
-fn cmra(place: &Path, words: &str) -> Done {
-    let output =
-        crate::support::program().current_dir(place).args(words.split(' ')).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    Done { out: text(output.stdout), err: text(output.stderr), code: output.status.code().unwrap() }
-}
+use crate::support::in_folder;
 
 /// Rows without the column of the scene's name, which is the file's in the second run.
 fn rows(csv: &str) -> Vec<Vec<String>> {
@@ -46,27 +34,18 @@ const STUDIES: [&str; 6] = [
 fn the_file_beside_a_study_makes_its_rows_again() {
     let place = tempfile::tempdir().unwrap();
     for (number, words) in STUDIES.into_iter().enumerate() {
-        let done = cmra(place.path(), &format!("{words} --csv {number}.csv"));
+        let done = in_folder(place.path(), &format!("{words} --csv {number}.csv"));
         assert!(done.code <= 1, "{words}: {}", done.err);
         assert!(done.err.contains(&format!("wrote {number}.toml")), "{words}: {}", done.err);
         let beside = fs::read_to_string(place.path().join(format!("{number}.toml"))).unwrap();
         let again = beside.lines().find_map(|line| line.strip_prefix("# again: cmra ")).unwrap();
         assert!(again.contains(&format!("./{number}.toml")) && !again.contains("--set"), "{again}");
         // No digit depends on the number of threads.
-        let second = cmra(place.path(), &format!("{again} --threads 1"));
+        let second = in_folder(place.path(), &format!("{again} --threads 1"));
         assert_eq!(second.code, done.code, "{again}: {}", second.err);
         let first = fs::read_to_string(place.path().join(format!("{number}.csv"))).unwrap();
         assert_eq!(rows(&first), rows(&second.out), "{again}");
     }
-}
-
-#[test]
-fn a_scene_that_somebody_wrote_is_not_replaced_by_a_studys() {
-    let place = tempfile::tempdir().unwrap();
-    fs::write(place.path().join("mine.toml"), "format = 1\n").unwrap();
-    let done = cmra(place.path(), "limit --csv mine.csv --force");
-    assert_eq!((done.code, done.out.as_str()), (2, ""), "{}", done.err);
-    assert!(!place.path().join("mine.csv").exists());
 }
 
 #[test]
@@ -80,19 +59,19 @@ fn pages_list_the_changed_inputs() {
         "montecarlo --samples 4",
         "seek --over k=1e5..1e6:3 --goal percent_of_baseline=65",
     ] {
-        let done = cmra(place.path(), &format!("{words} --set x_stop=30mm --set gamma=1.25"));
+        let done = in_folder(place.path(), &format!("{words} --set x_stop=30mm --set gamma=1.25"));
         assert!(done.out.contains("changed: x_stop=30mm, gamma=1.25\n"), "{words}: {}", done.out);
-        let json = cmra(place.path(), &format!("{words} --set gamma=1.25 --json"));
+        let json = in_folder(place.path(), &format!("{words} --set gamma=1.25 --json"));
         assert!(json.out.starts_with(['{', '[']), "{words}: {}", json.out);
     }
-    assert!(!cmra(place.path(), "limit").out.contains("changed:"));
+    assert!(!in_folder(place.path(), "limit").out.contains("changed:"));
 }
 
 #[test]
 fn two_results_for_standard_output_are_refused() {
     let place = tempfile::tempdir().unwrap();
     for words in ["run", "sweep --over k=1e5..1e6:2", "limit", "validate", "reproduce", "compare"] {
-        let done = cmra(place.path(), &format!("{words} --json --csv -"));
+        let done = in_folder(place.path(), &format!("{words} --json --csv -"));
         assert_eq!((done.code, done.out.as_str()), (2, ""), "{words}");
         assert!(
             done.err.contains("--json and --csv - both write to standard output"),
@@ -106,7 +85,7 @@ fn two_results_for_standard_output_are_refused() {
 fn a_scene_for_the_battery_is_refused_with_the_cure() {
     let place = tempfile::tempdir().unwrap();
     for words in ["stability thesis-baseline", "stability --set gamma=2"] {
-        let done = cmra(place.path(), words);
+        let done = in_folder(place.path(), words);
         assert_eq!((done.code, done.out.as_str()), (2, ""), "{words}");
         assert!(done.err.contains("SCENE and --set belong to --map"), "{}", done.err);
     }

@@ -53,6 +53,22 @@ pub(crate) fn says(subcommand: &str, arguments: &[&str], code: i32) -> (String, 
     (out, error)
 }
 
+/// What the program leaves: exit code, standard output, standard error.
+pub(crate) struct Done {
+    pub(crate) code: i32,
+    pub(crate) out: String,
+    pub(crate) err: String,
+}
+
+/// What the program says in a folder, which is its home, with arguments split at blanks.
+pub(crate) fn in_folder(place: &Path, arguments: &str) -> Done {
+    let mut command = program();
+    command.current_dir(place).env("HOME", place).args(arguments.split_whitespace());
+    let output = command.output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    Done { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
+}
+
 /// The scene of a file.
 pub(crate) fn scene_file(path: &Path) -> Result<Scene, FileError> {
     preset::from_file(path, Accepts::Handed).map(|preset| preset.scene)

@@ -1,4 +1,4 @@
-//! Sweeps as a script sees them, and the thesis's figures by their presets: captions, and the trends of section 9.3.
+//! Sweeps as a script sees them.
 
 use std::fs;
 use std::path::Path;
@@ -6,30 +6,11 @@ use std::path::Path;
 use assert_cmd::Command;
 use serde_json::Value;
 
-mod figures;
-
-/// Exit code, standard output, standard error.
-pub(crate) struct Done {
-    pub(crate) code: i32,
-    pub(crate) out: String,
-    pub(crate) err: String,
-}
+use crate::support::{Done, in_folder};
 
 /// Run `cmra sweep` with arguments split at spaces, in a directory.
 fn sweep(place: &Path, arguments: &str) -> Done {
-    cmra(place, &format!("sweep {arguments}"))
-}
-
-/// Run the program.
-pub(crate) fn cmra(place: &Path, arguments: &str) -> Done {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_cmra"));
-    command.current_dir(place).env_clear().env("HOME", place);
-    let output = command.args(arguments.split_whitespace()).output().unwrap();
-    Done {
-        code: output.status.code().unwrap(),
-        out: String::from_utf8(output.stdout).unwrap(),
-        err: String::from_utf8(output.stderr).unwrap(),
-    }
+    in_folder(place, &format!("sweep {arguments}"))
 }
 
 fn rows(text: &str) -> Vec<Vec<String>> {
@@ -151,7 +132,7 @@ fn a_part_is_made_again_from_its_scene() {
     let again = "cmra sweep ./part2.toml --shard 2/3 --csv -";
     assert!(beside.contains(&format!("\n# again: {again}\n")), "{beside}");
     let part = fs::read_to_string(place.path().join("part2.csv")).unwrap();
-    assert_eq!(cmra(place.path(), again.strip_prefix("cmra ").unwrap()).out, part);
+    assert_eq!(in_folder(place.path(), again.strip_prefix("cmra ").unwrap()).out, part);
 }
 
 #[test]
@@ -289,14 +270,6 @@ fn the_scene_beside_the_rows_makes_them_again() {
 }
 
 #[cfg(unix)]
-#[test]
-fn an_interrupt_keeps_the_finished_rows() {
-    // Ten million points by whole runs, and by the contact kernel: too long to run here.
-    let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --csv x.csv";
-    interrupted(what);
-    interrupted(&format!("{what} --outputs percent_of_baseline"));
-}
-
 #[cfg(unix)]
 #[test]
 fn a_long_sweep_says_how_long_it_takes() {
@@ -323,6 +296,8 @@ fn an_interrupted_sweep_says_so_in_the_file_and_in_json() {
     stop(&child);
     let done = child.wait_with_output().unwrap();
     assert_eq!(done.status.code(), Some(1));
+    let err = String::from_utf8(done.stderr).unwrap();
+    assert!(err.contains("interrupted") && err.contains("are kept"), "{err}");
     let json = fs::read(place.path().join("out.txt")).unwrap();
     let value: Value = serde_json::from_slice(&json).unwrap();
     let rows = value["rows"].as_array().unwrap().len();
@@ -426,25 +401,9 @@ fn a_killed_sweep_leaves_its_rows_in_sight() {
     let left = || fs::read(place.path().join("x.csv.partial")).unwrap();
     let before = left();
     assert!(before.starts_with(b"gamma,k,") && before.len() >= 10_000);
-    assert_eq!(cmra(place.path(), "sweep --over gamma=1..2:3 --csv x.csv").code, 0);
+    assert_eq!(in_folder(place.path(), "sweep --over gamma=1..2:3 --csv x.csv").code, 0);
     assert_eq!(left(), before);
     assert_eq!(rows(&fs::read_to_string(place.path().join("x.csv")).unwrap()).len(), 4);
-}
-
-/// Interrupts a sweep after its first rows.
-#[cfg(unix)]
-fn interrupted(what: &str) {
-    let place = tempfile::tempdir().unwrap();
-    let mut child = begun(place.path(), what);
-    stop(&child);
-    let status = child.wait().unwrap();
-    let mut err = String::new();
-    std::io::Read::read_to_string(&mut child.stderr.take().unwrap(), &mut err).unwrap();
-    assert_eq!(status.code(), Some(1), "{err}");
-    assert!(err.contains("interrupted") && err.contains("are kept"), "{err}");
-    let rows = rows(&fs::read_to_string(place.path().join("x.partial.csv")).unwrap());
-    assert!(rows.len() > 10 && rows.len() < 10_000_000);
-    assert!(rows.iter().all(|row| row.len() == rows[0].len()), "every row is whole");
 }
 
 /// The rows of the table, the extremes and the chart count the same values; the depth of a perforation is none of them.

@@ -6,6 +6,7 @@
 //! printed scheme of the thesis is compared with its own limit: what is left then is the error of its step. Time comes from a
 //! clock passed in.
 
+use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -75,6 +76,13 @@ impl ComparisonOptions {
     /// A fraction of a second a scene.
     pub const QUICK: Self =
         Self { ladder: Ladder::Quick, patience: Patience { point_s: 2e-3, slow_s: 1e-2 } };
+}
+
+/// The command's name and options.
+impl fmt::Display for ComparisonOptions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if *self == Self::QUICK { "accuracy --quick" } else { "accuracy" })
+    }
 }
 
 /// The result of a method for one value of its parameter.

@@ -367,11 +367,5 @@ fn hold_spring_mass(scene: &mut Scene) {
     }
 }
 
-/// Whether something stops the plate of a scene.
-fn is_held(scene: &Scene) -> bool {
-    let mechanism = Mechanism::of(scene);
-    scene.plate.mount == Mount::Rigid || !mechanism.is_absent() || mechanism.stop.is_some()
-}
-
 #[cfg(test)]
 mod tests;

@@ -51,13 +51,6 @@ pub fn depth_m(run: &Run) -> Option<f64> {
     run.final_penetration_m.filter(|_| run.outcome != Outcome::Perforated)
 }
 
-/// A row to be made.
-struct Plan {
-    name: &'static str,
-    scene: Scene,
-    judged: (&'static str, &'static str),
-}
-
 /// Compute a comparison; `clock` gives the time.
 ///
 /// # Errors
@@ -65,24 +58,24 @@ struct Plan {
 pub fn compare(scene: &Scene, clock: Clock<'_>) -> Result<Comparison, VariableError> {
     variables::require_single(scene)?;
     let (mut rows, mut refused) = (Vec::new(), Vec::new());
-    for plan in models(scene) {
-        let own = Arc::new(plan.scene);
+    for model in in_order() {
+        let (own, about) = (Arc::new(by_model(scene, model)), model.about());
         if let Err(reason) = variables::validate(&own) {
             // Without the first row there is nothing to compare with.
             if rows.is_empty() {
                 return Err(reason);
             }
-            refused.push((plan.name, reason.to_string()));
+            refused.push((model.word(), reason.to_string()));
             continue;
         }
         let run = simulate(&own, Settings::default())?;
         let took_s = time(clock, PATIENCE, || simulate(&own, Settings::BARE)).min_s;
         rows.push(Row {
-            name: plan.name,
-            with: (own.contact.model.about().parameters)(&own),
+            name: model.word(),
+            with: (about.parameters)(&own),
             run: Arc::new(run),
             took_s,
-            judged: plan.judged,
+            judged: (about.strength, about.limit),
         });
     }
     Ok(Comparison { rows, refused })
@@ -94,18 +87,20 @@ fn simulate(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError
 
 /// The same scene by every model.
 pub fn by_every_model(scene: &Scene) -> Vec<(&'static str, Scene)> {
-    models(scene).into_iter().map(|plan| (plan.name, plan.scene)).collect()
+    in_order().map(|model| (model.word(), by_model(scene, model))).into()
 }
 
-fn models(scene: &Scene) -> Vec<Plan> {
+fn by_model(scene: &Scene, model: ContactModel) -> Scene {
+    let mut own = scene.clone();
+    own.contact.model = model;
+    own
+}
+
+/// The models in the order of the table.
+fn in_order() -> [ContactModel; ContactModel::ALL.len()] {
     let mut models = ContactModel::ALL;
     models.sort_by_key(|model| model.about().place);
-    let plan = |model: ContactModel| {
-        let (mut own, about) = (scene.clone(), model.about());
-        own.contact.model = model;
-        Plan { name: model.word(), scene: own, judged: (about.strength, about.limit) }
-    };
-    models.map(plan).into()
+    models
 }
 
 #[cfg(test)]

@@ -9,9 +9,9 @@ use crate::model::mechanism::load;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, Dimension, engineering};
+use crate::study::error::SweepError;
+use crate::study::first_contact::FirstContact;
 use crate::study::load::impulse_n_s;
-use crate::study::sweep::SweepError;
-use crate::study::sweep::kernel::KernelResult;
 
 mod mount;
 mod names;
@@ -83,11 +83,11 @@ pub(in crate::study) enum FromContact {
     /// It does not: it takes a simulation.
     No,
     /// From its end.
-    End(fn(&KernelResult) -> Option<f64>),
+    End(fn(&FirstContact) -> Option<f64>),
     /// From its end and the greatest displacement.
-    Displacement(fn(&KernelResult) -> Option<f64>),
+    Displacement(fn(&FirstContact) -> Option<f64>),
     /// The same, and from the scene.
-    WithScene(fn(&KernelResult, &Scene) -> Option<f64>),
+    WithScene(fn(&FirstContact, &Scene) -> Option<f64>),
     Scene,
 }
 
@@ -377,7 +377,7 @@ impl Quantity {
     }
 
     /// Its value for a shot that the first contact decides.
-    pub(in crate::study) fn of_contact(&self, answer: &KernelResult, scene: &Scene) -> Option<f64> {
+    pub(in crate::study) fn of_contact(&self, answer: &FirstContact, scene: &Scene) -> Option<f64> {
         match (self.from_contact, self.source) {
             (End(get) | Displacement(get), _) => get(answer),
             (WithScene(get), _) => get(answer, scene),

@@ -15,16 +15,16 @@ pub mod usual;
 
 use std::sync::Arc;
 
-use thiserror::Error;
-
 use crate::model::library;
 use crate::model::scene::Scene;
 use crate::model::units;
-use crate::model::variables::{self, VariableError};
+use crate::model::variables;
+pub use crate::study::error::SweepError;
+pub use crate::study::outcome::{Failure, PointOutcome};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
 pub use designs::EvaluatedDesign;
-pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
+pub use evaluate::{Evaluator, Rows};
 pub use summary::Summary;
 
 /// The most points of a sweep: what a count in floating point still distinguishes.
@@ -34,30 +34,6 @@ pub const AXES_MAX: usize = 12;
 
 /// The two results of the thesis's figures.
 pub const USUAL_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
-
-/// Why a sweep, or another study over variables, is refused before anything runs: axis, value, rule, cure.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{0}")]
-pub struct SweepError(pub(in crate::study) String);
-
-impl SweepError {
-    /// No variable has this name.
-    pub fn unknown(name: &str, source: &VariableError) -> Self {
-        Self(format!("axis {name}: {source}"))
-    }
-
-    /// More axes than a study can have.
-    pub(in crate::study) fn too_many_axes(count: usize, most: usize) -> Self {
-        Self(format!(
-            "{count} axes are too many: a sweep has at most {most}; hold some of the variables"
-        ))
-    }
-
-    /// A scene that is to be swept has no axis.
-    fn no_axis() -> Self {
-        Self("a sweep needs at least one axis, for example gamma=0.8..7:101".to_owned())
-    }
-}
 
 /// A part of a sweep: of every `count` points the `index`-th one, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

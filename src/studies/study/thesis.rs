@@ -234,6 +234,11 @@ impl Curve {
         format!("{low} {unit} at {variable} = {from}, {high} {unit} at {to}")
     }
 
+    /// Its ends, and whether it bears out the verdict.
+    fn that(&self, holds: impl Fn(&Self) -> bool) -> Check {
+        Check { text: self.ends(), holds: holds(self) }
+    }
+
     fn values(&self) -> impl Iterator<Item = f64> {
         self.points.iter().map(|point| point.1)
     }
@@ -301,11 +306,6 @@ impl Curve {
     fn step(&self) -> f64 {
         self.points.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs()).fold(0.0, larger)
     }
-}
-
-/// A curve by its ends, and whether it bears out the verdict.
-fn trend(curve: &Curve, holds: bool) -> Check {
-    Check { text: curve.ends(), holds }
 }
 
 fn near(value: f64, stated: f64, relative: f64) -> bool {

@@ -12,7 +12,6 @@ use crate::model::units::{shortest, significant};
 use crate::model::variables;
 use crate::study::quantities::{Quantity, Search};
 use crate::study::sweep::axis::scene_with;
-use crate::study::sweep::grid::counts;
 use crate::study::sweep::{Axis, Plan, PointOutcome};
 
 /// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
@@ -212,7 +211,7 @@ impl Plastic {
         plastic.interface.law = InterfaceLaw::Plastic;
         let run = run_while(&plastic, STEPS_MAX, goes_on)?;
         let outcome = PointOutcome::of(&run);
-        let value = measure.value(&run).filter(|_| counts(measure, outcome));
+        let value = measure.value(&run).filter(|_| outcome.counts(measure));
         Some(Self { outcome, value })
     }
 

@@ -188,7 +188,7 @@ impl Page for ExploreTab {
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&found.scene) });
         let (is_complete, (done, total)) = (found.grid.is_complete(), found.grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
-        let own = Arc::clone(&scene);
+        let own = Arc::clone(plan);
         let notes =
             move |name: &str| sweep_file::notes(name, &own, Shard::WHOLE, missing.as_deref());
         let grid = Arc::clone(&found.grid);

@@ -1,7 +1,7 @@
 //! The hardware besides the plate: its mass, and its limits.
 
-use crate::model::mechanism::Inertia;
 use crate::model::mechanism::load::exceeded;
+use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::scene::{Mount, Scene};
 use crate::study::load::spring_energy_j;
 
@@ -71,6 +71,12 @@ impl Demand {
 /// Whether the springs of a scene know their own mass.
 pub(super) fn is_own(scene: &Scene) -> bool {
     Inertia::of(scene).spring_mass_kg.is_some()
+}
+
+/// Whether something stops the plate of a scene.
+pub(super) fn is_held(scene: &Scene) -> bool {
+    let mechanism = Mechanism::of(scene);
+    scene.plate.mount == Mount::Rigid || !mechanism.is_absent() || mechanism.stop.is_some()
 }
 
 /// A scene's hardware as it is built.

@@ -6,11 +6,10 @@ use std::sync::Arc;
 use crate::model::scene::{Mount, Scene, Target};
 use crate::model::units::fixed_significant;
 use crate::numerics::{larger, smaller};
-use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
-use crate::study::compare::is_held;
+use crate::study::compare::hardware::{Built, Demand, Failure, Hardware, is_held};
 use crate::study::compare::solid::thickness_of_limit;
+use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide, digits_apart};
-use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the thickness is closed in.
 pub const WIDTH: f64 = 1e-9;
@@ -177,10 +176,10 @@ struct Shot {
 
 /// The shot at a scene, by the contact kernel where that is enough.
 fn shoot(scene: Scene) -> Option<Shot> {
-    let tolerance = kernel::TOLERANCE_FRACTION * scene.run.tolerance;
-    if let Some(end) = kernel::contact(&scene, Wanted::Displacement, tolerance) {
-        let demand = Demand::of(&scene, kernel::max_displacement_m(&scene, &end));
-        let is_through = kernel::is_through(&scene, &end);
+    let tolerance = first_contact::TOLERANCE_FRACTION * scene.run.tolerance;
+    if let Some(end) = first_contact::contact(&scene, Wanted::Displacement, tolerance) {
+        let demand = Demand::of(&scene, first_contact::max_displacement_m(&scene, &end));
+        let is_through = first_contact::is_through(&scene, &end);
         let verdict = if is_through { ShotOutcome::Perforated } else { ShotOutcome::Stopped };
         return Some(Shot { verdict, demand });
     }

@@ -65,20 +65,6 @@ fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
     assert!(half.of(Candidate::Scene).unwrap().sized.is_err());
 }
 
-/// The comparison is one of the spring that the scene has, which holds faster shots, too; one that is sized for a shot holds that, and
-/// nothing faster.
-#[test]
-fn a_spring_is_the_scenes_own_unless_it_is_to_be_sized() {
-    let sized = report("k=1e3 v_i=20", Hardware { is_sized: true, ..Hardware::default() });
-    let (own, sized) = (plain("k=1e3 v_i=20"), sized.of(Candidate::Scene).unwrap().clone());
-    let own = own.of(Candidate::Scene).unwrap();
-    assert!(close(sized.limit_m_s.unwrap(), 20.0, 1e-5), "{sized:?}");
-    assert_eq!(sized.failure, Some(Failure::Energy));
-    assert_eq!((own.limit_m_s, own.failure), (own.perforation.velocity_m_s(), None));
-    assert!(own.limit_m_s.unwrap() > 300.0);
-    assert_eq!(own.mass_efficiency(), sized.mass_efficiency());
-}
-
 #[test]
 fn stroke_that_is_not_there_ends_the_armour() {
     // The plate oscillates as one body after the contact: the stroke is the common velocity over the frequency, 10 m/s (0.059/1e4)^(1/2).
@@ -117,13 +103,6 @@ fn a_thickness_between_two_says_which_and_gives_no_verdict() {
     let mut report = plain("k=1e5");
     report.entries[0].sized = Err(absence);
     assert_eq!((report.verdict(), report.caution()), (Profitability::Unknown, Some(text)));
-}
-
-#[test]
-fn a_merely_free_plate_never_meets_the_criterion() {
-    let free = plain("k=0 b=0 v_i=10");
-    assert_eq!(free.verdict(), Profitability::NothingStops);
-    assert!(!free.verdict().words().starts_with("met"));
 }
 
 #[test]
@@ -243,49 +222,6 @@ fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
     let cut = Map::compute(&base, &axes, Hardware::default(), context).unwrap();
     assert!(!cut.is_complete() && cut.cells.len() == 32, "pieces of 16 points");
     assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
-}
-
-#[test]
-fn valid_depths_and_limits_in_closed_form() {
-    let found = plain("");
-    let (rigid, free) = (found.of(Candidate::Rigid).unwrap(), found.of(Candidate::Free).unwrap());
-    assert!((rigid.depth_m.unwrap() - 7.113_055e-3).abs() < 5e-10);
-    assert!(close(free.depth_m.unwrap(), 4.568_088_344_392e-3, 1e-12));
-    assert!((rigid.limit_m_s.unwrap() - 232.295_378).abs() < 5e-7);
-    assert!((free.limit_m_s.unwrap() - 347.708_052).abs() < 5e-7);
-    // Momentum: a rigid mount takes all of it; nothing holds a free plate.
-    assert!(close(rigid.load.impulse_n_s.unwrap(), 2.95, 1e-15));
-    let load = free.load;
-    assert!(load.impulse_n_s.is_none() && load.mount_force_n.is_none() && load.stroke_m.is_none());
-    assert!(rigid.is_held && !free.is_held && found.is_complete);
-}
-
-/// A plate of next to no mass, held by next to nothing: its limit as a free plate would be 1e18 m/s and more.
-#[test]
-fn there_is_no_limit_beyond_the_range() {
-    for pairs in ["gamma=0.05", "gamma=0.00056 n=1 interface=plastic"] {
-        let found = plain(pairs);
-        for entry in &found.entries {
-            assert!(entry.limit_m_s.is_none_or(|limit| limit <= 3000.0), "{pairs} {entry:?}");
-            let loads = [entry.load, entry.limit_load];
-            let loads = loads.map(|load| {
-                [load.stroke_m, load.stored_j, load.mount_force_n, load.impulse_n_s, load.preload_j]
-            });
-            let own = [
-                entry.mass_efficiency(),
-                entry.areal_kg_m2,
-                entry.spring_kg,
-                entry.perforation.velocity_m_s(),
-                entry.residual_m_s,
-                entry.depth_m,
-            ];
-            for value in own.into_iter().chain(loads.into_iter().flatten()).flatten() {
-                assert!(value.is_finite() && value.abs() < 1e12, "{pairs} {value:?}");
-            }
-        }
-        let solid = found.of(Candidate::Solid).unwrap();
-        assert!(solid.is_beyond() && solid.no_limit().unwrap().contains("beyond 3000 m/s"));
-    }
 }
 
 /// Of a hard core of 6.248 mm against AA6082 a plate of that thickness stops 271 to 287 m/s by one closure and not by the other: the

@@ -9,6 +9,7 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::context::Context;
+use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::closures::jump;
 use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide};
 use crate::study::limit::{
@@ -16,7 +17,6 @@ use crate::study::limit::{
     closed_form,
 };
 use crate::study::load::Load;
-use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the limit is closed in.
 const WIDTH: f64 = 1e-10;
@@ -56,8 +56,8 @@ impl ShotRunner<'_, '_, '_> {
     /// Whether a shot goes through; `None` when stopped.
     fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
-        if let Some(end) = kernel::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
-            let is_through = kernel::is_through(&aimed, &end);
+        if let Some(end) = first_contact::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
+            let is_through = first_contact::is_through(&aimed, &end);
             let verdict = if is_through { ShotOutcome::Perforated } else { ShotOutcome::Stopped };
             return self.goes_on().then_some(verdict);
         }

@@ -152,27 +152,6 @@ fn a_long_shot_is_stopped_within_it() {
     assert_eq!((report.limit, report.is_complete), (Limit::Unknown, false));
 }
 
-#[test]
-fn no_limit_is_given_beyond_the_range() {
-    // A free plate of next to no mass: by the closed form 1.79e18 m/s.
-    let found = found("gamma=0.05 h=1");
-    assert_eq!((found.limit, found.margin()), (Limit::Never, None));
-    assert!(found.limit.absence().unwrap().contains("beyond 3000 m/s"));
-}
-
-#[test]
-fn a_scene_without_a_limit_gives_the_reason() {
-    let always = found("S_y=0");
-    assert_eq!((always.limit, always.margin()), (Limit::Always, None));
-    assert!(always.limit.absence().unwrap().contains("everything"));
-    let always = found("S_y=0 k=1e5");
-    assert_eq!(always.limit, Limit::Always);
-    let never = found("h=5 k=1e5");
-    assert_eq!(never.limit, Limit::Never);
-    assert!(never.limit.absence().unwrap().contains("nothing"));
-    assert!(never.shots.iter().all(|shot| shot.residual_m_s.is_none()));
-}
-
 /// The plate of a damper goes the less far the nearer the shot is to the limit: 1e-6 below it the stroke was 1.3e-4 too long.
 #[test]
 fn valid_the_stroke_at_the_limit_is_that_of_the_last_shot_that_is_stopped() {

@@ -144,26 +144,6 @@ fn tolerances_are_read_as_people_write_them() {
         let error = read(name, text).unwrap_err();
         assert!(error.contains(told), "{name} {text}: {error}");
     }
-    let mut watch = to_its_end;
-    let mut context = Context::new(1, &mut watch);
-    let few = task(Vec::new(), &["stroke_m"], 1);
-    let told = sample(&scene, &few, &mut context).unwrap_err().to_string();
-    assert!(told.contains("samples = 1 is outside 2"), "{told}");
-}
-
-/// A rigid plate's limit is 232.295378 m/s in closed form: of velocities uniform over 182.295378 to 282.295378 half perforate.
-#[test]
-fn valid_probability_of_perforation() {
-    let limit = 232.295_378;
-    let (low, high) = (limit - 50.0, limit + 50.0);
-    let velocity = Tolerance::new("v_i", Distribution::Uniform { low, high }).unwrap();
-    let report = run(&rigid(), &task(vec![velocity], &["percent_of_baseline"], 4000));
-    let Estimate { value: part, low_95: low, high_95: high } = report.perforated.unwrap();
-    assert!((part - 0.5).abs() < 0.03 && low < part && part < high && high - low < 0.04);
-    assert_eq!(
-        report.outcomes.of(Outcome::Perforated) + report.summaries[0].sorted.len() as u64,
-        4000
-    );
 }
 
 /// To first order the squares of the sensitivities of the closed form add up, and the model's own spread with them; a bias of 25 % is

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{Axis, Number, Random, Scene, Spacing, SweepError, Variable};
 use crate::model::units::{self, Bare, significant};
-use crate::study::sweep::axis::numeric;
+use crate::study::sweep::axis::{ends, numeric};
 
 /// How an input scatters; values in its stored unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -202,7 +202,8 @@ impl Tolerance {
                 let share = units::parse(percent, units::Dimension::Number, Bare::Si);
                 share.map_err(|problem| problem.to_string())? / 100.0 * nominal.abs()
             }
-            None => self.value(text)?,
+            None => units::parse(text, self.number.quantity, Bare::Si)
+                .map_err(|problem| problem.to_string())?,
         };
         if width > 0.0 {
             return Ok(width);
@@ -213,20 +214,10 @@ impl Tolerance {
         ))
     }
 
-    fn value(&self, text: &str) -> Result<f64, String> {
-        units::parse(text, self.number.quantity, Bare::Si).map_err(|problem| problem.to_string())
-    }
-
     /// `LO..HI`, or a half width about the scene's own value.
     fn ends(&self, text: &str, nominal: Option<f64>) -> Result<(f64, f64), String> {
         let (low, high) = match (text.split_once(".."), nominal) {
-            (Some((low, high)), _) => {
-                let ends = (self.value(low)?, self.value(high)?);
-                if let Some(problem) = units::one_bare_end(low, high, self.number.quantity) {
-                    return Err(problem);
-                }
-                ends
-            }
+            (Some((low, high)), _) => ends(low, high, self.number.quantity, Bare::Si)?,
             (None, Some(nominal)) => {
                 let half = self.width(text, nominal)?;
                 (nominal - half, nominal + half)

@@ -35,15 +35,6 @@ fn a_stop_keeps_what_there_is() {
 }
 
 #[test]
-fn points_without_a_value_are_omitted_and_counted() {
-    let asked = axes(&[("v_i", 200.0, 300.0)]);
-    let found = found(&rigid(), asked, "percent_of_baseline").unwrap();
-    let sobol = found.sobol.unwrap();
-    assert!(sobol.used < sobol.rows && sobol.used > 0);
-    assert!(found.bars[0].high.is_none() && found.bars[0].low.is_some());
-}
-
-#[test]
 fn too_many_variables_are_refused() {
     let names = ["gamma", "d", "b", "k", "n", "m", "v_i", "h", "R", "m_p", "rho", "S_y", "C_d"];
     let many = axes(&names.map(|name| (name, 1.0, 2.0)));

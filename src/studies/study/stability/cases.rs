@@ -1,12 +1,13 @@
 //! The battery: named stiff and extreme scenes, and the difficulty of each.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
 use serde::Deserialize;
 
 use crate::model::scene::Scene;
 use crate::model::variables::VariableError;
-use crate::study::{changed_free_plate, listed};
+use crate::study::changed_free_plate;
 
 /// A named scene.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -34,7 +35,9 @@ impl Case {
 pub static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| read().unwrap_or_default());
 
 fn read() -> Result<Vec<Case>, toml::de::Error> {
-    listed(include_str!("../../data/stability.toml"))
+    let mut lists: BTreeMap<&str, Vec<Case>> =
+        toml::from_str(include_str!("../../data/stability.toml"))?;
+    Ok(lists.remove("scenes").unwrap_or_default())
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@
 //! one for the projectile: r² - (1 + z (a/2 + e)) r - z a/2 = 0 with z = -L dt, and shares a of the projectile, e = 1 - a of the plate,
 //! so that L dt < 2/max(a, e).
 
+use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -37,6 +38,8 @@ const ARREST: f64 = 1e-4;
 const RK4_REAL: f64 = 2.785_293_563_405_282;
 /// The size of a map on a screen.
 pub const SIZE: Size = Size { rows: 19, columns: 61 };
+/// The size of a coarser map.
+pub const QUICK: Size = Size { rows: 10, columns: 31 };
 /// The thesis's own step, s.
 pub const THESIS_DT_S: f64 = 1e-6;
 
@@ -152,6 +155,15 @@ pub struct Wanted {
     /// The ends of the steps, s, and of the values; `None`: from a hundred-thousandth of the present contact to all of it, and all
     /// values.
     pub ends: Option<[(f64, f64); 2]>,
+}
+
+/// The command's name and options, which know no other ends.
+impl fmt::Display for Wanted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let quick = if self.size == QUICK { " --quick" } else { "" };
+        let (axis, method) = (self.axis.symbol(), self.method.word());
+        write!(f, "stability --map {axis} --method {method}{quick}")
+    }
 }
 
 /// A map.

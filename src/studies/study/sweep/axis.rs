@@ -10,9 +10,11 @@ use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units::{self, Prefix};
 use crate::model::variables::{self, Allowed, Number, Variable};
 use crate::numerics::larger;
-use crate::study::sweep::SweepError;
+use crate::study::error::SweepError;
 
 mod text;
+
+pub(in crate::study) use text::ends;
 
 /// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
 pub const COUNTS: RangeInclusive<u64> = 2..=1_000_000_000;

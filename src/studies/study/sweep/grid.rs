@@ -7,10 +7,8 @@
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 
-use crate::model::run::Outcome;
 use crate::model::run::envelope::Check;
 use crate::study::context::{Context, Work};
-use crate::study::quantities::Quantity;
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows, SweepError};
 use crate::study::validity;
@@ -154,7 +152,7 @@ impl Grid {
         loop {
             let (x, y) = (x - x % stride, y - y % stride);
             if let Some(outcome) = self.outcome(x, y) {
-                let shown = counts(self.plan.outputs()[output], outcome);
+                let shown = outcome.counts(self.plan.outputs()[output]);
                 return match self.value(x, y, output).filter(|_| shown) {
                     Some(value) => Cell::Value(value),
                     None => Cell::Outcome(outcome),
@@ -254,16 +252,5 @@ impl Grid {
                 self.values[index * outputs + output] = value;
             }
         }
-    }
-}
-
-/// Whether a number counts where a point ended like this, in tables, extremes and pictures alike: the depth of a perforation does
-/// not.
-pub fn counts(output: &Quantity, outcome: PointOutcome) -> bool {
-    match outcome {
-        PointOutcome::Ended(Outcome::Perforated) => output.exists_in_perforation(),
-        // A quantity that is not final has no value.
-        PointOutcome::Ended(_) => true,
-        PointOutcome::Failed(_) => false,
     }
 }

@@ -4,7 +4,6 @@ use std::fmt;
 
 use crate::model::run::Outcome;
 use crate::study::quantities::Quantity;
-use crate::study::sweep::grid::counts;
 use crate::study::sweep::{PointOutcome, Rows};
 
 /// The least and the greatest value of an output and the points where they were found first.
@@ -21,7 +20,7 @@ pub struct Extremes {
 pub struct Summary {
     /// How the points ended.
     pub outcomes: OutcomeCounts,
-    /// Of each output, where it has any value that counts; see [`counts`].
+    /// Of each output, where it has any value that counts; see [`PointOutcome::counts`].
     pub extremes: Vec<Option<Extremes>>,
     outputs: Vec<&'static Quantity>,
 }
@@ -87,7 +86,7 @@ impl Summary {
             self.outcomes.add(outcome);
             for output in 0..self.outputs.len() {
                 let value = rows.value(row, output);
-                if let Some(value) = value.filter(|_| counts(self.outputs[output], outcome)) {
+                if let Some(value) = value.filter(|_| outcome.counts(self.outputs[output])) {
                     self.consider(output, value, point);
                 }
             }

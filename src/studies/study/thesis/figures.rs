@@ -1,7 +1,7 @@
 //! The figures of chapter 9 and the advice of section 9.6.
 
 use super::ClaimVerdict::{Corrected, Misprint, NotReproduced, Reproduced};
-use super::{Check, Claim, Curve, Range, four, list, range, trend};
+use super::{Check, Claim, Curve, Range, four, list, range};
 
 const GAMMA: Range = range("gamma", 0.8, 7.0, 32);
 const FEW_GAMMAS: Range = range("gamma", 0.8, 7.0, 9);
@@ -22,7 +22,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         preset: Some("figure-9.2"),
         check: |shots| {
             let curve = shots.depths("", &GAMMA);
-            trend(&curve, curve.rises() && curve.flattens() && curve.at(0.8) < 75.0)
+            curve.that(|it| it.rises() && it.flattens() && it.at(0.8) < 75.0)
         },
     },
     Claim {
@@ -32,10 +32,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         cause: "the heavier body starts more slowly, with less energy",
         verdict: Reproduced,
         preset: Some("figure-9.2"),
-        check: |shots| {
-            let curve = shots.travels("", &GAMMA);
-            trend(&curve, curve.falls())
-        },
+        check: |shots| shots.travels("", &GAMMA).that(Curve::falls),
     },
     Claim {
         id: "9.3a",
@@ -44,10 +41,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         cause: "the cocked spring pulls the plate away from the shot",
         verdict: Reproduced,
         preset: Some("figure-9.3"),
-        check: |shots| {
-            let curve = shots.depths("", &COCKING);
-            trend(&curve, curve.falls())
-        },
+        check: |shots| shots.depths("", &COCKING).that(Curve::falls),
     },
     Claim {
         id: "9.3b",
@@ -96,8 +90,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         preset: Some("figure-9.4"),
         check: |shots| {
             let curve = shots.travels("k=0", &range("b", 20.0, 2000.0, 100));
-            let left = curve.at(300.0) - curve.at(2000.0);
-            trend(&curve, curve.falls() && left < 0.1 * curve.span())
+            curve.that(|it| it.falls() && it.at(300.0) - it.at(2000.0) < 0.1 * it.span())
         },
     },
     Claim {
@@ -107,10 +100,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         cause: "the stiffer mount is nearer to the rigid one",
         verdict: Reproduced,
         preset: Some("figure-9.5"),
-        check: |shots| {
-            let curve = shots.depths("", &STIFFNESS);
-            trend(&curve, curve.rises())
-        },
+        check: |shots| shots.depths("", &STIFFNESS).that(Curve::rises),
     },
     Claim {
         id: "9.5b",
@@ -119,10 +109,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         cause: "the same energy in a stiffer spring",
         verdict: Reproduced,
         preset: Some("figure-9.5"),
-        check: |shots| {
-            let curve = shots.travels("", &STIFFNESS);
-            trend(&curve, curve.falls())
-        },
+        check: |shots| shots.travels("", &STIFFNESS).that(Curve::falls),
     },
     Claim {
         id: "9.6a-edge",
@@ -187,10 +174,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         cause: "below a metre the higher power is the softer spring",
         verdict: Reproduced,
         preset: Some("figure-9.6"),
-        check: |shots| {
-            let curve = shots.travels("", &EXPONENT);
-            trend(&curve, curve.rises())
-        },
+        check: |shots| shots.travels("", &EXPONENT).that(Curve::rises),
     },
     Claim {
         id: "9.7a",
@@ -417,10 +401,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         cause: "cocked (here by 0.1 m) or not, the light plate is away sooner",
         verdict: Reproduced,
         preset: Some("figure-9.10"),
-        check: |shots| {
-            let curve = shots.depths("d=0.1", &GAMMA);
-            trend(&curve, curve.rises())
-        },
+        check: |shots| shots.depths("d=0.1", &GAMMA).that(Curve::rises),
     },
     Claim {
         id: "9.6-cocking",
@@ -456,10 +437,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         cause: "cocked (here by 0.1 m), a stiffer spring means less depth, as 9.3.5 says: the advice contradicts it",
         verdict: NotReproduced,
         preset: Some("figure-9.11"),
-        check: |shots| {
-            let curve = shots.depths("d=0.1", &STIFFNESS);
-            trend(&curve, curve.falls())
-        },
+        check: |shots| shots.depths("d=0.1", &STIFFNESS).that(Curve::falls),
     },
     Claim {
         id: "9.6-exponent",
@@ -483,9 +461,6 @@ pub(super) const CLAIMS: &[Claim] = &[
         cause: "cocked (here by 0.1 m) or not, the damper slows the plate",
         verdict: Reproduced,
         preset: Some("figure-9.4"),
-        check: |shots| {
-            let curve = shots.depths("d=0.1", &DAMPING);
-            trend(&curve, curve.rises())
-        },
+        check: |shots| shots.depths("d=0.1", &DAMPING).that(Curve::rises),
     },
 ];

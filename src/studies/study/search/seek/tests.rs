@@ -51,22 +51,6 @@ fn valid_velocity_for_a_depth_on_a_rigid_mount() {
     }
 }
 
-/// A free plate: V = mu/(2c) ln(1 + c v²/S) gives the reduced mass for a depth, and so gamma.
-#[test]
-fn valid_mass_ratio_for_a_depth_in_a_free_plate() {
-    let mut scene = Scene::default();
-    scene.mechanism.spring.coefficient = 0.0;
-    scene.mechanism.damper.coefficient = 0.0;
-    let depth_m = 4.2e-3;
-    let (s, c, v) =
-        (scene.target.flow_strength_pa, scene.drag_kg_m3(), scene.projectile.velocity_m_s);
-    let mu = volume(&scene, depth_m) * 2.0 * c / (c * v * v / s).ln_1p();
-    let exact = mu / (scene.projectile.mass_kg - mu);
-    let report = found(&scene, &goal("gamma", (0.3, 7.0), "final_penetration_m", depth_m));
-    assert_eq!(report.solutions().count(), 1);
-    close(report.solutions().next().unwrap().place.at, exact, 1e-9);
-}
-
 /// Beyond the limit there is no depth: the gap is reported, and the depth just before it is still found.
 #[test]
 fn perforations_are_a_gap_and_not_a_number() {
@@ -95,17 +79,6 @@ fn no_digit_depends_on_the_threads_and_bad_goals_are_refused() {
     assert_eq!(asked.to_string(), "seek --over d=0..0.5:33 --goal percent_of_baseline=50");
     let stopped = seek(&scene, &asked, &mut Context::new(2, &mut until(0))).unwrap();
     assert!(!stopped.is_complete && stopped.solutions().next().is_none());
-}
-
-#[test]
-fn an_unreachable_goal_gives_the_nearest_value() {
-    let scene = Scene::default();
-    let report = found(&scene, &goal("k", (0.0, 7.5e6), "percent_of_baseline", 10.0));
-    assert!(report.solutions().next().is_none());
-    // Softest is best without cocking, so the nearest is no spring at all: the free plate's 64.22 %.
-    let nearest = report.of(Kind::Nearest).next().unwrap().place;
-    assert!(nearest.at.abs() < 1.0, "{nearest:?}");
-    close(nearest.value, 100.0 * 4.568_088_344_392 / 7.113_055, 1e-6);
 }
 
 /// A free plate of 6 kg/m² is 6/2710 m thick, and perforated.
