@@ -20,7 +20,7 @@ use crate::report::table::Table;
 pub(super) struct DesignArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Give Stone's c_t, the square of a speed in m2/s2, for his depth P of equation 2.4
+    /// Give Stone's `c_t`, the square of a speed in m2/s2, for his depth P of equation 2.4
     #[arg(long, value_name = "NUMBER", value_parser = above_zero(Dimension::Number, "2e5"))]
     c_t: Option<f64>,
     #[command(flatten)]

@@ -8,8 +8,7 @@ use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
 use crate::model::variables::Group;
 use crate::study::first_contact::{
-    FirstContact, TOLERANCE_FRACTION, Wanted, baseline_m, decides, is_through,
-    max_displacement_m,
+    FirstContact, TOLERANCE_FRACTION, Wanted, baseline_m, decides, is_through, max_displacement_m,
 };
 use crate::study::load::holds_still;
 use crate::study::outcome::PointOutcome;
