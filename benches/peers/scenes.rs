@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use cmra::model::contact_phase::stored::Stored;
-use cmra::model::contact_phase::{ContactSolution, Ending, Phase, exact};
+use cmra::model::hybrid::Stepping;
+use cmra::model::impact::step_by;
+use cmra::model::reference::Stored;
+use cmra::model::run::Outcome;
 use cmra::model::scene::{Mount, Scene};
 use cmra::model::variables::changed_free_plate;
-use cmra::numerics::stepper::dop853::Dop853;
 
 /// Name and changes to Table 9.1 with gamma = 1 and neither spring nor damper. A prime marks a scene that replaces one of an earlier
 /// comparison, whose parameters were not recorded.
@@ -40,43 +41,40 @@ pub(crate) type End = (f64, f64);
 
 /// What a solver is compared with.
 pub(crate) struct Reference {
-    ending: Ending,
-    end: End,
+    /// The time, s, and of an arrest the depth, m.
+    t_s: f64,
+    depth_m: Option<f64>,
     /// Where it comes from.
     pub(crate) source: &'static str,
 }
 
 impl Reference {
-    /// The stored digits; else closed form; else closed form of a plate that provably cannot move; else DOP853 at 1e-14.
+    /// The stored digits; else DOP853 at 1e-14 on the simulation's loop; of a plate that provably cannot move, on a rigid mount.
     pub(crate) fn of(name: &str, scene: &Scene) -> Self {
         if let Some(row) = Stored::rows().find(|row| row.name == name) {
-            let ContactSolution { ending, t_s, depth_m, .. } = row.answer();
-            return Self { ending, end: (t_s, depth_m), source: "stored digits" };
+            let [t_s, depth_m, _] = row.values();
+            let is_arrested = row.outcome == Outcome::Arrested;
+            return Self { t_s, depth_m: is_arrested.then_some(depth_m), source: "stored digits" };
         }
-        let rigid = Scene {
-            plate: cmra::model::scene::Plate { mount: Mount::Rigid, ..scene.plate },
-            ..scene.clone()
-        };
-        let tight = Dop853 { tolerance: TIGHT };
-        let (answer, source) = if let Ok(answer) = exact::solve(scene) {
-            (Ok(answer), "closed form")
-        } else if greatest_give(scene) < IMMOBILE {
-            (exact::solve(&rigid), "closed form: immobile")
-        } else {
-            (Phase::of(scene).solve(&tight, 2_000_000), "DOP853 at 1e-14")
-        };
-        let answer = answer.expect("a reference for each scene");
-        Self { ending: answer.ending, end: (answer.t_s, answer.depth_m), source }
+        let mut own = scene.clone();
+        let is_immobile = greatest_give(scene) < IMMOBILE;
+        if is_immobile {
+            own.plate.mount = Mount::Rigid;
+        }
+        let run = step_by(Stepping::Dop853(TIGHT), &Arc::new(own)).expect("a valid scene");
+        let run = run.expect("a power law");
+        let arrest = run.first_arrest.map(|arrest| (arrest.t_s, Some(arrest.penetration_m)));
+        let end = arrest.or_else(|| Some((run.exit_time_s?, None)));
+        let (t_s, depth_m) = end.expect("a reference for each scene");
+        let source = if is_immobile { "DOP853 at 1e-14: immobile" } else { "DOP853 at 1e-14" };
+        Self { t_s, depth_m, source }
     }
 
     /// The greater of the relative errors of depth and time; of a perforation, whose depth is a matter of definition, that of
     /// time.
     pub(crate) fn error(&self, (t_s, depth_m): End) -> f64 {
-        let time = (t_s / self.end.0 - 1.0).abs();
-        let depth = match self.ending {
-            Ending::Arrest => (depth_m / self.end.1 - 1.0).abs(),
-            Ending::Perforation => 0.0,
-        };
+        let time = (t_s / self.t_s - 1.0).abs();
+        let depth = self.depth_m.map_or(0.0, |right| (depth_m / right - 1.0).abs());
         if time > depth || time.is_nan() { time } else { depth }
     }
 }

@@ -11,13 +11,14 @@ use crate::cli::table::TableArguments;
 use crate::cli::text::{chart_size, width};
 use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
-use crate::model::contact_phase::Ending;
+use crate::model::run::Outcome;
 use crate::model::units::engineering;
 use crate::report::accuracy::{
     self, ANSWERS, Named, TARGETS, advice, by, error_over_time, methods, printed_scheme, savings,
     seconds,
 };
 use crate::study::accuracy::method::Method;
+use crate::study::accuracy::reference::Reference;
 use crate::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
 use crate::tui::theme::Theme;
 use crate::worker::clock;
@@ -178,23 +179,27 @@ fn answers(page: &mut String, report: &Report) {
 
 fn references(page: &mut String, report: &Report) {
     page.push_str("\nreferences (depth, time, relative uncertainty: methods)\n");
-    for reference in &report.references {
-        let letters: String = report
-            .methods
-            .iter()
-            .filter(|method| method.reference.is_some_and(|own| own.basis == reference.basis))
-            .map(|method| method.method.letter())
-            .collect();
-        let depth = match reference.answer.ending {
-            Ending::Arrest => engineering(reference.answer.depth_m, "m", 6),
-            Ending::Perforation => "perforated".to_owned(),
+    let mut compared: Vec<(Reference, String)> = Vec::new();
+    for method in &report.methods {
+        let Some(own) = method.reference else { continue };
+        let letter = method.method.letter();
+        match compared.iter_mut().find(|(reference, _)| reference.basis == own.basis) {
+            Some((_, letters)) => letters.push(letter),
+            None => compared.push((own, letter.to_string())),
+        }
+    }
+    for (reference, letters) in compared {
+        let [depth_m, time_s, ..] = reference.results;
+        let depth = match reference.outcome {
+            Outcome::Perforated => "perforated".to_owned(),
+            _ => depth_m.map_or_else(|| "-".to_owned(), |depth_m| engineering(depth_m, "m", 6)),
         };
+        let end = time_s.map_or_else(|| "-".to_owned(), |time_s| engineering(time_s, "s", 6));
         let sure = reference
             .uncertainty
             .map_or_else(|| "unknown".to_owned(), |uncertainty| format!("{uncertainty:.0e}"));
-        let (basis, end) = (reference.basis.words(), engineering(reference.answer.t_s, "s", 6));
-        let by = if letters.is_empty() { String::new() } else { format!(": {letters}") };
-        let _ = writeln!(page, "  {basis:<23}{depth}, {end}, to {sure}{by}");
+        let basis = reference.basis.words();
+        let _ = writeln!(page, "  {basis:<23}{depth}, {end}, to {sure}: {letters}");
     }
 }
 
@@ -215,12 +220,10 @@ fn refusals(page: &mut String, report: &Report) {
                 page.push_str("\nwithout result\n");
             }
             let which = match parameters.as_slice() {
-                [] => String::new(),
-                [only] => only.clone(),
                 [first, .., last] => format!("{} points, {first} to {last}", parameters.len()),
+                one => one.concat(),
             };
-            let blank = if which.is_empty() { "" } else { ": " };
-            let _ = writeln!(page, "  {} {which}{blank}{words}", method.method.letter());
+            let _ = writeln!(page, "  {} {which}: {words}", method.method.letter());
         }
     }
 }

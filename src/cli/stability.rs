@@ -15,7 +15,7 @@ use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
 use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
-use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
+use crate::study::stability::{ERROR_MAX, RESIDUAL_MAX, Row};
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;
@@ -107,10 +107,10 @@ fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {
 /// What the columns mean, a line each.
 const LEGEND: &str = "\
 ends        arrested, perforated, separated, moving (undecided at the horizon), or CUT
-error       of final depth (of exit time if perforated), against s stored digits, D DOP853 or R Radau IIA at 1e-13 on a \
-second implementation of the equations, or t this solver at 1e-12 (where motion after the contact decides, or D and R fail)
+error       of final depth (of exit time if perforated), against s stored digits, D DOP853 at 1e-13 or R Radau IIA of order 5 \
+at 1e-12, or t this solver at 1e-13 where both fail
 stiff       largest rate of spring or damper times the contact's duration
-expl, impl  DOP853 and Radau IIA at 1e-9 on the contact, at most 20000 steps
+expl, impl  error of depth (of exit time if perforated) of DOP853 and Radau IIA 5 at 1e-9, within the work of one run
 th-6, th-7  the thesis's Appendix A as printed with dt = 1e-6 and 1e-7 s: ok (error below 1e-6, thesis 1e-2), else the error, \
 or end! wrong outcome, DIV diverged, stop no progress, many too many steps, late out of time, - not applicable, or nothing to \
 compare with
@@ -124,7 +124,7 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
     }
     let short: Vec<&str> =
         rows.iter().filter(|row| row.shortfall.is_some()).map(|row| row.case.name).collect();
-    let without = rows.iter().filter(|row| row.basis == Basis::None).count();
+    let without = rows.iter().filter(|row| row.basis.is_none()).count();
     let (all, passed) = (rows.len(), rows.len() - short.len());
     let _ = writeln!(
         text,

@@ -36,16 +36,14 @@
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
 //! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the
-//! simulation. [`contact_phase`] and [`appendix`] are references with equations of their own; the head of the first says what it
-//! shares with the simulation, and the second uses [`contact::Geometry`] to name its events. [`design`] has the formulas that need
-//! no simulation.
+//! simulation. [`appendix`] is the scheme of the thesis with equations of its own, and uses [`contact::Geometry`] to name its events;
+//! [`reference`] has stored digits. [`design`] has the formulas that need no simulation.
 
 pub mod appendix;
 pub mod closed_form;
 pub mod contact;
 pub mod contact_kernel;
 pub mod contact_models;
-pub mod contact_phase;
 pub mod design;
 pub mod estimate;
 mod event_function;
@@ -55,6 +53,7 @@ pub mod impact;
 pub mod library;
 pub mod mechanism;
 mod motion;
+pub mod reference;
 pub mod run;
 pub mod scene;
 pub mod simulate;

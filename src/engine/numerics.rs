@@ -3,18 +3,15 @@
 //! Map of the folder, in reading order: `series` is arithmetic on truncated power series, from which a model builds the
 //! Taylor expansion of its solution; `collocation` is the one method of the new engine for smooth, stiff and steep alike, with its
 //! `step` as polynomials and `locate` for the first event on it; `taylor` chooses the step such an expansion is good for; `implicit` is an
-//! L-stable collocation method for what is too stiff for that; [`stepper`] are the Runge-Kutta methods everything is compared
-//! with; `graded` starts where non-integer powers are singular; `event` locates what happens on an accepted step of any of them but
+//! L-stable collocation method for what is too stiff for that; `explicit` are the Runge-Kutta methods it is compared with; `graded` starts where non-integer powers are singular; `event` locates what happens on an accepted step of any of them but
 //! the Taylor steps; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
-//! `maximum` and [`minimum`] search extremes; [`linear`] solves small systems; `monotone` interpolates data; [`double_double`] has
-//! numbers of some 31 digits, for references; [`random`], [`sobol`] and [`statistics`] serve samples; `exponential` has the functions
+//! `maximum` and [`minimum`] search extremes; [`linear`] solves small systems; `monotone` interpolates data; [`random`], [`sobol`] and [`statistics`] serve samples; `exponential` has the functions
 //! of closed forms.
 //! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
 //! is bounded.
 
 pub(crate) mod collocation;
 pub(crate) mod crossing;
-pub mod double_double;
 pub(crate) mod event;
 pub(crate) mod explicit;
 pub(crate) mod exponential;
@@ -32,7 +29,6 @@ pub(crate) mod series;
 pub mod sobol;
 pub mod statistics;
 pub(crate) mod step;
-pub mod stepper;
 pub(crate) mod taylor;
 
 /// The larger of two numbers; NaN when either is NaN (unlike `f64::max`, which hides it).

@@ -27,7 +27,6 @@ fn the_page_has_chart_table_answers_and_reasons() {
         "omitted",
         "1e-6: ",
         "stored digits, row S2",
-        "C no closed form: a mechanism acts",
     ] {
         assert!(page.contains(part), "{part} is missing from\n{page}");
     }
@@ -51,12 +50,14 @@ fn pages_of_odd_scenes_keep_to_80_columns() {
 
 #[test]
 fn csv_keeps_a_row_for_each_point_with_the_reason_for_a_missing_result() {
-    let output = cmra(&["accuracy", "thesis-baseline", "rigid-mount", "--quick", "--csv", "-"]);
+    // The printed listing knows no stop.
+    let scenes = ["accuracy", "thesis-baseline", "rigid-mount", "--set", "x_stop=1mm"];
+    let output = cmra(&[&scenes[..], &["--quick", "--csv", "-"]].concat());
     assert!(output.status.success());
     let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
     let headers = reader.headers().unwrap().clone();
     let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
-    let (mut closed, mut refused, mut points) = (0, 0, 0);
+    let (mut refused, mut points) = (0, 0);
     for row in reader.records() {
         let row = row.unwrap();
         points += 1;
@@ -69,13 +70,7 @@ fn csv_keeps_a_row_for_each_point_with_the_reason_for_a_missing_result() {
             let floor: f64 = row[place("reference_uncertainty")].parse().unwrap();
             assert!(error >= floor);
         }
-        if &row[place("letter")] == "C" && &row[place("scene")] == "rigid-mount" {
-            closed += 1;
-            assert!(row[place("error")].parse::<f64>().unwrap() < 1e-12);
-            assert_ne!(&row[place("reference")], "closed form");
-        }
     }
-    assert_eq!(closed, 1);
     assert!(refused >= 1 && points > 40);
 }
 
@@ -133,12 +128,10 @@ fn springs_of_every_kind_are_measured() {
         let least = best.entry(row[place("letter")].to_owned()).or_insert(f64::INFINITY);
         *least = if error < *least { error } else { *least };
     }
-    for letter in ["E", "D", "I", "S", "A"] {
+    for letter in ["D", "I", "N", "A"] {
         assert!(best[letter] < 1e-10, "{letter}: {best:?}");
     }
-    for letter in ["T", "M", "C"] {
-        assert!(best[letter].is_infinite(), "{letter}: {best:?}");
-    }
+    assert!(best["T"].is_infinite(), "{best:?}");
 }
 
 #[test]

@@ -368,31 +368,6 @@ fn a_measured_curve_is_taken_from_the_command_line() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
-/// The contact phase written a second time (own areas, own scaling, DOP853) against the engine, on every kind of spring, alone,
-/// cocked, weighed, combined, and oblique.
-#[test]
-fn valid_a_second_kernel_agrees_on_every_kind() {
-    use cmra::model::contact_phase::Phase;
-    use cmra::numerics::stepper::dop853::Dop853;
-    let more = [
-        "spring=helix N_spring=3 gamma=3",
-        "spring=normalised F_ref=2000 x_ref=0.002 n=2",
-        "spring=power-law n=1 own_mass=counted",
-        "spring=prbm-cantilever own_mass=counted d=0.02 theta=30deg",
-        "spring=column combine=parallel k_2=1e7 n_2=1.5 d=0.01",
-        "spring=table b=500 d=0.03",
-    ];
-    let kinds = SpringKind::ALL.map(|kind| format!("spring={} gamma=0.9", kind.word()));
-    for pairs in kinds.iter().map(String::as_str).chain(more) {
-        let own = scene(pairs);
-        let second = Phase::of(&own).solve(&Dop853 { tolerance: 1e-13 }, 100_000);
-        let second = second.unwrap_or_else(|refusal| panic!("{pairs}: {}", refusal.words()));
-        let first = run(own).first_arrest.unwrap();
-        assert_near(first.penetration_m, second.depth_m, 1e-11);
-        assert_near(first.t_s, second.t_s, 1e-11);
-    }
-}
-
 #[test]
 fn every_kind_is_written_and_read_without_loss() {
     for kind in SpringKind::ALL {

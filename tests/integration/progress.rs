@@ -81,7 +81,7 @@ fn what_is_cut_short_says_so_and_draws_no_conclusion() {
         ("stability", " scenes", "not complete: interrupted after ", " scenes pass"),
         (
             "accuracy --set interface=plastic",
-            " of 89 points",
+            " of 69 points",
             "no answer is drawn from these points",
             "<- cheapest",
         ),

@@ -5,15 +5,43 @@
 //! force held. It ends when the relative velocity falls below 0.01 m/s or the area vanishes. What is wrong with it is named in
 //! [`Listing`]. Here is the contact; the whole run is in `listing`.
 
-use crate::model::contact_phase::section::Faces;
-use crate::model::contact_phase::{ContactSolution, Ending, Refusal};
 use crate::model::mechanism::PowerLaw;
+use crate::model::run::Outcome;
 use crate::model::scene::{Jumps, Listing, Reading, Scene};
+use crate::model::worded::worded;
+use section::Faces;
 
 pub(super) mod listing;
+pub mod section;
 
 /// Relative velocity at which the listing stops, m/s.
 const SLOW_M_S: f64 = 0.01;
+
+worded! {
+    /// Why the scheme gives no answer.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Refusal: words {
+        NoPowerLaw = "not applicable: only a massless spring k |x|^n",
+        /// The plate meets its stop within the contact, which the listing does not contain.
+        StopWithinContact = "not applicable: a stop acts",
+        StepBudget = "gave up: its steps are used up",
+        NonFinite = "diverged: a value is not finite",
+        Separated = "wrong: projectile leaves through the entry face",
+    }
+}
+
+/// The end of a contact by the scheme.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactEnd {
+    /// Arrested or perforated.
+    pub outcome: Outcome,
+    /// When, s.
+    pub t_s: f64,
+    /// The greatest depth until then, m.
+    pub depth_m: f64,
+    /// Steps taken.
+    pub steps: usize,
+}
 
 /// Where the scheme is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -220,15 +248,15 @@ impl Scheme {
     }
 
     /// Whether, and how, the contact has ended.
-    pub fn ended(&self, state: &State) -> Option<Ending> {
+    pub fn ended(&self, state: &State) -> Option<Outcome> {
         let slow = match self.listing.stopping {
             Reading::Printed => state.slip_m_s < SLOW_M_S,
             Reading::Corrected => state.slip_m_s <= 0.0,
         };
         if state.area_m2 <= 0.0 {
-            Some(Ending::Perforation)
+            Some(Outcome::Perforated)
         } else {
-            slow.then_some(Ending::Arrest)
+            slow.then_some(Outcome::Arrested)
         }
     }
 }
@@ -242,7 +270,7 @@ pub fn contact(
     dt_s: f64,
     coupling: Reading,
     steps_max: usize,
-) -> Result<ContactSolution, Refusal> {
+) -> Result<ContactEnd, Refusal> {
     let scheme = Scheme::of(scene, Listing::coupled(dt_s, coupling));
     if scheme.plate.is_some() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
@@ -255,17 +283,9 @@ pub fn contact(
         if stop_m.is_some_and(|stop| state.plate[0] >= stop) {
             return Err(Refusal::StopWithinContact);
         }
-        if let Some(ending) = scheme.ended(&state) {
-            let (steps, evaluations) = (i + 1, 5 * (i + 1));
-            let t_s = steps as f64 * dt_s;
-            return Ok(ContactSolution {
-                ending,
-                t_s,
-                depth_m: deepest,
-                steps,
-                rejected: 0,
-                evaluations,
-            });
+        if let Some(outcome) = scheme.ended(&state) {
+            let steps = i + 1;
+            return Ok(ContactEnd { outcome, t_s: steps as f64 * dt_s, depth_m: deepest, steps });
         }
     }
     Err(Refusal::StepBudget)

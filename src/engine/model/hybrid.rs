@@ -28,6 +28,8 @@ mod tests;
 pub enum Stepping {
     /// Radau IIA with nine stages, the engine's own, to a tolerance.
     Collocation(f64),
+    /// The same with nothing omitted that a scene does not need: powers of any exponent, the plate followed to its turn.
+    CollocationInFull(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
     Radau5(f64),
     /// DOP853 to a tolerance.
@@ -48,9 +50,12 @@ pub(in crate::model) fn run(
     if scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
-    let setup = &Setup::of(scene);
+    let in_full = matches!(stepping, Stepping::CollocationInFull(_));
+    let mut setup = Setup::of(scene);
+    setup.in_full = in_full;
+    let setup = &setup;
     Some(match stepping {
-        Stepping::Collocation(tolerance) => {
+        Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };
             run::run(scene, setup, &stepper, bounds, observer)
         }

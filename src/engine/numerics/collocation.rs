@@ -204,11 +204,12 @@ impl<const S: usize> Member<S> {
         Self { nodes, a, square, modes, gauss }
     }
 
-    /// Whether there are enough coefficients to see them fall.
-    const HAS_TAIL: bool = S > 4;
+    /// The coefficients from which on the acceleration's are seen to fall, how many of the last are the end of the fall, and by which
+    /// power of it the error is less than they are.
+    const FALL: (usize, usize, f64) = if S > 4 { (3, 2, 1.5) } else { (0, 1, 1.0) };
 
-    /// The power of the step by which its error grows, about: of the estimate below, that of the tail less than the order of the method.
-    const ERROR_ORDER: f64 = if Self::HAS_TAIL { 2 * S - 3 } else { 2 * S - 1 } as f64;
+    /// The power of the step by which its error grows, about: of the estimate below, less than the order of the method.
+    const ERROR_ORDER: f64 = if S > 4 { 2 * S - 3 } else { 2 * S - 1 } as f64;
 
     /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations.
     fn step<const D: usize>(
@@ -357,7 +358,7 @@ impl<const S: usize> Member<S> {
 
     /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
     ///
-    /// The tail: as the acceleration's Legendre coefficients fall from degree 3 and 4 to the last, so they go on; the error of the
+    /// The tail: as the acceleration's Legendre coefficients fall from the first of them to the last, so they go on; the error of the
     /// end is theirs of about twice the degree. It misses a corner that begins softly within the step. The defect: what the
     /// polynomial misses of the equations at Gauss's nodes, summed; it misses what is over before the first of them.
     fn error<const D: usize>(
@@ -368,11 +369,12 @@ impl<const S: usize> Member<S> {
     ) -> f64 {
         let h = step.h;
         let mut tail = ([0.0; D], [0.0; D]);
-        for d in (0..D).filter(|_| Self::HAS_TAIL) {
-            let modes = &step.acceleration[d];
-            let high = larger(modes[S - 1].abs(), modes[S - 2].abs());
-            let low = larger(modes[3].abs(), modes[4].abs());
-            let falling = if high < low { (high / low).powf(1.5) } else { 1.0 };
+        let (from, last, power) = Self::FALL;
+        for d in 0..D {
+            let modes = step.acceleration[d].map(f64::abs);
+            let high = modes[S - last..].iter().copied().fold(0.0, larger);
+            let low = larger(modes[from], modes[from + 1]);
+            let falling = if high < low { (high / low).powf(power) } else { 1.0 };
             tail.1[d] = h * high * falling;
             tail.0[d] = h * tail.1[d];
         }

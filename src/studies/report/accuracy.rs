@@ -2,12 +2,12 @@
 
 use serde_json::{Value, json};
 
-use crate::model::contact_phase::ContactSolution;
 use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
-use crate::study::accuracy::method::Parameter;
+use crate::study::accuracy::method::{Answer, Parameter};
+use crate::study::accuracy::reference::References;
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, RESULTS, Report, Saving};
 
 /// A scene's name and its comparison.
@@ -26,8 +26,8 @@ impl<'r> Row<'r> {
         self.point.result.as_ref().ok()
     }
 
-    fn contact(&self) -> Option<&'r ContactSolution> {
-        Some(&self.measured()?.answer.contact)
+    fn answer(&self) -> Option<&'r Answer> {
+        Some(&self.measured()?.answer)
     }
 }
 
@@ -50,11 +50,11 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with("letter", "letter", "", |row| row.method.method.letter().to_string())
         .with("time_step_s", "time step", "s", |row| match row.point.parameter {
             Parameter::Step(dt_s) => Some(dt_s),
-            Parameter::None | Parameter::Tolerance(_) => None,
+            Parameter::Tolerance(_) => None,
         })
         .with("tolerance", "tolerance", "", |row| match row.point.parameter {
             Parameter::Tolerance(value) => Some(value),
-            Parameter::None | Parameter::Step(_) => None,
+            Parameter::Step(_) => None,
         })
         .with("error", "error", "", |row| Some(row.measured()?.error()))
         .with(RESULTS[0].0, "error of depth", "", |row| row.measured()?.errors[0])
@@ -63,11 +63,11 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with(RESULTS[3].0, "of force", "", |row| row.measured()?.errors[3])
         .with(RESULTS[4].0, "of residual velocity", "", |row| row.measured()?.errors[4])
         .with("at_floor", "at floor", "", |row| Some(row.measured()?.is_at_floor()))
-        .with("penetration_m", "depth", "m", |row| Some(row.contact()?.depth_m))
-        .with("end_time_s", "end", "s", |row| Some(row.contact()?.t_s))
-        .with("steps", "steps", "", |row| Some(row.contact()?.steps))
-        .with("rejected", "rejected", "", |row| Some(row.contact()?.rejected))
-        .with("rhs_evaluations", "evaluations", "", |row| Some(row.contact()?.evaluations))
+        .with("penetration_m", "depth", "m", |row| row.answer()?.results[0])
+        .with("end_time_s", "end", "s", |row| row.answer()?.results[1])
+        .with("steps", "steps", "", |row| Some(row.answer()?.steps))
+        .with("rejected", "rejected", "", |row| Some(row.answer()?.rejected))
+        .with("rhs_evaluations", "evaluations", "", |row| Some(row.answer()?.evaluations))
         .with("run_time_s_min", "run time", "s", |row| Some(row.measured()?.timing.min_s))
         .with("run_time_s_median", "median", "s", |row| Some(row.measured()?.timing.median_s))
         .with("run_time_s_mad", "deviation", "s", |row| row.measured()?.timing.mad_s)
@@ -112,9 +112,7 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
 
 /// The method of a result, and its parameter.
 pub fn by(found: &Cheapest) -> String {
-    let parameter = found.parameter.to_string();
-    let with = if parameter.is_empty() { String::new() } else { format!(" at {parameter}") };
-    format!("by {}{with}", found.method.name())
+    format!("by {} at {}", found.method.name(), found.parameter)
 }
 
 /// A method's observed order.
@@ -179,12 +177,13 @@ pub fn json(reports: &[Named]) -> Value {
 
 fn scene(named: &Named) -> Value {
     let (name, report) = named;
-    let references = report.references.iter().map(|reference| {
+    let References { engine, other } = report.references;
+    let references = engine.into_iter().chain(other).map(|reference| {
         json!({
             "basis": reference.basis.words(),
-            "ending": reference.answer.ending.word(),
-            "penetration_m": reference.answer.depth_m,
-            "end_time_s": reference.answer.t_s,
+            "ending": reference.outcome.word(),
+            "penetration_m": reference.results[0],
+            "end_time_s": reference.results[1],
             "uncertainty": reference.uncertainty,
         })
     });
@@ -193,9 +192,9 @@ fn scene(named: &Named) -> Value {
         json!({
             "error": target,
             "method": found.map(|it| it.method.name()),
-            "parameter": found.and_then(|it| it.parameter.value()),
+            "parameter": found.map(|it| it.parameter.value()),
             "run_time_s": found.map(|it| it.min_s),
-            "auto_tolerance": report.usable(target).and_then(|it| it.parameter.value()),
+            "auto_tolerance": report.usable(target).map(|it| it.parameter.value()),
             "auto_run_time_s": report.usable(target).map(|it| it.min_s),
         })
     });
@@ -229,7 +228,7 @@ fn axes(times: ViewRange, errors: ViewRange) -> (Axis<'static>, Axis<'static>) {
 
 /// The accuracies of the table, the uncertainty of the reference, and, apart from the methods, how far the printed scheme is off.
 fn levels(report: &Report) -> Vec<Mark<'static>> {
-    let floor = report.references.first().and_then(|reference| reference.uncertainty);
+    let floor = report.references.any().and_then(|reference| reference.uncertainty);
     let floor = floor.map(|at| Mark::new(at, "reference's floor"));
     let printed = report.printed_off.map(|at| Mark::new(at, "printed scheme"));
     TARGETS.map(|at| Mark::new(at, "")).into_iter().chain(floor).chain(printed).collect()

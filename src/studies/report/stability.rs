@@ -8,6 +8,7 @@ use crate::model::variables::find;
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::report::map::{self, LINE, Tone};
 use crate::report::table::Table;
+use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
 use crate::study::stability::others::Other;
 use crate::study::stability::{Row, Shortfall};
@@ -54,8 +55,10 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .with("energy_residual", "energy", "", |row| row.run.ledger.residual())
         .shown(|_, value| Some(brief(value.as_f64()?.abs())))
         .with("error", "error", "", |row| row.error)
-        .shown(|row, value| Some(format!("{}{}", brief(value.as_f64()?), row.basis.letter())))
-        .with("reference", "error against", "", |row| row.basis.words())
+        .shown(|row, value| Some(format!("{}{}", brief(value.as_f64()?), row.basis?.letter())))
+        .with("reference", "error against", "", |row| {
+            row.basis.map_or_else(|| "none".to_owned(), ReferenceSource::words)
+        })
         .with("method", "method", "", |row| row.run.cost.method)
         .with("steps", "steps", "", |row| row.run.cost.steps)
         .with("rejected", "rejected", "", |row| row.run.cost.rejected)

@@ -1,16 +1,13 @@
 //! Error against run time: every method over its steps or tolerances, compared with a reference.
 //!
-//! The error of a point is the greatest of the errors of its results: depth and time of the first contact, compared with a
-//! reference that shares no code with the method, and of a whole run its greatest displacement, peak force and residual velocity,
-//! compared with the engine's other path. A method that gives no answer, or a wrong outcome, keeps its row with the reason. The
-//! printed scheme of the thesis is compared with its own limit: what is left then is the error of its step. Time comes from a
-//! clock passed in.
+//! The error of a point is the greatest of the errors of its results, those of the whole run: depth, time, greatest displacement, peak
+//! force and residual velocity. A method that gives no answer, or a wrong outcome, keeps its row with the reason. The printed scheme
+//! of the thesis is compared with its own limit: what is left then is the error of its step. Time comes from a clock passed in.
 
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_phase::{Ending, Refusal};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::{self, VariableError};
@@ -22,13 +19,11 @@ pub mod method;
 pub mod reference;
 pub mod timing;
 
-use method::{Answer, Job, Ladder, Method, Parameter, WholeRun};
-use reference::{Reference, ReferenceSource, printed_limit, references};
+pub use method::RESULTS;
+use method::{Answer, Job, Ladder, Method, Parameter, Refusal, Results};
+use reference::{Reference, References, printed_limit};
 use timing::{Clock, Patience, Timing, time};
 
-/// Fixed-step methods may need this many times the steps of the reference's contact, and this many more.
-const STEPS_BEYOND: (f64, f64) = (2.0, 1_000.0);
-const STEPS_MAX: usize = 100_000;
 /// The observed order is fitted through this many of the finest points (never fewer than the second number)...
 const FIT_POINTS: usize = 5;
 const FIT_POINTS_MIN: usize = 3;
@@ -40,21 +35,6 @@ const FIT_FLOOR: f64 = 10.0;
 
 /// From here on the printed scheme is another model; a rigid mount and a perforation, whose depth is no measure, hide its fault.
 const PRINTED_OFF_FROM: f64 = 1e-3;
-/// The tolerance of the whole runs that others are compared with.
-const TIGHT: f64 = 1e-13;
-
-/// A displacement of this part of the nose radius is as good as none: a spring that holds the plate lets it move by less.
-const NO_LENGTH: f64 = 1e-9;
-
-/// The results that are compared: their keys in files, and words.
-pub const RESULTS: [(&str, &str); 5] = [
-    ("penetration_error", "depth"),
-    ("time_error", "time"),
-    ("displacement_error", "displacement"),
-    ("force_error", "force"),
-    ("residual_velocity_error", "residual velocity"),
-];
-
 /// Run times up to this factor apart count as alike.
 const ALIKE: f64 = 1.05;
 
@@ -99,8 +79,8 @@ pub struct Point {
 pub struct Measured {
     /// The computed results.
     pub answer: Answer,
-    /// Relative errors of the [`RESULTS`], that of the residual velocity over the impact velocity; `None` of what it has not.
-    pub errors: [Option<f64>; RESULTS.len()],
+    /// Errors of the results; `None` of what it has not.
+    pub errors: Results,
     /// The uncertainty of the reference.
     pub floor: f64,
     /// How long it took.
@@ -117,11 +97,7 @@ impl Measured {
     /// time that no step makes smaller.)
     fn order_error(&self) -> f64 {
         let [depth, time, ..] = self.errors;
-        let error = match self.answer.contact.ending {
-            Ending::Arrest => depth,
-            Ending::Perforation => time,
-        };
-        error.unwrap_or(f64::NAN)
+        depth.or(time).unwrap_or(f64::NAN)
     }
 
     /// Whether the error is at or below what the reference can tell.
@@ -146,8 +122,8 @@ pub struct MethodReport {
 pub struct Report {
     /// The scene.
     pub scene: Arc<Scene>,
-    /// All references, the most trustworthy first.
-    pub references: Vec<Reference>,
+    /// What the methods are compared with.
+    pub references: References,
     /// One for each method.
     pub methods: Vec<MethodReport>,
     /// How far the depth that the printed scheme approaches is off, relative: an error of that model, not of its step.
@@ -195,35 +171,29 @@ pub fn compare(
     variables::validate(scene)?;
     variables::require_single(scene)?;
     variables::require_hydrodynamic(scene)?;
-    let references = references(scene);
-    let end_s = references.first().map_or(f64::NAN, |reference| reference.answer.t_s);
+    let references = References::of(scene);
+    let end_s = references.any().map_or(f64::NAN, |reference| reference.end_s());
     let plan: Vec<(Method, Vec<Parameter>)> =
         Method::ALL.map(|method| (method, method.parameters(end_s, effort.ladder))).into();
     context.expect(plan.iter().map(|(_, parameters)| parameters.len()).sum());
     let printed = printed_limit(scene, end_s);
-    let depths = printed.zip(references.first());
-    let wholes = [Method::Full, Method::Auto].map(|method| {
-        let job = Job::new(method, Parameter::Tolerance(TIGHT), scene, STEPS_MAX);
-        job.run().ok().and_then(|answer| answer.whole)
+    let printed_off = printed.zip(references.any()).and_then(|(limit, right)| {
+        right.errors(scene, &limit.results)[0].filter(|off| *off > PRINTED_OFF_FROM)
     });
     let mut report = Report {
         scene: Arc::clone(scene),
-        references: references.clone(),
+        references,
         methods: Vec::new(),
-        printed_off: depths
-            .map(|(limit, first)| first.errors(&limit.answer).0)
-            .filter(|off| *off > PRINTED_OFF_FROM),
+        printed_off,
         run_s: None,
         savings: Vec::new(),
         is_complete: true,
     };
     for (method, parameters) in plan {
-        let independent = |reference: &&Reference| !reference.basis.shares_code_with(method);
         let reference = match method {
             Method::ThesisPrinted => printed,
-            _ => references.iter().find(independent).copied(),
+            _ => references.for_method(method),
         };
-        let whole = wholes[usize::from(method != Method::Auto)];
         report.methods.push(MethodReport { method, reference, points: Vec::new() });
         let mut is_slow = false;
         for parameter in parameters {
@@ -232,14 +202,13 @@ pub fn compare(
                 break;
             }
             context.count(1);
-            let job = Job::new(method, parameter, scene, steps_max(parameter, end_s));
+            let job = Job::new(method, parameter, scene);
             let result = match reference {
-                None => Err(Refusal::NoReference),
+                None => Err(job.run().err().unwrap_or(Refusal::NoReference)),
                 Some(_) if is_slow => Err(Refusal::TooSlow),
                 Some(reference) => {
                     let start = clock();
-                    let comparison = Comparison { reference, whole };
-                    let result = measure(&job, &comparison, effort.patience, clock);
+                    let result = measure(scene, &job, &reference, effort.patience, clock);
                     is_slow = match &result {
                         Ok(measured) => measured.timing.mad_s.is_none(),
                         Err(_) => clock() - start > effort.patience.slow_s,
@@ -263,7 +232,7 @@ pub fn compare(
 fn savings(scene: &Arc<Scene>, patience: Patience, clock: Clock<'_>) -> (Option<f64>, Vec<Saving>) {
     let run = |settings: Settings| simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
     let tolerance = Parameter::Tolerance(scene.run.tolerance);
-    let job = |method| Job::new(method, tolerance, scene, STEPS_MAX);
+    let job = |method| Job::new(method, tolerance, scene);
     let [full, kernel] = [Method::Full, Method::ContactKernel].map(job);
     let shown = Settings { series: true, estimate: true };
     let drawn = Settings { series: true, estimate: false };
@@ -284,61 +253,23 @@ fn savings(scene: &Arc<Scene>, patience: Patience, clock: Clock<'_>) -> (Option<
     (shown_s, savings.into_iter().filter_map(saving).collect())
 }
 
-fn steps_max(parameter: Parameter, end_s: f64) -> usize {
-    match parameter {
-        Parameter::Step(dt_s) => {
-            let (times, more) = STEPS_BEYOND;
-            let steps = times * end_s / dt_s + more;
-            // Ladders end well below the last of these.
-            let mut powers = (0..24).map(|bit| 1usize << bit);
-            powers.find(|power| *power as f64 > steps).unwrap_or(STEPS_MAX)
-        }
-        Parameter::None | Parameter::Tolerance(_) => STEPS_MAX,
-    }
-}
-
-/// What a result is compared with.
-struct Comparison {
-    reference: Reference,
-    whole: Option<WholeRun>,
-}
-
-impl Comparison {
-    fn errors(&self, scene: &Scene, answer: &Answer) -> [Option<f64>; RESULTS.len()] {
-        let (depth, time) = self.reference.errors(&answer.contact);
-        // The printed scheme ends on a whole step: no step makes that error smaller.
-        let time = (self.reference.basis != ReferenceSource::OwnLimit).then_some(time);
-        let of = |get: fn(&WholeRun) -> Option<f64>, least: f64| {
-            let (own, right) = (get(&answer.whole?)?, get(&self.whole?)?);
-            Some((own - right).abs() / larger(right.abs(), least))
-        };
-        let shot = &scene.projectile;
-        [
-            Some(depth),
-            time,
-            of(|it| it.displacement_m, NO_LENGTH * shot.tip_radius_m),
-            of(|it| it.force_n, 0.0),
-            of(|it| it.residual_m_s, shot.velocity_m_s),
-        ]
-    }
-}
-
 fn measure(
+    scene: &Scene,
     job: &Job,
-    comparison: &Comparison,
+    reference: &Reference,
     patience: Patience,
     clock: Clock<'_>,
 ) -> Result<Measured, Refusal> {
     let answer = job.run()?;
-    if answer.contact.ending != comparison.reference.answer.ending {
-        return Err(Refusal::OtherEnding);
+    if answer.outcome != reference.outcome {
+        return Err(Refusal::OtherOutcome);
     }
-    let errors = comparison.errors(job.scene(), &answer);
+    let errors = reference.errors(scene, &answer.results);
     if errors.iter().flatten().any(|error| !error.is_finite()) {
         return Err(Refusal::NonFinite);
     }
     let timing = time(clock, patience, || job.run());
-    let floor = comparison.reference.uncertainty.unwrap_or(f64::EPSILON);
+    let floor = reference.uncertainty.unwrap_or(f64::EPSILON);
     Ok(Measured { answer, errors, floor, timing })
 }
 
@@ -359,9 +290,7 @@ impl MethodReport {
                 let error = measured.order_error();
                 error < FIT_CEILING && error > FIT_FLOOR * measured.floor
             })
-            .map(|(_, measured)| {
-                ((measured.answer.contact.steps as f64).ln(), measured.order_error().ln())
-            })
+            .map(|(_, measured)| ((measured.answer.steps as f64).ln(), measured.order_error().ln()))
             .collect();
         // Coarser points come in until the steps differ enough to show a slope: an adaptive method may hardly need more of them.
         let spans = |from: &usize| {

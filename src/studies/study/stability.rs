@@ -5,15 +5,14 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_phase::{ContactSolution, Ending};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::run::{EndReason, Mode, Outcome, Run, STILL_WITHIN_CONTACT, Sample};
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::run::{EndReason, Mode, Run, STILL_WITHIN_CONTACT, Sample};
+use crate::model::scene::Scene;
 use crate::model::simulate::{Observer, Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::numerics::larger;
-use crate::study::accuracy::method::{Method, Parameter, answer_of};
-use crate::study::accuracy::reference::stored;
+use crate::study::accuracy::method::answer_of;
+use crate::study::accuracy::reference::{Reference, ReferenceSource, References};
 use crate::study::context::{CancelFlag, Context};
 use cases::Case;
 use others::{Fault, Other, Verdict};
@@ -26,35 +25,8 @@ pub mod others;
 pub const RESIDUAL_MAX: f64 = 1e-8;
 /// Greatest relative error of final depth (or exit time) a row of `auto` may have.
 pub const ERROR_MAX: f64 = 1e-8;
-/// Tolerance of the references of the contact, on equations written a second time.
-const REFERENCE_TOLERANCE: f64 = 1e-13;
-/// That of a second look at the implicit one, which a plate that oscillates through singular zeros may lead astray.
-const SECOND_LOOK: f64 = 1e-12;
-const REFERENCE_STEPS_MAX: usize = 200_000;
-/// Tolerance of the engine's own reference, where DOP853 cannot follow.
-const TIGHTER_TOLERANCE: f64 = 1e-12;
 /// Part of the plate's greatest displacement, or speed, from which on its tangent counts: at zero it may be infinite.
 const COUNTS_FROM: f64 = 1e-2;
-
-enumeration! {
-    /// The reference for the error of a row.
-    pub enum Basis in BasisRow {
-        /// A short text.
-        words: &'static str,
-        /// The letter behind an error on a page.
-        letter: char,
-    }
-    /// Stored digits of an 80-bit Taylor series and 30-digit arithmetic.
-    Stored { words: "stored", letter: 's' }
-    /// DOP853 on the contact phase written a second time, at 1e-13.
-    Dop853 { words: "DOP853 1e-13", letter: 'D' }
-    /// Radau IIA on the same, at 1e-13, where an explicit method cannot follow.
-    Radau { words: "Radau 1e-13", letter: 'R' }
-    /// The engine at 1e-12, itself within 1e-9 of its computation by another order at 1e-15.
-    Tighter { words: "auto 1e-12", letter: 't' }
-    /// Nothing: the outcome is undecided, or no other computation got through.
-    None { words: "none", letter: ' ' }
-}
 
 enumeration! {
     /// Why a row falls short.
@@ -97,10 +69,10 @@ pub struct Row {
     pub run: Run,
     /// Time of that run, s.
     pub took_s: f64,
-    /// Relative error of final depth, or of the exit time of a perforation.
+    /// The relative error of its depth, or of the exit time of a perforation; NaN where its outcome is not the reference's.
     pub error: Option<f64>,
-    /// Its reference.
-    pub basis: Basis,
+    /// Its reference; `None` while undecided, or where no other computation got through.
+    pub basis: Option<ReferenceSource>,
     /// How stiff the contact is.
     pub stiffness: Stiffness,
     /// How the other methods fare, in the order of [`Other::ALL`].
@@ -155,23 +127,15 @@ pub fn examine(case: &'static Case, clock: TimeBudget<'_>) -> Option<Row> {
     let start_s = (clock.now_s)();
     let run = bare(&scene, false, &mut |_| clock.stop.flow()).ok()?;
     let took_s = (clock.now_s)() - start_s;
-    let (reference, contact) = reference(&scene, &run, clock);
-    let error = reference.and_then(|(value, _)| {
-        let found = measure(&run)?;
-        Some((found / value - 1.0).abs())
-    });
-    let basis = reference.filter(|_| error.is_some()).map_or(Basis::None, |(_, basis)| basis);
+    let references = References::of(&scene);
+    let reference = references.other.or(references.engine);
+    let error = reference.and_then(|reference| error_of(&run, &reference));
+    let basis = reference.filter(|_| error.is_some()).map(|reference| reference.basis);
     let others = Other::ALL.map(|other| {
         if (clock.now_s)() > clock.until_s || clock.stop.is_set() {
             return Verdict::None(Fault::CutOff);
         }
-        // Those that the reference may come from are compared with the engine, which shares no code with them.
-        let by_engine = answer_of(&run).ok().filter(|_| basis != Basis::Stored);
-        let reference = match other {
-            Other::Explicit | Other::Implicit => by_engine.or(contact),
-            Other::ThesisCoarse | Other::ThesisFine => contact,
-        };
-        others::verdict(other, &scene, reference)
+        others::verdict(other, &scene, references.any().as_ref())
     });
     let stiffness = stiffness(&scene, &run);
     let shortfall = shortfall(&run, error);
@@ -183,70 +147,13 @@ fn bare(scene: &Arc<Scene>, estimate: bool, observer: Observer<'_>) -> Result<Ru
     simulate(scene, &Settings { series: false, estimate }, observer)
 }
 
-/// Final depth, or exit time; nothing while undecided.
-fn measure(run: &Run) -> Option<f64> {
-    match run.outcome {
-        Outcome::Perforated => run.exit_time_s,
-        Outcome::Arrested | Outcome::Separated => run.final_penetration_m,
-        Outcome::Moving => None,
+/// The error of a run's depth or exit time; nothing while undecided.
+fn error_of(run: &Run, reference: &Reference) -> Option<f64> {
+    let answer = answer_of(run).ok()?;
+    if answer.outcome != reference.outcome {
+        return Some(f64::NAN);
     }
-}
-
-/// What the run's measure should be and how that is known; and how the first contact should end.
-fn reference(
-    scene: &Arc<Scene>,
-    run: &Run,
-    clock: TimeBudget<'_>,
-) -> (Option<(f64, Basis)>, Option<ContactSolution>) {
-    let contact_decides = run.outcome == Outcome::Perforated && run.first_arrest.is_none()
-        || run.first_arrest.is_some_and(|arrest| {
-            run.final_penetration_m.is_some_and(|p| p <= arrest.penetration_m)
-        });
-    // The stored digits are those of a fused interface.
-    let fused = scene.interface.law == InterfaceLaw::Fused;
-    if let Some(stored) = stored(scene).filter(|_| fused) {
-        return (Some((stored.answer.measure(), Basis::Stored)), Some(stored.answer));
-    }
-    let second = second_form(scene);
-    if let Some((contact, basis)) = second.filter(|_| contact_decides) {
-        let ends_alike = (contact.ending == Ending::Perforation) == run.exit_time_s.is_some();
-        let value = if ends_alike { contact.measure() } else { f64::NAN };
-        return (Some((value, basis)), Some(contact));
-    }
-    let contact = second.map(|(contact, _)| contact);
-    // Of a run that is still moving nothing is measured: the contact alone is compared.
-    if run.outcome == Outcome::Moving && contact.is_some() {
-        return (None, contact);
-    }
-    let tighter = tighter(scene, clock);
-    let contact = contact.or_else(|| answer_of(tighter.as_ref()?).ok());
-    let value = tighter.filter(|tight| tight.outcome == run.outcome);
-    (value.and_then(|tight| measure(&tight)).map(|value| (value, Basis::Tighter)), contact)
-}
-
-/// The contact by DOP853 or, where that cannot follow, by Radau IIA at two tolerances that agree.
-fn second_form(scene: &Scene) -> Option<(ContactSolution, Basis)> {
-    let by = |method: Method, tolerance| {
-        method.solve(Parameter::Tolerance(tolerance), scene, REFERENCE_STEPS_MAX).ok()
-    };
-    if let Some(contact) = by(Method::Dop853, REFERENCE_TOLERANCE) {
-        return Some((contact, Basis::Dop853));
-    }
-    let [fine, coarse] =
-        [REFERENCE_TOLERANCE, SECOND_LOOK].map(|tolerance| by(Method::Radau, tolerance));
-    let (fine, coarse) = fine.zip(coarse)?;
-    let agree = fine.ending == coarse.ending
-        && (coarse.measure() / fine.measure() - 1.0).abs() < 0.1 * ERROR_MAX;
-    agree.then_some((fine, Basis::Radau))
-}
-
-/// The engine at a far tighter tolerance, where its check by another order agrees.
-fn tighter(scene: &Arc<Scene>, clock: TimeBudget<'_>) -> Option<Run> {
-    let mut own = Scene::clone(scene);
-    own.run.tolerance = TIGHTER_TOLERANCE;
-    let run = bare(&Arc::new(own), true, &mut |_| clock.stop.flow()).ok()?;
-    let agrees = run.error_estimate.is_some_and(|estimate| estimate.relative < 0.1 * ERROR_MAX);
-    (run.end.is_complete() && agrees).then_some(run)
+    Some(reference.error_of_shot(&run.scene, &answer.results))
 }
 
 fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::bench::{Bench, ended};
 use cmra::files::atomic::Existing;
-use cmra::model::contact_phase::{ContactSolution, Ending, Refusal};
+use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
-use cmra::study::accuracy::method::{Answer, Ladder, Method, Parameter};
-use cmra::study::accuracy::reference::{Reference, ReferenceSource};
+use cmra::study::accuracy::method::{Answer, Ladder, Method, Parameter, Refusal};
+use cmra::study::accuracy::reference::{Reference, ReferenceSource, References};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report, Saving};
 use cmra::tui::message::{ExportOutcome, Message};
@@ -23,13 +23,10 @@ const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
 fn character(method: Method) -> (f64, f64, f64) {
     match method {
         Method::ThesisPrinted => (1.0, 0.05, 40e-9),
-        Method::ThesisCorrected => (1.0, 0.05, 42e-9),
         Method::Rk4 => (1.5, 0.02, 50e-9),
         Method::Rk4Events => (4.0, 1e-3, 60e-9),
         Method::Dop853 => (8.0, 0.5, 200e-9),
         Method::Radau => (5.0, 0.8, 2e-6),
-        Method::Taylor => (16.0, 0.1, 100e-9),
-        Method::ClosedForm => (0.0, 0.0, 0.0),
         Method::ContactKernel => (16.0, 0.05, 50e-9),
         Method::Full => (16.0, 0.1, 105e-9),
         Method::Auto => (16.0, 0.05, 110e-9),
@@ -39,43 +36,37 @@ fn character(method: Method) -> (f64, f64, f64) {
 fn point(method: Method, parameter: Parameter) -> Point {
     let (order, lead, cost_s) = character(method);
     let steps = match parameter {
-        Parameter::None => 1.0,
         Parameter::Step(dt_s) => END.0 / dt_s,
         Parameter::Tolerance(tolerance) => 4.0 + (lead / tolerance).powf(1.0 / order),
     };
     let error = match parameter {
-        Parameter::None => 0.0,
         Parameter::Step(_) => lead * (10.0 / steps).powf(order),
         Parameter::Tolerance(tolerance) => 0.3 * tolerance,
     };
-    let refused = match method {
-        Method::ClosedForm => Some(Refusal::NoClosedForm),
-        Method::Radau if error < 1e-11 => Some(Refusal::TooSlow),
-        _ => None,
-    };
+    let is_refused = method == Method::Radau && error < 1e-11;
     let min_s = steps * cost_s;
     let whole: usize = format!("{steps:.0}").parse().expect("a whole number");
     let measured = Measured {
-        answer: Answer::from(ContactSolution {
-            ending: Ending::Arrest,
-            t_s: END.0,
-            depth_m: END.1,
+        answer: Answer {
+            outcome: Outcome::Arrested,
+            results: [Some(END.1), Some(END.0), None, None, None],
             steps: whole,
             rejected: 0,
             evaluations: 4 * whole,
-        }),
+        },
         errors: [Some(error), Some(error), None, None, None],
         floor: 1e-15,
         timing: Timing { min_s, median_s: 1.02 * min_s, mad_s: Some(0.01 * min_s), repeats: 992 },
     };
-    Point { parameter, result: refused.map_or(Ok(measured), Err) }
+    Point { parameter, result: if is_refused { Err(Refusal::TooSlow) } else { Ok(measured) } }
 }
 
 /// Made-up measurements of the first few methods.
 fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
     let reference = Reference {
         basis: ReferenceSource::Stored("S2"),
-        answer: ContactSolution::free(Ending::Arrest, END.0, END.1),
+        outcome: Outcome::Arrested,
+        results: [Some(END.1), Some(END.0), None, None, None],
         uncertainty: Some(1e-15),
     };
     let of = |method: Method| {
@@ -85,7 +76,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
     };
     Report {
         scene: Arc::clone(scene),
-        references: vec![reference],
+        references: References { engine: Some(reference), other: Some(reference) },
         methods: Method::ALL.into_iter().take(methods).map(of).collect(),
         printed_off: Some(0.28),
         run_s: Some(74e-6),

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use super::bench::{Bench, ended, made};
 use cmra::files::atomic::Existing;
 use cmra::model::scene::Scene;
+use cmra::study::accuracy::reference::ReferenceSource;
 use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, Wanted};
 use cmra::study::stability::others::{Fault, Verdict};
-use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
+use cmra::study::stability::{Row, Shortfall, Stiffness};
 use cmra::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
@@ -52,7 +53,7 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
         run: made(&Arc::new(Scene::default())),
         took_s: 120e-6,
         error: (index != 3).then_some(2e-13),
-        basis: Basis::Dop853,
+        basis: Some(ReferenceSource::Dop853),
         stiffness: Stiffness { swings_rad: 40.0, decays: 2.0 },
         others: [
             Verdict::Accurate(1e-9),

@@ -7,8 +7,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::appendix::{Scheme, State};
-use crate::model::contact_phase::{Ending, Refusal};
+use crate::model::appendix::{Refusal, Scheme, State};
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::{
@@ -148,7 +147,7 @@ impl Work<'_> {
     }
 
     /// The contact, to its end by the listing's own rule.
-    fn contact(&mut self, observer: Observer<'_>) -> Result<Ending, EndReason> {
+    fn contact(&mut self, observer: Observer<'_>) -> Result<Outcome, EndReason> {
         for step in 1..=CONTACT_STEPS_MAX {
             if step.is_multiple_of(LOOK) && observer(self.t_s) == ControlFlow::Break(()) {
                 return Err(EndReason::Cancelled);
@@ -210,35 +209,31 @@ impl Work<'_> {
         };
     }
 
-    fn note_ending(&mut self, ending: Ending) {
-        let kind = match ending {
-            Ending::Arrest => {
-                self.run.first_arrest = Some(Arrest {
-                    t_s: self.t_s,
-                    penetration_m: self.state.depth_m,
-                    plate_displacement_m: self.state.plate[0],
-                    plate_velocity_m_s: self.state.plate[1],
-                });
-                self.run.outcome = Outcome::Arrested;
-                EventKind::FirstArrest
-            }
-            Ending::Perforation => {
-                self.run.outcome = Outcome::Perforated;
-                self.run.exit_time_s = Some(self.t_s);
-                self.run.residual_velocity_m_s = Some(self.state.velocity_m_s);
-                EventKind::Perforation
-            }
+    fn note_ending(&mut self, ending: Outcome) {
+        self.run.outcome = ending;
+        let kind = if ending == Outcome::Perforated {
+            self.run.exit_time_s = Some(self.t_s);
+            self.run.residual_velocity_m_s = Some(self.state.velocity_m_s);
+            EventKind::Perforation
+        } else {
+            self.run.first_arrest = Some(Arrest {
+                t_s: self.t_s,
+                penetration_m: self.state.depth_m,
+                plate_displacement_m: self.state.plate[0],
+                plate_velocity_m_s: self.state.plate[1],
+            });
+            EventKind::FirstArrest
         };
         self.run.events.push(Event { t_s: self.t_s, kind });
     }
 
     /// A.5: the plate on its mechanism, with or without the projectile.
-    fn afterwards(&mut self, ending: Ending, observer: Observer<'_>) -> EndReason {
+    fn afterwards(&mut self, ending: Outcome, observer: Observer<'_>) -> EndReason {
         let Some(plate) = self.scheme.plate else {
             self.run.max_plate_displacement_m = Some(0.0);
             return EndReason::Decided;
         };
-        let perforated = ending == Ending::Perforation;
+        let perforated = ending == Outcome::Perforated;
         let parted = perforated && self.scheme.listing.afterwards == Reading::Corrected;
         let projectile_kg = if parted { 0.0 } else { self.scene.projectile.mass_kg };
         let body = plate.joined(projectile_kg);

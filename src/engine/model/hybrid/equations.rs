@@ -16,15 +16,23 @@ const SLOPE_WIDTH: f64 = 1e-6;
 /// Length of the first moments in which the contact's force is taken to grow with the time, in passages of a tip radius: they change the
 /// velocities by about the square of this.
 const FIRST_MOMENT: f64 = 1e-6;
-/// Part of the tip radius by which a steep spring may yield while it is taken to hold the plate: the travel is as far off at most.
+/// Part of the tip radius by which a steep spring, and of the impact velocity by which a steep damper, may yield while it is taken to
+/// hold the plate: the travel is as far off at most.
 const HELD: f64 = 1e-13;
-/// How many times farther its inertia alone must let a plate move that is to follow the balance of its spring: the square of the
+/// How many times farther, or faster, its inertia alone must let a plate move that is to follow the balance of a law: the square of the
 /// oscillations about that, in radians, which leave a part of one over it.
 const FOLLOWS: f64 = 1e2;
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
+
+/// The law that holds a plate because it is infinitely steep where that stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Steep {
+    Spring,
+    Damper,
+}
 
 /// The constants of an impact.
 #[derive(Clone, Debug)]
@@ -54,6 +62,8 @@ pub(super) struct Setup {
     pub(super) plastic: bool,
     /// The mount is rigid.
     pub(super) still: bool,
+    /// Nothing is omitted that the scene does not need.
+    pub(super) in_full: bool,
 }
 
 /// Time, travel, slip, and displacement from the mode's origin and velocity of the plate.
@@ -101,6 +111,7 @@ impl Setup {
             start_m: scene.start_m(),
             plastic: scene.interface.law == InterfaceLaw::Plastic,
             still: scene.is_rigid(),
+            in_full: false,
         }
     }
 
@@ -319,37 +330,65 @@ impl Equations<'_> {
         }
     }
 
-    /// Whether a steep spring holds the plate at first: its inertia alone would have let it move much farther by the time the spring
-    /// yields noticeably, so that it follows the balance of contact and spring from then on.
-    pub(super) fn is_held_by_spring(&self) -> bool {
+    /// Whether a steep law holds the plate at first: its inertia alone would have let it move much farther by the time the law yields
+    /// noticeably, so that it follows the balance of contact and law from then on.
+    pub(super) fn is_held_by_law(&self) -> bool {
         let setup = self.setup;
-        if !setup.starts_steep() || !setup.spring.is_steep_at_zero() {
+        if !setup.starts_steep() {
             return false;
         }
         let rate_n_s =
             self.contact_slopes(0.0, setup.velocity_m_s).0 * setup.velocity_m_s * setup.cos;
-        let t_s = self.holding_n() / rate_n_s;
-        let by_inertia_m = self.holding_n() * t_s * t_s / (6.0 * setup.plate_kg);
-        t_s > self.first_moment_s() && by_inertia_m > FOLLOWS * self.held_m()
+        let (holding_n, holds) = self.holding();
+        let t_s = holding_n / rate_n_s;
+        let by_inertia_m_s = holding_n * t_s / (2.0 * setup.plate_kg);
+        t_s > self.first_moment_s()
+            && match holds {
+                Steep::Spring => by_inertia_m_s * t_s / 3.0 > FOLLOWS * self.held_m(),
+                Steep::Damper => by_inertia_m_s > FOLLOWS * self.held_m_s(),
+            }
     }
 
     fn held_m(&self) -> f64 {
         HELD * self.setup.geometry.nose.radius_m
     }
 
-    /// The force that a steep spring holds with a displacement that does not count, N.
-    pub(super) fn holding_n(&self) -> f64 {
-        self.setup.spring.force(self.held_m())
+    fn held_m_s(&self) -> f64 {
+        HELD * self.setup.velocity_m_s
     }
 
-    /// Displacement and velocity with which a plate that a steep spring has held begins to follow the force.
+    /// The greater of the forces that a steep spring holds with a displacement, and a steep damper with a velocity, that does not count,
+    /// N.
+    fn holding(&self) -> (f64, Steep) {
+        let Setup { spring, damper, .. } = self.setup;
+        let by_law = |is_steep: bool, force_n: f64| if is_steep { force_n } else { 0.0 };
+        let spring_n = by_law(spring.is_steep_at_zero(), spring.force(self.held_m()));
+        let damper_n = by_law(damper.is_steep_at_zero(), damper.force(self.held_m_s()));
+        if spring_n > damper_n { (spring_n, Steep::Spring) } else { (damper_n, Steep::Damper) }
+    }
+
+    /// The force that the steep law holds which holds the plate, N.
+    pub(super) fn holding_n(&self) -> f64 {
+        self.holding().0
+    }
+
+    /// Displacement and velocity with which a plate that a steep law has held begins to follow the force.
     pub(super) fn balanced(&self, state: &State) -> (f64, f64) {
         let setup = self.setup;
         let force_n = self.contact_n(state.q_m, state.u_m_s);
-        let slopes = self.contact_slopes(state.q_m, state.u_m_s);
-        let rate_n_s = slopes.0 * state.u_m_s - slopes.1 * force_n / setup.projectile_kg;
-        let x_m = setup.spring.at_force(force_n * setup.cos);
-        (x_m, rate_n_s / setup.spring.tangent(x_m))
+        match self.holding().1 {
+            Steep::Spring => {
+                let slopes = self.contact_slopes(state.q_m, state.u_m_s);
+                let rate_n_s = slopes.0 * state.u_m_s - slopes.1 * force_n / setup.projectile_kg;
+                let x_m = setup.spring.at_force(force_n * setup.cos);
+                (x_m, rate_n_s / setup.spring.tangent(x_m))
+            }
+            // The force has grown with the time, the velocity with its power 1/m.
+            Steep::Damper => {
+                let w_m_s = setup.damper.at_force(force_n * setup.cos);
+                (w_m_s * state.t_s / (1.0 / setup.damper.exponent + 1.0), w_m_s)
+            }
+        }
     }
 
     /// A velocity of the plate that is lost among errors, m/s.

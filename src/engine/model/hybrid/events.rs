@@ -34,7 +34,7 @@ impl Events {
                 events.add(&[Event::StopRelease]);
                 return events;
             }
-            Hold::Spring => {
+            Hold::Law => {
                 events.add(&[Event::Yields]);
                 return events;
             }

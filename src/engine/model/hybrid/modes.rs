@@ -41,8 +41,8 @@ pub(super) enum Hold {
     Free,
     /// The rigid stop, on which it is pressed.
     OnStop,
-    /// A spring that is infinitely steep where the plate stands, and lets it move by nothing that counts.
-    Spring,
+    /// A spring or damper that is infinitely steep where the plate stands, and lets it move by nothing that counts.
+    Law,
     /// The rigid mount.
     Mount,
 }
@@ -113,7 +113,7 @@ pub(super) enum Event {
     StopPressed,
     /// Nothing presses the plate on its rigid stop any more.
     StopRelease,
-    /// A steep spring lets the plate move noticeably.
+    /// A steep law lets the plate move noticeably.
     Yields,
 }
 
@@ -144,8 +144,8 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         w_side: 1.0,
     };
     let mut state = State { u_m_s: setup.velocity_m_s, x_m: setup.start_m, ..State::default() };
-    if (Equations { setup, mode: &mode }).is_held_by_spring() {
-        mode.hold = Hold::Spring;
+    if (Equations { setup, mode: &mode }).is_held_by_law() {
+        mode.hold = Hold::Law;
     }
     if !setup.still && setup.start_m >= setup.stop_at_m {
         reach_stop(setup, &mut mode, &mut state);
@@ -179,7 +179,7 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
             push_in(setup, &mut next, state);
         }
         Event::SlipZero => {
-            if mode.hold == Hold::Spring {
+            if mode.hold == Hold::Law {
                 next.hold = Hold::Free;
                 (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
             }
@@ -524,11 +524,13 @@ mod tests {
 
     /// 19 kN against k x^n: a spring of 1 MN/m^0.1 yields by 7e-18 m, one of 100 kN/m by 0.19 m.
     #[test]
-    fn a_steep_spring_holds_the_plate_at_first_and_a_soft_one_does_not() {
+    fn a_steep_law_holds_the_plate_at_first_and_a_soft_one_does_not() {
         let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs))).0.hold;
-        assert_eq!(hold("k=1e6 n=0.1"), Hold::Spring);
-        assert_eq!(hold("k=1e6 n=0.2"), Hold::Spring);
-        for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001"] {
+        assert_eq!(hold("k=1e6 n=0.1"), Hold::Law);
+        assert_eq!(hold("k=1e6 n=0.2"), Hold::Law);
+        // 63 N at 1e-11 m/s, where inertia alone would let it go 4e-4 m/s.
+        assert_eq!(hold("b=1e4 m=0.2"), Hold::Law);
+        for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001", "b=100 m=0.5"] {
             assert_eq!(hold(pairs), Hold::Free, "{pairs}");
         }
         assert_eq!(hold("mount=rigid"), Hold::Mount);

@@ -264,7 +264,7 @@ impl Equations<'_> {
                 _ => Farthest::Pending,
             };
         }
-        if setup.damper.is_absent() && setup.stop.is_none() {
+        if setup.damper.is_absent() && setup.stop.is_none() && !setup.in_full {
             // Nothing but the spring turns the plate, if anything does.
             let is_gone = state.w_m_s < 0.0 && mode.spring.backward(x_m, energy_j).is_infinite();
             return match reach_m.is_finite() {

@@ -1,5 +1,7 @@
-//! The methods that are compared, each with its letter, its parameter and the function that runs it. Those of the engine simulate
-//! the whole run, the others its first contact. The printed scheme of the thesis stands last: what it computes is another model.
+//! The methods that are compared, each with its letter, its parameter and the function that runs it.
+//!
+//! All but two step the simulation's own loop and give the whole run. The contact kernel knows the first contact alone, and the
+//! printed scheme of the thesis, which stands last, computes another model.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -7,46 +9,84 @@ use std::sync::Arc;
 
 use crate::model::appendix;
 use crate::model::contact_kernel::Contact;
-use crate::model::contact_phase::radau::Radau;
-use crate::model::contact_phase::{self, ContactSolution, Ending, Phase, Refusal, exact};
-use crate::model::impact::{Forced, simulate_by};
-use crate::model::run::Run;
-use crate::model::scene::{Reading, Scene};
+use crate::model::hybrid::Stepping;
+use crate::model::impact::step_by;
+use crate::model::run::{EndReason, Outcome, Run};
+use crate::model::scene::{InterfaceLaw, Reading, Scene};
 use crate::model::simulate::{Settings, simulate};
-use crate::numerics::stepper::dop853::Dop853;
-use crate::numerics::stepper::rk4::{Crossing, Rk4};
+
+/// The results that are compared: their keys in files, and words.
+pub const RESULTS: [(&str, &str); 5] = [
+    ("penetration_error", "depth"),
+    ("time_error", "time"),
+    ("displacement_error", "displacement"),
+    ("force_error", "force"),
+    ("residual_velocity_error", "residual velocity"),
+];
+
+/// Depth of the hole, m (of an arrested projectile); time of first arrest or of exit, s; the plate's greatest displacement, m; peak
+/// contact force, N; velocity after a perforation, m/s. `None` of what there is not, or the method does not know.
+pub type Results = [Option<f64>; RESULTS.len()];
+
+/// Steps of the printed scheme, at most.
+const STEPS_MAX: usize = 400_000;
 
 /// The result of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
-    /// Of the first contact.
-    pub contact: ContactSolution,
-    /// Of what only a whole run has; `None` of a method that computes the contact alone.
-    pub whole: Option<WholeRun>,
+    /// How the shot ends.
+    pub outcome: Outcome,
+    /// What is compared.
+    pub results: Results,
+    /// Steps taken.
+    pub steps: usize,
+    /// Steps thrown away.
+    pub rejected: usize,
+    /// Evaluations of the equations.
+    pub evaluations: usize,
 }
 
-/// Results of a whole run, as far as they exist.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WholeRun {
-    /// The plate's greatest displacement, m.
-    pub displacement_m: Option<f64>,
-    /// The peak contact force, N.
-    pub force_n: Option<f64>,
-    /// The projectile's velocity after a perforation, m/s.
-    pub residual_m_s: Option<f64>,
+/// Why a method gives no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// The contact kernel leaves the scene to the simulation.
+    NeedsSimulation,
+    /// The listing of the thesis does, or cannot go on.
+    Listing(appendix::Refusal),
+    /// The run ended early, or undecided.
+    Ended(EndReason),
+    /// Its outcome is not the reference's.
+    OtherOutcome,
+    /// A result is not finite.
+    NonFinite,
+    /// No reference of another method could be computed.
+    NoReference,
+    /// It has taken so long that coarser points are all this report waits for.
+    TooSlow,
 }
 
-impl From<ContactSolution> for Answer {
-    fn from(contact: ContactSolution) -> Self {
-        Self { contact, whole: None }
+impl Refusal {
+    /// The reason for readers.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::NeedsSimulation => "left to the simulation, as in a sweep",
+            Self::Listing(refusal) => refusal.words(),
+            Self::Ended(EndReason::StepBudget) => "gave up: its work is used up",
+            Self::Ended(EndReason::StepUnderflow) => "gave up: steps too small to move time",
+            Self::Ended(EndReason::NonFinite) | Self::NonFinite => {
+                "diverged: a value is not finite"
+            }
+            Self::Ended(_) => "undecided",
+            Self::OtherOutcome => "wrong: the outcome differs from the reference",
+            Self::NoReference => "not run: no independent reference",
+            Self::TooSlow => "not run: would take too long",
+        }
     }
 }
 
 /// The parameter that makes a method more accurate and more expensive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Parameter {
-    /// It has none.
-    None,
     /// Time step, s.
     Step(f64),
     /// Tolerance.
@@ -54,11 +94,10 @@ pub enum Parameter {
 }
 
 impl Parameter {
-    /// Its value, if it has one.
-    pub fn value(self) -> Option<f64> {
+    /// Its value.
+    pub fn value(self) -> f64 {
         match self {
-            Self::None => None,
-            Self::Step(value) | Self::Tolerance(value) => Some(value),
+            Self::Step(value) | Self::Tolerance(value) => value,
         }
     }
 }
@@ -66,7 +105,6 @@ impl Parameter {
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::None => Ok(()),
             Self::Step(dt_s) => f.pad(&format!("dt {dt_s:.0e} s")),
             Self::Tolerance(tolerance) => f.pad(&format!("tol {tolerance:.0e}")),
         }
@@ -85,8 +123,6 @@ pub enum Ladder {
 /// The values of a parameter that are tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParameterRange {
-    /// It has none.
-    None,
     /// Time steps that make a given number of steps per contact at most, and how many of a decade are taken.
     Steps(f64, i32),
     /// Tolerances down to this power of ten, every power or every second.
@@ -96,6 +132,8 @@ pub enum ParameterRange {
 /// The parameters of those who choose their steps.
 const TIGHT: [ParameterRange; 2] =
     [ParameterRange::Tolerances(13, 1), ParameterRange::Tolerances(11, 2)];
+/// Those of a method of order four.
+const STEPS: [ParameterRange; 2] = [ParameterRange::Steps(3e3, 2), ParameterRange::Steps(3e2, 2)];
 
 enumeration! {
     /// A way to compute a scene.
@@ -104,93 +142,69 @@ enumeration! {
         letter: char,
         /// The name in tables and files.
         name: &'static str,
-        /// Whether it is one of the engine's own, which have their areas and equations in common.
-        is_of_engine: bool,
+        /// Whether its steps are those of the engine, which another method has to check.
+        has_own_steps: bool,
         /// The values of its parameter on the full ladder and on the quick one.
         ranges: [ParameterRange; 2],
         /// The function that runs it.
         run: fn(&Job) -> Result<Answer, Refusal>,
     }
-    /// Appendix A with its coupling and damper corrected.
-    ThesisCorrected {
-        letter: 'M', name: "thesis, corrected", is_of_engine: false,
-        ranges: [ParameterRange::Steps(3e5, 1), ParameterRange::Steps(3e3, 1)],
-        run: |job| appendix::contact(&job.scene, job.value(), Reading::Corrected, job.steps_max).map(Answer::from)
-    }
     /// Classical Runge-Kutta, fixed step, events only noticed.
     Rk4 {
-        letter: 'R', name: "RK4, no events", is_of_engine: false,
-        ranges: [ParameterRange::Steps(3e4, 2), ParameterRange::Steps(1.5e3, 2)],
-        run: |job| job.rk4(Crossing::Notice)
+        letter: 'R', name: "RK4, no events", has_own_steps: false, ranges: STEPS,
+        run: |job| job.by(Stepping::Rk4WithoutEvents(job.parameter.value()))
     }
-    /// The same with events located and joints restarted at.
+    /// The same with events located.
     Rk4Events {
-        letter: 'E', name: "RK4 + events", is_of_engine: false,
-        ranges: [ParameterRange::Steps(1e4, 2), ParameterRange::Steps(1.5e3, 2)],
-        run: |job| job.rk4(Crossing::Locate)
+        letter: 'E', name: "RK4 + events", has_own_steps: false, ranges: STEPS,
+        run: |job| job.by(Stepping::Rk4(job.parameter.value()))
     }
-    /// DOP853 with events located and joints restarted at.
+    /// DOP853 with events located.
     Dop853 {
-        letter: 'D', name: "DOP853 + events", is_of_engine: false, ranges: TIGHT,
-        run: |job| job.phase(&Dop853 { tolerance: job.value() })
+        letter: 'D', name: "DOP853 + events", has_own_steps: false, ranges: TIGHT,
+        run: |job| job.by(Stepping::Dop853(job.parameter.value()))
     }
-    /// Radau IIA of order 5, implicit and L-stable, with events located and joints restarted at.
+    /// Radau IIA of order 5, implicit and L-stable, with events located.
     Radau {
-        letter: 'I', name: "Radau IIA 5", is_of_engine: false,
+        letter: 'I', name: "Radau IIA 5", has_own_steps: false,
         ranges: [ParameterRange::Tolerances(12, 1), ParameterRange::Tolerances(11, 2)],
-        run: |job| job.phase(&Radau { tolerance: job.value() })
-    }
-    /// The simulation by Taylor steps alone.
-    Taylor {
-        letter: 'S', name: "Taylor series 16", is_of_engine: true, ranges: TIGHT,
-        run: |job| forced(Forced::Taylor, &job.scene)
-    }
-    /// Closed form, where only inertia resists.
-    ClosedForm {
-        letter: 'C', name: "closed form", is_of_engine: true, ranges: [ParameterRange::None; 2],
-        run: |job| exact::solve(&job.scene).map(Answer::from)
+        run: |job| job.by(Stepping::Radau5(job.parameter.value()))
     }
     /// The contact kernel, as sweeps and searches use it.
     ContactKernel {
-        letter: 'L', name: "contact kernel", is_of_engine: true, ranges: TIGHT,
-        run: |job| contact_kernel(&job.scene, job.value())
+        letter: 'L', name: "contact kernel", has_own_steps: false, ranges: TIGHT,
+        run: |job| contact_kernel(&job.scene, job.parameter.value())
     }
-    /// The simulation without omitted terms.
+    /// The simulation with nothing omitted that the scene does not need.
     Full {
-        letter: 'N', name: "no term omitted", is_of_engine: true, ranges: TIGHT,
-        run: |job| forced(Forced::General, &job.scene)
+        letter: 'N', name: "nothing omitted", has_own_steps: true, ranges: TIGHT,
+        run: |job| job.by(Stepping::CollocationInFull(job.parameter.value()))
     }
     /// The work of `simulate`.
     Auto {
-        letter: 'A', name: "auto", is_of_engine: true, ranges: TIGHT,
+        letter: 'A', name: "auto", has_own_steps: true, ranges: TIGHT,
         run: |job| auto(&job.scene)
     }
     /// Appendix A as printed.
     ThesisPrinted {
-        letter: 'T', name: "printed scheme", is_of_engine: false,
+        letter: 'T', name: "printed scheme", has_own_steps: false,
         ranges: [ParameterRange::Steps(3e5, 1), ParameterRange::Steps(3e3, 1)],
-        run: |job| appendix::contact(&job.scene, job.value(), Reading::Printed, job.steps_max).map(Answer::from)
+        run: |job| printed(&job.scene, job.parameter.value())
     }
 }
 
 impl Method {
-    /// Computes the contact phase of a valid scene whose end time is unknown.
+    /// Computes a valid scene.
     ///
     /// # Errors
     /// A [`Refusal`] when the method gives no answer.
-    pub fn solve(
-        self,
-        parameter: Parameter,
-        scene: &Scene,
-        steps_max: usize,
-    ) -> Result<ContactSolution, Refusal> {
-        Ok(Job::new(self, parameter, scene, steps_max).run()?.contact)
+    pub fn solve(self, parameter: Parameter, scene: &Scene) -> Result<Answer, Refusal> {
+        Job::new(self, parameter, scene).run()
     }
 
     /// The values of its parameter for a contact of about `end_s`, the coarsest first.
     pub fn parameters(self, end_s: f64, ladder: Ladder) -> Vec<Parameter> {
         match self.ranges()[ladder as usize] {
-            ParameterRange::None => vec![Parameter::None],
             ParameterRange::Steps(most, per_decade) => steps(end_s, most, per_decade),
             ParameterRange::Tolerances(tightest, every) => tolerances(tightest, every),
         }
@@ -225,22 +239,16 @@ pub struct Job {
     method: Method,
     parameter: Parameter,
     scene: Arc<Scene>,
-    steps_max: usize,
 }
 
 impl Job {
     /// Prepares a computation of a valid scene.
-    pub fn new(method: Method, parameter: Parameter, scene: &Scene, steps_max: usize) -> Self {
+    pub fn new(method: Method, parameter: Parameter, scene: &Scene) -> Self {
         let mut own = scene.clone();
         if let Parameter::Tolerance(tolerance) = parameter {
             own.run.tolerance = tolerance;
         }
-        Self { method, parameter, scene: Arc::new(own), steps_max }
-    }
-
-    /// The scene, with the tolerance.
-    pub fn scene(&self) -> &Scene {
-        &self.scene
+        Self { method, parameter, scene: Arc::new(own) }
     }
 
     /// Do it.
@@ -251,64 +259,67 @@ impl Job {
         (self.method.run())(self)
     }
 
-    fn value(&self) -> f64 {
-        self.parameter.value().unwrap_or(f64::NAN)
-    }
-
-    fn phase(&self, method: &contact_phase::Method) -> Result<Answer, Refusal> {
-        Phase::of(&self.scene).solve(method, self.steps_max).map(Answer::from)
-    }
-
-    fn rk4(&self, crossing: Crossing) -> Result<Answer, Refusal> {
-        let phase = Phase::of(&self.scene);
-        let step = phase.scaled_time(self.value());
-        phase.solve(&Rk4 { step, crossing }, self.steps_max).map(Answer::from)
+    fn by(&self, stepping: Stepping) -> Result<Answer, Refusal> {
+        let run = step_by(stepping, &self.scene).ok().flatten();
+        answer_of(&run.ok_or(Refusal::NeedsSimulation)?)
     }
 }
 
 fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
     let run = simulate(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(()));
-    whole(&run.map_err(|_invalid| Refusal::EndedEarly)?)
+    answer_of(&run.map_err(|_invalid| Refusal::NonFinite)?)
 }
 
-fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
-    let run = simulate_by(method, scene).map_err(|_invalid| Refusal::EndedEarly)?;
-    whole(&run.ok_or(Refusal::TooStiff)?)
-}
-
-fn whole(run: &Run) -> Result<Answer, Refusal> {
-    let whole = WholeRun {
-        displacement_m: run.max_plate_displacement_m,
-        force_n: run.peak_contact_force_n,
-        residual_m_s: run.residual_velocity_m_s,
-    };
-    Ok(Answer { contact: answer_of(run)?, whole: Some(whole) })
-}
-
-fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
-    let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NeedsSimulation)?;
-    let ending = if end.arrested { Ending::Arrest } else { Ending::Perforation };
-    let free = ContactSolution::free(ending, end.t_s, end.penetration_m);
-    Ok(ContactSolution { steps: end.steps, evaluations: end.steps, ..free }.into())
-}
-
-/// The contact phase of a run, if it came to its end.
-pub(in crate::study) fn answer_of(run: &Run) -> Result<ContactSolution, Refusal> {
-    let (ending, t_s, depth_m) = match (run.first_arrest, run.exit_time_s, run.final_penetration_m)
-    {
-        (Some(arrest), _, _) => (Ending::Arrest, arrest.t_s, arrest.penetration_m),
-        (None, Some(t_s), Some(depth_m)) => (Ending::Perforation, t_s, depth_m),
-        (None, _, _) => return Err(Refusal::EndedEarly),
-    };
+/// The answer of a run that is decided.
+///
+/// # Errors
+/// Why it is not.
+pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
+    if run.outcome == Outcome::Moving || !run.end.is_complete() {
+        return Err(Refusal::Ended(run.end));
+    }
+    let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
+    let depth_m = run.final_penetration_m.filter(|_| run.outcome != Outcome::Perforated);
     let cost = run.cost;
-    Ok(ContactSolution {
-        ending,
-        t_s,
-        depth_m,
+    Ok(Answer {
+        outcome: run.outcome,
+        results: [
+            depth_m,
+            time_s,
+            run.max_plate_displacement_m,
+            run.peak_contact_force_n,
+            run.residual_velocity_m_s,
+        ],
         steps: cost.steps,
         rejected: cost.rejected,
         evaluations: cost.rhs_evaluations,
     })
+}
+
+/// The kernel follows the first contact: where the interface may yield later, that is not the depth.
+fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
+    let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NeedsSimulation)?;
+    let is_final = end.arrested && scene.interface.law == InterfaceLaw::Fused;
+    let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
+    let depth_m = is_final.then_some(end.penetration_m);
+    Ok(of_contact(outcome, depth_m, end.t_s, (end.steps, end.steps)))
+}
+
+fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
+    let end = appendix::contact(scene, dt_s, Reading::Printed, STEPS_MAX);
+    let end = end.map_err(Refusal::Listing)?;
+    let depth_m = (end.outcome == Outcome::Arrested).then_some(end.depth_m);
+    Ok(of_contact(end.outcome, depth_m, end.t_s, (end.steps, 5 * end.steps)))
+}
+
+fn of_contact(
+    outcome: Outcome,
+    depth_m: Option<f64>,
+    t_s: f64,
+    (steps, evaluations): (usize, usize),
+) -> Answer {
+    let results = [depth_m, Some(t_s), None, None, None];
+    Answer { outcome, results, steps, rejected: 0, evaluations }
 }
 
 #[cfg(test)]
@@ -316,7 +327,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn knobs_go_from_coarse_to_fine() {
+    fn parameters_go_from_coarse_to_fine() {
         for method in Method::ALL {
             for ladder in [Ladder::Full, Ladder::Quick] {
                 let parameters = method.parameters(1.1e-4, ladder);

@@ -1,38 +1,40 @@
-//! References: answers that share no code with the method they check.
+//! References: what the results of a method are compared with, always of a method with other steps.
 //!
-//! The stored digits were computed by an 80-bit Taylor series and by 30-digit arithmetic, which agree to the digits given. Other
-//! scenes are computed in double-double arithmetic where that can follow them, else by whatever shares no code.
+//! Depth and time of the stored scenes are known to 18 digits, by an 80-bit Taylor series and 30-digit arithmetic. Everything else is
+//! computed twice on the simulation's loop, by the engine's own steps and by DOP853, or where that cannot follow by Radau IIA of order
+//! five: each is the reference of the methods with other steps, and their difference the uncertainty of both. The loop's equations are
+//! checked elsewhere, by tests with equations of their own.
 
 use std::sync::Arc;
 
-use crate::model::contact_phase::stored::Stored;
-use crate::model::contact_phase::{ContactSolution, Ending, Phase, fine};
-use crate::model::scene::Scene;
+use crate::model::hybrid::Stepping;
+use crate::model::impact::step_by;
+use crate::model::reference::Stored;
+use crate::model::run::Outcome;
+use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::variables::{Group, VARIABLES, is_used};
 use crate::numerics::larger;
-use crate::study::accuracy::method::{Method, Parameter};
+use crate::study::accuracy::method::{Answer, Method, Parameter, RESULTS, Results, answer_of};
 
-const STEPS_MAX: usize = 400_000;
 /// Steps of a contact by the printed scheme that are near its limit.
 const PRINTED_STEPS: f64 = 5e4;
-const TIGHT: f64 = 1e-14;
-/// That of the implicit one, whose order is lower.
-const TIGHT_IMPLICIT: f64 = 1e-13;
+/// Tolerances of the references.
+const TIGHT: f64 = 1e-13;
+const TIGHT_OF_ORDER_FIVE: f64 = 1e-12;
+/// A displacement of this part of the nose radius is as good as none: a spring that holds the plate lets it move by less.
+const NO_LENGTH: f64 = 1e-9;
 
 /// Where a reference comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReferenceSource {
-    /// Stored digits of this row.
+    /// Depth and time are the stored digits of this row.
     Stored(&'static str),
-    /// Closed form.
-    ClosedForm,
-    /// Taylor series of their own in double-double arithmetic.
-    DoubleDouble,
-    /// The second form of the equations, by DOP853 at 1e-14.
-    Dop853,
-    /// The same by Radau IIA at 1e-13, where an explicit method cannot follow.
-    Radau,
     /// The engine at its tightest tolerance.
     Engine,
+    /// DOP853 on the same loop.
+    Dop853,
+    /// Radau IIA of order five, where an explicit method cannot follow.
+    Radau,
     /// What the printed scheme approaches as its step goes to zero.
     OwnLimit,
 }
@@ -42,124 +44,154 @@ impl ReferenceSource {
     pub fn words(self) -> String {
         match self {
             Self::Stored(row) => format!("stored digits, row {row}"),
-            Self::ClosedForm => "closed form".to_owned(),
-            Self::DoubleDouble => "31-digit Taylor series".to_owned(),
-            Self::Dop853 => "DOP853 at 1e-14".to_owned(),
-            Self::Radau => "Radau IIA at 1e-13".to_owned(),
-            Self::Engine => "engine at 1e-14".to_owned(),
+            Self::Engine => "engine at 1e-13".to_owned(),
+            Self::Dop853 => "DOP853 at 1e-13".to_owned(),
+            Self::Radau => "Radau IIA 5 at 1e-12".to_owned(),
             Self::OwnLimit => "its own limit".to_owned(),
         }
     }
 
-    /// The code that computes it.
-    fn code(self) -> Code {
+    /// The letter behind an error on a page.
+    pub fn letter(self) -> char {
         match self {
-            Self::Stored(_) => Code::Elsewhere,
-            Self::DoubleDouble => Code::DoubleDouble,
-            Self::ClosedForm | Self::Engine => Code::Engine,
-            Self::Dop853 | Self::Radau | Self::OwnLimit => Code::SecondForm,
+            Self::Stored(_) => 's',
+            Self::Engine => 't',
+            Self::Dop853 => 'D',
+            Self::Radau => 'R',
+            Self::OwnLimit => 'T',
         }
     }
-
-    /// Whether it shares code with a method: the engine's methods share its areas, and the thesis's scheme those of the second form.
-    pub fn shares_code_with(self, method: Method) -> bool {
-        self.code() == if method.is_of_engine() { Code::Engine } else { Code::SecondForm }
-    }
 }
 
-/// Codes that have neither areas nor equations in common.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Code {
-    Elsewhere,
-    DoubleDouble,
-    Engine,
-    SecondForm,
-}
-
-/// An answer to compare with.
+/// Results to compare with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
-    /// Where it comes from.
+    /// Where they come from.
     pub basis: ReferenceSource,
-    /// The answer.
-    pub answer: ContactSolution,
-    /// How far it may be off, relative: what it was stored with, or its difference to an independent one. `None` when there
-    /// is nothing to tell it from.
+    /// How the shot ends.
+    pub outcome: Outcome,
+    /// The results.
+    pub results: Results,
+    /// How far depth and time may be off, relative; `None` when there is nothing to tell it from.
     pub uncertainty: Option<f64>,
 }
 
 impl Reference {
-    /// Relative errors of depth and time. A perforation's depth is a matter of definition, so its error counts as zero.
-    pub fn errors(&self, answer: &ContactSolution) -> (f64, f64) {
-        let depth = match self.answer.ending {
-            Ending::Arrest => (answer.depth_m / self.answer.depth_m - 1.0).abs(),
-            Ending::Perforation => 0.0,
-        };
-        (depth, (answer.t_s / self.answer.t_s - 1.0).abs())
+    fn of(basis: ReferenceSource, answer: &Answer) -> Self {
+        let Answer { outcome, results, .. } = *answer;
+        Self { basis, outcome, results, uncertainty: None }
     }
 
-    fn difference(&self, other: &Self) -> Option<f64> {
-        let (depth, time) = self.errors(&other.answer);
-        (self.answer.ending == other.answer.ending).then_some(larger(depth, time))
+    /// The errors of a method's results: relative, of the residual velocity over the impact velocity.
+    pub fn errors(&self, scene: &Scene, results: &Results) -> Results {
+        let shot = &scene.projectile;
+        let least = [0.0, 0.0, NO_LENGTH * shot.tip_radius_m, 0.0, shot.velocity_m_s];
+        std::array::from_fn(|at| {
+            let (own, right) = (results[at]?, self.results[at]?);
+            Some((own - right).abs() / larger(right.abs(), least[at]))
+        })
+    }
+
+    /// The error of depth, or of the time of a perforation, which has no depth of its own.
+    pub fn error_of_shot(&self, scene: &Scene, results: &Results) -> f64 {
+        let [depth, time, ..] = self.errors(scene, results);
+        depth.or(time).unwrap_or(f64::NAN)
+    }
+
+    /// The time of first arrest or exit, s.
+    pub fn end_s(&self) -> f64 {
+        self.results[1].unwrap_or(f64::NAN)
     }
 }
 
-/// The stored digits of a scene, if there are any.
-pub(in crate::study) fn stored(scene: &Scene) -> Option<Reference> {
-    let phase = Phase::of(scene);
-    let is_same = |row: &Stored| row.scene().is_ok_and(|own| Phase::of(&own) == phase);
-    let row = Stored::rows().find(is_same)?;
-    let uncertainty = Some(larger(10f64.powi(-row.trusted), f64::EPSILON));
-    Some(Reference { basis: ReferenceSource::Stored(row.name), answer: row.answer(), uncertainty })
+/// The references of a scene: for methods without the engine's steps, and for those with them.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct References {
+    /// By the engine's own steps.
+    pub engine: Option<Reference>,
+    /// By other steps.
+    pub other: Option<Reference>,
+}
+
+impl References {
+    /// Those of a valid scene.
+    pub fn of(scene: &Arc<Scene>) -> Self {
+        let by = |stepping: Stepping| {
+            let run = step_by(stepping, scene).ok().flatten()?;
+            answer_of(&run).ok()
+        };
+        let engine = by(Stepping::Collocation(TIGHT));
+        let other = by(Stepping::Dop853(TIGHT))
+            .map(|answer| (ReferenceSource::Dop853, answer))
+            .or_else(|| Some((ReferenceSource::Radau, by(Stepping::Radau5(TIGHT_OF_ORDER_FIVE))?)));
+        let mut both = Self {
+            engine: engine.map(|answer| Reference::of(ReferenceSource::Engine, &answer)),
+            other: other.map(|(basis, answer)| Reference::of(basis, &answer)),
+        };
+        let apart = both.engine.zip(both.other).and_then(|(one, other)| {
+            let errors = one.errors(scene, &other.results);
+            let worst = errors[..2].iter().flatten().copied().fold(f64::EPSILON, larger);
+            (one.outcome == other.outcome).then_some(worst)
+        });
+        let stored = stored(scene);
+        for reference in [&mut both.engine, &mut both.other].into_iter().flatten() {
+            reference.uncertainty = apart;
+            if let Some((row, uncertainty)) = &stored {
+                let [t_s, depth_m, _] = row.values();
+                reference.basis = ReferenceSource::Stored(row.name);
+                reference.outcome = row.outcome;
+                let is_arrested = row.outcome == Outcome::Arrested;
+                reference.results[0] = is_arrested.then_some(depth_m);
+                reference.results[1] = Some(t_s);
+                reference.uncertainty = Some(*uncertainty);
+            }
+        }
+        both
+    }
+
+    /// The one that a method is compared with.
+    pub fn for_method(&self, method: Method) -> Option<Reference> {
+        if method.has_own_steps() { self.other } else { self.engine }
+    }
+
+    /// Whichever there is.
+    pub fn any(&self) -> Option<Reference> {
+        self.engine.or(self.other)
+    }
+}
+
+/// The stored row of a scene and its uncertainty, if there is one. Its digits are those of a fused interface.
+pub(in crate::study) fn stored(scene: &Scene) -> Option<(Stored, f64)> {
+    if scene.interface.law != InterfaceLaw::Fused {
+        return None;
+    }
+    let counts = |group: Group| !matches!(group, Group::Interface | Group::Run);
+    let is_same = |own: &Scene| {
+        let used = VARIABLES.iter().filter(|variable| {
+            counts(variable.group) && (is_used(variable, scene) || is_used(variable, own))
+        });
+        used.into_iter().all(|variable| variable.show(own) == variable.show(scene))
+    };
+    let row = Stored::rows().find(|row| row.scene().is_ok_and(|own| is_same(&own)))?;
+    let uncertainty = larger(10f64.powi(-row.trusted), f64::EPSILON);
+    Some((row, uncertainty))
 }
 
 /// The depth that the printed scheme approaches as its step goes to zero, from two fine steps of a scheme of first order.
 pub(super) fn printed_limit(scene: &Scene, end_s: f64) -> Option<Reference> {
     let by = |steps: f64| {
-        let step = Parameter::Step(end_s / steps);
-        Method::ThesisPrinted.solve(step, scene, STEPS_MAX).ok()
+        let answer = Method::ThesisPrinted.solve(Parameter::Step(end_s / steps), scene).ok()?;
+        Some((answer, answer.results[0]?))
     };
-    let (coarse, fine) = (by(PRINTED_STEPS)?, by(2.0 * PRINTED_STEPS)?);
-    let depth_m = 2.0 * fine.depth_m - coarse.depth_m;
-    let answer = ContactSolution { depth_m, ..fine };
-    let uncertainty = Some(larger((depth_m / fine.depth_m - 1.0).abs(), f64::EPSILON));
-    Some(Reference { basis: ReferenceSource::OwnLimit, answer, uncertainty })
-}
-
-/// All references of a scene, the most trustworthy first.
-pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
-    let mut list = Vec::new();
-    list.extend(stored(scene));
-    if let Ok(answer) = fine::solve(scene) {
-        let own = fine::uncertainty(scene, &answer).ok();
-        list.push(Reference {
-            basis: ReferenceSource::DoubleDouble,
-            answer: answer.answer(),
-            uncertainty: own.map(|own| larger(own, f64::EPSILON)),
-        });
-    }
-    let computed = [
-        (ReferenceSource::ClosedForm, Method::ClosedForm, Parameter::None),
-        (ReferenceSource::Dop853, Method::Dop853, Parameter::Tolerance(TIGHT)),
-        (ReferenceSource::Engine, Method::Auto, Parameter::Tolerance(TIGHT)),
-    ];
-    for (basis, method, parameter) in computed {
-        if let Ok(answer) = method.solve(parameter, scene, STEPS_MAX) {
-            list.push(Reference { basis, answer, uncertainty: None });
-        }
-    }
-    if list.iter().all(|found| found.basis.shares_code_with(Method::Auto))
-        && let Ok(answer) =
-            Method::Radau.solve(Parameter::Tolerance(TIGHT_IMPLICIT), scene, STEPS_MAX)
-    {
-        list.insert(0, Reference { basis: ReferenceSource::Radau, answer, uncertainty: None });
-    }
-    for index in 0..list.len() {
-        let own = list[index];
-        let others = list.iter().filter(|other| own.basis.code() != other.basis.code());
-        let least = others.filter_map(|other| own.difference(other)).min_by(f64::total_cmp);
-        let found = least.map(|difference| larger(difference, f64::EPSILON));
-        list[index].uncertainty = own.uncertainty.or(found);
-    }
-    list
+    let ((_, coarse_m), (fine, fine_m)) = (by(PRINTED_STEPS)?, by(2.0 * PRINTED_STEPS)?);
+    let depth_m = 2.0 * fine_m - coarse_m;
+    let mut results = [None; RESULTS.len()];
+    // It ends on a whole step: no step makes that error of the time smaller.
+    results[0] = Some(depth_m);
+    Some(Reference {
+        basis: ReferenceSource::OwnLimit,
+        outcome: fine.outcome,
+        results,
+        uncertainty: Some(larger((depth_m / fine_m - 1.0).abs(), f64::EPSILON)),
+    })
 }

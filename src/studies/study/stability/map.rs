@@ -12,12 +12,11 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::appendix::Scheme;
-use crate::model::contact_phase::section::Faces;
-use crate::model::contact_phase::{ContactSolution, Ending};
+use crate::model::appendix::section::Faces;
+use crate::model::run::Run;
 use crate::model::scene::{Listing, Reading, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::{larger, smaller};
-use crate::study::accuracy::method::answer_of;
 use crate::study::context::Context;
 use crate::study::stability::Peaks;
 
@@ -280,7 +279,30 @@ fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
 #[derive(Clone, Copy)]
 struct Target {
     peaks: Peaks,
-    contact: ContactSolution,
+    end: ContactEnd,
+}
+
+/// How the first contact ends: with the depth of an arrest, m, or at the time of a perforation, s.
+#[derive(Clone, Copy)]
+enum ContactEnd {
+    Arrest(f64),
+    Perforation(f64),
+}
+
+impl ContactEnd {
+    fn of(run: &Run) -> Option<Self> {
+        let arrest = run.first_arrest.map(|arrest| Self::Arrest(arrest.penetration_m));
+        arrest.or_else(|| run.exit_time_s.map(Self::Perforation))
+    }
+
+    /// The relative error of another; infinite where that ends otherwise.
+    fn error(self, other: Self) -> f64 {
+        match (self, other) {
+            (Self::Arrest(own), Self::Arrest(other))
+            | (Self::Perforation(own), Self::Perforation(other)) => (other / own - 1.0).abs(),
+            _ => f64::INFINITY,
+        }
+    }
 }
 
 impl Target {
@@ -288,7 +310,7 @@ impl Target {
         let scene = Arc::new(scene.clone());
         let run = super::bare(&scene, false, &mut |_| ControlFlow::Continue(())).ok()?;
         let peaks = Peaks::of(&scene, &run).ok()?;
-        Some(Self { peaks, contact: answer_of(&run).ok()? })
+        Some(Self { peaks, end: ContactEnd::of(&run)? })
     }
 }
 
@@ -368,14 +390,12 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
         }
         let swings = fastest > SWINGS_FROM * target.peaks.speed_m_s
             || reversals > 2 * target.peaks.reversals + 4;
-        let (ending, value) = if perforated {
-            (Ending::Perforation, step as f64 * dt_s)
+        let end = if perforated {
+            ContactEnd::Perforation(step as f64 * dt_s)
         } else {
-            (Ending::Arrest, state.depth_m)
+            ContactEnd::Arrest(state.depth_m)
         };
-        let error = (value / target.contact.measure() - 1.0).abs();
-        let ends_alike = refused.is_none() && ending == target.contact.ending;
-        return if ends_alike && error <= ACCURATE {
+        return if refused.is_none() && target.end.error(end) <= ACCURATE {
             Cell::Accurate
         } else if swings {
             Cell::Oscillating

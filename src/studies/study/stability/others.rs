@@ -1,8 +1,10 @@
 //! Whether other methods can compute a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
 
-use crate::model::contact_phase::{ContactSolution, Refusal};
+use crate::model::appendix;
+use crate::model::run::EndReason;
 use crate::model::scene::Scene;
-use crate::study::accuracy::method::{Method, Parameter};
+use crate::study::accuracy::method::{Method, Parameter, Refusal};
+use crate::study::accuracy::reference::Reference;
 
 /// Tolerance requested from the adaptive methods.
 pub const TOLERANCE: f64 = 1e-9;
@@ -12,10 +14,6 @@ pub const ACCURATE_ADAPTIVE: f64 = 1e-6;
 pub const ACCURATE_FIXED: f64 = 1e-2;
 /// Relative error from which an answer counts as diverged.
 pub const BLOWN_UP: f64 = 10.0;
-/// Steps an adaptive method may take.
-pub const ADAPTIVE_STEPS_MAX: usize = 20_000;
-/// Steps the thesis's scheme may take.
-pub const FIXED_STEPS_MAX: usize = 300_000;
 
 enumeration! {
     /// A method that is looked at beside `auto`.
@@ -126,43 +124,39 @@ impl Verdict {
     }
 }
 
-/// How a method fares on the contact of a scene that should end like `reference`.
-pub fn verdict(other: Other, scene: &Scene, reference: Option<ContactSolution>) -> Verdict {
-    let (accurate, steps_max) = match other.knob() {
-        Parameter::Step(_) => (ACCURATE_FIXED, FIXED_STEPS_MAX),
-        Parameter::None | Parameter::Tolerance(_) => (ACCURATE_ADAPTIVE, ADAPTIVE_STEPS_MAX),
+/// How a method fares on a scene that should end like the reference.
+pub fn verdict(other: Other, scene: &Scene, reference: Option<&Reference>) -> Verdict {
+    let Some(reference) = reference else { return Verdict::None(Fault::NoReference) };
+    let answer = match other.method().solve(other.knob(), scene) {
+        Ok(answer) => answer,
+        Err(refusal) => return Verdict::None(fault(refusal)),
     };
-    let error = reference.ok_or(Fault::NoReference).and_then(|reference| {
-        let contact = other.method().solve(other.knob(), scene, steps_max).map_err(fault)?;
-        let alike = contact.ending == reference.ending;
-        alike
-            .then_some((contact.measure() / reference.measure() - 1.0).abs())
-            .ok_or(Fault::WrongEnding)
-    });
-    match error {
-        Ok(error) if error <= accurate => Verdict::Accurate(error),
-        Ok(error) if error < BLOWN_UP => Verdict::Inaccurate(error),
-        Ok(_) => Verdict::None(Fault::BlownUp),
-        Err(fault) => Verdict::None(fault),
+    if answer.outcome != reference.outcome {
+        return Verdict::None(Fault::WrongEnding);
+    }
+    let accurate = match other {
+        Other::Explicit | Other::Implicit => ACCURATE_ADAPTIVE,
+        Other::ThesisCoarse | Other::ThesisFine => ACCURATE_FIXED,
+    };
+    match reference.error_of_shot(scene, &answer.results) {
+        error if error <= accurate => Verdict::Accurate(error),
+        error if error < BLOWN_UP => Verdict::Inaccurate(error),
+        _ => Verdict::None(Fault::BlownUp),
     }
 }
 
 fn fault(refusal: Refusal) -> Fault {
     match refusal {
-        Refusal::NonFinite => Fault::BlownUp,
-        Refusal::Separated | Refusal::OtherEnding => Fault::WrongEnding,
-        Refusal::StepBudget => Fault::TooManySteps,
-        Refusal::StopWithinContact | Refusal::NoClosedForm | Refusal::NoPowerLaw => {
-            Fault::NotApplicable
+        Refusal::NonFinite
+        | Refusal::Listing(appendix::Refusal::NonFinite)
+        | Refusal::Ended(EndReason::NonFinite) => Fault::BlownUp,
+        Refusal::OtherOutcome | Refusal::Listing(appendix::Refusal::Separated) => {
+            Fault::WrongEnding
         }
-        Refusal::LeavesStop
-        | Refusal::NeedsSimulation
-        | Refusal::StepUnderflow
-        | Refusal::NoEnd
-        | Refusal::TooStiff
-        | Refusal::EndedEarly
-        | Refusal::Rattles
-        | Refusal::NoReference
-        | Refusal::TooSlow => Fault::Stuck,
+        Refusal::Ended(EndReason::StepBudget) | Refusal::Listing(appendix::Refusal::StepBudget) => {
+            Fault::TooManySteps
+        }
+        Refusal::Listing(_) | Refusal::NeedsSimulation => Fault::NotApplicable,
+        Refusal::Ended(_) | Refusal::NoReference | Refusal::TooSlow => Fault::Stuck,
     }
 }

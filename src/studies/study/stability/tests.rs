@@ -3,35 +3,33 @@
 use std::ops::ControlFlow;
 
 use super::*;
+use crate::model::run::Outcome;
 use crate::study::context::{CancelFlag, Progress};
 
 /// A time at which the battery leaves the other methods out.
 const LATE_S: f64 = 60.0;
 
 #[test]
-fn a_row_is_compared_with_other_code_unless_what_follows_the_contact_decides() {
+fn a_row_that_is_decided_is_compared_with_other_steps() {
     // Other methods are looked at elsewhere: here their time is up at once.
     let stop = CancelFlag::default();
     let clock = TimeBudget { now_s: &|| 0.0, until_s: -1.0, stop: &stop };
-    let mut by_the_engine = Vec::new();
+    let (mut by_the_engine, mut without) = (Vec::new(), Vec::new());
     for case in cases::CASES.iter() {
         let row = examine(case, clock).unwrap();
         assert!(row.others.iter().all(|verdict| *verdict == Verdict::None(Fault::CutOff)));
         match row.basis {
-            Basis::Stored | Basis::Dop853 | Basis::Radau => {}
-            Basis::Tighter => by_the_engine.push(case.name),
-            Basis::None => assert_eq!(row.run.outcome, Outcome::Moving, "{}", case.name),
+            Some(ReferenceSource::Engine) => by_the_engine.push(case.name),
+            Some(_) => {}
+            None if row.run.outcome == Outcome::Moving => {}
+            None => without.push(case.name),
         }
         assert!(row.stiffness.largest().is_finite(), "{}", case.name);
+        assert_eq!(row.shortfall, None, "{}: {:?}", case.name, row.error);
     }
-    let yielding = [
-        "d 0.5, k 1e5, plastic",
-        "gamma 0.8, plastic",
-        "push 1e-6 over limit",
-        "plastic, grip 2",
-        "cocked on a stop",
-    ];
-    assert_eq!(by_the_engine, yielding);
+    // 100 000 oscillations within the contact, and five difficulties at once, take more work than a reference may.
+    assert_eq!(without, ["k 1e12, gamma 1e-4", "all at once"]);
+    assert!(by_the_engine.is_empty(), "{by_the_engine:?}");
 }
 
 #[test]

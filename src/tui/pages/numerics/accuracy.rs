@@ -2,7 +2,6 @@
 
 pub(crate) mod draw;
 
-use crate::model::contact_phase::Ending;
 use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
 use crate::report::accuracy::{
@@ -68,13 +67,12 @@ impl Accuracy {
         Method::ALL[self.selected_row()]
     }
 
-    /// The loosest tolerance at which a method keeps an error; that of the default where it has no parameter.
+    /// The loosest tolerance at which a method keeps an error.
     pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
         let report = self.of(method)?;
         let good = report.measured().filter(|(_, it)| it.error() <= error);
         good.filter_map(|(parameter, _)| match parameter {
             Parameter::Tolerance(tolerance) => Some(tolerance),
-            Parameter::None => Some(Scene::default().run.tolerance),
             Parameter::Step(_) => None,
         })
         .max_by(f64::total_cmp)
@@ -161,16 +159,15 @@ impl App {
         };
         let mut parts = vec![progress.part()];
         let Some(report) = &tab.report.found else { return parts };
-        if let Some(first) = report.references.first() {
-            let sure = first.uncertainty.map(|it| format!("{it:.0e}"));
+        if let Some(reference) = report.references.any() {
+            let sure = reference.uncertainty.map(|it| format!("{it:.0e}"));
             let sure = sure.as_deref().unwrap_or("unknown");
-            let words = first.basis.words();
+            let words = reference.basis.words();
             let long = format!("reference {words}, uncertainty {sure}");
             parts.push((Severity::Note, long, format!("ref. {words}")));
-            let depth = engineering(first.answer.depth_m, "m", 7);
-            let ending = match first.answer.ending {
-                Ending::Arrest => format!("{depth} deep"),
-                Ending::Perforation => "perforated".to_owned(),
+            let ending = match reference.results[0] {
+                Some(depth_m) => format!("{} deep", engineering(depth_m, "m", 7)),
+                None => reference.outcome.word().to_owned(),
             };
             parts.push(part(Severity::Note, ending));
         }
@@ -218,9 +215,7 @@ impl App {
         };
         if let Some((parameter, it)) = tab.example() {
             let floor = if it.is_at_floor() { " (floor)" } else { "" };
-            let parameter = parameter.to_string();
-            let lead = if parameter.is_empty() { String::new() } else { format!("{parameter}: ") };
-            add(Role::Text, format!("{lead}error {:.1e}{floor}", it.error()));
+            add(Role::Text, format!("{parameter}: error {:.1e}{floor}", it.error()));
             let errors = RESULTS.iter().zip(it.errors);
             let errors: Vec<String> = errors
                 .filter_map(|((_, words), error)| Some(format!("{words} {:.0e}", error?)))
@@ -243,7 +238,7 @@ impl App {
                 .timing
                 .spread()
                 .map_or_else(|| "run once".to_owned(), |spread| format!("+-{}", percent(spread)));
-            let steps = it.answer.contact.steps;
+            let steps = it.answer.steps;
             add(Role::Text, format!("{} {spread}, {steps} steps", seconds(it.timing.min_s)));
         }
         lines

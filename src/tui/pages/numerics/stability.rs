@@ -4,9 +4,10 @@ use crate::model::variables::{VARIABLES, Value};
 use crate::report;
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
+use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
 use crate::study::stability::others::Other;
-use crate::study::stability::{self, Basis, Row};
+use crate::study::stability::{self, Row};
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
 use crate::tui::update::act::{cursor_moved, moved};
@@ -20,9 +21,12 @@ const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
 
 /// What the columns of the stiff scenes mean, for `?`.
 pub(crate) fn stiff_scenes_words() -> String {
-    let bases = Basis::ALL.iter().map(|it| format!("{}: {}", it.letter(), it.words()));
-    let bases = bases.collect::<Vec<_>>().join(", ");
-    format!("{COLUMNS}. The letter behind an error names what it is measured against ({bases}).")
+    let computed = [ReferenceSource::Dop853, ReferenceSource::Radau, ReferenceSource::Engine];
+    let bases = computed.map(|it| format!("{}: {}", it.letter(), it.words())).join(", ");
+    let stored = ReferenceSource::Stored("").letter();
+    format!(
+        "{COLUMNS}. The letter behind an error names what it is measured against: {stored}: stored digits, {bases}."
+    )
 }
 
 /// Computes where a fixed-step method is stable.

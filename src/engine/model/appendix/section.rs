@@ -56,16 +56,6 @@ impl Faces {
         faces
     }
 
-    /// Number of pieces of the area law.
-    pub fn pieces(&self) -> usize {
-        self.count
-    }
-
-    /// Travel at which a piece ends.
-    pub fn piece_end(&self, piece: usize) -> f64 {
-        self.ends[piece]
-    }
-
     /// Travel at which the nose is clear of the rear face.
     pub fn exit(&self) -> f64 {
         self.ends[self.count - 1]
@@ -95,27 +85,6 @@ impl Faces {
     /// Depth from which on the section is that of the whole cylinder.
     pub fn full_from(&self) -> f64 {
         (1.0 + self.sin) / self.cos
-    }
-
-    /// Engaged area at a travel, by the formulas of a piece or, without one, of whichever holds there.
-    pub fn area(&self, q: f64, piece: Option<usize>) -> f64 {
-        let Some(piece) = piece else {
-            return self.area_at_depth(self.depth(q));
-        };
-        let from = if piece == 0 { 0.0 } else { self.ends[piece - 1] };
-        let inside = 0.5 * (from + self.ends[piece]);
-        let middle = self.depth(inside);
-        // The piece's own straight line from travel to depth, also beyond its ends.
-        let depth = if inside <= self.thickness + self.lag {
-            q * (self.thickness / (self.thickness + self.lag))
-        } else {
-            q - self.lag
-        };
-        let entry = self.section(depth, self.kind(middle));
-        match self.kind(middle - self.thickness) {
-            Section::None => entry,
-            rear => entry - self.section(depth - self.thickness, rear),
-        }
     }
 
     /// Engaged area at a depth.
@@ -189,29 +158,11 @@ mod tests {
                 for i in 1..400 {
                     let q = faces.exit() * f64::from(i) / 400.0;
                     let other = geometry.area_m2(q * r) / (r * r);
-                    let area = faces.area(q, None);
+                    let area = faces.area_at_depth(faces.depth(q));
                     assert!((area - other).abs() < 1e-8, "{theta} {thickness} {q}: {area} {other}");
                 }
                 assert!((faces.exit() * r / geometry.exit_m - 1.0).abs() < 1e-14);
             }
-        }
-    }
-
-    #[test]
-    fn a_piece_agrees_with_the_whole_law_on_its_own_stretch() {
-        for (theta, thickness) in [(0.0, 0.0254), (0.0, 0.003), (30.0, 0.0254), (60.0, 0.001)] {
-            let faces = Faces::of(&scene(theta, thickness));
-            let mut from = 0.0;
-            for piece in 0..faces.pieces() {
-                let to = faces.piece_end(piece);
-                for part in [0.01, 0.5, 0.99] {
-                    let q = from + part * (to - from);
-                    let (own, whole) = (faces.area(q, Some(piece)), faces.area(q, None));
-                    assert!((own - whole).abs() < 1e-13, "{theta} {thickness} {piece}");
-                }
-                from = to;
-            }
-            assert!((from - faces.exit()).abs() < 1e-15);
         }
     }
 }

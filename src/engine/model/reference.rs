@@ -1,6 +1,6 @@
 //! Contacts whose end is known to 18 digits: an 80-bit Taylor series and 30-digit arithmetic agree on them.
 
-use crate::model::contact_phase::{ContactSolution, Ending};
+use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::variables::{VariableError, changed_free_plate};
 
@@ -11,8 +11,8 @@ pub struct Stored {
     pub name: &'static str,
     /// Changes to Table 9.1 with gamma = 1 and neither spring nor damper.
     pub changes: String,
-    /// How the contact ends.
-    pub ending: Ending,
+    /// How the contact ends: arrested or perforated.
+    pub outcome: Outcome,
     /// Time, s, depth, m, and plate displacement, m, in all their digits.
     pub digits: [&'static str; 3],
     /// The digits of time and depth that can be trusted.
@@ -22,7 +22,7 @@ pub struct Stored {
 impl Stored {
     /// Every row.
     pub fn rows() -> impl Iterator<Item = Self> {
-        let lines = include_str!("../../data/reference.csv").lines().skip(1);
+        let lines = include_str!("../data/reference.csv").lines().skip(1);
         lines.filter_map(|line| {
             let fields: Vec<&'static str> = line.split(',').collect();
             let [name, changes, end, t_s, depth_m, plate_m, _, trusted] = fields[..] else {
@@ -32,7 +32,7 @@ impl Stored {
             Some(Self {
                 name,
                 changes: changes.replace("base", ""),
-                ending: if end == "perf" { Ending::Perforation } else { Ending::Arrest },
+                outcome: if end == "perf" { Outcome::Perforated } else { Outcome::Arrested },
                 digits: [t_s, depth_m, plate_m],
                 trusted: trusted.next()?,
             })
@@ -47,9 +47,8 @@ impl Stored {
         changed_free_plate(&self.changes)
     }
 
-    /// Its end to double precision.
-    pub fn answer(&self) -> ContactSolution {
-        let [t_s, depth_m, _] = self.digits.map(|digits| digits.parse().unwrap_or(f64::NAN));
-        ContactSolution::free(self.ending, t_s, depth_m)
+    /// Time, s, depth, m, and plate displacement, m, to double precision.
+    pub fn values(&self) -> [f64; 3] {
+        self.digits.map(|digits| digits.parse().unwrap_or(f64::NAN))
     }
 }
