@@ -9,17 +9,17 @@ pub mod chart;
 pub mod dialogs;
 pub mod keymap;
 pub mod message;
+pub mod option;
 pub mod pages;
 pub(crate) mod plain;
 pub mod theme;
 pub mod update;
 pub mod view;
-mod widgets;
+pub(crate) mod widgets;
 
 mod complete;
 mod effects;
 mod input;
-mod log;
 mod pace;
 mod shell;
 mod signals;
@@ -32,9 +32,9 @@ mod prelude {
 
     pub(crate) use super::app::App;
     pub(crate) use super::app::notice::Severity;
-    pub(crate) use super::keymap::{Action, Pane};
-    pub(crate) use super::message::{Effect, Target};
-    pub(crate) use super::pages::{NO_RESULTS, Tab};
+    pub(crate) use super::keymap::{Action, Pane, Tab, Target};
+    pub(crate) use super::message::Effect;
+    pub(crate) use super::pages::NO_RESULTS;
     pub(crate) use super::theme::{PaneFrame, Role};
     pub(crate) use super::widgets::Canvas;
 }
@@ -82,8 +82,6 @@ enum Incoming {
 pub fn run(options: Options) -> Result<u8, TuiError> {
     let paths = Paths::of_user().ok();
     let (sender, inbox) = mpsc::channel();
-    let level = std::env::var("CMRA_LOG").ok();
-    log::install(paths.as_ref().map(Paths::log_file), level.as_deref(), sender.clone());
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
     let mut shell = Shell::start(options, paths, sender, inbox)?;
     let ending = shell.run();

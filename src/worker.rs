@@ -9,10 +9,12 @@
 pub mod clock;
 pub mod quiet;
 mod runs;
+pub mod studies;
 pub mod study;
 
-use std::any::{Any, TypeId};
 use std::collections::VecDeque;
+use std::error::Error;
+use std::mem::Discriminant;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -21,12 +23,12 @@ use std::time::Duration;
 use clock::Clock;
 use quiet::Quiet;
 use runs::Cache;
-use study::{Lane, Reporter, Study};
+use studies::{Asked, Finding, Found};
+use study::{Lane, Reporter};
 
 use crate::model::scene::Scene;
 
 pub use runs::SceneRun;
-pub use study::Finding;
 
 /// A task that took longer leaves so much free memory behind that giving it back is worth a millisecond; so do the many short ones of
 /// a while.
@@ -41,7 +43,17 @@ pub struct Task {
     /// On how many threads, where the work can be divided.
     pub threads: usize,
     pub scene: Arc<Scene>,
-    pub study: Arc<dyn Study>,
+    pub asked: Asked,
+}
+
+impl Task {
+    /// Whose result it is.
+    pub fn slot(&self) -> Slot {
+        match &self.asked {
+            Asked::Run(run) => run.0,
+            study => Slot::Study(std::mem::discriminant(study)),
+        }
+    }
 }
 
 /// Whose result a task is: a newer task of a slot replaces an older one.
@@ -51,7 +63,7 @@ pub enum Slot {
     Current,
     /// A pinned run, by its letter.
     Pin(char),
-    Study(TypeId),
+    Study(Discriminant<Asked>),
 }
 
 #[derive(Clone, Debug)]
@@ -69,10 +81,10 @@ pub enum ReportBody {
         elapsed: Duration,
     },
     /// It is still running, and this is what it has so far.
-    Part(Finding),
+    Part(Found),
     /// It is done, or was cancelled and this is what it had; `None` where it had nothing.
     Ended {
-        found: Option<Finding>,
+        found: Option<Found>,
         /// Wall-clock time of the computation.
         took: Duration,
     },
@@ -82,9 +94,9 @@ pub enum ReportBody {
 
 impl ReportBody {
     /// The result, or the partial result, if it has this type.
-    pub fn found<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+    pub fn found<T: Finding>(&self) -> Option<Arc<T>> {
         match self {
-            Self::Part(found) | Self::Ended { found: Some(found), .. } => found.get(),
+            Self::Part(found) | Self::Ended { found: Some(found), .. } => T::of(found).cloned(),
             _ => None,
         }
     }
@@ -105,6 +117,9 @@ pub enum JobProgress {
 /// Where reports go; called on the threads and on the submitting one.
 type Sink = dyn Fn(Report) + Send + Sync;
 
+/// Does a task.
+type Make = fn(&Task, &Reporter<'_>) -> Result<Found, Box<dyn Error>>;
+
 /// The owner of the threads, which end when this is dropped.
 pub struct Worker {
     shared: Arc<Shared>,
@@ -117,6 +132,7 @@ struct Shared {
     /// The last few runs.
     runs: Mutex<Cache>,
     clock: Clock,
+    make: Make,
     sink: Box<Sink>,
 }
 
@@ -148,7 +164,7 @@ impl Queue {
             }
             if let Some(task) = state.waiting.pop_front() {
                 let cancel = Arc::new(AtomicBool::new(false));
-                state.running = Some((task.id, task.study.slot(), Arc::clone(&cancel)));
+                state.running = Some((task.id, task.slot(), Arc::clone(&cancel)));
                 return Some((task, cancel));
             }
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
@@ -161,7 +177,7 @@ impl Queue {
         if let Some((_, _, cancel)) = state.running.as_ref().filter(|it| wanted(it.0, it.1)) {
             cancel.store(true, Ordering::Relaxed);
         }
-        let at = state.waiting.iter().position(|task| wanted(task.id, task.study.slot()))?;
+        let at = state.waiting.iter().position(|task| wanted(task.id, task.slot()))?;
         state.waiting.remove(at)
     }
 }
@@ -177,8 +193,17 @@ impl Worker {
         clock: Clock,
         sink: impl Fn(Report) + Send + Sync + 'static,
     ) -> std::io::Result<Self> {
+        Self::with(clock, |task, reporter| task.asked.study().make(&task.scene, reporter), sink)
+    }
+
+    fn with(
+        clock: Clock,
+        make: Make,
+        sink: impl Fn(Report) + Send + Sync + 'static,
+    ) -> std::io::Result<Self> {
         let (quiet, runs, sink) = (Quiet::default(), Mutex::default(), Box::new(sink));
-        let shared = Arc::new(Shared { lanes: Default::default(), quiet, runs, clock, sink });
+        let lanes = Default::default();
+        let shared = Arc::new(Shared { lanes, quiet, runs, clock, make, sink });
         for (lane, name) in Lane::ALL {
             let shared = Arc::clone(&shared);
             let serve = move || shared.serve(lane);
@@ -189,8 +214,8 @@ impl Worker {
 
     /// Queue a task; the older one of its slot is cancelled. The scene on the screen goes before pinned ones.
     pub fn submit(&self, task: Task) {
-        let slot = task.study.slot();
-        let lane = &self.shared.lanes[task.study.lane() as usize];
+        let slot = task.slot();
+        let lane = &self.shared.lanes[task.asked.study().lane() as usize];
         let older = lane.take_out(|_, other| other == slot);
         let mut state = lane.lock();
         match slot {
@@ -241,8 +266,8 @@ impl Shared {
             let begun = (self.clock)();
             let send = |body| (self.sink)(Report { id: task.id, body });
             let reporter = Reporter::new(self, &task, &send, &cancel);
-            let work = || reporter.finish(|| task.study.make(&task.scene, &reporter));
-            let body = match (lane, task.study.measures()) {
+            let work = || reporter.finish(|| (self.make)(&task, &reporter));
+            let body = match (lane, task.asked.study().measures()) {
                 // A person waits for the run of an edit, also while run times are measured.
                 (Lane::Runs, _) => work(),
                 (_, true) => self.quiet.alone(&cancel, work),

@@ -13,7 +13,7 @@ use crate::model::units::shortest;
 use crate::model::variables::{Group, VARIABLES, Variable, find, nearest, used_when};
 use crate::report::table::Table;
 use crate::study::quantities::{self, QUANTITIES, Quantity};
-use crate::tui::app::status::wrap;
+use crate::tui::widgets::text::wrap;
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {

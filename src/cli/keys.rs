@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use crate::tui::app::status::wrap;
 use crate::tui::keymap::{Keymap, LINES, Scope};
 use crate::tui::pages::all_panes;
+use crate::tui::widgets::text::wrap;
 
 /// Width of the text of a key, for a terminal of 80 columns.
 const HELP_WIDTH: usize = 52;

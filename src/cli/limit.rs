@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
         study.deliver(&report.scene, answer)?;
     }
     let chart = || {
-        residual(&report, report.scene.projectile.velocity_m_s, None)
+        residual(&report, report.scene.projectile.velocity_m_s)
             .map(Picture::Chart)
             .into_iter()
             .collect()
@@ -58,7 +58,7 @@ const LABEL: usize = 16;
 fn page(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: ballistic limit\n\n");
     head(&mut page, report);
-    if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s, None) {
+    if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s) {
         page.push_str(&draw::chart(&chart, chart_size((WIDTH, HEIGHT)), Theme::PLAIN));
     }
     page.push('\n');

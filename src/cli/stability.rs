@@ -75,7 +75,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let preset = arguments.study.load()?;
     map::accepts(&preset.scene)?;
     let size = if arguments.quick { map::QUICK } else { map::SIZE };
-    let wanted = Wanted { method: arguments.method, axis, size, ends: None };
+    let wanted = Wanted { method: arguments.method, axis, size };
     let map = arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
     let answer = StudyOutput {

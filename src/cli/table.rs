@@ -17,7 +17,7 @@ use crate::files::export::{self, Beside, Destination};
 use crate::model::run::envelope::OUTSIDE;
 use crate::model::scene::Scene;
 use crate::report::table::{Table, pretty};
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::widgets::text::{clip, wrap};
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Default, Args)]

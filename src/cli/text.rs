@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal as _};
 
 use crate::cli::draw;
-use crate::tui::app::status::wrap;
+use crate::tui::widgets::text::wrap;
 
 /// Columns of a page that is not a terminal's, and the most and the fewest of any.
 const USUAL: usize = 80;

@@ -59,11 +59,6 @@ impl Paths {
         self.state.join("recent")
     }
 
-    /// The log.
-    pub fn log_file(&self) -> PathBuf {
-        self.state.join("cmra.log")
-    }
-
     /// The user's own library of this name, beside the presets.
     pub fn library_file(&self, name: &str) -> PathBuf {
         self.presets.with_file_name("library").join(format!("{name}.toml"))

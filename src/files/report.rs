@@ -195,7 +195,7 @@ fn ballistic_limit(report: &limit::Report) -> Vec<Block> {
     let of_limit = warnings.iter().filter(|warning| !known.contains(&warning.as_str()));
     lines.extend(of_limit.map(|warning| format!("at the limit: {warning}")));
     let chart =
-        residual(report, report.scene.projectile.velocity_m_s, None).map(Picture::Chart).map(block);
+        residual(report, report.scene.projectile.velocity_m_s).map(Picture::Chart).map(block);
     std::iter::once(Block::List(lines)).chain(chart).collect()
 }
 

@@ -3,12 +3,12 @@
 //! A scene inside the file is kept as the text of a scene file and read by the same strict reader. A session that cannot be
 //! read is backed up, never deleted, and never keeps the program from starting.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::files::atomic::{self, Existing};
@@ -39,10 +39,10 @@ pub struct Session {
     pub preset: Option<String>,
     /// Pinned runs: letter or name, and scene. They are computed again.
     pub pins: Vec<(String, Scene)>,
-    /// How things were shown (`glyphs`, `theme`, `window`, ...), in words the workbench chooses.
-    pub view: BTreeMap<String, String>,
-    /// The setups of the tabs: texts by the names of their rows, in words the workbench chooses.
-    pub setup: BTreeMap<String, String>,
+    /// How the workbench was set.
+    pub view: View,
+    /// The setups of the tabs.
+    pub setup: Setup,
     /// Scene files opened or saved, newest first.
     pub recent: Vec<PathBuf>,
     /// The last edits that can be undone, oldest first.
@@ -58,6 +58,91 @@ pub struct UndoStep {
     pub scene: Scene,
     /// Name or path of the preset which that came from.
     pub preset: String,
+}
+
+/// How the workbench was set, as far as a person chose it.
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct View {
+    /// The word of the set of characters.
+    #[serde(deserialize_with = "readable")]
+    pub glyphs: Option<String>,
+    /// The word of the number of colours.
+    #[serde(deserialize_with = "readable")]
+    pub colours: Option<String>,
+    /// Whether every edit runs.
+    #[serde(deserialize_with = "readable")]
+    pub auto_run: Option<Switch>,
+    /// Threads of sweeps and studies.
+    #[serde(deserialize_with = "readable")]
+    pub threads: Option<usize>,
+}
+
+/// On or off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Switch {
+    /// On.
+    On,
+    /// Off.
+    Off,
+}
+
+/// The setups of the tabs that a scene does not have.
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Setup {
+    /// The absorber that the Limit tab compares with.
+    #[serde(alias = "Limit: absorber", deserialize_with = "readable")]
+    pub absorber: Option<String>,
+    /// What Explore shows.
+    #[serde(alias = "Explore", deserialize_with = "readable")]
+    pub explore: Option<Explore>,
+    /// What Search looks for.
+    #[serde(alias = "Search", deserialize_with = "readable")]
+    pub search: Option<Search>,
+}
+
+/// How Explore shows the sweep of a scene.
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Explore {
+    /// A map, not curves.
+    pub is_map: bool,
+    /// How many curves a family has.
+    pub curves: Option<u64>,
+    /// The quantity shown.
+    pub output: String,
+}
+
+/// The setup of the Search tab, by what it means, whatever its rows are called; what is missing is as usual.
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Search {
+    /// The variable of goal seek with its range.
+    pub seek: String,
+    /// Its goal.
+    pub goal: String,
+    /// The variables of fronts and sensitivity, and whether each is varied; none where nobody changed them.
+    pub bounds: Vec<(String, bool)>,
+    /// The objectives of a front.
+    pub minimise: Option<Vec<String>>,
+    /// The greatest stroke, m; without one there is no bound.
+    pub stroke_m: Option<f64>,
+    /// Further bounds that designs have to keep.
+    pub subject_to: Vec<String>,
+    /// Only feasible designs count.
+    pub feasible: Option<bool>,
+    /// Designs that a front tries.
+    pub designs: Option<usize>,
+    /// The objectives drawn across and up.
+    pub axes: (usize, usize),
+    /// The result of sensitivity and scatter.
+    pub output: String,
+    /// Standard deviation of every input, percent.
+    pub percent: Option<f64>,
+    /// Samples of the scatter.
+    pub samples: Option<usize>,
 }
 
 /// The result of loading the last session.
@@ -87,24 +172,24 @@ struct SessionFile {
     #[serde(default)]
     recent: Vec<String>,
     scene: String,
-    #[serde(default, deserialize_with = "strings")]
-    view: BTreeMap<String, String>,
-    #[serde(default, deserialize_with = "strings")]
-    setup: BTreeMap<String, String>,
+    #[serde(default)]
+    view: View,
+    #[serde(default)]
+    setup: Setup,
     #[serde(default)]
     pin: Vec<PinRow>,
     #[serde(default)]
     undo: Vec<UndoRow>,
 }
 
-/// What a table has as strings: any other value means nothing to this program, and costs nothing else.
-fn strings<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, String>, D::Error> {
-    let values: BTreeMap<String, toml::Value> = Deserialize::deserialize(file)?;
-    let strings = values.into_iter().filter_map(|(key, value)| match value {
-        toml::Value::String(text) => Some((key, text)),
-        _ => None,
-    });
-    Ok(strings.collect())
+/// What a key has, where that means something: it costs nothing else where it does not. A text may have it as JSON, or as a number, as
+/// older versions wrote it.
+fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
+    file: D,
+) -> Result<Option<T>, D::Error> {
+    let value = toml::Value::deserialize(file)?;
+    let text = value.as_str().and_then(|text| serde_json::from_str(text).ok());
+    Ok(text.or_else(|| value.try_into().ok()))
 }
 
 #[derive(Serialize, Deserialize)]
@@ -323,8 +408,9 @@ mod tests {
         session.scene.notes = "two\nlines and ''' quotes".to_owned();
         session.preset = Some("cocked".to_owned());
         session.pins.push(("A".to_owned(), Scene::default()));
-        session.view.insert("glyphs".to_owned(), "ascii".to_owned());
-        session.setup.insert("Goal seek: is".to_owned(), "60 %".to_owned());
+        session.view.glyphs = Some("ascii".to_owned());
+        session.setup.search =
+            Some(Search { goal: "stroke_m=0.6".to_owned(), ..Search::default() });
         note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
         let scene = Scene { title: "before".to_owned(), ..Scene::default() };
         let (label, preset) = ("gamma 1 -> 2".to_owned(), "cocked".to_owned());
@@ -445,16 +531,39 @@ mod tests {
     }
 
     #[test]
-    fn a_setup_that_is_no_text_costs_nothing_else() {
+    fn a_setup_that_means_nothing_costs_nothing_else() {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("session.toml");
         save(&path, &example(), &mut Known::default()).unwrap();
         let text = fs::read_to_string(&path).unwrap();
-        for table in ["[view]\n", "[setup]\n"] {
-            fs::write(&path, text.replacen(table, &format!("{table}later = 3\n"), 1)).unwrap();
+        for wrong in ["[view]\nlater = 3\nthreads = \"x\"\n", "[setup]\nlater = 3\nexplore = 7\n"] {
+            let table = &wrong[..=wrong.find('\n').unwrap()];
+            let text = if text.contains(table) { text.clone() } else { format!("{text}\n{table}") };
+            fs::write(&path, text.replacen(table, wrong, 1)).unwrap();
             let loaded = load(&path);
-            assert_eq!((loaded.session, loaded.notice), (Some(example()), None), "{table}");
+            assert_eq!((loaded.session, loaded.notice), (Some(example()), None), "{wrong}");
         }
+    }
+
+    /// Versions up to 0.2 wrote setups as texts in JSON, and numbers as texts.
+    #[test]
+    fn a_session_of_an_older_version_is_read() {
+        let scene = write::fresh(&Scene::default());
+        let text = format!(
+            "format = 1\nscene = \'\'\'\n{scene}\'\'\'\n[view]\nauto_run = \"off\"\nthreads = \"2\"\n\
+             [setup]\n\"Limit: absorber\" = \"foam\"\nExplore = '{{\"is_map\":true,\"curves\":3,\"output\":\"stroke_m\"}}'\n\
+             Search = '{{\"seek\":\"k=1..2:3\",\"stroke_m\":null,\"bounds\":[[\"gamma=1..5\",false]]}}'\n"
+        );
+        let setup = parse(&text).0.unwrap();
+        let view = View { auto_run: Some(Switch::Off), threads: Some(2), ..View::default() };
+        assert_eq!(setup.view, view);
+        let Setup { absorber, explore, search } = setup.setup;
+        assert_eq!(absorber.as_deref(), Some("foam"));
+        let output = "stroke_m".to_owned();
+        assert_eq!(explore, Some(Explore { is_map: true, curves: Some(3), output }));
+        let search = search.unwrap();
+        assert_eq!((search.seek.as_str(), search.stroke_m), ("k=1..2:3", None));
+        assert_eq!(search.bounds, [("gamma=1..5".to_owned(), false)]);
     }
 
     #[test]

@@ -2,10 +2,10 @@
 //!
 //! [`crate::tui::update`] changes it, [`crate::tui::view`] draws it. What the session file keeps is taken from here.
 
-pub mod find;
+pub(crate) mod dialog;
+pub(crate) mod edit;
 pub mod history;
 pub mod jobs;
-pub mod layout;
 pub mod notice;
 pub(crate) mod setups;
 pub mod status;
@@ -14,26 +14,23 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+use dialog::Dialog;
 use history::{History, Snapshot};
 use jobs::Jobs;
-use layout::Layout;
 use notice::{Notice, Severity};
 
 use crate::files::clean;
 use crate::files::session;
 use crate::model::scene::Scene;
 use crate::study::parallel::cores;
-use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::Keymap;
 use crate::tui::message::{FileTask, PresetEntry};
 use crate::tui::pages;
-use crate::tui::pages::run::charts::Charts;
-use crate::tui::pages::run::editor::Editor;
 use crate::tui::pages::run::runs::{Pin, RunView, Shown};
 use crate::tui::prelude::*;
 use crate::tui::theme::{ColourDepth, Theme};
 use crate::tui::widgets::input::{Field, TextField};
-use crate::tui::widgets::table::Listing;
+use crate::tui::widgets::layout::{Layout, layout};
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
@@ -47,31 +44,58 @@ pub struct Base {
     pub scene: Arc<Scene>,
 }
 
-/// The whole state.
+/// How the workbench is set: what the options menu changes, and what the session keeps of it.
 #[derive(Clone, Debug, Default)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is one switch of the screen, shown and toggled by itself"
-)]
-pub struct App {
-    /// Columns and rows of the terminal.
-    pub size: (u16, u16),
+pub struct Settings {
     pub theme: Theme,
     /// The most colours the terminal can show.
     pub best_depth: ColourDepth,
+    /// Run after every edit.
+    pub auto_run: bool,
+    pub mouse: bool,
+    /// Threads of sweeps and studies; `None`: one for each core.
+    pub threads: Option<usize>,
+}
+
+/// What is known of the files outside.
+#[derive(Clone, Debug, Default)]
+pub struct Files {
+    /// Where relative paths start.
+    pub directory: PathBuf,
+    /// The presets that can be loaded.
+    pub presets: Vec<PresetEntry>,
+    /// Files opened or saved lately, newest first.
+    pub recent: Vec<PathBuf>,
+    /// The session could not be saved the last time.
+    pub session_lost: bool,
+}
+
+/// What is being typed into, where no dialog is open.
+#[derive(Clone, Debug)]
+pub enum Typing {
+    /// The field of a row of the pane that has the keys.
+    Field(Field),
+    /// The field of `/`.
+    Find(TextField),
+}
+
+/// The whole state.
+#[derive(Clone, Debug, Default)]
+pub struct App {
+    /// Columns and rows of the terminal.
+    pub size: (u16, u16),
     pub tab: Tab,
     pub focus: [Pane; Tab::ALL.len()],
     /// The tabs whose focused pane fills the body.
     pub full_pane: [bool; Tab::ALL.len()],
-    /// The open field, of a row of the pane that has the keys.
-    pub field: Option<Field>,
+    pub typing: Option<Typing>,
     pub keymap: Keymap,
+    pub settings: Settings,
     /// This is the first start: a line says how to begin, until the first edit.
     pub first_run: bool,
     pub scene: Arc<Scene>,
     /// The preset it came from.
     pub base: Base,
-    pub editor: Editor,
     /// Edits that can be undone.
     pub history: History,
     /// The result on the screen, if any yet.
@@ -80,32 +104,11 @@ pub struct App {
     pub jobs: Jobs,
     /// Pinned runs, in the order of their letters.
     pub pins: Vec<Pin>,
-    /// The row selected in the table of runs: 0 is the current run.
-    pub selected_run: usize,
-    /// How the table of runs is listed.
-    pub runs: Listing,
-    pub current_visible: bool,
-    pub charts: Charts,
     pub pages: pages::States,
-    pub dialog: Option<Dialog>,
+    pub(crate) dialog: Option<Box<dyn Dialog>>,
     /// The newest message, until the next key.
     pub notice: Option<Notice>,
-    /// All messages of this session, oldest first.
-    pub log: Vec<Notice>,
-    /// The field of `/` while it is open.
-    pub find: Option<TextField>,
-    /// Run after every edit.
-    pub auto_run: bool,
-    pub mouse: bool,
-    pub presets: Vec<PresetEntry>,
-    /// The session could not be saved the last time.
-    pub session_lost: bool,
-    /// Threads of sweeps and studies; `None`: one for each core.
-    pub threads: Option<usize>,
-    /// Files opened or saved lately, newest first.
-    pub recent: Vec<PathBuf>,
-    /// Where relative paths start.
-    pub directory: PathBuf,
+    pub files: Files,
     /// The pending requests to the outside.
     pub(crate) effects: Vec<Effect>,
 }
@@ -115,17 +118,49 @@ impl App {
     pub fn new(base: Base, theme: Theme, directory: PathBuf) -> Self {
         Self {
             size: (80, 24),
-            theme,
-            best_depth: theme.depth,
-            focus: Tab::ALL.map(|tab| tab.about().panes[0].pane),
+            settings: Settings {
+                theme,
+                best_depth: theme.depth,
+                auto_run: true,
+                ..Settings::default()
+            },
+            focus: Tab::ALL.map(|tab| Pane::of(tab, 0)),
             scene: Arc::clone(&base.scene),
             base,
-            current_visible: true,
-            editor: Editor::new(),
-            auto_run: true,
-            directory,
+            files: Files { directory, ..Files::default() },
             ..Self::default()
         }
+    }
+
+    /// The open field of a row.
+    pub fn field(&self) -> Option<&Field> {
+        if let Some(Typing::Field(field)) = &self.typing { Some(field) } else { None }
+    }
+
+    /// The open field of `/`.
+    pub fn find(&self) -> Option<&TextField> {
+        if let Some(Typing::Find(text)) = &self.typing { Some(text) } else { None }
+    }
+
+    /// Whether a dialog lies on top.
+    pub fn has_dialog(&self) -> bool {
+        self.dialog.is_some()
+    }
+
+    /// Open the field of a row of the pane that has the keys, its old text selected.
+    pub(crate) fn open_field(&mut self, row: usize) {
+        let text = pages::of(self.tab).text(self, row);
+        self.typing = Some(Typing::Field(Field::new(row, text)));
+    }
+
+    /// Whether what the tab exports and copies are runs, not a table of its own.
+    pub(crate) fn shows_runs(&self) -> bool {
+        matches!(self.tab, Tab::Run | Tab::Log)
+    }
+
+    /// The first part of every name proposed for a file about a scene: the preset's name without folders and ending.
+    pub(crate) fn base_stem(&self) -> &str {
+        self.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml")
     }
 
     /// All that edits change, as it is now.
@@ -140,13 +175,13 @@ impl App {
 
     /// Threads of sweeps and studies.
     pub fn crew(&self) -> usize {
-        self.threads.unwrap_or_else(cores)
+        self.settings.threads.unwrap_or_else(cores)
     }
 
     pub fn layout(&self) -> Layout {
         // A pinned run takes the row that says how to pin one.
         let has_hint = self.tab != Tab::Run || self.pins.is_empty();
-        layout::layout(self.size, self.tab.about().pages.len() > 1, has_hint)
+        layout(self.size, self.tab.pages() > 1, has_hint)
     }
 
     /// Rows of a list that fills the body.
@@ -206,7 +241,7 @@ impl App {
 
     /// Note a file that was opened or saved; a relative path is one of the directory.
     pub(crate) fn note_recent(&mut self, path: &Path) {
-        session::note_recent(&mut self.recent, self.directory.join(path));
+        session::note_recent(&mut self.files.recent, self.files.directory.join(path));
     }
 
     pub(crate) fn request(&mut self, effect: Effect) {
@@ -215,7 +250,7 @@ impl App {
 
     /// Ask for the presets there are, the files opened lately among them.
     pub(crate) fn list_presets(&mut self) {
-        self.request(Effect::Files(FileTask::ListPresets(self.recent.clone())));
+        self.request(Effect::Files(FileTask::ListPresets(self.files.recent.clone())));
     }
 
     /// Say something good to know.
@@ -229,10 +264,11 @@ impl App {
 
     /// Keep a message for the Log tab; of very many the oldest go.
     pub(crate) fn keep(&mut self, notice: Notice) {
-        if self.log.len() >= LOG_MAX {
-            self.log.drain(..LOG_MAX / 4);
+        let messages = &mut self.pages.log.messages;
+        if messages.len() >= LOG_MAX {
+            messages.drain(..LOG_MAX / 4);
         }
-        self.log.push(notice);
+        messages.push(notice);
     }
 
     /// The runs to draw, the current one last so that it lies on top.
@@ -249,7 +285,7 @@ impl App {
                 })
             })
             .collect();
-        if let Some(shown) = self.shown.as_ref().filter(|_| self.current_visible) {
+        if let Some(shown) = self.shown.as_ref().filter(|_| self.pages.run.shows_current) {
             list.push(RunView {
                 letter: None,
                 index: 0,

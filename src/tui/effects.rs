@@ -99,9 +99,8 @@ impl IoThread {
     }
 
     fn request(&self, request: Request) {
-        if self.requests.send(request).is_err() {
-            log::error!("the thread for files has ended; nothing is saved any more");
-        }
+        // It ends only with the loop.
+        let _ = self.requests.send(request);
     }
 
     /// Have the session saved soon.
@@ -207,6 +206,10 @@ impl FileQueue {
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
+            Task::IsFree(to) if to.path.exists() => {
+                EffectReport::Exported(to.path.clone(), ExportOutcome::Exists(to.path))
+            }
+            Task::IsFree(to) => EffectReport::Free(to),
             Task::ReadCurve(path) => {
                 let points =
                     read_table::curve(&path, Accepts::Ordinary).map_err(|error| error.to_string());
@@ -268,21 +271,17 @@ fn save_scene(
     path: Option<PathBuf>,
     scene: &Scene,
     overwrite: bool,
-) -> Result<PathBuf, String> {
+) -> ExportOutcome {
     let existing = Existing::replaced(overwrite);
     let saved = match (path, paths) {
         (Some(path), _) => preset::save_file(&path, scene, existing).map(|()| path),
         (None, Some(paths)) => preset::save(paths, name, scene, existing),
         (None, None) => Err(FileError::NoHome),
     };
-    saved.map_err(|error| error.to_string())
+    written(saved.map(|path| vec![path]))
 }
 
-fn export(to: Destination, content: &Content) -> ExportOutcome {
-    let to = to.placed(content.is_complete());
-    let written = atomic::ordinary(&to.path)
-        .and_then(|()| content.text())
-        .and_then(|text| to.write(text.as_bytes(), &content.scenes()));
+fn written(written: Result<Vec<PathBuf>, FileError>) -> ExportOutcome {
     match written {
         Ok(files) => ExportOutcome::Written(files),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
@@ -290,12 +289,20 @@ fn export(to: Destination, content: &Content) -> ExportOutcome {
     }
 }
 
+fn export(to: Destination, content: &Content) -> ExportOutcome {
+    let to = to.placed(content.is_complete());
+    let written = atomic::ordinary(&to.path)
+        .and_then(|()| content.text())
+        .and_then(|text| to.write(text.as_bytes(), &content.scenes()));
+    self::written(written)
+}
+
 fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     let preset::List { presets, unreadable } = preset::list(paths);
     let (parts, wrong_parts) = library::list(paths);
-    for error in unreadable.iter().map(|one| &one.error).chain(&wrong_parts) {
-        log::warn!("{error}");
-    }
+    let wrong_parts = wrong_parts
+        .iter()
+        .map(|error| PresetEntry::broken("library".to_owned(), error.to_string()));
     // A recent file that is gone or broken is omitted: loading it says why.
     let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
     let recent = unsaved
@@ -318,6 +325,7 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
         .chain(recent.map(|found| entry(found, "recent")))
         .chain(parts.into_iter().map(PresetEntry::of_part))
         .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.name, it.error.to_string())))
+        .chain(wrong_parts)
         .collect()
 }
 
@@ -463,16 +471,16 @@ mod tests {
             });
         };
         ask(false);
-        let EffectReport::Saved(name, Ok(path)) = report(&inbox) else {
-            panic!("not saved");
+        let file = paths.preset_file("mine");
+        let saved = || match report(&inbox) {
+            EffectReport::Saved(name, outcome) if name == "mine" => outcome,
+            other => panic!("{other:?}"),
         };
-        assert_eq!((name.as_str(), &path), ("mine", &paths.preset_file("mine")));
+        assert_eq!(saved(), ExportOutcome::Written(vec![file.clone()]));
         ask(false);
-        assert!(
-            matches!(report(&inbox), EffectReport::Saved(_, Err(text)) if text.contains("exists"))
-        );
+        assert_eq!(saved(), ExportOutcome::Exists(file.clone()));
         ask(true);
-        assert!(matches!(report(&inbox), EffectReport::Saved(_, Ok(_))));
+        assert_eq!(saved(), ExportOutcome::Written(vec![file]));
         io_thread.ask(Task::ListPresets(Vec::new()));
         let EffectReport::Presets(presets) = report(&inbox) else {
             panic!("not a list");
@@ -490,10 +498,8 @@ mod tests {
         scene.plate.mass_ratio = 2.0;
         let (name, file) = ("my.toml".to_owned(), Some(path.clone()));
         io_thread.ask(Task::SaveScene { name, path: file, scene, overwrite: true });
-        let EffectReport::Saved(_, Ok(saved)) = report(&inbox) else {
-            panic!("not saved");
-        };
-        assert_eq!(saved, path);
+        let EffectReport::Saved(_, saved) = report(&inbox) else { panic!("not saved") };
+        assert_eq!(saved, ExportOutcome::Written(vec![path.clone()]));
         let text = fs::read_to_string(&path).unwrap();
         let kept = text.contains("title = \"Ours\"\n# why\n");
         assert!(kept && text.contains("mass_ratio = 2"), "{text}");

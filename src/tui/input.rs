@@ -29,11 +29,8 @@ pub(super) fn spawn(inbox: Sender<Incoming>, hold: Duration) -> io::Result<()> {
     let reading = move || {
         let decoder = Decoder::new(hold);
         let read = |buffer: &mut [u8], patience| terminal::read(buffer, patience);
-        // A panic is in the log.
-        let ended = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, decoder, read)));
-        if let Ok(Err(error)) = ended {
-            log::warn!("reading from the terminal failed: {error}");
-        }
+        // What ends it, an error or a panic, is the end of the terminal.
+        let _ = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, decoder, read)));
         // The loop may be over already.
         let _ = inbox.send(Incoming::Signal(Signal::End(HUNG_UP)));
     };

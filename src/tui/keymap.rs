@@ -6,11 +6,71 @@ use std::collections::BTreeMap;
 use KeyCode as C;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use crate::tui::dialogs::options::OptionRow;
-use crate::tui::pages::{TAB_KEYS, Tab};
 use Action as A;
-use OptionRow as O;
 use Scope::{Everywhere, Listed, With};
+
+use crate::tui::option::OptionRow;
+
+macro_rules! tabs {
+    ($($tab:ident: $pages:literal, $id:literal, $key:literal, $about:literal;)*) => {
+        /// The tabs, in the order of the title row.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Tab {
+            $(#[doc = $about] $tab,)*
+        }
+
+        impl Tab {
+            pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
+
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$tab => stringify!($tab),)*
+                }
+            }
+
+            /// How many pages it has.
+            pub fn pages(self) -> usize {
+                match self {
+                    $(Self::$tab => $pages,)*
+                }
+            }
+        }
+
+        /// The keys that lead to the tabs.
+        const TAB_KEYS: &[Bound] = &[
+            $((Action::Tab(Tab::$tab), $id, $key),)*
+        ];
+    };
+}
+
+tabs! {
+    Run: 1, "tab-run", "1", "One impact: variables, charts, runs.";
+    Explore: 1, "tab-explore", "2", "Curves or a map of a quantity over one variable or two.";
+    Limit: 1, "tab-limit", "3", "The ballistic limit, and the comparison at equal areal mass.";
+    Search: 4, "tab-search", "4", "Goal seek, Pareto front, sensitivity, Monte Carlo.";
+    Numerics: 2, "tab-numerics", "5", "Accuracy and stability of the methods.";
+    Thesis: 3, "tab-thesis", "6", "The thesis: what is computed of it, its principles, its concepts.";
+    Log: 1, "tab-log", "7", "Warnings, events, energy, cost and messages.";
+}
+
+impl Default for Tab {
+    fn default() -> Self {
+        Self::ALL[0]
+    }
+}
+
+impl Tab {
+    /// Its place in the title row, from 0.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The text in the title row, with the key that leads there.
+    pub(crate) fn title(self, keys: &Keymap) -> String {
+        let (key, name) = (keys.label(Action::Tab(self)), self.name());
+        if key.is_empty() { name.to_owned() } else { format!("{key}:{name}") }
+    }
+}
 
 /// A pane: what can have the focus, by its tab and its place among the tab's panes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -24,6 +84,27 @@ impl Pane {
     pub const fn of(tab: Tab, at: u8) -> Self {
         Self { tab, at }
     }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    Tab(Tab),
+    /// A page of the tab, by its place among the names.
+    Page(usize),
+    /// A pane, beside its parts.
+    Pane(Pane),
+    Row(Pane, usize),
+    Cell(Pane, (usize, usize)),
+    /// A value of the axis across of a chart.
+    Value {
+        pane: Pane,
+        chart: usize,
+        value: f64,
+    },
+    /// A row of the list in the dialog on top.
+    DialogRow(usize),
+    /// Beside the dialog on top.
+    Beside,
 }
 
 pub struct PaneSpec {
@@ -51,7 +132,7 @@ pub enum Part {
     Form,
     /// A chart that can be zoomed.
     Chart,
-    /// A table that can be sorted and filtered.
+    /// A table that can be sorted.
     Table,
 }
 
@@ -124,10 +205,8 @@ pub enum Action {
     ShowHide,
     Sort,
     ResetAll,
-    History,
     Models,
     Switch(OptionRow),
-    FitVertical,
     Contour,
 }
 
@@ -331,48 +410,6 @@ impl Command {
     }
 }
 
-const fn named(action: Action, name: &'static str, synonyms: &'static str) -> Command {
-    Command::new(Call::Do(action), name, synonyms)
-}
-
-/// All of them: tabs and pages first, then what acts anywhere, then what acts on a pane.
-pub fn commands() -> impl Iterator<Item = &'static Command> {
-    let of = |within: bool| {
-        let all = Tab::ALL.into_iter().flat_map(|tab| tab.about().commands);
-        all.filter(move |command| matches!(command.call, Call::In(..)) == within)
-    };
-    of(false).chain(GENERAL).chain(of(true))
-}
-
-#[rustfmt::skip]
-static GENERAL: &[Command] = &[
-    named(A::Help, "Help", "keys"),
-    named(A::Options, "Options", "settings preferences menu"),
-    named(A::Presets, "Presets", "load open threats materials absorbers scenes file"),
-    named(A::Save, "Save the scene", "preset write store"),
-    named(A::Export, "Export", "csv svg html md report write file table picture chart"),
-    named(A::Copy, "Copy", "clipboard osc 52"),
-    named(A::Run, "Run again", "recompute calculate compute"),
-    named(A::Undo, "Undo", "take back"),
-    named(A::Redo, "Redo", "again"),
-    named(A::History, "List of edits", "history undo"),
-    named(A::Mark, "Pin this run", "compare keep mark"),
-    named(A::ResetAll, "Set all variables as in the preset", "reset all start again default"),
-    named(A::FullPane, "Show this pane alone", "full zoom maximise"),
-    named(A::Switch(O::Interface), "Switch the interface law", "fused plastic"),
-    named(A::Models, "Pin this scene by every contact model", "compare interaction half-sine initial velocity lumped appendix"),
-    named(A::Switch(O::Contact), "Next contact model", "interaction half-sine initial velocity lumped appendix"),
-    named(A::Switch(O::Threads), "Next number of threads", "cores processors parallel"),
-    named(A::Switch(O::AutoRun), "Switch auto-run", "run after every edit"),
-    named(A::Switch(O::Characters), "Next set of characters", "ascii block braille glyphs"),
-    named(A::Switch(O::Colours), "Next set of colours", "theme colors"),
-    named(A::Switch(O::Mouse), "Switch the mouse", "click wheel release"),
-    named(A::Redraw, "Redraw the screen", "clear refresh"),
-    named(A::Suspend, "Suspend", "shell background"),
-    named(A::Quit, "Quit", "exit leave"),
-    named(A::QuitWithSummary, "Quit with a summary", "exit print"),
-];
-
 /// Where a line of the table works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
@@ -426,7 +463,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
     line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load what is under the cursor into the scene"),
     line(Everywhere, &[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
-    line(Everywhere, &[(A::Find, "find", "/")], "find in this pane; of a table show the rows that match"),
+    line(Everywhere, &[(A::Find, "find", "/")], "find in this pane; variables and claims: show what matches"),
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
     line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
     line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),
@@ -457,20 +494,8 @@ pub static LINES: &[KeyHelp] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::pages::all_panes;
 
-    /// The help of 80 columns shows every key and its meaning in full.
-    #[test]
-    fn keys_and_meanings_fit_the_help_of_80_columns() {
-        let map = Keymap::default();
-        let lines = LINES.iter().map(|line| (map.line_label(line), line.meaning));
-        let panes = all_panes().flat_map(|pane| pane.keys);
-        for (keys, help) in lines.chain(panes.map(|row| (map.label(row.action), row.help))) {
-            assert!(keys.len() <= 13 && map.shown(help).len() <= 61, "{keys}: {help}");
-        }
-    }
-
-    /// No key has two meanings, about twenty lines hold everywhere, and no pane has more than eight of its own.
+    /// No key has two meanings, and about twenty lines hold everywhere.
     #[test]
     fn every_key_has_one_meaning_and_there_are_few_of_them() {
         let mut seen: Vec<&str> = Vec::new();
@@ -487,20 +512,6 @@ mod tests {
         assert_eq!(actions.len(), count, "an action stands in two lines");
         let everywhere = LINES.iter().filter(|line| line.scope == Everywhere).count();
         assert!(everywhere <= 24, "{everywhere} lines hold everywhere");
-        for pane in all_panes() {
-            let own = LINES.iter().filter(|line| line.scope != Everywhere);
-            assert!(own.filter(|line| line.works_in(pane)).count() <= 8, "{}", pane.label);
-        }
-    }
-
-    #[test]
-    fn the_listed_keys_of_a_pane_work_there() {
-        for pane in all_panes() {
-            for row in pane.keys {
-                assert!(pane.knows(row.action), "{:?} in {}", row.action, pane.label);
-                assert!(!Keymap::default().keys(row.action).is_empty(), "{:?}", row.action);
-            }
-        }
     }
 
     #[test]

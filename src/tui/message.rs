@@ -12,6 +12,7 @@ use crate::files::export::{self, Beside, Destination, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
+use crate::tui::app::Base;
 use crate::tui::prelude::*;
 use crate::worker::{Report, Task};
 
@@ -32,36 +33,15 @@ pub enum Message {
     LongJob(u64),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),
-    /// A line of the program's own log, for the Log tab (not for the message row).
-    Logged(log::Level, String),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Target {
-    Tab(Tab),
-    /// A page of the tab, by its place among the names.
-    Page(usize),
-    /// A pane, beside its parts.
-    Pane(Pane),
-    Row(Pane, usize),
-    Cell(Pane, (usize, usize)),
-    /// A value of the axis across of a chart.
-    Value {
-        pane: Pane,
-        chart: usize,
-        value: f64,
-    },
-    /// A row of the list in the dialog on top.
-    DialogRow(usize),
-    /// Beside the dialog on top.
-    Beside,
 }
 
 /// How an effect ended. The texts are for the message row.
 #[derive(Clone, Debug)]
 pub enum EffectReport {
     /// A scene was saved under this name or path: its file.
-    Saved(String, Result<PathBuf, String>),
+    Saved(String, ExportOutcome),
+    /// No file is there yet: the report can be computed that will be.
+    Free(Destination),
     /// An export to this path was written; or the target exists already; or it failed.
     Exported(PathBuf, ExportOutcome),
     /// The presets that can be loaded now.
@@ -83,6 +63,19 @@ pub enum ExportOutcome {
     /// The file exists and was not replaced.
     Exists(PathBuf),
     Failed(String),
+}
+
+impl ExportOutcome {
+    /// It in words, where nothing was written.
+    pub(crate) fn words(&self) -> String {
+        match self {
+            Self::Written(_) => String::new(),
+            Self::Exists(path) => {
+                format!("{} already exists and was not replaced", path.display())
+            }
+            Self::Failed(text) => text.clone(),
+        }
+    }
 }
 
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -117,6 +110,11 @@ impl PresetEntry {
     /// The row of a file that cannot be read.
     pub fn broken(name: String, problem: String) -> Self {
         Self { name, origin: "mine", problem: Some(problem), ..Self::default() }
+    }
+
+    /// It as the reference of edits.
+    pub(crate) fn base(self) -> Base {
+        Base { name: self.name, is_mine: self.origin == "mine", scene: self.scene.into() }
     }
 
     /// The scene it makes of the present one.
@@ -171,6 +169,8 @@ pub enum FileTask {
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
+    /// See whether a file is there already.
+    IsFree(Destination),
     /// Read a measured curve for a spring.
     ReadCurve(PathBuf),
     Complete(String),

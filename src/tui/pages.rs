@@ -11,39 +11,39 @@ pub mod thesis;
 
 /// What the files of the pages have in common.
 pub(crate) mod prelude {
-    pub(crate) use std::error::Error;
     pub(crate) use std::sync::Arc;
 
     pub(crate) use super::{BEING_COMPUTED, note, nothing, old, part, progress};
-    pub(crate) use super::{LabelledScene, Page, PageSpec, Progress, Rows, StatusPart};
+    pub(crate) use super::{LabelledScene, Page, PageSpec, Progress, StatusPart};
     pub(crate) use crate::model::scene::Scene;
     pub(crate) use crate::model::units::significant;
-    pub(crate) use crate::study::context::Context;
     pub(crate) use crate::tui::app::jobs::{Kept, Running};
-    pub(crate) use crate::tui::app::layout::{split_bottom, split_left, split_top};
-    pub(crate) use crate::tui::app::status::{clip, wrap};
+    pub(crate) use crate::tui::app::{edit, jobs};
     pub(crate) use crate::tui::chart::{Scale, ViewRange};
     pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
     pub(crate) use crate::tui::message::PageTable;
     pub(crate) use crate::tui::prelude::*;
-    pub(crate) use crate::tui::update::zoom::{Across, MapPart, Span};
-    pub(crate) use crate::tui::update::{edit, jobs};
-    pub(crate) use crate::tui::widgets::RowList;
-    pub(crate) use crate::tui::widgets::text::{TextLine, columns};
-    pub(crate) use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
-    pub(crate) use crate::worker::{Finding, ReportBody};
+    pub(crate) use crate::tui::widgets::text::{TextLine, clip, columns, wrap};
+    pub(crate) use crate::tui::widgets::zoom::Across;
+    pub(crate) use crate::tui::widgets::{RowList, Rows, split_bottom, split_left, split_top};
+    pub(crate) use crate::worker::ReportBody;
+    pub(crate) use crate::worker::studies::AskedFor;
 }
+
+use ratatui::buffer::Buffer;
 
 use crate::model::scene::Scene;
 use crate::tui::app::jobs::{Kept, Running};
-use crate::tui::keymap::{Bound, Command, Keymap, PaneSpec};
+use crate::tui::keymap::{Call, Command, PaneSpec};
 use crate::tui::message::PageTable;
-use crate::tui::pages::run::steps::Input;
+use crate::tui::option::OptionRow;
 use crate::tui::prelude::*;
-use crate::tui::update::zoom::{Across, MapPart, Span};
+use crate::tui::widgets::Rows;
 use crate::tui::widgets::form::Form;
+use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::zoom::Across;
 use crate::worker::ReportBody;
-use crate::worker::study::Study;
+use crate::worker::studies::AskedFor;
 
 /// A scene that can be loaded or pinned, and what it is in words.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +72,7 @@ pub(crate) fn old(whose: &str) -> String {
 }
 
 /// The words of a pane that has nothing to show: while its study runs, else why there is nothing.
-pub(crate) fn nothing<S: Study>(
+pub(crate) fn nothing<S: AskedFor>(
     app: &App,
     running: &'static str,
     why: Option<&'static str>,
@@ -107,7 +107,7 @@ impl Progress<'_> {
 }
 
 /// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
-pub(crate) fn progress<S: Study, T>(
+pub(crate) fn progress<S: AskedFor, T>(
     app: &App,
     kept: &Kept<T>,
     scene: &Scene,
@@ -121,13 +121,6 @@ pub(crate) fn progress<S: Study, T>(
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Rows {
-    pub count: usize,
-    pub selected: usize,
-    pub shown: usize,
-}
-
 /// A page of a tab that has several.
 pub(crate) struct PageSpec {
     pub name: &'static str,
@@ -136,7 +129,6 @@ pub(crate) struct PageSpec {
 
 /// The constants of a tab.
 pub(crate) struct About {
-    pub name: &'static str,
     /// Its pages, where it has several.
     pub pages: &'static [PageSpec],
     /// All of its panes; the first one has the focus at the start.
@@ -149,20 +141,20 @@ pub(crate) struct About {
 pub(crate) trait Page: Sync {
     /// The panes shown, in the order in which Tab goes through them.
     fn shown_panes(&self, app: &App) -> Vec<Pane> {
-        let About { panes, pages, .. } = app.tab.about();
+        let About { panes, pages, .. } = about(app.tab);
         let all = || panes.iter().map(|spec| spec.pane).collect();
         pages.get(self.shown(app)).map_or_else(all, |page| page.panes.to_vec())
     }
 
     /// The page shown, by its place: the first one that has the pane with the keys.
     fn shown(&self, app: &App) -> usize {
-        let pages = app.tab.about().pages.iter();
+        let pages = about(app.tab).pages.iter();
         pages.take_while(|page| !page.panes.contains(&app.pane())).count()
     }
 
     /// Show another page; it computes what it has not.
     fn turn_to(&self, app: &mut App, page: usize) {
-        if let Some(page) = app.tab.about().pages.get(page) {
+        if let Some(page) = about(app.tab).pages.get(page) {
             app.focus_on(page.panes[0]);
             self.enter(app);
         }
@@ -176,6 +168,11 @@ pub(crate) trait Page: Sync {
 
     /// Do what a key means here; `false` where the page has no meaning of its own for it.
     fn act(&self, _app: &mut App, _action: Action) -> bool {
+        false
+    }
+
+    /// Select the variable of the row that has the keys, where that has a list of words; whether it has.
+    fn lists_words(&self, _app: &mut App) -> bool {
         false
     }
 
@@ -251,16 +248,6 @@ pub(crate) trait Page: Sync {
         None
     }
 
-    /// The axes across and up of the map in the pane, where a part of it can be computed.
-    fn map_axes(&self, _app: &App) -> Option<[Span; 2]> {
-        None
-    }
-
-    /// Compute another part of the map in the pane.
-    fn show_part(&self, _app: &mut App, _part: MapPart) -> Result<(), String> {
-        Ok(())
-    }
-
     /// Put the crosshair of a chart of the pane on a value of its axis across.
     fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}
 
@@ -269,35 +256,21 @@ pub(crate) trait Page: Sync {
 }
 
 macro_rules! pages {
-    ($($tab:ident, $module:ident::$page:ident, $id:literal, $key:literal, $about:literal $(, $field:ident: $state:ty)?;)*) => {
+    ($($tab:ident, $module:ident::$page:ident $(, $field:ident: $state:ty)?;)*) => {
+        /// What the tabs keep.
         #[derive(Clone, Debug, Default)]
         pub struct States {
-            $($(#[doc = $about] pub $field: $state,)?)*
+            $($(pub $field: $state,)?)*
         }
 
-        /// The tabs, in the order of the title row.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        pub enum Tab {
-            $(#[doc = $about] $tab,)*
-        }
-
-        impl Tab {
-            pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
-
-            pub(crate) fn about(self) -> &'static About {
-                match self {
-                    $(Self::$tab => &const {
-                        use $module::{COMMANDS as commands, PAGES as pages, PANES as panes};
-                        About { name: stringify!($tab), pages, panes, commands }
-                    },)*
-                }
+        pub(crate) fn about(tab: Tab) -> &'static About {
+            match tab {
+                $(Tab::$tab => &const {
+                    use $module::{COMMANDS as commands, PAGES as pages, PANES as panes};
+                    About { pages, panes, commands }
+                },)*
             }
         }
-
-        /// The keys that lead to the tabs.
-        pub(crate) const TAB_KEYS: &[Bound] = &[
-            $((Action::Tab(Tab::$tab), $id, $key),)*
-        ];
 
         pub(crate) fn of(tab: Tab) -> &'static dyn Page {
             match tab {
@@ -308,41 +281,32 @@ macro_rules! pages {
 }
 
 pages! {
-    Run, run::RunTab, "tab-run", "1", "One impact: variables, charts, runs.";
-    Explore, explore::ExploreTab, "tab-explore", "2", "Curves or a map of a quantity over one variable or two.", explore: explore::state::Sweeping;
-    Limit, limit::LimitTab, "tab-limit", "3", "The ballistic limit, and the comparison at equal areal mass.", limit: limit::state::Ballistic;
-    Search, search::SearchTab, "tab-search", "4", "Goal seek, Pareto front, sensitivity, Monte Carlo.", search: search::state::Searching;
-    Numerics, numerics::NumericsTab, "tab-numerics", "5", "Accuracy and stability of the methods.", numerics: numerics::Numerics;
-    Thesis, thesis::ThesisTab, "tab-thesis", "6", "The thesis: what is computed of it, its principles, its concepts.", thesis: thesis::Thesis;
-    Log, log::LogTab, "tab-log", "7", "Warnings, events, energy, cost and messages.", log: log::Log;
+    Run, run::RunTab, run: run::RunPage;
+    Explore, explore::ExploreTab, explore: explore::state::Sweeping;
+    Limit, limit::LimitTab, limit: limit::state::Ballistic;
+    Search, search::SearchTab, search: search::state::Searching;
+    Numerics, numerics::NumericsTab, numerics: numerics::Numerics;
+    Thesis, thesis::ThesisTab, thesis: thesis::Thesis;
+    Log, log::LogTab, log: log::Log;
 }
 
-impl Default for Tab {
-    fn default() -> Self {
-        Self::ALL[0]
-    }
-}
-
-impl Tab {
-    /// Its place in the title row, from 0.
-    pub fn index(self) -> usize {
-        self as usize
-    }
-
-    /// The text in the title row, with the key that leads there.
-    pub(crate) fn title(self, keys: &Keymap) -> String {
-        let (key, name) = (keys.label(Action::Tab(self)), self.about().name);
-        if key.is_empty() { name.to_owned() } else { format!("{key}:{name}") }
-    }
+/// Draw the setup of a study.
+pub(crate) fn draw_setup(app: &App, form: &Form, pane: Pane, area: Rect, canvas: &mut Canvas<'_>) {
+    let on = app.pane() == pane;
+    let hint = app.keymap.shown(if on { "" } else { "<next-pane>" });
+    let frame = PaneFrame::new("Setup").right(hint).focused(app.has_focus(pane));
+    let inner = frame.draw(area, canvas);
+    canvas.pane(area, pane);
+    form.render((pane, on), app.field(), inner, canvas);
 }
 
 /// All panes, in the order of the tabs.
 pub fn all_panes() -> impl Iterator<Item = &'static PaneSpec> {
-    Tab::ALL.into_iter().flat_map(|tab| tab.about().panes)
+    Tab::ALL.into_iter().flat_map(|tab| about(tab).panes)
 }
 
 pub fn spec(pane: Pane) -> &'static PaneSpec {
-    let panes = pane.tab.about().panes;
+    let panes = about(pane.tab).panes;
     panes.iter().find(|spec| spec.pane == pane).unwrap_or(&panes[0])
 }
 
@@ -358,5 +322,128 @@ pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     runs.map(|id| (Tab::Run, id)).chain(studies)
 }
 
+/// Move the selection of the pane by rows, stopping at the ends.
+pub(crate) fn move_by(app: &mut App, by: isize) {
+    let page = of(app.tab);
+    if let Some(rows) = page.rows(app)
+        && let Some(last) = rows.count.checked_sub(1)
+    {
+        page.select(app, rows.selected.min(last).saturating_add_signed(by).min(last));
+    }
+}
+
+/// Why a page has no table.
+pub(crate) fn nothing_yet(app: &App, what: &str) -> String {
+    if all_jobs(app).any(|(tab, _)| tab == app.tab) {
+        return "nothing is finished yet: <back> stops the job and keeps what is finished"
+            .to_owned();
+    }
+    format!("nothing to {what} yet: press <run> to compute it")
+}
+
+const FEW_COLUMNS: u16 = 40;
+
+/// The columns of the plot that the crosshair walks through, as it is drawn.
+pub fn plot_columns(app: &App) -> u16 {
+    let columns = drawn_page(app, None).0;
+    columns.filter(|columns| *columns > 1).unwrap_or(FEW_COLUMNS)
+}
+
+/// The charts and maps on the screen, as SVG; none where the page shows none.
+pub fn pictures(app: &App) -> Vec<String> {
+    drawn_page(app, Some(Vec::new())).1.unwrap_or_default()
+}
+
+/// What the drawing of the page says beside its cells: the columns of its plot, and its pictures where they are collected.
+fn drawn_page(app: &App, pictures: Option<Vec<String>>) -> (Option<u16>, Option<Vec<String>>) {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    let mut canvas = Canvas::new(&mut buffer, app.settings.theme);
+    canvas.pictures = pictures;
+    if let Some(body) = app.layout().body {
+        of(app.tab).draw(app, body, &mut canvas);
+    }
+    (canvas.plot_columns, canvas.pictures)
+}
+
+const fn named(action: Action, name: &'static str, synonyms: &'static str) -> Command {
+    Command::new(Call::Do(action), name, synonyms)
+}
+
+/// All of them: tabs and pages first, then what acts anywhere, then what acts on a pane.
+pub fn commands() -> impl Iterator<Item = &'static Command> {
+    let of = |within: bool| {
+        let all = Tab::ALL.into_iter().flat_map(|tab| about(tab).commands);
+        all.filter(move |command| matches!(command.call, Call::In(..)) == within)
+    };
+    of(false).chain(GENERAL).chain(of(true))
+}
+
+#[rustfmt::skip]
+static GENERAL: &[Command] = &[
+    named(Action::Help, "Help", "keys"),
+    named(Action::Options, "Options", "settings preferences menu"),
+    named(Action::Presets, "Presets", "load open threats materials absorbers scenes file"),
+    named(Action::Save, "Save the scene", "preset write store"),
+    named(Action::Export, "Export", "csv svg html md report write file table picture chart"),
+    named(Action::Copy, "Copy", "clipboard osc 52"),
+    named(Action::Run, "Run again", "recompute calculate compute"),
+    named(Action::Undo, "Undo", "take back"),
+    named(Action::Redo, "Redo", "again"),
+    named(Action::Mark, "Pin this run", "compare keep mark"),
+    named(Action::ResetAll, "Set all variables as in the preset", "reset all start again default"),
+    named(Action::FullPane, "Show this pane alone", "full zoom maximise"),
+    named(Action::Switch(OptionRow::Interface), "Switch the interface law", "fused plastic"),
+    named(Action::Models, "Pin this scene by every contact model", "compare interaction half-sine initial velocity lumped appendix"),
+    named(Action::Switch(OptionRow::Contact), "Next contact model", "interaction half-sine initial velocity lumped appendix"),
+    named(Action::Switch(OptionRow::Threads), "Next number of threads", "cores processors parallel"),
+    named(Action::Switch(OptionRow::AutoRun), "Switch auto-run", "run after every edit"),
+    named(Action::Switch(OptionRow::Characters), "Next set of characters", "ascii block braille glyphs"),
+    named(Action::Switch(OptionRow::Colours), "Next set of colours", "theme colors"),
+    named(Action::Switch(OptionRow::Mouse), "Switch the mouse", "click wheel release"),
+    named(Action::Redraw, "Redraw the screen", "clear refresh"),
+    named(Action::Suspend, "Suspend", "shell background"),
+    named(Action::Quit, "Quit", "exit leave"),
+    named(Action::QuitWithSummary, "Quit with a summary", "exit print"),
+];
+
 #[cfg(test)]
-mod tests;
+mod tests {
+    use super::*;
+    use crate::tui::keymap::{Keymap, LINES, Scope};
+
+    /// The help of 80 columns shows every key and its meaning in full.
+    #[test]
+    fn keys_and_meanings_fit_the_help_of_80_columns() {
+        let map = Keymap::default();
+        let lines = LINES.iter().map(|line| (map.line_label(line), line.meaning));
+        let panes = all_panes().flat_map(|pane| pane.keys);
+        for (keys, help) in lines.chain(panes.map(|row| (map.label(row.action), row.help))) {
+            assert!(keys.len() <= 13 && map.shown(help).len() <= 61, "{keys}: {help}");
+        }
+    }
+
+    #[test]
+    fn the_listed_keys_of_a_pane_work_there() {
+        for pane in all_panes() {
+            for row in pane.keys {
+                assert!(pane.knows(row.action), "{:?} in {}", row.action, pane.label);
+                assert!(!Keymap::default().keys(row.action).is_empty(), "{:?}", row.action);
+            }
+        }
+    }
+
+    #[test]
+    fn no_pane_has_more_than_eight_lines_of_keys_of_its_own() {
+        for pane in all_panes() {
+            let own = LINES.iter().filter(|line| line.scope != Scope::Everywhere);
+            assert!(own.filter(|line| line.works_in(pane)).count() <= 8, "{}", pane.label);
+        }
+    }
+
+    #[test]
+    fn every_tab_has_the_pages_that_the_key_table_says() {
+        for tab in Tab::ALL {
+            assert_eq!(about(tab).pages.len().max(1), tab.pages(), "{tab:?}");
+        }
+    }
+}

@@ -79,7 +79,6 @@ impl Shell {
         })?;
         let (mut app, known) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
-        log::info!("cmra {} started", env!("CARGO_PKG_VERSION"));
         let io_thread = IoThread::spawn(paths, known, effects::SESSION_DELAY, sender.clone())?;
         let unsaved = io_thread.unsaved();
         let left = signals::spawn(sender.clone(), move || {
@@ -265,7 +264,7 @@ impl Shell {
     ) -> io::Result<Option<Ending>> {
         match effect {
             Effect::Submit(task) => {
-                if task.study.slot() == Slot::Current {
+                if task.slot() == Slot::Current {
                     self.pace.expect_result(Instant::now());
                 }
                 self.worker.submit(task);

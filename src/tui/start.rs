@@ -1,6 +1,5 @@
 //! From the command line and the last session to the state the workbench starts with, and back to the session.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,23 +8,17 @@ use crate::files::bundled::BASELINE;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Known, Session, UNDO_MAX, UndoStep};
+use crate::files::session::{self, Known, Session, Switch, UNDO_MAX, UndoStep, View};
 use crate::files::{atomic, config, recent};
 use crate::model::scene::Scene;
 use crate::tui::app::history::{Change, Edit, History, Snapshot};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Base};
+use crate::tui::app::{App, Base, Settings};
 use crate::tui::keymap::Keymap;
 use crate::tui::pages::run::runs::{LETTERS, Pin};
 use crate::tui::pages::thesis;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
-
-/// The words of the session's view table.
-const GLYPHS: &str = "glyphs";
-const COLOURS: &str = "colours";
-const AUTO_RUN: &str = "auto_run";
-const THREADS: &str = "threads";
 
 /// The state to start with, and the session's file as it was found.
 pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
@@ -66,7 +59,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         }
         (None, None) => App::new(baseline(), theme, directory),
     };
-    app.recent = recent;
+    app.files.recent = recent;
     if let Some(path) = opened {
         app.note_recent(&path);
     }
@@ -105,14 +98,14 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     if let (None, Some(word)) = (glyphs, &config.characters) {
         match GlyphSet::named(word) {
             Ok(choice) => {
-                app.theme.glyphs = choice.unwrap_or_else(|| GlyphSet::detect(environment));
+                app.settings.theme.glyphs = choice.unwrap_or_else(|| GlyphSet::detect(environment));
             }
             Err(error) => app.say(Severity::Warning, format!("{}: {error}", path.display())),
         }
     }
     if let Some(word) = &config.colours {
         match ColourDepth::named(word) {
-            Some(depth) => app.theme.depth = depth,
+            Some(depth) => app.settings.theme.depth = depth,
             None => app.say(
                 Severity::Warning,
                 format!("{}: colours = \"{word}\": use none, sixteen, 256 or full", path.display()),
@@ -153,28 +146,22 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
 /// The part of the state that the session file keeps.
 pub(super) fn session(app: &App) -> Session {
     let detected = Theme::detect(environment);
-    let mut view = BTreeMap::new();
-    let mut keep = |key: &str, word: &str| view.insert(key.to_owned(), word.to_owned());
     // Only what a person chose: the next terminal may be able to show more, or less.
-    if app.theme.glyphs != detected.glyphs {
-        keep(GLYPHS, app.theme.glyphs.word());
-    }
-    if app.theme.depth != detected.depth {
-        keep(COLOURS, app.theme.depth.word());
-    }
-    if !app.auto_run {
-        keep(AUTO_RUN, "off");
-    }
-    if let Some(count) = app.threads {
-        keep(THREADS, &count.to_string());
-    }
+    let Settings { theme, auto_run, threads, .. } = &app.settings;
+    let chosen = |word: &str, is_chosen: bool| is_chosen.then(|| word.to_owned());
+    let view = View {
+        glyphs: chosen(theme.glyphs.word(), theme.glyphs != detected.glyphs),
+        colours: chosen(theme.depth.word(), theme.depth != detected.depth),
+        auto_run: (!auto_run).then_some(Switch::Off),
+        threads: *threads,
+    };
     Session {
         scene: (*app.scene).clone(),
         preset: Some(kept_name(app, &app.base)),
         pins: app.pins.iter().map(|pin| (pin.letter.to_string(), (*pin.scene).clone())).collect(),
         view,
         setup: app.setups(),
-        recent: app.recent.clone(),
+        recent: app.files.recent.clone(),
         undo: undo_steps(app),
     }
 }
@@ -218,7 +205,7 @@ fn undoable(app: &App, steps: Vec<UndoStep>, paths: Option<&Paths>) -> History {
 fn kept_name(app: &App, base: &Base) -> String {
     let name = &base.name;
     if !base.is_mine && preset::is_path(name) {
-        app.directory.join(name).to_str().unwrap_or(name).to_owned()
+        app.files.directory.join(name).to_str().unwrap_or(name).to_owned()
     } else {
         name.clone()
     }
@@ -279,18 +266,18 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
             job: None,
         });
     }
-    let word = |key: &str| last.view.get(key).map(String::as_str);
+    let View { glyphs: set, colours, auto_run, threads } = last.view;
     if glyphs.is_none()
-        && let Some(Ok(Some(set))) = word(GLYPHS).map(GlyphSet::named)
+        && let Some(Ok(Some(set))) = set.as_deref().map(GlyphSet::named)
     {
-        app.theme.glyphs = set;
+        app.settings.theme.glyphs = set;
     }
-    if let Some(depth) = word(COLOURS).and_then(ColourDepth::named) {
-        app.theme.depth = depth;
+    if let Some(depth) = colours.as_deref().and_then(ColourDepth::named) {
+        app.settings.theme.depth = depth;
     }
-    app.auto_run = word(AUTO_RUN) != Some("off");
-    app.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
-    app.restore_setups(&last.setup);
+    app.settings.auto_run = auto_run != Some(Switch::Off);
+    app.settings.threads = threads.filter(|count| *count > 0);
+    app.restore_setups(last.setup);
     app.history = undoable(app, last.undo, paths);
     app.tell(greeting(app));
 }
@@ -318,11 +305,12 @@ mod tests {
     use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
     use super::*;
+    use crate::tui::app::edit;
+    use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
-    use crate::tui::pages::Tab;
-    use crate::tui::pages::explore::plan::PictureSweep;
     use crate::tui::pages::explore::state::PicturePlan;
-    use crate::tui::update::{self, edit};
+    use crate::tui::update;
+    use crate::worker::studies::Asked;
 
     fn state() -> App {
         let base = baseline();
@@ -345,24 +333,15 @@ mod tests {
     }
 
     #[test]
-    fn a_setup_that_means_nothing_any_more_is_left_alone() {
-        let mut app = state();
-        let usual = app.setups();
-        let nonsense = usual.keys().map(|row| (row.clone(), "nonsense".to_owned())).collect();
-        app.restore_setups(&nonsense);
-        assert_eq!(app.pages.search.setup, state().pages.search.setup);
-        app.restore_setups(&BTreeMap::new());
-        assert_eq!(app.setups(), usual);
-    }
-
-    #[test]
     fn a_setup_that_comes_back_is_no_edit_of_the_scene() {
         let mut app = state();
-        let kept =
-            |name: &str| [("Explore".to_owned(), format!(r#"{{ "output": "{name}" }}"#))].into();
-        app.restore_setups(&kept("system_mass_kg"));
+        let kept = |name: &str| {
+            let explore = session::Explore { output: name.to_owned(), ..Default::default() };
+            session::Setup { explore: Some(explore), ..Default::default() }
+        };
+        app.restore_setups(kept("system_mass_kg"));
         assert!(!app.is_modified());
-        app.restore_setups(&kept("max_plate_displacement_m"));
+        app.restore_setups(kept("max_plate_displacement_m"));
         assert_eq!((app.pages.explore.output, app.is_modified()), (1, false));
     }
 
@@ -373,7 +352,7 @@ mod tests {
         app.pages.limit.absorber = Some("some foam".to_owned());
         let kept = app.setups();
         let mut again = state();
-        again.restore_setups(&kept);
+        again.restore_setups(kept);
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
         assert_eq!(again.pages.limit.absorber, app.pages.limit.absorber);
     }
@@ -392,7 +371,7 @@ mod tests {
             assert_eq!(state.tab, tab, "{name}");
             assert!(state.history.edits.is_empty(), "nothing to undo yet");
             let effects = update::start(&mut state);
-            let is_sweep = |effect: &Effect| matches!(effect, Effect::Submit(task) if task.study.of::<PictureSweep>().is_some());
+            let is_sweep = |effect: &Effect| matches!(effect, Effect::Submit(task) if matches!(task.asked, Asked::Picture(_)));
             assert_eq!(effects.iter().any(is_sweep), tab == Tab::Explore, "{name}");
         }
     }
@@ -409,10 +388,10 @@ mod tests {
             visible: true,
             job: None,
         });
-        app.auto_run = false;
-        app.threads = Some(1);
-        app.theme.glyphs = app.theme.glyphs.next();
-        app.recent = vec![PathBuf::from("a.toml")];
+        app.settings.auto_run = false;
+        app.settings.threads = Some(1);
+        app.settings.theme.glyphs = app.settings.theme.glyphs.next();
+        app.files.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);
         press(
             &mut app,
@@ -420,27 +399,27 @@ mod tests {
         );
         press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
         let kept = session(&app);
-        assert!(kept.setup["Explore"].contains(r#""is_map":true"#), "{kept:?}");
+        assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.
-        let search = &kept.setup["Search"];
-        for part in ["k=8e6..9e6:65", "percent_of_baseline=45", "gamma=1..5:2", "k=0..7.5e6:2"] {
-            assert!(search.contains(part), "{part}: {search}");
-        }
+        let search = kept.setup.search.as_ref().expect("a setup");
+        assert_eq!((&*search.seek, &*search.goal), ("k=8e6..9e6:65", "percent_of_baseline=45"));
+        let bounds: Vec<&str> = search.bounds.iter().map(|it| &*it.0).collect();
+        assert!(bounds.contains(&"gamma=1..5:2") && bounds.contains(&"k=0..7.5e6:2"), "{search:?}");
         let mut again = state();
         restore(&mut again, kept.clone(), None, None);
         assert_eq!(again.scene, app.scene);
-        assert_eq!((again.theme, again.threads), (app.theme, Some(1)));
+        assert_eq!((again.settings.theme, again.settings.threads), (app.settings.theme, Some(1)));
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
         assert_eq!(again.pages.explore.plan, app.pages.explore.plan);
         assert!(again.effects.is_empty());
-        again.recent.clone_from(&app.recent);
+        again.files.recent.clone_from(&app.files.recent);
         assert_eq!(session(&again), kept);
         let text = again.notice.expect("it says so").text;
         assert!(text.contains("modified, 1 pinned run"), "{text}");
         // What the command line requests goes before what the session has.
         let mut fixed = state();
         restore(&mut fixed, kept, Some(GlyphSet::Ascii), None);
-        assert_eq!(fixed.theme.glyphs, state().theme.glyphs);
+        assert_eq!(fixed.settings.theme.glyphs, state().settings.theme.glyphs);
     }
 
     /// Three edits, one of them another preset: after a restart each is undone, and done again.
@@ -451,7 +430,7 @@ mod tests {
         let cocked = base_of(preset::resolve("cocked", None).unwrap());
         edit::load(&mut app, cocked.clone(), PicturePlan::default());
         press(&mut app, "l");
-        let mut again = App::new(cocked, app.theme, PathBuf::new());
+        let mut again = App::new(cocked, app.settings.theme, PathBuf::new());
         restore(&mut again, session(&app), None, None);
         let steps: [fn(&mut App); 5] = [edit::undo, edit::undo, edit::undo, edit::undo, edit::redo];
         for step in steps {
@@ -466,7 +445,7 @@ mod tests {
     #[test]
     fn files_are_kept_by_their_whole_paths() {
         let mut app = state();
-        app.directory = PathBuf::from("/somewhere");
+        app.files.directory = PathBuf::from("/somewhere");
         let named = |app: &App| session(app).preset.unwrap();
         assert_eq!(named(&app), "thesis-baseline");
         for (name, kept) in [
@@ -479,7 +458,7 @@ mod tests {
         }
         app.note_recent(Path::new("a.toml"));
         app.note_recent(Path::new("/somewhere/a.toml"));
-        assert_eq!(app.recent, [PathBuf::from("/somewhere/a.toml")]);
+        assert_eq!(app.files.recent, [PathBuf::from("/somewhere/a.toml")]);
     }
 
     #[test]
@@ -506,14 +485,14 @@ mod tests {
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
         let (state, _) = app(options(), Some(&paths));
         assert!(state.notice.is_none());
-        assert_eq!(state.recent, last.recent);
+        assert_eq!(state.files.recent, last.recent);
         assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
         let (state, _) = app(options(), Some(&paths));
         assert_eq!(state.pins.len(), 0);
-        let text = state.log.last().unwrap().text.clone();
+        let text = state.pages.log.messages.last().unwrap().text.clone();
         assert!(text.contains("1 pinned run") && text.contains("as recent"), "{text}");
         let kept = recent::list(&paths.recent_folder());
         assert_eq!(preset::resolve(kept[0].to_str().unwrap(), None).unwrap().scene, last.scene);

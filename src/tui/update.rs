@@ -1,9 +1,6 @@
 //! The update of the state for each message, and its requests to the outside. No I/O, no clock.
 
 pub(crate) mod act;
-pub(crate) mod edit;
-pub(crate) mod jobs;
-pub(crate) mod zoom;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,16 +8,19 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::files::preset;
-use crate::tui::app::Base;
-use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::notice::Notice;
-use crate::tui::dialogs::{Ask, answered, ask, asking, list};
+use crate::tui::app::{Base, Typing, edit, jobs};
+use crate::tui::dialogs;
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
-use crate::tui::pages::run::steps::Input;
+use crate::tui::pages::run::report;
 use crate::tui::prelude::*;
-use crate::tui::widgets::input::{Field, TEXT_MAX, TextField};
+use crate::tui::widgets::find::{rank, ranked};
+use crate::tui::widgets::input::{TEXT_MAX, TextField};
+use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::zoom::is_zoom;
 
 /// The first requests: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
@@ -53,7 +53,6 @@ fn take(app: &mut App, message: Message) {
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => app.jobs.long.push(id),
         Message::Done(report) => done(app, report),
-        Message::Logged(level, text) => app.note(level, text),
     }
 }
 
@@ -70,7 +69,10 @@ fn keys(app: &mut App, key: KeyEvent) {
 fn open_text(app: &mut App) -> Option<&mut TextField> {
     match &mut app.dialog {
         Some(dialog) => dialog.field_mut(),
-        None => app.field.as_mut().map(|field| &mut field.text).or(app.find.as_mut()),
+        None => app.typing.as_mut().map(|typing| match typing {
+            Typing::Field(field) => &mut field.text,
+            Typing::Find(text) => text,
+        }),
     }
 }
 
@@ -88,12 +90,12 @@ fn press(app: &mut App, key: KeyEvent) {
         return;
     }
     if app.dialog.is_some() {
-        return list::press(app, key);
+        return in_dialog(app, |dialog, app| dialog.press(app, key));
     }
-    if app.find.is_some() {
+    if app.find().is_some() {
         return in_find(app, key);
     }
-    if app.field.is_some() {
+    if app.field().is_some() {
         return in_field(app, key);
     }
     if let Some(action) = action.filter(|action| pages::spec(app.pane()).knows(*action)) {
@@ -116,9 +118,20 @@ fn paste(app: &mut App, text: &str) {
         Some(field) => field.insert(&clean),
         None => app.tell("pasted text is ignored here: open a field first (<enter> on a variable)"),
     }
-    list::after_typing(app);
-    if app.dialog.is_none() {
-        follow(app);
+    match &mut app.dialog {
+        Some(dialog) => dialog.pasted(),
+        None => follow(app),
+    }
+}
+
+/// Let the dialog on top do something, and what follows.
+fn in_dialog(app: &mut App, does: impl FnOnce(&mut dyn Dialog, &mut App) -> Outcome) {
+    let Some(mut dialog) = app.dialog.take() else { return };
+    match does(&mut *dialog, app) {
+        // It may have opened another one.
+        Outcome::Stays if app.dialog.is_none() => app.dialog = Some(dialog),
+        Outcome::Stays | Outcome::Closes => {}
+        Outcome::Calls(call) => act::call(app, call),
     }
 }
 
@@ -134,10 +147,8 @@ fn everywhere(app: &mut App, action: Option<Action>) -> bool {
 
 /// Close the dialog or field on top; whether there was one.
 fn close_top(app: &mut App) -> bool {
-    let open = app.dialog.take().is_some();
-    let field = app.field.take().is_some();
-    let find = app.find.take().is_some();
-    open || field || find
+    let (dialog, typing) = (app.dialog.take(), app.typing.take());
+    dialog.is_some() || typing.is_some()
 }
 
 impl App {
@@ -164,8 +175,8 @@ impl App {
             (KeyCode::Char(c), _) if c.is_ascii_digit() && here.has.contains(&Part::Form) => {
                 format!("no tab has the number {c}: <enter> opens the value to type it")
             }
-            (_, None) if action.is_some_and(zoom::is_zoom) => {
-                "only charts and maps zoom".to_owned()
+            (_, None) if action.is_some_and(is_zoom) => {
+                "only charts of Run and Explore zoom".to_owned()
             }
             (_, Some(pane)) => {
                 format!(
@@ -179,16 +190,10 @@ impl App {
     }
 }
 
-/// Open the field of a row, its old text selected.
-pub(crate) fn open_field(app: &mut App, row: usize) {
-    let text = pages::of(app.tab).text(app, row);
-    app.field = Some(Field::new(row, text));
-}
-
 pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
     let then = match key.code {
         KeyCode::Esc => {
-            app.field = None;
+            app.typing = None;
             return;
         }
         KeyCode::Enter => None,
@@ -197,21 +202,22 @@ pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
         KeyCode::Tab => Some(Action::FocusNext),
         KeyCode::BackTab => Some(Action::FocusPrevious),
         _ => {
-            if let Some(field) = &mut app.field {
-                field.text.press(key);
+            if let Some(text) = open_text(app) {
+                text.press(key);
             }
             return;
         }
     };
     commit(app);
-    if let Some(action) = then.filter(|_| app.field.is_none()) {
+    if let Some(action) = then.filter(|_| app.field().is_none()) {
         act::act(app, action);
     }
 }
 
 /// Take the text; one that is refused stays, with the reason, and nothing else changes.
 fn commit(app: &mut App) {
-    let Some(mut field) = app.field.take() else { return };
+    let Some(mut field) = app.field().cloned() else { return };
+    app.typing = None;
     let page = pages::of(app.tab);
     let text = field.text.value().trim().to_owned();
     if field.text.all_selected || !page.is_new(app, field.row, &text) {
@@ -219,7 +225,7 @@ fn commit(app: &mut App) {
     }
     if let Err(error) = page.change(app, field.row, Input::Text(&text)) {
         field.text.error = Some(error);
-        app.field = Some(field);
+        app.typing = Some(Typing::Field(field));
     }
 }
 
@@ -232,21 +238,21 @@ pub(crate) fn open_find(app: &mut App) {
         return app.tell("nothing to find in this pane: <find> works in lists, tables and forms");
     };
     // A new text replaces the old one.
-    app.find = Some(TextField::selected(text));
+    app.typing = Some(Typing::Find(TextField::selected(text)));
 }
 
 /// A key while it is open: the list follows every character.
 pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
     match key.code {
         KeyCode::Esc => {
-            app.find = None;
+            app.typing = None;
             clear(app);
         }
-        KeyCode::Enter | KeyCode::Tab => app.find = None,
-        KeyCode::Up => act::move_by(app, -1),
-        KeyCode::Down => act::move_by(app, 1),
+        KeyCode::Enter | KeyCode::Tab => app.typing = None,
+        KeyCode::Up => pages::move_by(app, -1),
+        KeyCode::Down => pages::move_by(app, 1),
         _ => {
-            if app.find.as_mut().is_some_and(|field| field.press(key)) {
+            if open_text(app).is_some_and(|field| field.press(key)) {
                 follow(app);
             }
         }
@@ -255,7 +261,7 @@ pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
 
 /// Show what matches the text in the field.
 pub(crate) fn follow(app: &mut App) {
-    let Some(field) = &app.find else { return };
+    let Some(field) = app.find() else { return };
     let text = field.value().trim().to_owned();
     let page = pages::of(app.tab);
     if let Some(filter) = page.filter(app) {
@@ -303,8 +309,12 @@ pub(crate) fn clear(app: &mut App) -> bool {
 
 pub(crate) fn click(app: &mut App, target: Target) {
     app.notice = None;
-    if app.dialog.is_some() {
-        return list::click(app, target);
+    if let Some(dialog) = &app.dialog {
+        return match target {
+            Target::DialogRow(row) => in_dialog(app, |dialog, app| dialog.click(app, row)),
+            Target::Beside if dialog.closes_beside() => app.dialog = None,
+            _ => {}
+        };
     }
     if is_typing(app) {
         return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
@@ -355,7 +365,7 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     }
     if pages::of(app.tab).rows(app).is_some() {
         app.history.commit();
-        act::move_by(app, if up { -1 } else { 1 });
+        pages::move_by(app, if up { -1 } else { 1 });
     } else {
         act::act(app, if up { Action::Up } else { Action::Down });
     }
@@ -363,15 +373,45 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
 
 /// Whether a text is being typed: no click may take it away.
 fn is_typing(app: &App) -> bool {
-    app.field.is_some() || app.find.is_some()
+    app.typing.is_some()
 }
 
-/// An effect has been carried out, or has failed.
+/// An effect has been carried out, or has failed: the dialog that asked for it hears of it first.
 pub(crate) fn done(app: &mut App, report: EffectReport) {
+    let (report, with_curve) = match report {
+        EffectReport::Curve(path, points) => dialogs::checked(app, path, points),
+        other => (other, None),
+    };
+    let dialog = app.dialog.as_mut();
+    let outcome = dialog.and_then(|dialog| dialog.answered(&app.files.directory, &report));
+    if outcome == Some(Outcome::Closes) {
+        app.dialog = None;
+    }
+    // What it asked for stands in the dialog; meanwhile another one may have been opened.
+    let is_heard = outcome.is_some();
     match report {
-        EffectReport::Saved(name, outcome) => saved(app, name, outcome),
-        EffectReport::Exported(path, outcome) => exported(app, &path, outcome),
-        EffectReport::Presets(list) => app.presets = list,
+        EffectReport::Saved(name, ExportOutcome::Written(files)) => saved(app, name, &files),
+        EffectReport::Curve(path, Ok(points)) => {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            app.tell(format!("spring: {} points from {name} (<undo> undoes)", points.len()));
+            if let Some(scene) = with_curve {
+                edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
+            }
+        }
+        EffectReport::Exported(_, ExportOutcome::Written(files)) => {
+            let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+            app.tell(format!("written: {}", names.join(" and ")));
+        }
+        EffectReport::Saved(_, outcome) | EffectReport::Exported(_, outcome) if !is_heard => {
+            app.refuse(outcome.words());
+        }
+        EffectReport::Curve(_, Err(text)) if !is_heard => app.refuse(text),
+        EffectReport::Free(to) => {
+            if let Err(why) = report::write(app, to) {
+                app.refuse(why);
+            }
+        }
+        EffectReport::Presets(list) => app.files.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
             let base = Base { name, is_mine: false, scene: Arc::new(*scene) };
@@ -381,8 +421,10 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Loaded(Err(text)) => app.refuse(text),
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
-        EffectReport::Completions(names) => list::complete(app, names),
-        EffectReport::Curve(path, points) => ask::read(app, &path, points),
+        EffectReport::Saved(..)
+        | EffectReport::Exported(..)
+        | EffectReport::Curve(..)
+        | EffectReport::Completions(_) => {}
     }
 }
 
@@ -395,33 +437,17 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
             app.say(Severity::Warning, text);
         }
     }
-    app.session_lost = kept.is_err();
+    app.files.session_lost = kept.is_err();
 }
 
-fn saved(app: &mut App, name: String, outcome: Result<PathBuf, String>) {
-    let Some(path) = answered(app, outcome, |ask, _| ask.saves(&name)) else { return };
+fn saved(app: &mut App, name: String, files: &[PathBuf]) {
+    let Some(path) = files.first() else { return };
     app.tell(format!("saved `{name}` as {}", path.display()));
     let is_mine = !preset::is_path(&name);
     if !is_mine {
-        app.note_recent(&path);
+        app.note_recent(path);
     }
     app.base = Base { name, is_mine, scene: Arc::clone(&app.scene) };
     app.list_presets();
     app.request(Effect::SaveSession);
-}
-
-fn exported(app: &mut App, path: &Path, outcome: ExportOutcome) {
-    let is_it = |ask: &Ask, directory: &Path| ask.exports_to(directory, path);
-    let outcome = match outcome {
-        ExportOutcome::Written(files) => Ok(files),
-        ExportOutcome::Failed(text) => Err(text),
-        ExportOutcome::Exists(path) => match asking(app, is_it) {
-            Some(ask) => return ask.question = true,
-            None => Err(format!("{} already exists and was not replaced", path.display())),
-        },
-    };
-    if let Some(files) = answered(app, outcome, is_it) {
-        let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
-        app.tell(format!("written: {}", names.join(" and ")));
-    }
 }

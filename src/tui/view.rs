@@ -4,25 +4,24 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
 
-use crate::tui::app::layout::SMALLEST;
-use crate::tui::app::status::{clip, fitting};
-use crate::tui::dialogs::{self, Dialog, List, Purpose};
+use crate::tui::app::dialog::{FootKey, Footer};
 use crate::tui::pages::run::VARIABLES;
 use crate::tui::pages::{self, PageSpec, StatusPart};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::{self, columns, text_role};
+use crate::tui::widgets::layout::SMALLEST;
+use crate::tui::widgets::text::{self, clip, columns, fitting};
 
 /// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, and whether it is shown: in a field it
 /// is; on the selected row it is hidden, and a screen reader follows it.
 pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
     let area = buffer.area;
-    let mut canvas = Canvas::new(buffer, app.theme);
+    let mut canvas = Canvas::new(buffer, app.settings.theme);
     draw(app, area, &mut canvas);
     let field = canvas.cursor.map(|at| (at, true));
     let cursor = field.or_else(|| canvas.selected.map(|at| (at, false)));
-    if app.theme.glyphs == GlyphSet::Ascii {
+    if app.settings.theme.glyphs == GlyphSet::Ascii {
         ascii_pass(buffer);
     }
     cursor
@@ -32,33 +31,9 @@ pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
 pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     let screen = Rect::new(0, 0, app.size.0, app.size.1);
     let mut buffer = Buffer::empty(screen);
-    let mut canvas = Canvas::pointed(&mut buffer, app.theme, at);
+    let mut canvas = Canvas::pointed(&mut buffer, app.settings.theme, at);
     draw(app, screen, &mut canvas);
     canvas.target()
-}
-
-const FEW_COLUMNS: u16 = 40;
-
-/// The columns of the plot that the crosshair walks through, as it is drawn.
-pub fn plot_columns(app: &App) -> u16 {
-    let columns = drawn_page(app, None).0;
-    columns.filter(|columns| *columns > 1).unwrap_or(FEW_COLUMNS)
-}
-
-/// The charts and maps on the screen, as SVG; none where the page shows none.
-pub fn pictures(app: &App) -> Vec<String> {
-    drawn_page(app, Some(Vec::new())).1.unwrap_or_default()
-}
-
-/// What the drawing of the page says beside its cells: the columns of its plot, and its pictures where they are collected.
-fn drawn_page(app: &App, pictures: Option<Vec<String>>) -> (Option<u16>, Option<Vec<String>>) {
-    let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
-    let mut canvas = Canvas::new(&mut buffer, app.theme);
-    canvas.pictures = pictures;
-    if let Some(body) = app.layout().body {
-        pages::of(app.tab).draw(app, body, &mut canvas);
-    }
-    (canvas.plot_columns, canvas.pictures)
 }
 
 fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -71,7 +46,9 @@ fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
     status(app, layout.status, canvas);
     render(app, layout.keys, canvas);
-    dialogs::render(app, area, canvas);
+    if let Some(dialog) = &app.dialog {
+        dialog.draw(app, area, canvas);
+    }
     // On top of a dialog, too: it may say in more lines than the area has why that refused.
     message(app, layout.message, canvas);
 }
@@ -95,21 +72,28 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     for (row, line) in (top..area.height).zip(lines) {
         let width = text::columns(line).min(area.width);
         let x = (area.width - width) / 2;
-        canvas.set_stringn(x, row, line, usize::from(area.width), app.theme.style(Role::Text));
+        canvas.set_stringn(
+            x,
+            row,
+            line,
+            usize::from(area.width),
+            app.settings.theme.style(Role::Text),
+        );
     }
 }
 
-type Keys = &'static [(&'static str, &'static str)];
-
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    if let Some(field) = app.find.as_ref().filter(|_| app.dialog.is_none()) {
+    if let Some(field) = app.find().filter(|_| app.dialog.is_none()) {
         return find(app, field, area, canvas);
     }
-    let entries = match special(app) {
-        Some(list) => {
-            list.iter().map(|(key, what)| ((*key).to_owned(), (*what).to_owned())).collect()
+    let own = |(key, what): &(FootKey, &str)| (foot_key(app, *key), (*what).to_owned());
+    let entries = match (&app.dialog, app.field()) {
+        (Some(dialog), _) => dialog.footer().iter().map(own).collect(),
+        (None, Some(_)) => {
+            let footer = if pages::of(app.tab).takes_unit(app) { QUANTITY } else { WORD };
+            footer.iter().map(own).collect()
         }
-        None => from_table(app, area.width),
+        (None, None) => from_table(app, area.width),
     };
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
@@ -119,7 +103,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             break;
         }
         used += width;
-        spans.push(Span::styled(key, app.theme.style(Role::Key)));
+        spans.push(Span::styled(key, app.settings.theme.style(Role::Key)));
         spans.push(Span::raw(format!(" {what}  ")));
     }
     canvas.put_line(area, 0, &Line::from(spans));
@@ -136,64 +120,24 @@ fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// While a quantity is typed.
-const QUANTITY: Keys = &[
-    ("Enter", "ok"),
-    ("Esc", "old value"),
-    ("Up/Down", "ok and move"),
-    ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
+const QUANTITY: Footer = &[
+    (FootKey::Of(Action::Enter), "ok"),
+    (FootKey::Of(Action::Back), "old value"),
+    (FootKey::As("Up/Down"), "ok and move"),
+    (FootKey::As("also"), "25.4mm 7.5MN/m 1/3 *2 +5%"),
 ];
 /// While a name or a count is typed.
-const WORD: Keys = &[("Enter", "ok"), ("Esc", "old value"), ("Up/Down", "ok and move")];
+const WORD: Footer = &[
+    (FootKey::Of(Action::Enter), "ok"),
+    (FootKey::Of(Action::Back), "old value"),
+    (FootKey::As("Up/Down"), "ok and move"),
+];
 
-/// While something is open that takes characters, or a dialog.
-fn special(app: &App) -> Option<Keys> {
-    if let Some(dialog) = &app.dialog {
-        return Some(in_dialog(dialog));
-    }
-    let takes_unit = pages::of(app.tab).takes_unit(app);
-    app.field.is_some().then_some(if takes_unit { QUANTITY } else { WORD })
-}
-
-fn in_dialog(dialog: &Dialog) -> Keys {
-    const REPLACE: Keys = &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")];
-    match dialog {
-        Dialog::List(list, picker) => in_list(*list, picker.typing),
-        Dialog::Ask(ask) => match (ask.purpose, ask.question) {
-            (_, true) => REPLACE,
-            (Purpose::Preset, false) => &[("Enter", "save"), ("Esc", "do not save")],
-            (Purpose::Table(_), false) => {
-                &[("Enter", "write"), ("Tab", "complete path"), ("Esc", "close")]
-            }
-            (Purpose::Curve, false) => &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")],
-            (Purpose::Runs, false) => &[
-                ("Enter", "write"),
-                ("Up/Down", "move"),
-                ("Space", "tick"),
-                ("a", "all or none"),
-                ("Tab", "complete path"),
-                ("Esc", "close"),
-            ],
-        },
-    }
-}
-
-fn in_list(list: List, typing: bool) -> Keys {
-    match (list, typing) {
-        (List::Help, true) => &[("Enter", "do it"), ("Esc", "all keys"), ("Up/Down", "move")],
-        (List::Help, false) => {
-            &[("q", "close"), ("j/k", "move"), ("Enter", "do it"), ("/", "search")]
-        }
-        (List::Palette, _) => &[("Enter", "do it"), ("Esc", "close"), ("Up/Down", "move")],
-        (List::Presets, _) => &[
-            ("type", "a name or a path"),
-            ("Enter", "load"),
-            ("Tab", "pin only"),
-            ("Up/Down", "move"),
-            ("Esc", "close"),
-        ],
-        (List::History, _) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
-        (List::Words, _) => &[("Enter", "take it"), ("j/k", "move"), ("q", "close")],
-        (List::Options, _) => &[("j/k", "move"), ("h/l", "change"), ("Esc", "close")],
+fn foot_key(app: &App, key: FootKey) -> String {
+    match key {
+        FootKey::As(text) => text.to_owned(),
+        FootKey::Of(action) => app.keymap.label(action),
+        FootKey::Pair(one, other) => [one, other].map(|it| app.keymap.label(it)).join("/"),
     }
 }
 
@@ -286,12 +230,12 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         (true, false) => " *",
         (true, true) => " (modified)",
     };
-    let auto = match (app.auto_run, wide) {
+    let auto = match (app.settings.auto_run, wide) {
         (true, false) => "",
         (true, true) => "  auto-run on",
         (false, _) => "  auto-run off",
     };
-    let mouse = if app.mouse { "  mouse on" } else { "" };
+    let mouse = if app.settings.mouse { "  mouse on" } else { "" };
     let preset = if wide { "preset " } else { "" };
     // What is on or off is shown in whole words, or not at all; the name has the rest of the room.
     let states = [mouse, ""].map(|mouse| format!("{changed}{auto}{mouse}"));
@@ -326,7 +270,7 @@ fn name(
 pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
     let page = pages::of(app.tab);
-    for (at, PageSpec { name: title, .. }) in app.tab.about().pages.iter().enumerate() {
+    for (at, PageSpec { name: title, .. }) in pages::about(app.tab).pages.iter().enumerate() {
         let is_shown = at == page.shown(app);
         column = name(canvas, area, column, title, is_shown, Target::Page(at)) + 2;
     }
@@ -349,7 +293,7 @@ pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let with_text = (0..area.height).zip(&lines).filter(|(_, (_, text))| !text.is_empty());
     for (row, (severity, text)) in with_text {
         Clear.render(Rect { y: area.y + row, height: 1, ..area }, canvas);
-        let role = text_role(*severity);
+        let role = severity.role();
         if before != Some(*severity) {
             canvas.put(area, (1, row), severity.mark(), role);
         }
@@ -370,9 +314,9 @@ pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let parts = fitted(app.status(), usize::from(area.width.saturating_sub(1)));
     for (index, (severity, text)) in parts.into_iter().enumerate() {
         if index > 0 {
-            spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
+            spans.push(Span::styled(" | ", app.settings.theme.style(Role::Border)));
         }
-        spans.push(Span::styled(text, app.theme.style(text_role(severity))));
+        spans.push(Span::styled(text, app.settings.theme.style(severity.role())));
     }
     canvas.put_line(area, 0, &Line::from(spans));
 }

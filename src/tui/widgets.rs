@@ -1,22 +1,30 @@
 //! Parts that several pages and dialogs are made of: the canvas they draw on, one-line fields, tables, text in cells.
 
 pub(crate) mod axis;
+pub(crate) mod find;
 pub(crate) mod form;
 pub(crate) mod input;
+pub(crate) mod layout;
+mod moves;
+pub(crate) mod steps;
 pub(crate) mod table;
 pub(crate) mod text;
+pub(crate) mod zoom;
 
 use std::ops::{Deref, DerefMut};
 
 use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 use ratatui::text::Line;
 use text::{columns, put};
 
-use crate::report::svg::Svg;
-use crate::tui::chart::{Chart, Curve, Draw, Layout};
-use crate::tui::prelude::*;
-use crate::tui::theme::Theme;
+use crate::tui::chart::{Draw, Layout};
+use crate::tui::keymap::{Pane, Target};
+use crate::tui::theme::{PaneFrame, Role, Theme};
 use crate::tui::widgets::text::{TextLine, first_row};
+
+pub(crate) use layout::{split_bottom, split_left, split_top};
+pub(crate) use moves::{along, around, cursor_moved, cycled, moved, rows_moved, step_of};
 
 /// The cells that are drawn on, and what the drawing says beside: where the cursor stands, and what is under the mouse.
 pub(crate) struct Canvas<'a> {
@@ -100,22 +108,6 @@ impl<'a> Canvas<'a> {
             pictures.push(picture.svg());
         }
         picture.render(area, self.buffer, self.theme)
-    }
-
-    /// Draw a chart whose points the caller writes as letters. The picture of it has these curves instead; without curves there is no
-    /// picture.
-    pub(crate) fn draw_with_picture(
-        &mut self,
-        chart: &Chart<'_>,
-        area: Rect,
-        curves: impl FnOnce() -> Vec<Curve<'static>>,
-    ) -> Layout {
-        if let Some(pictures) = &mut self.pictures {
-            let curves = curves();
-            let picture = (!curves.is_empty()).then(|| Chart { curves, ..chart.clone() }.svg());
-            pictures.extend(picture);
-        }
-        chart.render(area, self.buffer, self.theme)
     }
 
     /// The target under the pointer; `None` where a click has no effect.
@@ -208,6 +200,14 @@ impl PaneFrame<'_> {
     }
 }
 
+/// How many rows a list or a form has, which is selected, and how many are shown at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Rows {
+    pub count: usize,
+    pub selected: usize,
+    pub shown: usize,
+}
+
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RowList {
     pub count: usize,
@@ -237,14 +237,5 @@ impl RowList {
             }
         }
         canvas.rows(area, (first, self.count), target);
-    }
-
-    pub(crate) fn in_dialog(
-        self,
-        canvas: &mut Canvas<'_>,
-        area: Rect,
-        draw: impl FnMut(&mut Canvas<'_>, Rect, usize),
-    ) {
-        self.render(canvas, area, |row| Some(Target::DialogRow(row)), draw);
     }
 }

@@ -6,8 +6,9 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, PoisonError};
 use std::time::Duration;
 
+use super::studies::Found;
 use super::study::{BETWEEN, Lane, Reporter, Study};
-use super::{Finding, JobProgress, ReportBody, Slot};
+use super::{JobProgress, ReportBody, Slot};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
@@ -37,11 +38,7 @@ impl Study for SceneRun {
         Lane::Runs
     }
 
-    fn slot(&self) -> Slot {
-        self.0
-    }
-
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
         let simulation =
             |settings: &Settings, observer: simulate::Observer<'_>, window: &Window| {
                 simulate::simulate_openly(scene, settings, observer, window)
@@ -58,7 +55,7 @@ pub(super) fn run(
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
     compute: impl FnOnce(&Settings, simulate::Observer<'_>, &Window) -> Result<Run, String>,
-) -> Result<Finding, Box<dyn Error>> {
+) -> Result<Found, Box<dyn Error>> {
     // No code that can panic runs under this lock, so a poisoned one is still sound.
     let runs = || reporter.runs.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((run, took)) = runs().find(scene) {
@@ -70,7 +67,7 @@ pub(super) fn run(
         reporter.goes_on()?;
         if let Some(run) = window.take() {
             pulse.part_came(reporter.elapsed());
-            reporter.report(ReportBody::Part(Finding::new(run)));
+            reporter.report(ReportBody::Part(run.into()));
         }
         if let Some(t_s) = pulse.beat(t_s, || reporter.elapsed()) {
             let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());

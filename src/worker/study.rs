@@ -4,7 +4,6 @@
 use std::any::Any;
 use std::cell::Cell;
 use std::error::Error;
-use std::fmt::Debug;
 use std::ops::ControlFlow;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,19 +13,15 @@ use std::time::Duration;
 use super::clock::Clock;
 use super::quiet::Quiet;
 use super::runs::Cache;
-use super::{JobProgress, ReportBody, Shared, Slot, Task};
+use super::studies::Found;
+use super::{JobProgress, ReportBody, Shared, Task};
 use crate::model::scene::Scene;
 use crate::study::context as study;
 
-/// Something to compute for a scene: a run, or a study that a page requests. A newer one of a slot replaces an older one.
-pub trait Study: Any + Debug + Send + Sync {
+/// Something to compute for a scene: a run, or a study of many.
+pub(super) trait Study {
     fn lane(&self) -> Lane {
         Lane::Searches
-    }
-
-    /// Whose result it is.
-    fn slot(&self) -> Slot {
-        Slot::Study(self.type_id())
     }
 
     /// Whether it measures run times, for which it has the machine to itself.
@@ -40,13 +35,7 @@ pub trait Study: Any + Debug + Send + Sync {
     }
 
     /// Computes the result; a study that is stopped gives its results so far.
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>>;
-}
-
-impl dyn Study {
-    pub fn of<S: Study>(&self) -> Option<&S> {
-        (self as &dyn Any).downcast_ref()
-    }
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>>;
 }
 
 /// A thread that does one task at a time. Half a minute of measurements or of stiff scenes must not keep a limit waiting.
@@ -76,26 +65,6 @@ pub struct Tempo {
     pub first: Duration,
     /// Least time between two parts.
     pub between: Duration,
-}
-
-/// A result, whole or as far as it is. The page that requested it knows its type.
-#[derive(Clone, Debug)]
-pub struct Finding(Arc<dyn Any + Send + Sync>);
-
-impl Finding {
-    pub fn new<T: Any + Send + Sync>(found: T) -> Self {
-        Self(Arc::new(found))
-    }
-
-    pub fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
-        Arc::clone(&self.0).downcast().ok()
-    }
-}
-
-impl<T: Any + Send + Sync> From<Arc<T>> for Finding {
-    fn from(found: Arc<T>) -> Self {
-        Self(found)
-    }
 }
 
 /// Rows of a study, all or those computed so far.
@@ -149,8 +118,8 @@ impl<'a> Reporter<'a> {
             send,
             cancel,
             threads: task.threads,
-            tempo: task.study.tempo(),
-            measured: task.study.measures().then_some(&shared.quiet),
+            tempo: task.asked.study().tempo(),
+            measured: task.asked.study().measures().then_some(&shared.quiet),
             runs: &shared.runs,
             clock: &shared.clock,
             started: (shared.clock)(),
@@ -192,7 +161,7 @@ impl<'a> Reporter<'a> {
     pub fn tell(
         &self,
         progress: study::Progress,
-        part: &dyn Fn() -> Option<Finding>,
+        part: &dyn Fn() -> Option<Found>,
     ) -> ControlFlow<()> {
         if let Some(quiet) = self.measured {
             quiet.end();
@@ -224,19 +193,17 @@ impl<'a> Reporter<'a> {
     }
 
     /// Watches a study, and makes findings of its parts.
-    pub fn watch<P: ?Sized, T: Any + Send + Sync>(
+    pub fn watch<P: ?Sized, T: Into<Found>>(
         &self,
         part: impl Fn(&P) -> T,
     ) -> impl FnMut(study::Progress, Option<&P>) -> ControlFlow<()> {
-        move |progress, so_far| {
-            self.tell(progress, &|| so_far.map(|so_far| Finding::new(part(so_far))))
-        }
+        move |progress, so_far| self.tell(progress, &|| so_far.map(|so_far| part(so_far).into()))
     }
 
     /// Do the work; a panic becomes an error text.
     pub(super) fn finish(
         &self,
-        work: impl FnOnce() -> Result<Finding, Box<dyn Error>>,
+        work: impl FnOnce() -> Result<Found, Box<dyn Error>>,
     ) -> ReportBody {
         let text = match panic::catch_unwind(AssertUnwindSafe(work)) {
             Ok(Ok(found)) => {
@@ -245,7 +212,7 @@ impl<'a> Reporter<'a> {
             }
             Ok(Err(error)) => error.to_string(),
             Err(payload) => format!(
-                "internal error: {}; the log has the details, please report it",
+                "internal error: {}; its state directory has the details (panic-*.txt), please report them",
                 panic_text(payload.as_ref())
             ),
         };

@@ -8,12 +8,14 @@ use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
 use super::runs::run;
-use super::study::{Lane, Reporter, Study, Tempo};
-use super::{Finding, JobProgress, Report, ReportBody, SceneRun, Slot, Task, Worker};
+use super::studies::{Asked, Claims, Found, LimitSearch, Spread, StiffScenes};
+use super::study::Reporter;
+use super::{JobProgress, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate;
 use crate::study::context::Context;
+use crate::study::monte_carlo;
 
 /// A test that waits so long hangs.
 const HANG: Duration = Duration::from_secs(120);
@@ -21,62 +23,73 @@ const HANG: Duration = Duration::from_secs(120);
 /// What the clock moves on with each look.
 const TICK: Duration = Duration::from_millis(5);
 
-/// Runs the real simulation of the scene, then pretends to need steps until cancelled when the title says so.
-#[derive(Debug)]
-struct SlowRun(Slot);
-
-/// How often one was computed.
+/// How often a run was computed.
 static COMPUTED: AtomicUsize = AtomicUsize::new(0);
 
 /// Steps of the endless run that is to be cancelled.
 static STEPS: AtomicUsize = AtomicUsize::new(0);
 
-impl Study for SlowRun {
-    fn lane(&self) -> Lane {
-        Lane::Runs
+/// Does a task as its title says: a run goes on until it is cancelled, or panics; a study counts its points.
+fn make(task: &Task, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+    match (&task.asked, task.scene.title.is_empty()) {
+        (Asked::Run(_), true) => task.asked.study().make(&task.scene, reporter),
+        (Asked::Run(slot), false) => slow_run(slot.0, &task.scene, reporter),
+        (Asked::Spread(_), _) => Err("no study of this".into()),
+        (_, _) => Ok(count_points(task.scene.title == "endless", reporter).into()),
     }
+}
 
-    fn slot(&self) -> Slot {
-        self.0
-    }
-
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        run(self.0, scene, reporter, |settings, observer, _| {
-            if scene.title.starts_with("counted") {
-                COMPUTED.fetch_add(1, Ordering::Relaxed);
-            }
-            let go_on = &mut |_| ControlFlow::Continue(());
-            let mut run =
-                simulate::simulate(scene, settings, go_on).map_err(|it| it.to_string())?;
-            assert!(scene.title != "panics", "deliberate");
-            let mut t_s = 0.0;
-            if scene.title.starts_with("endless") {
-                while observer(t_s).is_continue() {
-                    t_s += 1e-9;
-                    if scene.title.ends_with("counted") {
-                        STEPS.fetch_add(1, Ordering::SeqCst);
-                    }
+/// Runs the real simulation of the scene, then pretends to need steps until cancelled when the title says so.
+fn slow_run(
+    slot: Slot,
+    scene: &Arc<Scene>,
+    reporter: &Reporter<'_>,
+) -> Result<Found, Box<dyn Error>> {
+    run(slot, scene, reporter, |settings, observer, _| {
+        if scene.title.starts_with("counted") {
+            COMPUTED.fetch_add(1, Ordering::Relaxed);
+        }
+        let go_on = &mut |_| ControlFlow::Continue(());
+        let mut run = simulate::simulate(scene, settings, go_on).map_err(|it| it.to_string())?;
+        assert!(scene.title != "panics", "deliberate");
+        let mut t_s = 0.0;
+        if scene.title.starts_with("endless") {
+            while observer(t_s).is_continue() {
+                t_s += 1e-9;
+                if scene.title.ends_with("counted") {
+                    STEPS.fetch_add(1, Ordering::SeqCst);
                 }
-                run.end = EndReason::Cancelled;
             }
-            Ok(run)
-        })
+            run.end = EndReason::Cancelled;
+        }
+        Ok(run)
+    })
+}
+
+/// Shows its points as it counts them, and goes on until it is cancelled where it is endless.
+fn count_points(endless: bool, reporter: &Reporter<'_>) -> String {
+    let watch = &mut reporter.watch(|done: &usize| done.to_string());
+    let context = &mut Context::new(reporter.threads(), watch);
+    let mut done = 0;
+    while context.show(&done) && (endless || done < 3) {
+        done += 1;
+        context.count(1);
     }
+    done.to_string()
 }
 
 fn run_of(id: u64, slot: Slot, scene: Scene) -> Task {
-    Task { id, threads: 1, scene: Arc::new(scene), study: Arc::new(SceneRun(slot)) }
+    Task { id, threads: 1, scene: Arc::new(scene), asked: SceneRun(slot).into() }
 }
 
 fn job(id: u64, slot: Slot, title: &str) -> Task {
-    let scene = Scene { title: title.to_owned(), ..Scene::default() };
-    Task { study: Arc::new(SlowRun(slot)), ..run_of(id, slot, scene) }
+    run_of(id, slot, Scene { title: title.to_owned(), ..Scene::default() })
 }
 
 /// The run a report ends with, and the time it took.
 fn ended(body: ReportBody) -> (Arc<Run>, Duration) {
     match body {
-        ReportBody::Ended { found: Some(found), took } => (found.get().expect("a run"), took),
+        ReportBody::Ended { found: Some(Found::Run(run)), took } => (run, took),
         other => panic!("not a run: {other:?}"),
     }
 }
@@ -86,7 +99,7 @@ fn start() -> (Worker, Receiver<Report>) {
     let sink = move |report| drop(send.send(report));
     let looks = AtomicU64::new(0);
     let clock = move || TICK * u32::try_from(looks.fetch_add(1, Ordering::Relaxed)).expect("few");
-    (Worker::with_clock(Arc::new(clock), sink).expect("a thread"), receive)
+    (Worker::with(Arc::new(clock), make, sink).expect("a thread"), receive)
 }
 
 fn next(reports: &Receiver<Report>) -> Report {
@@ -199,8 +212,8 @@ fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not(
     let part = || loop {
         let report = next(&reports);
         assert_eq!(report.id, 1);
-        if let ReportBody::Part(found) = report.body {
-            break found.get::<Run>().expect("a run");
+        if let ReportBody::Part(Found::Run(run)) = report.body {
+            break run;
         }
     };
     let (first, second) = (part(), part());
@@ -256,54 +269,24 @@ fn an_unchanged_scene_is_not_computed_again() {
     assert_eq!(seen[0].1, seen[2].1);
 }
 
-/// A study of a kind that shows its points as it counts them, and goes on until it is cancelled where it is endless.
-#[derive(Debug)]
-struct Counting<const KIND: usize> {
-    lane: Lane,
-    endless: bool,
-}
-
-/// Its counts.
-struct Count(usize);
-
-impl<const KIND: usize> Study for Counting<KIND> {
-    fn lane(&self) -> Lane {
-        self.lane
-    }
-
-    fn tempo(&self) -> Tempo {
-        Tempo { first: Duration::ZERO, between: Duration::ZERO }
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let watch = &mut reporter.watch(|done: &usize| Count(*done));
-        let context = &mut Context::new(reporter.threads(), watch);
-        let mut done = 0;
-        while context.show(&done) && (self.endless || done < 3) {
-            done += 1;
-            context.count(1);
-        }
-        Ok(Finding::new(Count(done)))
-    }
-}
-
-fn study<const KIND: usize>(id: u64, lane: Lane, endless: bool) -> Task {
-    let scene = Arc::new(Scene::default());
-    Task { id, threads: 2, scene, study: Arc::new(Counting::<KIND> { lane, endless }) }
+fn study(id: u64, asked: impl Into<Asked>, endless: bool) -> Task {
+    let title = if endless { "endless" } else { "short" }.to_owned();
+    let scene = Arc::new(Scene { title, ..Scene::default() });
+    Task { id, threads: 2, scene, asked: asked.into() }
 }
 
 /// The content of a report, if any.
 fn count(body: &ReportBody) -> Option<usize> {
-    body.found::<Count>().map(|count| count.0)
+    body.found::<String>()?.parse().ok()
 }
 
 #[test]
 fn the_newest_study_of_a_type_wins_and_each_ends_once() {
     let (worker, reports) = start();
-    worker.submit(study::<1>(1, Lane::Sweeps, true));
+    worker.submit(study(1, Claims, true));
     // Under way, so that it is not dropped unstarted.
     while count(&next(&reports).body).is_none() {}
-    worker.submit(study::<1>(2, Lane::Sweeps, false));
+    worker.submit(study(2, Claims, false));
     let first = next_last(&reports);
     assert!(first.id == 1 && count(&first.body).is_some());
     let second = next_last(&reports);
@@ -313,9 +296,9 @@ fn the_newest_study_of_a_type_wins_and_each_ends_once() {
 #[test]
 fn a_study_of_another_type_waits_in_its_lane_and_passes_in_another() {
     let (worker, reports) = start();
-    worker.submit(study::<1>(1, Lane::Studies, true));
-    worker.submit(study::<2>(2, Lane::Studies, false));
-    worker.submit(study::<3>(3, Lane::Searches, false));
+    worker.submit(study(1, Claims, true));
+    worker.submit(study(2, StiffScenes, false));
+    worker.submit(study(3, LimitSearch, false));
     assert_eq!(next_last(&reports).id, 3);
     worker.cancel(1);
     let ends = [next_last(&reports).id, next_last(&reports).id];
@@ -325,7 +308,7 @@ fn a_study_of_another_type_waits_in_its_lane_and_passes_in_another() {
 #[test]
 fn a_cancelled_study_keeps_its_reported_part() {
     let (worker, reports) = start();
-    worker.submit(study::<1>(7, Lane::Studies, true));
+    worker.submit(study(7, Claims, true));
     let mut shown = None;
     while shown.is_none_or(|shown| shown < 2) {
         shown = count(&next(&reports).body).or(shown);
@@ -346,21 +329,10 @@ fn an_invalid_scene_is_refused_with_the_reason() {
     assert!(matches!(&report.body, ReportBody::Failed(text) if *text == expected), "{report:?}");
 }
 
-/// A study that cannot be made.
-#[derive(Debug)]
-struct Refused;
-
-impl Study for Refused {
-    fn make(&self, _: &Arc<Scene>, _: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        Err("no study of this".into())
-    }
-}
-
 #[test]
 fn a_refused_study_gives_the_reason() {
     let (worker, reports) = start();
-    let scene = Arc::new(Scene::default());
-    worker.submit(Task { id: 1, threads: 2, scene, study: Arc::new(Refused) });
+    worker.submit(study(1, Spread(monte_carlo::Request::default()), false));
     let report = next(&reports);
     assert!(matches!(report.body, ReportBody::Failed(text) if text == "no study of this"));
 }

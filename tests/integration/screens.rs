@@ -138,7 +138,6 @@ fn dialogs() {
         ("palette", ":expo"),
         ("options", "oj"),
         ("presets", "p<Down><Down>"),
-        ("history", "jl jjjjll<Esc>l:list of<Enter>"),
         ("save", "jls"),
         ("save_over", "s<C-u>heavy-plate<Enter>"),
         ("export", " jle<Down><Down><Down> "),

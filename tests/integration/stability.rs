@@ -493,7 +493,7 @@ fn a_map_is_read_back_from_its_table() {
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
     let size = Size { rows: 10, columns: 31 };
-    let wanted = map::Wanted { method: FixedStep::Rk4, axis: Axis::B, size, ends: None };
+    let wanted = map::Wanted { method: FixedStep::Rk4, axis: Axis::B, size };
     let map = map::map(&Scene::default(), wanted, context);
     let columns = map.dt_s.len();
     assert_eq!(read.len(), map.values.len() * columns);

@@ -9,6 +9,20 @@ use crate::support::{files_below, in_repository};
 /// The layers from the lowest to the highest: a file may name its own and those before it.
 const LAYERS: [&str; 8] = ["numerics", "model", "study", "report", "files", "worker", "tui", "cli"];
 
+/// The layers within the workbench, in the same order; those in one row may name each other.
+const WORKBENCH: [&[&str]; 7] = [
+    &["theme"],
+    &["chart"],
+    &["option", "keymap"],
+    &["widgets"],
+    &["app", "message", "pages"],
+    &["dialogs"],
+    &[
+        "complete", "effects", "input", "pace", "plain", "shell", "signals", "start", "terminal",
+        "update", "view",
+    ],
+];
+
 /// The folders of `src` that are packages of their own.
 const PACKAGES: [&str; 2] = ["engine", "studies"];
 
@@ -21,9 +35,10 @@ const MUST_NOT_KNOW: &[(&str, &[&str])] = &[
     ("model", &["std::fs", "std::time", "std::thread", "std::io", "ratatui", "serde", "toml::"]),
     ("files", &["std::thread", "ratatui", "crossterm", "stdout()", "stderr()"]),
     ("worker", &["ratatui", "crossterm"]),
-    ("tui/app", &["ratatui::buffer", "ratatui::Frame", "std::fs", "Instant::now"]),
-    ("tui/update", &["ratatui::buffer", "ratatui::Frame", "std::fs", "Instant::now"]),
-    ("tui/pages", &["std::fs", "Instant::now"]),
+    ("tui/app", &["ratatui::buffer", "ratatui::Frame", "std::fs", ".exists()", "Instant::now"]),
+    ("tui/update", &["ratatui::buffer", "ratatui::Frame", "std::fs", ".exists()", "Instant::now"]),
+    ("tui/pages", &["std::fs", ".exists()", "Instant::now"]),
+    ("tui/dialogs", &["std::fs", ".exists()", "Instant::now"]),
     ("tui/chart", &["crate::model", "crate::files", "crate::worker"]),
 ];
 
@@ -109,6 +124,34 @@ fn arrows_point_one_way() {
                         source.name, LAYERS[own]
                     ));
                 }
+            }
+        }
+    }
+    assert_none(&complaints);
+}
+
+/// Where a part of the workbench stands among its layers.
+fn layer_in_workbench(part: &str) -> Option<usize> {
+    WORKBENCH.iter().position(|parts| parts.contains(&part))
+}
+
+#[test]
+fn arrows_of_the_workbench_point_one_way() {
+    let mut complaints = Vec::new();
+    for source in sources() {
+        let Some(path) = source.name.strip_prefix("tui/") else { continue };
+        let part = path.split(['/', '.']).next().unwrap();
+        let Some(own) = layer_in_workbench(part) else {
+            complaints.push(format!("{}: {part} is in no layer", source.name));
+            continue;
+        };
+        for (number, line) in source.lines().take(source.code().lines().count()) {
+            let Some((_, after)) = line.split_once("crate::tui::") else { continue };
+            let name = after.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap();
+            // What all above the widgets import.
+            let name = if name == "prelude" { "app" } else { name };
+            if layer_in_workbench(name).is_some_and(|other| other > own) {
+                complaints.push(format!("{}:{number}: {part} must not know {name}", source.name));
             }
         }
     }

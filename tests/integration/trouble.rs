@@ -41,16 +41,12 @@ fn wait_for_text(path: &Path, text: &str) {
 #[test]
 fn pipes_in_the_place_of_its_own_files_do_not_hold_it_up() {
     let home = tempfile::tempdir().unwrap();
-    for name in [
-        "state/cmra/session.toml",
-        "state/cmra/cmra.log",
-        "state/cmra/clipboard.txt",
-        "data/cmra/presets/stuck.toml",
-    ] {
+    for name in
+        ["state/cmra/session.toml", "state/cmra/clipboard.txt", "data/cmra/presets/stuck.toml"]
+    {
         pipe(&home.path().join(name));
     }
-    let environment = &[("CMRA_LOG", "bogus")];
-    let start = Start { home: Some(home), environment, ..Start::default() };
+    let start = Start { home: Some(home), ..Start::default() };
     let mut terminal = Terminal::start_with(start);
     terminal.wait_for("session cannot be read");
     shoot_at(&mut terminal, "150");
@@ -65,16 +61,6 @@ fn pipes_in_the_place_of_its_own_files_do_not_hold_it_up() {
     assert!(!terminal.screen().contents().contains("not kept"));
     let kept = fs::read_to_string(terminal.session_file()).expect("an ordinary file by now");
     assert!(kept.contains("150"), "{kept}");
-}
-
-#[test]
-fn a_level_of_the_log_makes_its_file() {
-    let environment = &[("CMRA_LOG", "debug")];
-    let mut terminal = started(Start { environment, ..Start::default() });
-    terminal.send("q");
-    assert_eq!(terminal.wait_exit().exit_code(), 0);
-    let log = fs::read_to_string(terminal.file("state/cmra/cmra.log")).expect("a log");
-    assert!(log.contains("INFO") && log.contains("started"), "{log}");
 }
 
 #[test]

@@ -191,6 +191,16 @@ impl<'a> Curve<'a> {
         Self { emphasis, ..self }
     }
 
+    /// Points without a line between them, each drawn as its marker.
+    pub fn points(
+        marker: char,
+        label: impl Into<Cow<'a, str>>,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Self {
+        let apart = |point| [point, (f64::NAN, f64::NAN)];
+        Self::new(marker, label, points.into_iter().flat_map(apart).collect::<Vec<_>>())
+    }
+
     /// Whether it has no line: each point has gaps beside it.
     pub fn is_dotted(&self) -> bool {
         let is_point = |point: &(f64, f64)| point.0.is_finite() && point.1.is_finite();

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::model::mechanism::Mechanism;
+use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::units::{engineering, fixed_significant, significant, velocity};
 use crate::report::Remark;
@@ -240,7 +241,7 @@ pub fn json(name: &str, report: &Report) -> Value {
 }
 
 /// The axes of impact and residual velocity for a scene's own velocity; `None` where nothing goes through.
-pub fn axes(report: &Report, own_m_s: f64) -> Option<(Axis<'static>, Axis<'static>)> {
+fn axes(report: &Report, own_m_s: f64) -> Option<(Axis<'static>, Axis<'static>)> {
     let limit = report.limit.velocity_m_s();
     let impacts = report.shots.iter().map(|shot| shot.impact_m_s);
     let own = limit.filter(|limit| own_m_s < OWN_IN_VIEW * limit).map(|_| own_m_s);
@@ -253,12 +254,6 @@ pub fn axes(report: &Report, own_m_s: f64) -> Option<(Axis<'static>, Axis<'stati
     Some((x.unit(unit()), y.with_zero().padded(0.04).unit(unit())))
 }
 
-/// Shots as points with gaps between.
-fn dots(shots: &[Shot], wanted: impl Fn(&Shot) -> Option<f64>) -> Vec<(f64, f64)> {
-    let dot = |shot: &Shot| Some([(shot.impact_m_s, wanted(shot)?), (f64::NAN, f64::NAN)]);
-    shots.iter().filter_map(dot).flatten().collect()
-}
-
 /// A law over the view; before its limit it is nothing.
 fn law(view: ViewRange, law: ResidualLaw) -> Vec<(f64, f64)> {
     let step = view.span() / LAW_POINTS as f64;
@@ -267,17 +262,21 @@ fn law(view: ViewRange, law: ResidualLaw) -> Vec<(f64, f64)> {
     std::iter::once(law.limit_m_s).chain(beyond).map(|v| (v, law.residual_m_s(v))).collect()
 }
 
-/// The chart of the impact velocities in view, or of all, with a mark at a scene's own; `None` where nothing goes through.
-pub fn residual(report: &Report, own_m_s: f64, view: Option<ViewRange>) -> Option<Chart<'static>> {
+/// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.
+pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
     let (x, y) = axes(report, own_m_s)?;
-    let x = Axis { view: view.unwrap_or(x.view), ..x };
     let law = |law: Option<ResidualLaw>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
-    let stopped = |shot: &Shot| shot.residual_m_s.is_none().then_some(0.0);
+    let shots = |marker, label, outcomes: &[Outcome]| {
+        let shots = report.shots.iter().filter(|shot| outcomes.contains(&shot.outcome));
+        let places = shots.map(|shot| (shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0)));
+        Curve::points(marker, label, places)
+    };
     let curves = [
         Curve::new('+', "Recht-Ipson", law(report.recht_ipson)).colour(1),
         Curve::new('x', "Lambert-Jonas", law(report.lambert_jonas)).colour(2),
-        Curve::new('o', "through", dots(&report.shots, |shot| shot.residual_m_s)).colour(3),
-        Curve::new('s', "stopped", dots(&report.shots, stopped)).colour(4),
+        shots('o', "through", &[Outcome::Perforated]).colour(3),
+        shots('s', "stopped", &[Outcome::Arrested, Outcome::Separated]).colour(4),
+        shots('m', "moving", &[Outcome::Moving]).colour(4),
     ];
     let curves = curves.into_iter().filter(|curve| !curve.points.is_empty());
     let limit = report.limit.velocity_m_s();

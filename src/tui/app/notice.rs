@@ -4,6 +4,7 @@ use cmra_studies::enumeration;
 
 use crate::model::run::{Run, Warning};
 use crate::model::units::{fixed_significant, scientific};
+use crate::tui::theme::Role;
 
 enumeration! {
     pub enum Severity in SeverityRow {
@@ -18,6 +19,16 @@ enumeration! {
     Warning { mark: "!", word: "warning" }
     /// It did not work.
     Error { mark: "error:", word: "error" }
+}
+
+impl Severity {
+    pub(crate) fn role(self) -> Role {
+        match self {
+            Self::Note => Role::Text,
+            Self::Warning => Role::Warning,
+            Self::Error => Role::Error,
+        }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]

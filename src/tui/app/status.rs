@@ -11,7 +11,8 @@ use crate::tui::pages::run::editor;
 use crate::tui::pages::run::runs::{RunView, engineering};
 use crate::tui::pages::{self, StatusPart, note, old, part};
 use crate::tui::prelude::*;
-use crate::tui::theme::columns;
+use crate::tui::theme;
+use crate::tui::widgets::text::{clip, fitting, wrap};
 
 const MESSAGE_LINES: usize = 4;
 /// How to begin, at the first start.
@@ -40,7 +41,7 @@ impl App {
             lines.extend(hint.map(|text| (Severity::Note, text)));
             return lines;
         };
-        let room = room.saturating_sub(columns(severity.mark()).saturating_sub(1)).max(10);
+        let room = room.saturating_sub(theme::columns(severity.mark()).saturating_sub(1)).max(10);
         let mut lines = wrap(&glued(&text), room);
         if lines.len() > MESSAGE_LINES {
             lines.truncate(MESSAGE_LINES);
@@ -85,7 +86,7 @@ impl App {
 
     /// Why an open field refuses its text, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
-        if let Some(error) = self.field.as_ref().and_then(|field| field.text.error.clone()) {
+        if let Some(error) = self.field().and_then(|field| field.text.error.clone()) {
             return Some((Severity::Error, self.keymap.shown(&error)));
         }
         if let Some(notice) = &self.notice {
@@ -112,14 +113,14 @@ impl App {
 
     /// What the selected variable means, with its source where there is room.
     pub(crate) fn variable_words(&self, room: usize) -> String {
-        let variable = self.editor.variable();
+        let variable = self.pages.run.editor.variable();
         let idle = !crate::model::variables::is_used(variable, &self.scene);
         let note = if idle { " (no effect here)" } else { "" };
         let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
         if let Some(points) = editor::measured(self) {
             return clip(&format!("{text}; {points}: <enter>"), room);
         }
-        let unit = self.editor.unit(self.editor.selected);
+        let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);
         let range = variable.number().and_then(|number| {
             let (low, high) = number.thesis_range?;
             let show = |value| in_unit(value, unit, number.quantity).map(|it| significant(it, 6));
@@ -143,11 +144,11 @@ impl App {
 
     /// Everything at the crosshair: the current run in full, the others in the selected chart's quantity.
     pub fn readout(&self) -> String {
-        let Some(cursor) = self.charts.cursor_s else {
+        let Some(cursor) = self.pages.run.charts.cursor_s else {
             return String::new();
         };
         let mut parts = vec![format!("t {}", engineering(cursor, "s"))];
-        let selected = self.charts.quantities[self.charts.selected];
+        let selected = self.pages.run.charts.quantities[self.pages.run.charts.selected];
         let full = [
             Channel::Penetration,
             Channel::ContactForce,
@@ -311,62 +312,6 @@ fn glued(text: &str) -> String {
     glued
 }
 
-/// At most `width` characters; what is cut ends in `..`.
-pub fn clip(text: &str, width: usize) -> String {
-    if columns(text) <= width {
-        return text.to_owned();
-    }
-    let (kept, _) = text.split_at(fits(text, width.saturating_sub(2)));
-    kept.trim_end().to_owned() + ".."
-}
-
-/// The first of some texts, each shorter than the one before, that goes into a given number of columns; the last one is cut.
-pub fn fitting(texts: impl IntoIterator<Item = String>, width: usize) -> String {
-    let mut shortest = String::new();
-    for text in texts {
-        if columns(&text) <= width {
-            return text;
-        }
-        shortest = text;
-    }
-    clip(&shortest, width)
-}
-
-/// How many bytes of a text go into a given number of columns.
-fn fits(text: &str, width: usize) -> usize {
-    let mut taken = 0;
-    text.char_indices()
-        .find(|(at, letter)| {
-            taken += columns(&text[*at..at + letter.len_utf8()]);
-            taken > width
-        })
-        .map_or(text.len(), |(at, _)| at)
-}
-
-/// A result's title with shorter words, still distinguished from every other.
-pub fn shortened(title: &str) -> String {
-    let words = [
-        ("% of rigid-mount depth", "% rigid mount"),
-        ("at first stop", "at stop"),
-        ("common velocity", "speed"),
-        ("plate displacement", "travel"),
-    ];
-    words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word))
-}
-
-/// A result's title in a given number of columns: in shorter words where it is too long.
-pub fn fitted(title: &str, width: usize) -> String {
-    if columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
-}
-
-/// Lines of at most `width` columns, broken at blanks; a longer word is broken where it must be.
-pub fn wrap(text: &str, width: usize) -> Vec<String> {
-    let options = textwrap::Options::new(width.max(1))
-        .word_separator(textwrap::WordSeparator::AsciiSpace)
-        .word_splitter(textwrap::WordSplitter::NoHyphenation);
-    textwrap::wrap(text, options).into_iter().map(Into::into).collect()
-}
-
 impl App {
     /// The rules of the model's validity that the scene does not keep: by its run where that is there, with every plate struck.
     pub(crate) fn breaches(&self) -> Vec<Breach> {
@@ -402,22 +347,4 @@ pub(crate) fn outside(
     let short =
         if place.is_empty() { format!("! validity: {list}") } else { format!("!{place}: {list}") };
     (!labels.is_empty()).then_some((Severity::Warning, long, short))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn wide_characters_take_two_columns() {
-        let wide = "\u{65e5}\u{672c}\u{8a9e}";
-        assert_eq!(columns(wide), 6);
-        assert_eq!(clip(wide, 6), wide);
-        assert_eq!(clip(wide, 5), "\u{65e5}..");
-        assert_eq!(wrap(wide, 4), ["\u{65e5}\u{672c}", "\u{8a9e}"]);
-        assert_eq!(wrap(&format!("a {wide} b"), 8), [format!("a {wide}"), "b".to_owned()]);
-        // Narrower than any of them: nothing is lost, and it ends.
-        assert_eq!(wrap(wide, 1).concat(), wide);
-        assert_eq!(wrap("one two", 3), ["one", "two"]);
-    }
 }

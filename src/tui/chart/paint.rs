@@ -255,6 +255,9 @@ impl Painter<'_> {
         let mut markers = Vec::new();
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
+            if curve.is_dotted() {
+                continue;
+            }
             trace(curve, owner, (self.layout.x, self.layout.y), &mut canvas);
             if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
                 place_markers(&canvas, owner, usize::from(plot.width), &mut markers);
@@ -282,6 +285,23 @@ impl Painter<'_> {
             }
         }
         self.crosshair(&canvas);
+        self.letters();
+    }
+
+    /// Points without a line between them: the curve's marker, whatever the characters of lines.
+    fn letters(&mut self) {
+        let plot = self.layout.plot;
+        let crosshair = self.chart.crosshair.and_then(|x| self.layout.x.cell(x));
+        for owner in drawing_order(&self.chart.curves) {
+            let curve = &self.chart.curves[owner];
+            for (x, y) in curve.points.iter().filter(|_| curve.is_dotted()) {
+                let Some((column, row)) = self.layout.place(*x, *y) else { continue };
+                let style = self.curve_style(curve);
+                let under = crosshair == Some(column);
+                let style = if under { style.add_modifier(Modifier::BOLD) } else { style };
+                self.put(plot.x + column, plot.y + row, cell_marker(curve), style);
+            }
+        }
     }
 
     fn curve_style(&self, curve: &Curve<'_>) -> Style {

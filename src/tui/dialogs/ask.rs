@@ -1,275 +1,248 @@
-//! The dialogs that ask for a text: a preset's name, the path of a table or of runs, the file of a measured curve.
+//! Dialogs that ask for a text: a preset's name, or a path.
 
+use std::fmt::Debug;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use crate::files::atomic::Existing;
-use crate::files::export::Destination;
-use crate::files::preset;
-use crate::files::report::is_report;
-use crate::model::scene::SpringKind;
-use crate::model::{units, variables};
-use crate::report::svg;
-use crate::tui::dialogs::export::{self as runs, Choices};
-use crate::tui::dialogs::{Ask, Dialog, Purpose, answered, frame};
-use crate::tui::message::{Content, FileTask};
-use crate::tui::pages;
-use crate::tui::pages::run::report;
+use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::dialogs::frame;
+use crate::tui::dialogs::list::is_text;
+use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
 use crate::tui::prelude::*;
-use crate::tui::update::edit;
-use crate::tui::view;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::wrapped;
+use crate::tui::widgets::text::{TextLine, wrapped};
 
-pub(crate) fn open(app: &mut App, purpose: Purpose, text: TextField, choices: Choices) {
-    let (question, completions) = (false, Vec::new());
-    app.dialog = Some(Dialog::Ask(Box::new(Ask { purpose, text, question, completions, choices })));
+/// The field of a text, and what was found of it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Ask {
+    pub text: TextField,
+    /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
+    pub question: bool,
+    /// Names that complete the path.
+    pub completions: Vec<String>,
 }
 
+/// What a text is asked for.
+pub(super) trait Purpose: Clone + Debug + 'static {
+    fn footer(&self) -> Footer;
+
+    /// Do what the text was typed for; a file or preset of this name may be replaced. None: something comes first.
+    fn accept(
+        &self,
+        app: &mut App,
+        ask: &mut Ask,
+        overwrite: bool,
+    ) -> Result<Option<FileTask>, String>;
+
+    /// How an effect ended, where it is the one that was asked for.
+    fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome>;
+
+    /// The title, and the word before the field.
+    fn title(&self) -> (&'static str, &'static str);
+
+    /// What stands below the field.
+    fn hint(&self, app: &App, ask: &Ask) -> String;
+
+    /// What stands in the way where it exists already.
+    fn there(&self, app: &App, ask: &Ask) -> String {
+        app.files.directory.join(ask.value()).display().to_string()
+    }
+}
+
+/// A dialog that asks for a text.
+#[derive(Clone, Debug)]
+pub(super) struct Asking<P> {
+    pub ask: Ask,
+    pub purpose: P,
+}
+
+impl<P: Purpose> Asking<P> {
+    pub(super) fn open(purpose: P, text: TextField) -> Box<dyn Dialog> {
+        Box::new(Self { ask: Ask { text, ..Ask::default() }, purpose })
+    }
+}
+
+impl<P: Purpose> Dialog for Asking<P> {
+    fn footer(&self) -> Footer {
+        if self.ask.question { REPLACE } else { self.purpose.footer() }
+    }
+
+    fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
+        match self.ask.press(app, key) {
+            Step::Accept { overwrite } => {
+                let task = self.purpose.accept(app, &mut self.ask, overwrite);
+                self.ask.begun(app, task);
+            }
+            Step::Closes => return Outcome::Closes,
+            Step::Stays => {}
+        }
+        Outcome::Stays
+    }
+
+    fn click(&mut self, _: &mut App, _: usize) -> Outcome {
+        Outcome::Stays
+    }
+
+    fn field_mut(&mut self) -> Option<&mut TextField> {
+        Some(&mut self.ask.text)
+    }
+
+    fn pasted(&mut self) {
+        self.ask.forget();
+    }
+
+    fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
+        if let EffectReport::Completions(names) = report {
+            return Some(self.ask.complete(names));
+        }
+        let ended = self.purpose.ended(&self.ask, directory, report)?;
+        Some(self.ask.ended(&ended))
+    }
+
+    fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
+        let (title, label) = self.purpose.title();
+        let inner = frame(screen, (76, 9), PaneFrame::new(title), canvas);
+        let start = canvas.put(inner, (0, 1), label, Role::Title);
+        let width = inner.width.saturating_sub(start + 1);
+        let field = TextField { error: None, ..self.ask.text.clone() };
+        field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
+        let lines = self.ask.found(app, &self.purpose.there(app, &self.ask), inner.width);
+        let hint = || wrapped(&self.purpose.hint(app, &self.ask), inner.width, Role::Dim).collect();
+        canvas.put_lines(inner, 3, lines.unwrap_or_else(hint));
+    }
+}
+
+/// What a key in the field comes to.
+pub(super) enum Step {
+    /// The text is taken; a file or preset of this name may be replaced.
+    Accept {
+        overwrite: bool,
+    },
+    Closes,
+    Stays,
+}
+
+/// The keys while the question is open.
+pub(super) const REPLACE: Footer = &[
+    (FootKey::As("o"), "overwrite"),
+    (FootKey::As("r"), "rename"),
+    (FootKey::Of(Action::Back), "back"),
+];
+
 impl Ask {
-    /// The field that takes characters, where the selected line has one.
-    pub(crate) fn field_mut(&mut self) -> Option<&mut TextField> {
-        if self.choices.selected == 0 { Some(&mut self.text) } else { self.choices.field_mut() }
+    pub(super) fn value(&self) -> &str {
+        self.text.value().trim()
     }
 
-    fn exports(&self) -> bool {
-        matches!(self.purpose, Purpose::Runs | Purpose::Table(_))
+    pub(super) fn press(&mut self, app: &mut App, key: KeyEvent) -> Step {
+        match (self.question, key.code) {
+            (true, KeyCode::Char('y' | 'o')) => return Step::Accept { overwrite: true },
+            (true, KeyCode::Char('n')) => self.question = false,
+            (true, KeyCode::Char('r')) => {
+                self.text = TextField::new(next_name(self.text.value()));
+                self.question = false;
+            }
+            _ => match app.keymap.action(key).filter(|_| !is_text(key)) {
+                Some(Action::Back) if self.question => self.question = false,
+                Some(Action::Back) => return Step::Closes,
+                Some(Action::Enter) if self.question => {}
+                Some(Action::Enter) => {
+                    self.text.all_selected = false;
+                    return Step::Accept { overwrite: false };
+                }
+                Some(Action::FocusNext) => {
+                    let typed = self.text.value().to_owned();
+                    app.request(Effect::Files(FileTask::Complete(typed)));
+                }
+                _ => {
+                    if self.text.press(key) {
+                        self.forget();
+                    }
+                }
+            },
+        }
+        Step::Stays
     }
 
-    fn is_of(&self, directory: &Path, path: &Path) -> bool {
-        directory.join(self.text.value().trim()) == path
-    }
-
-    /// Whether it asks for an export to this path.
-    pub(crate) fn exports_to(&self, directory: &Path, path: &Path) -> bool {
-        self.exports() && self.is_of(directory, path)
-    }
-
-    /// Whether it asks to save the scene under this name.
-    pub(crate) fn saves(&self, name: &str) -> bool {
-        self.purpose == Purpose::Preset && self.text.value().trim() == name
-    }
-
-    /// Another text or choice: what was said about the old one is removed.
+    /// Another text: what was said about the old one is removed.
     pub(super) fn forget(&mut self) {
         self.question = false;
         self.text.error = None;
         self.completions.clear();
     }
 
-    /// Change what the selected line chooses.
-    fn change(&mut self, by: isize) {
-        self.choices.change(by);
-        self.text.error = None;
-    }
-}
-
-/// Ask for the name to save the scene under.
-pub(crate) fn save(app: &mut App) {
-    let name = proposed_name(app);
-    open(app, Purpose::Preset, TextField::selected(name), Choices::default());
-    app.list_presets();
-}
-
-/// Ask for the file to write the table shown to, if there is anything in it.
-pub(crate) fn export_table(app: &mut App) {
-    match pages::of(app.tab).table(app) {
-        Some(table) => {
-            let file = TextField::new(table.file);
-            open(app, Purpose::Table(table.title), file, Choices::default());
+    /// What the text was taken for has begun, or cannot be done: that stands in the dialog.
+    pub(super) fn begun(&mut self, app: &mut App, task: Result<Option<FileTask>, String>) {
+        match task {
+            Ok(task) => {
+                self.text.error = None;
+                app.effects.extend(task.map(Effect::Files));
+            }
+            Err(error) => self.text.error = Some(error),
         }
-        None => app.refuse(nothing_yet(app, "export")),
     }
-}
 
-/// Why a page has no table.
-fn nothing_yet(app: &App, what: &str) -> String {
-    if pages::all_jobs(app).any(|(tab, _)| tab == app.tab) {
-        return "nothing is finished yet: <back> stops the job and keeps what is finished"
-            .to_owned();
-    }
-    format!("nothing to {what} yet: press <run> to compute it")
-}
-
-pub(crate) fn copy(app: &mut App) {
-    let Some(table) = pages::of(app.tab).table(app) else {
-        return app.refuse(nothing_yet(app, "copy"));
-    };
-    match Content::Page(table).text() {
-        Ok(text) => app.request(Effect::Copy(text)),
-        Err(why) => app.refuse(why.to_string()),
-    }
-}
-
-/// The present name for one's own preset or file, else that name with the first number that is free.
-fn proposed_name(app: &App) -> String {
-    let name = &app.base.name;
-    // Scenes that the program kept by itself are files, too, but nobody opened them by their path.
-    let is_file = preset::is_path(name) && app.recent.contains(&app.directory.join(name));
-    if app.base.is_mine || is_file {
-        return name.clone();
-    }
-    let taken =
-        |name: &str| app.presets.iter().any(|entry| entry.part.is_none() && entry.name == name);
-    let stem = base_stem(app);
-    (2..100)
-        .map(|number| format!("{stem}-{number}"))
-        .find(|name| !taken(name))
-        .unwrap_or_else(|| "my-scene".to_owned())
-}
-
-pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
-    let is_path = state.purpose != Purpose::Preset || preset::is_path(state.text.value());
-    let typing = state.field_mut().is_some();
-    match key.code {
-        KeyCode::Esc if !state.question => return,
-        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
-        KeyCode::Char('q') if !typing => return,
-        KeyCode::Char('y' | 'o') if state.question => accept(app, &mut state, true),
-        KeyCode::Char('r') if state.question => {
-            state.text = TextField::new(next_name(state.text.value()));
-            (state.choices.selected, state.question) = (0, false);
-        }
-        KeyCode::Enter if state.question => {}
-        KeyCode::Enter => accept(app, &mut state, false),
-        KeyCode::Tab if is_path && state.choices.selected == 0 => {
-            app.request(Effect::Files(FileTask::Complete(state.text.value().to_owned())));
-        }
-        KeyCode::Down | KeyCode::Tab => state.choices.move_by(1),
-        KeyCode::Up | KeyCode::BackTab => state.choices.move_by(-1),
-        KeyCode::Char('j') if !typing => state.choices.move_by(1),
-        KeyCode::Char('k') if !typing => state.choices.move_by(-1),
-        KeyCode::Left | KeyCode::Char('h') if !typing => state.change(-1),
-        KeyCode::Right | KeyCode::Char('l' | ' ') if !typing => state.change(1),
-        KeyCode::Char('a') if !typing => state.choices.all_or_none(),
-        _ => {
-            if state.field_mut().is_some_and(|field| field.press(key)) {
-                state.forget();
+    /// It has ended: the dialog closes, or what stands in the way stands in it.
+    pub(super) fn ended(&mut self, outcome: &ExportOutcome) -> Outcome {
+        match outcome {
+            ExportOutcome::Written(_) => return Outcome::Closes,
+            ExportOutcome::Exists(_) => self.question = true,
+            ExportOutcome::Failed(text) => {
+                self.question = false;
+                self.text.error = Some(text.clone());
             }
         }
+        Outcome::Stays
     }
-    app.dialog = Some(Dialog::Ask(Box::new(state)));
-}
 
-/// Does what the text was typed for; `overwrite`: a file or preset of this name may be replaced.
-fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
-    state.text.all_selected = false;
-    let asked = match report_file(app, state, overwrite) {
-        // It is asked before the report is computed, and not only when it is written.
-        Some(to) if !overwrite && to.path.exists() => {
-            state.question = true;
-            Ok(None)
+    /// Names that complete a path: of one it is taken, of several what they have in common, and the list.
+    pub(super) fn complete(&mut self, names: &[String]) -> Outcome {
+        match common_start(names) {
+            None => self.text.error = Some("no file or directory begins like this".to_owned()),
+            Some(common) => {
+                self.text = TextField::new(common);
+                self.completions = if names.len() > 1 { names.to_vec() } else { Vec::new() };
+            }
         }
-        Some(to) => report::write(app, to).map(|()| None),
-        None => task(app, state, overwrite),
-    };
-    match asked {
-        Ok(task) => app.effects.extend(task.map(Effect::Files)),
-        Err(error) => state.text.error = Some(error),
+        Outcome::Stays
     }
-}
 
-/// The report to write, where an export goes to a path that ends as one.
-fn report_file(app: &App, state: &Ask, overwrite: bool) -> Option<Destination> {
-    let path = path_of(app, state.text.value(), "").ok().filter(|_| state.exports())?;
-    let existing = Existing::replaced(overwrite);
-    is_report(&path).then_some(Destination { path, existing, has_scene: false })
-}
-
-/// The file tasks; none if a question comes first.
-fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>, String> {
-    let task = match state.purpose {
-        Purpose::Preset => return save_as(app, state, overwrite),
-        Purpose::Table(_) => {
-            let path = path_of(app, state.text.value(), "table.csv")?;
-            let table = || pages::of(app.tab).table(app).map(Content::Page);
-            let gone = || "the result to write no longer exists".to_owned();
-            export(app, path, overwrite, || table().ok_or_else(gone))?
+    /// The path that was typed.
+    pub(super) fn path(&self, app: &App, example: &str) -> Result<PathBuf, String> {
+        let text = self.value();
+        if text.is_empty() || text.ends_with('/') {
+            return Err(format!("the path needs a file name, for example `{example}`"));
         }
-        Purpose::Runs => {
-            let path = path_of(app, state.text.value(), "run.csv")?;
-            let table = || runs::table(app, &state.choices).map(Content::Runs);
-            export(app, path, overwrite, table)?
-        }
-        Purpose::Curve => FileTask::ReadCurve(path_of(app, state.text.value(), "curve.csv")?),
-    };
-    (state.question, state.text.error) = (false, None);
-    Ok(Some(task))
+        Ok(app.files.directory.join(text))
+    }
+
+    /// Whether it asks for this path.
+    pub(super) fn is_of(&self, directory: &Path, path: &Path) -> bool {
+        directory.join(self.value()) == path
+    }
+
+    /// The question, where this exists, the error or the completions, if there are some.
+    pub(super) fn found(&self, app: &App, there: &str, width: u16) -> Option<Vec<TextLine>> {
+        let (text, role) = if self.question {
+            (format!("! {there} exists: o overwrite, r rename, Esc back"), Role::Warning)
+        } else if let Some(error) = &self.text.error {
+            (app.keymap.shown(&format!("x {error}")), Role::Error)
+        } else if !self.completions.is_empty() {
+            (self.completions.join("  "), Role::Note)
+        } else {
+            return None;
+        };
+        Some(wrapped(&text, width, role).collect())
+    }
 }
 
-/// Write the charts on the screen to a path that ends in `.svg`, the table to any other.
-fn export(
-    app: &App,
-    path: PathBuf,
-    overwrite: bool,
-    table: impl FnOnce() -> Result<Content, String>,
-) -> Result<FileTask, String> {
-    let content = if is_svg(&path) {
-        let drawn = view::pictures(app);
-        if drawn.is_empty() {
-            return Err(
-                "no chart on the screen can be drawn as SVG: write the table to a .csv file"
-                    .to_owned(),
-            );
-        }
-        Content::Text(svg::file(&drawn))
-    } else {
-        table()?
-    };
-    let existing = Existing::replaced(overwrite);
-    Ok(FileTask::Export(Destination { path, existing, has_scene: true }, content))
-}
-
-/// What is written to a path instead of the table, by its ending.
-pub(super) fn instead_of_table(path: &Path) -> Option<&'static str> {
-    if is_svg(path) {
-        return Some("the charts on the screen, as SVG");
+fn common_start(names: &[String]) -> Option<String> {
+    let mut common = names.first()?.clone();
+    while names.iter().any(|name| !name.starts_with(&common)) {
+        common.pop();
     }
-    is_report(path).then_some("the report: inputs, results, charts, limit, sweep")
-}
-
-fn is_svg(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
-}
-
-/// The path that was typed.
-fn path_of(app: &App, text: &str, example: &str) -> Result<PathBuf, String> {
-    let text = text.trim();
-    if text.is_empty() || text.ends_with('/') {
-        return Err(format!("the path needs a file name, for example `{example}`"));
-    }
-    Ok(app.directory.join(text))
-}
-
-/// Save the scene under the name or path; a file or one of the person's own presets is replaced only when asked.
-fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>, String> {
-    let name = state.text.value().trim().to_owned();
-    if name.is_empty() {
-        return Err("a preset needs a name: letters, digits, - and _".to_owned());
-    }
-    let scene = Box::new((*app.scene).clone());
-    if preset::is_path(&name) {
-        let path = path_of(app, &name, "scene.toml")?;
-        if !overwrite && path.exists() {
-            state.question = true;
-            return Ok(None);
-        }
-        return Ok(Some(FileTask::SaveScene { name, path: Some(path), scene, overwrite }));
-    }
-    let same = app.presets.iter().filter(|entry| entry.part.is_none() && entry.name == name);
-    let origins: Vec<&str> = same.map(|entry| entry.origin).collect();
-    if origins.contains(&"bundled") {
-        return Err(format!(
-            "`{name}` is a built-in preset and stays as it is: choose another name"
-        ));
-    }
-    if origins.contains(&"mine") && !overwrite {
-        state.question = true;
-        return Ok(None);
-    }
-    Ok(Some(FileTask::SaveScene { name, path: None, scene, overwrite }))
+    Some(common)
 }
 
 /// The next name of a series: `run.csv`, `run-2.csv`, `run-3.csv`.
@@ -284,113 +257,5 @@ fn next_name(text: &str) -> String {
             Err(_) => format!("{stem}-2{ending}"),
         },
         None => format!("{stem}-2{ending}"),
-    }
-}
-
-/// The first part of every name proposed for a file about a scene: the preset's name without folders and ending.
-pub(crate) fn base_stem(app: &App) -> &str {
-    app.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml")
-}
-
-pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
-    let (title, right) = match state.purpose {
-        Purpose::Runs => return runs::render(app, state, screen, canvas),
-        Purpose::Preset => ("Save the scene", ""),
-        Purpose::Table(title) => (title, "Enter writes"),
-        Purpose::Curve => {
-            ("Measured curve of the spring (CSV)", "Tab completes  Enter reads  Esc keeps")
-        }
-    };
-    let (width, label) =
-        if state.purpose == Purpose::Preset { (64, "name  ") } else { (76, "file  ") };
-    let inner = frame(screen, (width, 9), PaneFrame::new(title).right(right), canvas);
-    let start = canvas.put(inner, (0, 1), label, Role::Title);
-    let field = TextField { error: None, ..state.text.clone() };
-    let width = inner.width.saturating_sub(start + 1);
-    field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
-    let (text, role) = match (&state.text.error, state.question) {
-        (_, true) => (question(app, state), Role::Warning),
-        (Some(error), false) => (app.keymap.shown(&format!("x {error}")), Role::Error),
-        (None, false) => (hint(app, state), Role::Dim),
-    };
-    canvas.put_lines(inner, 3, wrapped(&text, inner.width, role));
-}
-
-/// What is asked where something of this name is there already.
-pub(super) fn question(app: &App, state: &Ask) -> String {
-    let text = state.text.value().trim();
-    let (there, note) = match state.purpose {
-        Purpose::Preset if !preset::is_path(text) => {
-            (format!("your preset `{text}`"), " (its comments stay)")
-        }
-        Purpose::Preset => (app.directory.join(text).display().to_string(), " (its comments stay)"),
-        _ => (app.directory.join(text).display().to_string(), ""),
-    };
-    format!("! {there} exists: o overwrite{note}, r rename, Esc back")
-}
-
-fn hint(app: &App, state: &Ask) -> String {
-    match state.purpose {
-        Purpose::Preset if preset::is_path(state.text.value()) => {
-            format!("to {}", app.directory.join(state.text.value().trim()).display())
-        }
-        Purpose::Preset => {
-            "kept with your own presets; a path (./my.toml) writes a file".to_owned()
-        }
-        Purpose::Runs | Purpose::Table(_) => {
-            let path = app.directory.join(state.text.value().trim());
-            let other = instead_of_table(&path).unwrap_or(
-                "a name that ends in .svg writes the charts on the screen, .html the report of the scene",
-            );
-            format!("to {}\n{other}", path.display())
-        }
-        // The required format of the file, and the present points.
-        Purpose::Curve => format!(
-            "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
-            extent(&app.scene.mechanism.spring.table.points)
-        ),
-    }
-}
-
-/// After a word was taken: a spring that is a table now requests its file.
-pub(crate) fn ask(app: &mut App, word: &str) {
-    let is_kind = app.editor.variable().key == "mechanism.spring.kind";
-    if is_kind && word == SpringKind::Table.word() {
-        open(app, Purpose::Curve, TextField::default(), Choices::default());
-    }
-}
-
-/// `3 points, x = 0 to 0.05 m`.
-pub(crate) fn extent(points: &[[f64; 2]]) -> String {
-    match (points.first(), points.last()) {
-        (Some(first), Some(last)) => format!(
-            "{} points, x = {} to {} m",
-            points.len(),
-            units::shortest(first[0]),
-            units::shortest(last[0])
-        ),
-        _ => "no points".to_owned(),
-    }
-}
-
-/// The file was read, or could not be: its points become the spring's as one edit, or the dialog says why not.
-pub(crate) fn read(app: &mut App, path: &Path, points: Result<Arc<[[f64; 2]]>, String>) {
-    let name = path
-        .file_name()
-        .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned());
-    let taken = points.and_then(|points| {
-        let count = points.len();
-        let mut scene = (*app.scene).clone();
-        let spring = &mut scene.mechanism.spring;
-        spring.kind = SpringKind::Table;
-        spring.table.points = points;
-        variables::validate(&scene).map_err(|error| error.to_string())?;
-        Ok((scene, count))
-    });
-    let is_it =
-        |ask: &Ask, directory: &Path| ask.purpose == Purpose::Curve && ask.is_of(directory, path);
-    if let Some((scene, count)) = answered(app, taken, is_it) {
-        app.tell(format!("spring: {count} points from {name} (<undo> undoes)"));
-        edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
     }
 }

@@ -1,76 +1,112 @@
-//! The help overlay, which lists the key table, and the palette.
+//! Help: what the selected variable or the pane means, then the keys of the pane, then those that work everywhere.
 
 use crate::model::variables::Kind;
-use crate::tui::app::layout::{split_bottom, split_top};
-use crate::tui::app::status::clip;
-use crate::tui::dialogs::{HelpRow, Picker, filter, frame, help_rows};
+use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::dialogs::frame;
+use crate::tui::dialogs::list::{List, Listed, Picker};
+use crate::tui::keymap::{Call, KeyHelp, LINES, Scope};
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::pages::numerics::stability::stiff_scenes_words;
 use crate::tui::pages::{self, run};
 use crate::tui::prelude::*;
-use crate::tui::widgets::RowList;
-use crate::tui::widgets::text::{TextLine, wrapped};
+use crate::tui::widgets::find::{rank, ranked};
+use crate::tui::widgets::split_top;
+use crate::tui::widgets::text::{TextLine, clip, wrapped};
+
+pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
+    Some(Listed::at(Help, 0))
+}
+
+#[derive(Clone, Debug)]
+struct Help;
 
 const SENTENCE: u16 = 15;
 
-/// Keys: what the selected variable means on top, then the keys of the focused pane, then the others.
-pub(crate) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
-    let inner = frame(screen, (92, 48), PaneFrame::new(title).right("q closes"), canvas);
-    let about = about(app, inner.width);
-    let top = u16::try_from(about.len()).unwrap_or(u16::MAX);
-    canvas.put_lines(inner, 0, about);
-    let (_, rest) = split_top(inner, top);
-    filter(picker, rest, canvas);
-    let rows = help_rows(app, picker.filter.value());
-    list(&rows, picker.selected, split_top(rest, 1).1, canvas);
-}
+impl List for Help {
+    const OPENED_BY: Action = Action::Help;
+    const IS_FILTERED: bool = true;
 
-/// The matches of `:`, and the effect of Enter on the selected one.
-pub(crate) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let pane =
-        PaneFrame::new("Find an action, variable, quantity, preset or page").right("Esc closes");
-    let inner = frame(screen, (76, 20), pane, canvas);
-    filter(picker, inner, canvas);
-    let (list, foot) = split_bottom(split_top(inner, 1).1, DOES);
-    let found = app.palette(picker.filter.value());
-    if found.is_empty() {
-        canvas.put(list, (0, 0), "nothing has this name", Role::Dim);
+    fn footer(&self, typing: bool) -> Footer {
+        const MOVE: (FootKey, &str) = (FootKey::Pair(Action::Down, Action::Up), "move");
+        const DO: (FootKey, &str) = (FootKey::Of(Action::Enter), "do it");
+        if typing {
+            &[DO, (FootKey::Of(Action::Back), "close"), (FootKey::As("Up/Down"), "move")]
+        } else {
+            &[(FootKey::Of(Action::Quit), "close"), MOVE, DO, (FootKey::Of(Action::Find), "search")]
+        }
     }
-    let rows = RowList { count: found.len(), selected: picker.selected, painted: true };
-    rows.in_dialog(canvas, list, |canvas, row, index| {
-        let item = &found[index];
-        let mark = if item.kind() == "broken" { "!" } else { " " };
-        canvas.put(row, (0, 0), mark, Role::Warning);
-        canvas.put(row, (2, 0), &clip(&item.name(), 40), Role::Text);
-        let kind = row.width.saturating_sub(10);
-        canvas.put(row, (kind, 0), item.kind(), Role::Dim);
-    });
-    let does = found.get(picker.selected).map_or_else(String::new, |item| app.palette_does(item));
-    canvas.put_lines(foot, 0, wrapped(&does, foot.width, Role::Title));
-}
 
-/// Rows that say what Enter does.
-const DOES: u16 = 2;
-
-fn list(rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) {
-    if rows.is_empty() {
-        canvas.put(area, (0, 0), "nothing matches", Role::Dim);
+    fn count(&self, app: &App, typed: &str) -> usize {
+        rows(app, typed).len()
     }
-    let room = usize::from(area.width.saturating_sub(SENTENCE));
-    RowList { count: rows.len(), selected, painted: true }.in_dialog(
-        canvas,
-        area,
-        |canvas, row, index| {
+
+    fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
+        let rows = rows(app, picker.filter.value());
+        rows.get(picker.selected)
+            .map_or(Outcome::Closes, |row| Outcome::Calls(Call::Do(row.action)))
+    }
+
+    fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+        let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
+        let inner = frame(screen, (92, 48), PaneFrame::new(title), canvas);
+        let about = about(app, inner.width);
+        let top = u16::try_from(about.len()).unwrap_or(u16::MAX);
+        canvas.put_lines(inner, 0, about);
+        let (_, rest) = split_top(inner, top);
+        picker.draw_filter(app, rest, canvas);
+        let rows = rows(app, picker.filter.value());
+        let area = split_top(rest, 1).1;
+        if rows.is_empty() {
+            canvas.put(area, (0, 0), "nothing matches", Role::Dim);
+        }
+        let room = usize::from(area.width.saturating_sub(SENTENCE));
+        picker.draw_rows(rows.len(), area, canvas, |canvas, row, index| {
             let line = &rows[index];
-            let keys = clip(&line.keys, usize::from(SENTENCE) - 2);
-            canvas.put(row, (0, 0), &keys, Role::Key);
-            let role = if line.pane.is_empty() { Role::Dim } else { Role::Text };
+            canvas.put(row, (0, 0), &clip(&line.keys, usize::from(SENTENCE) - 2), Role::Key);
+            let role = if line.is_own { Role::Text } else { Role::Dim };
             canvas.put(row, (SENTENCE, 0), &clip(&line.help, room), role);
-        },
-    );
+        });
+    }
+}
+
+struct HelpRow {
+    keys: String,
+    /// It is of the focused pane.
+    is_own: bool,
+    help: String,
+    /// The action of Enter.
+    action: Action,
+}
+
+/// The keys of the focused pane first, with what they do there, then those that work everywhere.
+fn rows(app: &App, typed: &str) -> Vec<HelpRow> {
+    let pane = pages::spec(app.pane());
+    let has = |line: &KeyHelp, action| line.keys.iter().any(|(one, ..)| *one == action);
+    let own = pane.keys.iter().map(|row| {
+        // A line of keys that the pane explains itself is listed there only.
+        let of_row = |line: &&KeyHelp| line.scope != Scope::Everywhere && has(line, row.action);
+        let line = LINES.iter().find(of_row).map(|line| app.keymap.line_label(line));
+        let keys = line.unwrap_or_else(|| app.keymap.label(row.action));
+        HelpRow { keys, is_own: true, help: app.keymap.shown(row.help), action: row.action }
+    });
+    let lines = |everywhere: bool| {
+        let explained = move |line: &KeyHelp| pane.keys.iter().any(|row| has(line, row.action));
+        let scoped = move |line: &&KeyHelp| match line.scope {
+            Scope::Everywhere => everywhere,
+            Scope::With(_) | Scope::Listed => !everywhere && !explained(line),
+        };
+        LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
+            keys: app.keymap.line_label(line),
+            is_own: !everywhere,
+            help: app.keymap.shown(line.meaning),
+            action: line.keys[0].0,
+        })
+    };
+    let rows = own.chain(lines(false)).chain(lines(true));
+    let works = rows.filter(|row| !pages::of(app.tab).is_idle(app, row.action));
+    ranked(works, |row| rank(typed, &[&row.keys], &row.help))
 }
 
 /// What the words and signs of the focused pane mean.
@@ -86,7 +122,7 @@ fn about(app: &App, width: u16) -> Vec<TextLine> {
 
 /// Meaning, allowed values, range and source of the selected variable.
 fn variable(app: &App, width: u16) -> Vec<TextLine> {
-    let variable = app.editor.variable();
+    let variable = app.pages.run.editor.variable();
     let mut lines = vec![(format!("{}  {}", variable.symbol, variable.key), Role::Title)];
     let mut text = |text: String| {
         let indented = wrapped(&text, width.saturating_sub(2), Role::Text);

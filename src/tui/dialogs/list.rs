@@ -1,228 +1,160 @@
-//! Keys in the dialogs that are lists: help, palette, presets, edits, words, options.
+//! Dialogs that are lists to choose from, with a text that filters them.
+
+use std::fmt::Debug;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use crate::model::variables::{self, Value};
-use crate::tui::app::status::clip;
-use crate::tui::dialogs::options::{self, OptionRow};
-use crate::tui::dialogs::{self, Dialog, List, Picker, ask, frame, palette, presets};
+use crate::tui::app::dialog::{Dialog, Footer, Outcome};
 use crate::tui::prelude::*;
-use crate::tui::update::{act, edit};
-use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::wrapped;
+use crate::tui::widgets::{RowList, rows_moved};
 
-pub(crate) fn press(app: &mut App, key: KeyEvent) {
-    let types = app.dialog.as_mut().is_some_and(|dialog| dialog.field_mut().is_some());
-    let is_text = matches!(key.code, KeyCode::Char(_))
-        && !key.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT);
-    let key = if types && is_text { key } else { app.keymap.original(key) };
-    match app.dialog.take() {
-        Some(Dialog::List(list, picker)) => in_list(app, list, picker, key),
-        Some(Dialog::Ask(state)) => ask::press(app, *state, key),
-        None => {}
+/// The rows of a page of a list.
+const PAGE: usize = 11;
+
+/// Where a person is in a list.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Picker {
+    pub filter: TextField,
+    /// Characters go into the filter.
+    pub typing: bool,
+    /// The selected row of those that pass the filter.
+    pub selected: usize,
+    /// A row was chosen by moving to it, not only by what was typed.
+    pub moved: bool,
+}
+
+/// What a dialog lists.
+pub(crate) trait List: Clone + Debug + 'static {
+    /// The action that opens it, whose key closes it again.
+    const OPENED_BY: Action;
+    /// Its rows can be filtered by a text.
+    const IS_FILTERED: bool;
+
+    fn footer(&self, typing: bool) -> Footer;
+
+    /// How many rows match what was typed.
+    fn count(&self, app: &App, typed: &str) -> usize;
+
+    /// What Enter does with the selected row.
+    fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome;
+
+    /// What another action does, where it does something.
+    fn act(&mut self, _app: &mut App, _picker: &Picker, _action: Action) -> Option<Outcome> {
+        None
+    }
+
+    fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>);
+}
+
+/// A dialog of a list.
+#[derive(Clone, Debug)]
+pub(crate) struct Listed<L> {
+    pub list: L,
+    pub picker: Picker,
+}
+
+impl<L: List> Listed<L> {
+    /// Open on a row.
+    pub(crate) fn at(list: L, selected: usize) -> Box<dyn Dialog> {
+        Box::new(Self { list, picker: Picker { selected, ..Picker::default() } })
+    }
+
+    /// Open with characters going into the filter.
+    pub(crate) fn typing(list: L) -> Box<dyn Dialog> {
+        Box::new(Self { list, picker: Picker { typing: true, ..Picker::default() } })
     }
 }
 
-/// A click while a dialog is open: it selects a row, does what the row is for where it was selected, or closes a list.
-pub(crate) fn click(app: &mut App, target: Target) {
-    match (&mut app.dialog, target) {
-        (Some(Dialog::List(_, picker)), Target::DialogRow(row)) => {
-            if picker.selected == row {
-                return press(app, KeyEvent::new(KeyCode::Enter, KeyModifiers::NONE));
+impl<L: List> Dialog for Listed<L> {
+    fn footer(&self) -> Footer {
+        self.list.footer(self.picker.typing)
+    }
+
+    fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
+        let (list, picker) = (&mut self.list, &mut self.picker);
+        let action = app.keymap.action(key).filter(|_| !(picker.typing && is_text(key)));
+        // Within a text, those keys move the cursor of the field.
+        let moves =
+            action.filter(|it| !(picker.typing && matches!(it, Action::First | Action::Last)));
+        if let Some(by) = moves.and_then(|action| rows_moved(action, PAGE)) {
+            let last = list.count(app, picker.filter.value()).saturating_sub(1);
+            picker.selected = picker.selected.saturating_add_signed(by).min(last);
+            picker.moved = true;
+            return Outcome::Stays;
+        }
+        match action {
+            Some(Action::Back | Action::Quit) => return Outcome::Closes,
+            Some(action) if action == L::OPENED_BY && action != Action::Enter => {
+                return Outcome::Closes;
             }
-            (picker.selected, picker.moved) = (row, true);
-        }
-        (Some(Dialog::List(..)), Target::Beside) => {
-            app.dialog = None;
-        }
-        (Some(Dialog::Ask(state)), Target::DialogRow(row)) => state.choices.click(row),
-        // What has been typed is not thrown away by a click.
-        _ => {}
-    }
-}
-
-fn count(app: &App, list: List, typed: &str) -> usize {
-    match list {
-        List::Help => dialogs::help_rows(app, typed).len(),
-        List::Palette => app.palette(typed).len(),
-        List::Presets => dialogs::preset_rows(&app.presets, typed).len(),
-        List::History => app.history.edits.len() + 1,
-        List::Words => app.editor.variable().words().len(),
-        List::Options => OptionRow::ALL.len(),
-    }
-}
-
-/// Keys all lists share; Enter and Space mean what the list is for.
-fn in_list(app: &mut App, list: List, mut picker: Picker, key: KeyEvent) {
-    let last = count(app, list, picker.filter.value()).saturating_sub(1);
-    let letter = !picker.typing && !key.modifiers.contains(KeyModifiers::CONTROL);
-    if let Some(by) = moves(key, letter) {
-        picker.selected = picker.selected.saturating_add_signed(by).min(last);
-        picker.moved = true;
-        app.dialog = Some(Dialog::List(list, picker));
-        return;
-    }
-    match (key.code, list) {
-        (KeyCode::Esc, List::Palette | List::Presets) => return,
-        (KeyCode::Esc, _) if picker.typing => picker = Picker::default(),
-        (KeyCode::Esc, _) => return,
-        (KeyCode::Char('q'), _)
-        | (KeyCode::Char('?'), List::Help)
-        | (KeyCode::Char('o'), List::Options)
-            if letter =>
-        {
-            return;
-        }
-        (KeyCode::Left | KeyCode::Char('h'), List::Options) => {
-            options::change(app, OptionRow::ALL[picker.selected.min(last)], false);
-        }
-        (KeyCode::Enter | KeyCode::Right | KeyCode::Char('l' | ' '), List::Options) => {
-            options::change(app, OptionRow::ALL[picker.selected.min(last)], true);
-        }
-        (KeyCode::Enter, _) => return chosen(app, list, &picker),
-        (KeyCode::Char('/'), List::Help | List::Palette) if letter => {
-            picker.typing = true;
-        }
-        (KeyCode::Tab, List::Presets) => presets::pin(app, &picker),
-        _ if picker.typing && picker.filter.press(key) => {
-            (picker.selected, picker.moved) = (0, false);
-        }
-        _ => {}
-    }
-    app.dialog = Some(Dialog::List(list, picker));
-}
-
-/// How far a key moves the selection: arrows always, letters while none go into the filter.
-fn moves(key: KeyEvent, letter: bool) -> Option<isize> {
-    let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    match key.code {
-        KeyCode::Up => Some(-1),
-        KeyCode::Down => Some(1),
-        KeyCode::PageUp => Some(-10),
-        KeyCode::PageDown => Some(10),
-        KeyCode::Char('p' | 'k') if control => Some(-1),
-        KeyCode::Char('n' | 'j') if control => Some(1),
-        KeyCode::Char('k') if letter => Some(-1),
-        KeyCode::Char('j') if letter => Some(1),
-        KeyCode::Home | KeyCode::Char('g') if letter => Some(isize::MIN / 2),
-        KeyCode::End | KeyCode::Char('G') if letter => Some(isize::MAX / 2),
-        _ => None,
-    }
-}
-
-/// After text came into a dialog: what is selected may not be there any more.
-pub(crate) fn after_typing(app: &mut App) {
-    match &mut app.dialog {
-        Some(Dialog::List(_, picker)) => (picker.selected, picker.moved) = (0, false),
-        Some(Dialog::Ask(ask)) => ask.forget(),
-        None => {}
-    }
-}
-
-fn chosen(app: &mut App, list: List, picker: &Picker) {
-    match list {
-        List::Help => {
-            let rows = dialogs::help_rows(app, picker.filter.value());
-            if let Some(action) = rows.get(picker.selected).map(|row| row.action) {
-                act::act(app, action);
+            Some(Action::Find) if L::IS_FILTERED => picker.typing = true,
+            Some(Action::Enter) => return list.chosen(app, picker),
+            action => {
+                if let Some(outcome) = action.and_then(|action| list.act(app, picker, action)) {
+                    return outcome;
+                }
+                if picker.typing && picker.filter.press(key) {
+                    self.pasted();
+                }
             }
         }
-        List::Palette => palette::chosen(app, picker),
-        List::Presets => presets::chosen(app, picker),
-        List::History => edit::travel(app, picker.selected),
-        List::Words => take_word(app, picker),
-        List::Options => {}
+        Outcome::Stays
+    }
+
+    fn click(&mut self, app: &mut App, row: usize) -> Outcome {
+        if self.picker.selected == row {
+            return self.list.chosen(app, &self.picker);
+        }
+        (self.picker.selected, self.picker.moved) = (row, true);
+        Outcome::Stays
+    }
+
+    fn closes_beside(&self) -> bool {
+        true
+    }
+
+    fn field_mut(&mut self) -> Option<&mut TextField> {
+        self.picker.typing.then_some(&mut self.picker.filter)
+    }
+
+    fn pasted(&mut self) {
+        // What was selected may not be there any more.
+        (self.picker.selected, self.picker.moved) = (0, false);
+    }
+
+    fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
+        self.list.draw(app, &self.picker, screen, canvas);
     }
 }
 
-/// Set the selected variable to a word; one that is refused leaves the list open, with the reason.
-fn take_word(app: &mut App, picker: &Picker) {
-    let Some(word) = app.editor.variable().words().get(picker.selected) else {
-        return;
-    };
-    match edit::set(app, app.editor.selected, Value::Word(word), None) {
-        Ok(()) => ask::ask(app, word),
-        Err(error) => {
-            app.refuse(error);
-            app.dialog = Some(Dialog::List(List::Words, picker.clone()));
+/// Whether a key is a character of a text.
+pub(crate) fn is_text(key: KeyEvent) -> bool {
+    matches!(key.code, KeyCode::Char(_))
+        && !key.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT)
+}
+
+impl Picker {
+    /// The filter in the first row of an area: what was typed, or how to search.
+    pub(crate) fn draw_filter(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+        if self.typing {
+            let end = canvas.put(area, (0, 0), "> ", Role::Key);
+            let room = area.width.saturating_sub(end);
+            self.filter.draw(canvas, Rect { x: area.x + end, width: room, ..area });
+        } else {
+            canvas.put(area, (0, 0), &app.keymap.shown("<find> to search"), Role::Dim);
         }
     }
-}
 
-/// Names that complete a path: of one it is taken, of several what they have in common, and the list.
-pub(crate) fn complete(app: &mut App, names: Vec<String>) {
-    let Some(Dialog::Ask(ask)) = &mut app.dialog else { return };
-    match common_start(&names) {
-        None => ask.text.error = Some("no file or directory begins like this".to_owned()),
-        Some(common) => {
-            ask.text = TextField::new(common);
-            ask.completions = if names.len() > 1 { names } else { Vec::new() };
-        }
+    /// Rows of the list, each drawn by its index.
+    pub(crate) fn draw_rows(
+        &self,
+        count: usize,
+        area: Rect,
+        canvas: &mut Canvas<'_>,
+        draw: impl FnMut(&mut Canvas<'_>, Rect, usize),
+    ) {
+        let rows = RowList { count, selected: self.selected, painted: true };
+        rows.render(canvas, area, |row| Some(Target::DialogRow(row)), draw);
     }
-}
-
-fn common_start(names: &[String]) -> Option<String> {
-    let mut common = names.first()?.clone();
-    while names.iter().any(|name| !name.starts_with(&common)) {
-        common.pop();
-    }
-    Some(common)
-}
-
-pub(crate) fn history(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let edits = &app.history.edits;
-    let height = u16::try_from(edits.len() + 3).unwrap_or(u16::MAX);
-    let pane = PaneFrame::new("Edits of this session").right("Enter goes there");
-    let inner = frame(screen, (70, height.max(6)), pane, canvas);
-    let list = RowList { count: edits.len() + 1, selected: picker.selected, painted: true };
-    list.in_dialog(canvas, inner, |canvas, row, index| {
-        let label = index.checked_sub(1).map_or("the start", |at| &edits[at].label);
-        let (mark, role, undone) = match index.cmp(&app.history.done) {
-            std::cmp::Ordering::Less => (' ', Role::Text, ""),
-            std::cmp::Ordering::Equal => ('>', Role::Title, ""),
-            std::cmp::Ordering::Greater => (' ', Role::Dim, "  (undone)"),
-        };
-        let line = format!("{mark} {index:>3}  {label}{undone}");
-        canvas.put(row, (0, 0), &clip(&line, usize::from(row.width)), role);
-    });
-}
-
-const WIDTH: u16 = 58;
-/// Rows for the meaning below the words.
-const NOTE_ROWS: u16 = 3;
-
-pub(crate) fn words(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let variable = app.editor.variable();
-    let words = variable.words();
-    let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
-    let size = (WIDTH, count.saturating_add(NOTE_ROWS + 3));
-    let pane = PaneFrame::new(variable.symbol).right("Enter takes it");
-    let inner = frame(screen, size, pane, canvas);
-    let list = Rect { height: inner.height.saturating_sub(NOTE_ROWS + 1).min(count), ..inner };
-    let now = variable.value(&app.scene);
-    let rows = RowList { count: words.len(), selected: picker.selected, painted: true };
-    rows.in_dialog(canvas, list, |canvas, row, index| {
-        let is_now = now == Value::Word(words[index]);
-        let mark = if is_now { "> " } else { "  " };
-        let role = if refusal(app, words[index]).is_some() { Role::Dim } else { Role::Text };
-        canvas.put(row, (0, 0), mark, Role::Title);
-        let end = canvas.put(row, (2, 0), words[index], role);
-        if is_now {
-            canvas.put(row, (end + 2, 0), "now", Role::Dim);
-        }
-    });
-    let refused = words.get(picker.selected).and_then(|word| refusal(app, word));
-    let (text, role) = match refused {
-        Some(text) => (text, Role::Warning),
-        None => (variable.meaning.to_owned(), Role::Dim),
-    };
-    canvas.put_lines(inner, list.height + 1, wrapped(&text, inner.width, role));
-}
-
-/// Why the scene makes no sense with this word; `None` where it does.
-fn refusal(app: &App, word: &'static str) -> Option<String> {
-    let mut scene = (*app.scene).clone();
-    let set = app.editor.variable().set(&mut scene, Value::Word(word));
-    set.and_then(|()| variables::validate(&scene)).err().map(|error| error.to_string())
 }

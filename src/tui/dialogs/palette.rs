@@ -1,18 +1,104 @@
-//! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym, and what Enter does with each.
+//! What `:` finds: pages and actions, variables, quantities, presets and parts of libraries, by name or synonym, and what Enter does
+//! with each.
 
 use crate::model::variables::{VARIABLES, Variable, is_offered};
 use crate::report::series::Channel as Curve;
 use crate::study::quantities::{QUANTITIES, Quantity};
-use crate::tui::app::find::{rank, rank_variable, ranked};
-use crate::tui::dialogs::{Picker, presets};
-use crate::tui::keymap::{Call, Command, commands};
+use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::dialogs::list::{List, Listed, Picker};
+use crate::tui::dialogs::{frame, presets, words};
+use crate::tui::keymap::{Call, Command};
 use crate::tui::message::PresetEntry;
 use crate::tui::pages::explore::setup;
 use crate::tui::pages::run::charts;
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::pages::{self, explore, run};
+use crate::tui::pages::{self, commands, explore, run};
 use crate::tui::prelude::*;
-use crate::tui::update::act;
+use crate::tui::widgets::find::{rank, rank_variable, ranked};
+use crate::tui::widgets::text::{clip, wrapped};
+use crate::tui::widgets::{split_bottom, split_top};
+
+pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
+    Some(Listed::typing(Palette))
+}
+
+#[derive(Clone, Debug)]
+struct Palette;
+
+/// Rows that say what Enter does.
+const DOES: u16 = 2;
+
+impl List for Palette {
+    const OPENED_BY: Action = Action::Palette;
+    const IS_FILTERED: bool = true;
+
+    fn footer(&self, _: bool) -> Footer {
+        &[
+            (FootKey::Of(Action::Enter), "do it"),
+            (FootKey::Of(Action::Back), "close"),
+            (FootKey::As("Up/Down"), "move"),
+        ]
+    }
+
+    fn count(&self, app: &App, typed: &str) -> usize {
+        app.palette(typed).len()
+    }
+
+    fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
+        let found = app.palette(picker.filter.value());
+        match found.get(picker.selected).copied() {
+            None => {
+                let typed = picker.filter.value().trim().to_owned();
+                app.tell(format!("nothing is called `{typed}`"));
+            }
+            Some(Item::Command(command)) => return Outcome::Calls(command.call),
+            Some(Item::Variable(index)) => {
+                run::focus_on(app, index);
+                if run::is_list(app) {
+                    words::open(app);
+                } else {
+                    run::open(app);
+                }
+            }
+            Some(Item::Curve(curve)) => {
+                app.focus_on(run::CHARTS);
+                charts::show(app, curve);
+            }
+            Some(Item::Quantity(quantity)) => {
+                app.focus_on(explore::RESULTS);
+                setup::choose_output(app, quantity.name);
+                pages::of(Tab::Explore).enter(app);
+            }
+            Some(Item::Preset(entry)) => {
+                let entry = entry.clone();
+                presets::take(app, entry);
+            }
+        }
+        Outcome::Closes
+    }
+
+    fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+        let pane = PaneFrame::new("Find an action, variable, quantity, preset or page");
+        let inner = frame(screen, (76, 20), pane, canvas);
+        picker.draw_filter(app, inner, canvas);
+        let (list, foot) = split_bottom(split_top(inner, 1).1, DOES);
+        let found = app.palette(picker.filter.value());
+        if found.is_empty() {
+            canvas.put(list, (0, 0), "nothing has this name", Role::Dim);
+        }
+        picker.draw_rows(found.len(), list, canvas, |canvas, row, index| {
+            let item = &found[index];
+            let mark = if item.kind() == "broken" { "!" } else { " " };
+            canvas.put(row, (0, 0), mark, Role::Warning);
+            canvas.put(row, (2, 0), &clip(&item.name(), 40), Role::Text);
+            let kind = row.width.saturating_sub(10);
+            canvas.put(row, (kind, 0), item.kind(), Role::Dim);
+        });
+        let selected = found.get(picker.selected);
+        let does = selected.map_or_else(String::new, |item| app.palette_does(item));
+        canvas.put_lines(foot, 0, wrapped(&does, foot.width, Role::Title));
+    }
+}
 
 /// Something that can be called by name.
 #[derive(Clone, Copy)]
@@ -85,7 +171,7 @@ impl App {
             .map(|(index, _)| Item::Variable(index));
         let curves = Curve::ALL.into_iter().map(Item::Curve);
         let quantities = QUANTITIES.iter().map(Item::Quantity);
-        let presets = self.presets.iter().map(Item::Preset);
+        let presets = self.files.presets.iter().map(Item::Preset);
         let all = commands.chain(variables).chain(quantities).chain(curves).chain(presets);
         ranked(all, |item| item.rank(typed))
     }
@@ -133,50 +219,4 @@ pub fn shown_in(entry: &PresetEntry) -> Tab {
 fn lower(name: &str) -> String {
     let (first, rest) = name.split_at(1);
     first.to_lowercase() + rest
-}
-
-pub(crate) fn chosen(app: &mut App, picker: &Picker) {
-    let found = app.palette(picker.filter.value());
-    match found.get(picker.selected).copied() {
-        None => {
-            let typed = picker.filter.value().trim().to_owned();
-            app.tell(format!("nothing is called `{typed}`"));
-        }
-        Some(Item::Command(command)) => call(app, command),
-        Some(Item::Variable(index)) => {
-            app.focus_on(run::VARIABLES);
-            app.editor.filter.clear();
-            app.editor.selected = index;
-            run::open(app);
-        }
-        Some(Item::Curve(curve)) => {
-            app.focus_on(run::CHARTS);
-            charts::show(app, curve);
-        }
-        Some(Item::Quantity(quantity)) => {
-            app.focus_on(explore::RESULTS);
-            setup::choose_output(app, quantity.name);
-            pages::of(Tab::Explore).enter(app);
-        }
-        Some(Item::Preset(entry)) => {
-            let entry = entry.clone();
-            presets::take(app, entry);
-        }
-    }
-}
-
-/// Do what a command is for, in the pane it belongs to.
-fn call(app: &mut App, command: &Command) {
-    match command.call {
-        Call::Do(action) => act::act(app, action),
-        Call::Show(pane, page) => act::show(app, pane, page),
-        Call::In(pane, action) => {
-            let before = app.tab;
-            app.focus_on(pane);
-            if app.tab != before {
-                pages::of(app.tab).enter(app);
-            }
-            act::act(app, action);
-        }
-    }
 }

@@ -1,52 +1,134 @@
-//! The preset picker: names at the left, what a preset is and would change at the right; and what Enter and Space do in it.
+//! The preset picker: names at the left, what a preset is and would change at the right.
+
+use std::path::Path;
 
 use crate::model::scene::{Mount, PlateSize, Scene};
 use crate::model::variables::VARIABLES;
-use crate::tui::app::Base;
-use crate::tui::app::layout::{split_left, split_top};
-use crate::tui::app::status::clip;
+use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::app::edit;
+use crate::tui::dialogs::frame;
+use crate::tui::dialogs::list::{List, Listed, Picker};
 use crate::tui::dialogs::palette::shown_in;
-use crate::tui::dialogs::{Dialog, List, Picker, filter, frame, preset_rows};
 use crate::tui::message::{FileTask, PresetEntry};
 use crate::tui::pages::run::editor::{index_of, shown_value};
 use crate::tui::pages::run::{self, runs};
 use crate::tui::pages::thesis;
 use crate::tui::prelude::*;
-use crate::tui::update::edit;
-use crate::tui::widgets::RowList;
-use crate::tui::widgets::text::{TextLine, wrapped};
+use crate::tui::widgets::find::{rank, ranked};
+use crate::tui::widgets::text::{TextLine, clip, wrapped};
+use crate::tui::widgets::{split_left, split_top};
+
+pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
+    app.list_presets();
+    Some(Listed::typing(Presets))
+}
+
+#[derive(Clone, Debug)]
+struct Presets;
 
 const NAMES: u16 = 32;
 
-pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let pane = PaneFrame::new("Presets, threats, materials, absorbers");
-    let pane = pane.right("Enter loads, Tab pins only");
-    let inner = frame(screen, (110, 40), pane, canvas);
-    filter(picker, inner, canvas);
-    let (_, body) = split_top(inner, 2);
-    let rows = preset_rows(&app.presets, picker.filter.value());
-    let (left, right) = split_left(body, NAMES);
-    let (_, right) = split_left(right, 2);
-    if rows.is_empty() {
-        let text = "none; Enter opens a file by its path";
-        canvas.put(body, (0, 0), text, Role::Dim);
+impl List for Presets {
+    const OPENED_BY: Action = Action::Presets;
+    const IS_FILTERED: bool = true;
+
+    fn footer(&self, _: bool) -> Footer {
+        &[
+            (FootKey::As("type"), "a name or a path"),
+            (FootKey::Of(Action::Enter), "load"),
+            (FootKey::Of(Action::FocusNext), "pin only"),
+            (FootKey::As("Up/Down"), "move"),
+            (FootKey::Of(Action::Back), "close"),
+        ]
     }
-    let list = RowList { count: rows.len(), selected: picker.selected, painted: true };
-    list.in_dialog(canvas, left, |canvas, row, index| {
-        let entry = rows[index];
-        let room = usize::from(row.width.saturating_sub(11));
-        let (mark, role) = match entry.problem {
-            Some(_) => ("!", Role::Warning),
-            None => (" ", Role::Text),
-        };
-        canvas.put(row, (0, 0), mark, role);
-        canvas.put(row, (1, 0), &clip(&entry.name, room), role);
-        let at = row.width.saturating_sub(8);
-        canvas.put(row, (at, 0), entry.origin, Role::Dim);
-    });
-    if let Some(entry) = rows.get(picker.selected) {
-        about(app, entry, right, canvas);
+
+    fn count(&self, app: &App, typed: &str) -> usize {
+        rows(&app.files.presets, typed).len()
     }
+
+    /// Load the selected preset; a path opens its file. What is refused leaves the list open.
+    fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
+        let typed = picker.filter.value().trim();
+        let is_path =
+            typed.contains('/') || Path::new(typed).extension().is_some_and(|it| it == "toml");
+        if typed.is_empty() && !picker.moved {
+            app.tell("type a name, or move to one: nothing is loaded that was not chosen");
+            return Outcome::Stays;
+        }
+        match selected(app, picker) {
+            Some(entry) => {
+                let before = app.effects.len();
+                take(app, entry);
+                if app.effects.len() == before && app.is_refused() {
+                    return Outcome::Stays;
+                }
+            }
+            None if is_path => app.request(Effect::Files(FileTask::Load(typed.into()))),
+            None => {
+                let typed = clip(typed, 24);
+                app.tell(format!(
+                    "no preset matches; a file is opened by its path: ./{typed}.toml"
+                ));
+                return Outcome::Stays;
+            }
+        }
+        Outcome::Closes
+    }
+
+    fn act(&mut self, app: &mut App, picker: &Picker, action: Action) -> Option<Outcome> {
+        if action != Action::FocusNext {
+            return None;
+        }
+        let entry = selected(app, picker)?;
+        match (&entry.problem, entry.scene_on(&app.scene)) {
+            (Some(problem), _) => {
+                app.refuse(format!("{} cannot be pinned: {problem}", entry.name));
+            }
+            (None, Ok(scene)) => runs::pin(app, entry.name, scene.into()),
+            (None, Err(error)) => app.refuse(error.to_string()),
+        }
+        Some(Outcome::Stays)
+    }
+
+    fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+        let pane = PaneFrame::new("Presets, threats, materials, absorbers");
+        let inner = frame(screen, (110, 40), pane, canvas);
+        picker.draw_filter(app, inner, canvas);
+        let (_, body) = split_top(inner, 2);
+        let rows = rows(&app.files.presets, picker.filter.value());
+        let (left, right) = split_left(body, NAMES);
+        let (_, right) = split_left(right, 2);
+        if rows.is_empty() {
+            let text = "none; Enter opens a file by its path";
+            canvas.put(body, (0, 0), text, Role::Dim);
+        }
+        picker.draw_rows(rows.len(), left, canvas, |canvas, row, index| {
+            let entry = rows[index];
+            let room = usize::from(row.width.saturating_sub(11));
+            let (mark, role) = match entry.problem {
+                Some(_) => ("!", Role::Warning),
+                None => (" ", Role::Text),
+            };
+            canvas.put(row, (0, 0), mark, role);
+            canvas.put(row, (1, 0), &clip(&entry.name, room), role);
+            let at = row.width.saturating_sub(8);
+            canvas.put(row, (at, 0), entry.origin, Role::Dim);
+        });
+        if let Some(entry) = rows.get(picker.selected) {
+            about(app, entry, right, canvas);
+        }
+    }
+}
+
+/// The presets that match, best first; all of them in their order when nothing is typed.
+fn rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
+    ranked(presets.iter(), |entry| rank(typed, &[&entry.name, entry.origin], &entry.scene.title))
+}
+
+/// The preset that is chosen: moved to, or the first that matches what was typed.
+fn selected(app: &App, picker: &Picker) -> Option<PresetEntry> {
+    let rows = rows(&app.files.presets, picker.filter.value());
+    rows.get(picker.selected).map(|entry| (*entry).clone())
 }
 
 /// Title, changes, then comment and notes as far as there is room.
@@ -126,42 +208,12 @@ fn paragraphs(text: &str) -> Vec<String> {
     paragraphs
 }
 
-/// Load the selected preset; a path opens its file. What is refused leaves the list open.
-pub(crate) fn chosen(app: &mut App, picker: &Picker) {
-    let typed = picker.filter.value().trim();
-    let ends = std::path::Path::new(typed).extension();
-    let is_path = typed.contains('/') || ends.is_some_and(|end| end == "toml");
-    let stay = || Some(Dialog::List(List::Presets, picker.clone()));
-    if typed.is_empty() && !picker.moved {
-        app.tell("type a name, or move to one: nothing is loaded that was not chosen");
-        app.dialog = stay();
-        return;
-    }
-    match selected_preset(app, picker) {
-        Some(entry) => {
-            let before = app.effects.len();
-            take(app, entry);
-            if app.effects.len() == before && app.is_refused() {
-                app.dialog = stay();
-            }
-        }
-        None if is_path => {
-            app.request(Effect::Files(FileTask::Load(typed.into())));
-        }
-        None => {
-            let typed = clip(typed, 24);
-            app.tell(format!("no preset matches; a file is opened by its path: ./{typed}.toml"));
-            app.dialog = stay();
-        }
-    }
-}
-
 /// Load a preset and show what it is about; put a part of a library into the scene.
 pub(crate) fn take(app: &mut App, entry: PresetEntry) {
     if let Some(problem) = entry.problem {
         return app.refuse(format!("{} cannot be loaded: {problem}", entry.name));
     }
-    let Some(part) = &entry.part else { return thesis::show(app, base_of(entry)) };
+    let Some(part) = &entry.part else { return thesis::show(app, entry.base()) };
     match entry.scene_on(&app.scene) {
         Err(error) => app.refuse(error.to_string()),
         Ok(scene) => {
@@ -185,34 +237,10 @@ fn ask_for_face(app: &mut App) {
     let is_chosen = |it: &Scene| scene.projectile != it.projectile && scene.target != it.target;
     let by_ratio = scene.plate.size == PlateSize::Ratio && scene.plate.mount == Mount::Sprung;
     if by_ratio && is_chosen(&usual) && is_chosen(base) {
-        app.focus_on(run::VARIABLES);
-        app.editor.filter.clear();
-        app.editor.selected = index_of("face");
+        run::focus_on(app, index_of("face"));
         run::open(app);
         app.tell(
             "how large is the plate? type the side of its face (150mm), or <back> keeps gamma",
         );
-    }
-}
-
-/// The preset that is chosen: moved to, or the first that matches what was typed.
-fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {
-    let rows = preset_rows(&app.presets, picker.filter.value());
-    rows.get(picker.selected).map(|entry| (*entry).clone())
-}
-
-/// The reference for edits of a preset.
-pub(crate) fn base_of(entry: PresetEntry) -> Base {
-    Base { name: entry.name, is_mine: entry.origin == "mine", scene: entry.scene.into() }
-}
-
-pub(crate) fn pin(app: &mut App, picker: &Picker) {
-    let Some(entry) = selected_preset(app, picker) else { return };
-    if let Some(problem) = entry.problem {
-        return app.refuse(format!("{} cannot be pinned: {problem}", entry.name));
-    }
-    match entry.scene_on(&app.scene) {
-        Ok(scene) => runs::pin(app, entry.name, scene.into()),
-        Err(error) => app.refuse(error.to_string()),
     }
 }

@@ -11,17 +11,19 @@ use crate::report::sweep::{self, Columns};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Shard};
-use crate::tui::app::layout::{ROOMY, setup_width};
 use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
-use crate::tui::dialogs::{ask, wrap};
-use crate::tui::pages::explore::plan::{PictureSweep, PrintedSweep, at_rest};
+use crate::tui::pages::draw_setup;
+use crate::tui::pages::explore::plan::at_rest;
 use crate::tui::pages::explore::state::{Picture, SweepResult, no_sweep, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
-use crate::tui::pages::run::steps::Input;
-use crate::tui::update::act::{cursor_moved, moved};
+use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::Form;
+use crate::tui::widgets::layout::{ROOMY, setup_width};
+use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::{cursor_moved, moved};
+use crate::worker::studies::{PictureSweep, PrintedSweep};
 
 /// The curves or the map.
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
@@ -34,7 +36,7 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::View, "quantity", "show the next quantity"),
         key(A::Mark, "pin", "pin the design under the cursor"),
-        key(A::ZoomIn, "zoom", "zoom about the cursor; of a map its ends (<undo> undoes)"),
+        key(A::ZoomIn, "zoom", "zoom curves about the cursor; maps have the ends typed"),
         key(A::Down, "curve", "move to another curve, or down the map"),
         key(A::Find, "", "find a quantity, and show it"),
     ] },
@@ -89,7 +91,7 @@ impl Page for ExploreTab {
             _ if app.pane() == SETUP => return setup::act(app, action),
             Action::View => {
                 let count = sweep_of(&app.scene).outputs.len();
-                app.pages.explore.output = wrap(app.pages.explore.output, 1, count);
+                app.pages.explore.output = cycled(app.pages.explore.output, 1, count);
             }
             Action::LogY => {
                 app.pages.explore.value_scale = app.pages.explore.value_scale.toggled();
@@ -102,6 +104,10 @@ impl Page for ExploreTab {
             },
         }
         true
+    }
+
+    fn lists_words(&self, app: &mut App) -> bool {
+        app.pane() == SETUP && setup::lists_words(app)
     }
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
@@ -155,10 +161,10 @@ impl Page for ExploreTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        if running.study.of::<PrintedSweep>().is_some() {
+        if PrintedSweep::of(&running.asked).is_some() {
             app.pages.explore.printed = news.found::<Grid>().filter(|grid| grid.is_complete());
         }
-        let Some(sweep) = running.study.of::<PictureSweep>() else { return };
+        let Some(sweep) = PictureSweep::of(&running.asked) else { return };
         let show = |app: &mut App, grid, took| {
             let scene = Arc::clone(&running.scene);
             app.pages.explore.show(sweep.picture, SweepResult { scene, grid, took });
@@ -183,7 +189,7 @@ impl Page for ExploreTab {
         let found = app.pages.explore.found(app.picture())?;
         let plan = found.grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
-        let file = format!("{}-{}.csv", ask::base_stem(app), names.join("-"));
+        let file = format!("{}-{}.csv", app.base_stem(), names.join("-"));
         let sweep = Some(Columns::Chosen.sweep(plan));
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&found.scene) });
         let (is_complete, (done, total)) = (found.grid.is_complete(), found.grid.progress());
@@ -198,8 +204,9 @@ impl Page for ExploreTab {
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
-        let alone = app.picture() == Picture::Line && !state::has_family(&app.scene);
-        app.pane() == RESULTS && action == Action::Down && alone
+        let is_line = app.picture() == Picture::Line;
+        let alone = action == Action::Down && is_line && !state::has_family(&app.scene);
+        app.pane() == RESULTS && (alone || (action == Action::ZoomIn && !is_line))
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -239,18 +246,10 @@ impl Page for ExploreTab {
         Some(Across::of(&mut app.pages.explore.zoomed, x.view, x.scale, Some(about)))
     }
 
-    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
-        (app.pane() == RESULTS).then(|| setup::map_axes(app))?
-    }
-
-    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
-        setup::show_part(app, part)
-    }
-
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         let panes = panes(app, body);
         if let Some(area) = panes.setup {
-            app.setup_form().render(app, SETUP, area, canvas);
+            draw_setup(app, &app.setup_form(), SETUP, area, canvas);
         }
         match app.picture() {
             Picture::Line => curves::render_curves(app, &panes, canvas),
@@ -266,7 +265,7 @@ const LONG_S: u64 = 60;
 
 /// After an edit of the scene: a picture on the screen follows at once.
 pub(crate) fn after_edit(app: &mut App) {
-    if app.auto_run && app.tab == Tab::Explore {
+    if app.settings.auto_run && app.tab == Tab::Explore {
         ExploreTab.enter(app);
     }
 }

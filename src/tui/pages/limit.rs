@@ -9,14 +9,13 @@ use crate::study::limit::{COMMAND, Limit};
 use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
 use crate::study::validity;
-use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::outside;
-use crate::tui::dialogs::{around, ask, wrap};
-use crate::tui::pages::limit::comparison::EqualMass;
-use crate::tui::pages::limit::state::{LimitSearch, Spread};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::update::act::{along, cursor_moved, moved};
+use crate::tui::widgets::layout::NARROW;
+use crate::tui::widgets::{along, cursor_moved, moved};
+use crate::tui::widgets::{around, cycled};
+use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
 /// The residual velocity over the impact velocity.
 pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
@@ -26,11 +25,10 @@ pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 
 #[rustfmt::skip]
 pub(super) const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
         key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo` does"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
-        key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
         key(A::Find, "", "find a shot by velocity or outcome"),
     ] },
     PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
@@ -38,11 +36,10 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Enter, "load", "load the scene with this absorber (<undo> undoes)"),
         key(A::Find, "", "find a line"),
     ] },
-    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin the design under the cursor"),
-        key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
 ];
 
@@ -80,8 +77,6 @@ impl Page for LimitTab {
             }
             (RESIDUAL, A::Down | A::PageDown) => turn(app, 1),
             (RESIDUAL, A::Up | A::PageUp) => turn(app, -1),
-            (RESIDUAL, A::LogX) => app.pages.limit.log.0 = !app.pages.limit.log.0,
-            (RESIDUAL, A::LogY) => app.pages.limit.log.1 = !app.pages.limit.log.1,
             (RESIDUAL, A::Enter) => load_shot(app),
             (RESIDUAL, _) => match along(action, FAR) {
                 Some(by) => app.pages.limit.move_cursor(by.into()),
@@ -155,7 +150,7 @@ impl Page for LimitTab {
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let (limit, comparison) = (&app.pages.limit.report, &app.pages.limit.comparison);
-        let file = |what: &str| format!("{}-{what}.csv", ask::base_stem(app));
+        let file = |what: &str| format!("{}-{what}.csv", app.base_stem());
         let found = comparison.found.clone();
         Some(match app.pane() {
             RESIDUAL => {
@@ -224,31 +219,6 @@ impl Page for LimitTab {
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.pages.limit.map_cursor = Some(cell);
-    }
-
-    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        if app.pane() != RESIDUAL {
-            return None;
-        }
-        let own_m_s = app.limit_shot_m_s();
-        let tab = &mut app.pages.limit;
-        let (x, _) = limit::axes(tab.report.found.as_ref()?, own_m_s)?;
-        let scale = if tab.log.0 { Scale::Log10 } else { x.scale };
-        let about = tab.shot().map(|shot| shot.impact_m_s);
-        Some(Across::of(&mut tab.zoomed, x.view, scale, about))
-    }
-
-    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
-        (app.pane() == EFFICIENCY_MAP).then(|| app.efficiency_axes())?
-    }
-
-    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
-        if app.comparison_is_old() {
-            return Err(old("scene"));
-        }
-        app.pages.limit.part = Some(part);
-        compare(app);
-        Ok(())
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
@@ -329,11 +299,7 @@ fn move_on_map(app: &mut App, by: (isize, isize)) {
 fn compare(app: &mut App) {
     match app.compared_scene() {
         Ok(scene) => {
-            let tab = &mut app.pages.limit;
-            if tab.comparison.is_old(&scene) {
-                tab.part = None;
-            }
-            let study = EqualMass { absorber: tab.absorber.clone(), part: tab.part };
+            let study = EqualMass { absorber: app.pages.limit.absorber.clone() };
             jobs::study_of(app, Tab::Limit, &Arc::new(scene), study);
         }
         Err(why) => app.refuse(why),
@@ -343,7 +309,7 @@ fn compare(app: &mut App) {
 /// Turn from the curve through the pages of words, in a circle.
 fn turn(app: &mut App, by: isize) {
     let (page, count) = app.limit_pages().map_or((0, 0), |pages| (pages.shown, pages.count));
-    app.pages.limit.page = wrap(page, by, count + 1);
+    app.pages.limit.page = cycled(page, by, count + 1);
 }
 
 fn find(app: &mut App) {

@@ -6,7 +6,7 @@ use crate::tui::app::notice::Notice;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::Shown;
 use crate::tui::widgets::table::filtered;
-use crate::tui::widgets::text::{broken, text_role};
+use crate::tui::widgets::text::broken;
 
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
@@ -27,6 +27,8 @@ pub(super) const COMMANDS: &[Command] = &[
 
 #[derive(Clone, Debug, Default)]
 pub struct Log {
+    /// All messages of this session, oldest first.
+    pub messages: Vec<Notice>,
     /// The first row shown.
     pub scroll: usize,
     /// The lines shown contain this.
@@ -82,16 +84,6 @@ impl Page for LogTab {
 const NEWEST: usize = 5;
 
 impl App {
-    /// Keep a line of the program's own log; it does not show in the message row.
-    pub fn note(&mut self, level: log::Level, text: String) {
-        let severity = match level {
-            log::Level::Error => Severity::Error,
-            log::Level::Warn => Severity::Warning,
-            log::Level::Info | log::Level::Debug | log::Level::Trace => Severity::Note,
-        };
-        self.keep(Notice { severity, text });
-    }
-
     /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
     pub fn log_lines(&self, columns: usize) -> Vec<TextLine> {
         // Two borders, and three columns of indent with one of air.
@@ -106,9 +98,10 @@ impl App {
     fn whole_lines(&self) -> Vec<TextLine> {
         let message = |notice: &Notice| {
             let word = notice.severity.word();
-            (format!("{word:<8} {}", notice.text), text_role(notice.severity))
+            (format!("{word:<8} {}", notice.text), notice.severity.role())
         };
-        let mut messages: Vec<TextLine> = self.log.iter().rev().map(message).collect();
+        let mut messages: Vec<TextLine> =
+            self.pages.log.messages.iter().rev().map(message).collect();
         let older = messages.split_off(NEWEST.min(messages.len()));
         let mut lines = Vec::new();
         section(&mut lines, "Messages of this session, newest first", messages);

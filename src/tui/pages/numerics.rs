@@ -7,7 +7,6 @@ use crate::model::library;
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
 use crate::study::stability::Row;
-use crate::tui::dialogs::ask;
 use crate::tui::pages::prelude::*;
 
 /// Error against run time.
@@ -30,17 +29,16 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Enter, "use", "run the scene by this method: auto at 1e-6, or as printed"),
         key(A::Right, "cursor", "move the cursor in run time"),
     ] },
-    PaneSpec { pane: STABILITY, label: "Stability", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
         key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
-        key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[Part::Table], keys: &[
         key(A::Down, "scene", "select another scene"),
         key(A::View, "columns", "show the next columns of the table"),
         key(A::Sort, "sort", "sort the table by the next column"),
-        key(A::Find, "filter", "show only the scenes that match a text"),
+        key(A::Find, "find", "find a scene"),
     ] },
 ];
 
@@ -103,7 +101,7 @@ impl Page for NumericsTab {
             ACCURACY => {
                 let kept = &app.pages.numerics.accuracy.report;
                 let (report, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
-                let file = format!("{}-accuracy.csv", ask::base_stem(app));
+                let file = format!("{}-accuracy.csv", app.base_stem());
                 let csv = move |name: &str| {
                     accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
                 };
@@ -124,7 +122,7 @@ impl Page for NumericsTab {
             _ => {
                 let kept = &app.pages.numerics.stability.map;
                 let (map, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
-                let file = format!("{}-map.csv", ask::base_stem(app));
+                let file = format!("{}-map.csv", app.base_stem());
                 let command =
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
                 let warnings: Vec<String> =
@@ -133,10 +131,6 @@ impl Page for NumericsTab {
                     stability_table::map_table(name, &map).with_warnings(&warnings).csv()
                 };
                 let table = PageTable::new("Export the map to CSV", file, is_complete, csv);
-                if app.pages.numerics.stability.part.is_some() {
-                    let part = "# a part of the map, zoomed in the workbench\n";
-                    return Some(table.noted(app, &kept.scene, |_| part.to_owned()));
-                }
                 table.of(app, &kept.scene, &command)
             }
         })
@@ -167,24 +161,18 @@ impl Page for NumericsTab {
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let method = Method::ALL.get(row).filter(|_| app.pane() == ACCURACY)?;
-        Some(method.name().to_owned())
-    }
-
-    fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        (app.pane() == STIFF_SCENES).then_some(&mut app.pages.numerics.stability.listing.filter)
+        match app.pane() {
+            ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
+            STIFF_SCENES => {
+                let tab = &app.pages.numerics.stability;
+                Some(tab.rows()[*tab.order().get(row)?].case.name.to_string())
+            }
+            _ => None,
+        }
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.pages.numerics.stability.cursor = Some(cell);
-    }
-
-    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
-        (app.pane() == STABILITY).then(|| stability::map_axes(app))?
-    }
-
-    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
-        stability::show_part(app, part)
     }
 
     fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {

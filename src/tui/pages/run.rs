@@ -4,15 +4,13 @@ pub mod charts;
 pub mod editor;
 pub(crate) mod report;
 pub mod runs;
-pub mod steps;
 
 use crate::model::variables::Kind;
-use crate::tui::app::layout::{NARROW, ROOMY, WIDE};
-use crate::tui::dialogs::List;
-use crate::tui::pages;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::steps::{Input, Press, Size};
-use crate::tui::update;
+use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
+use crate::tui::widgets::step_of;
+use crate::tui::widgets::steps::{Input, Press};
+use crate::tui::widgets::table::Sorting;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
@@ -49,7 +47,7 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Difference, "difference", "show curves as differences to the first pinned run"),
         key(A::Down, "move", "select another run"),
         key(A::Sort, "sort", "sort the table by the next column"),
-        key(A::Find, "filter", "show only the runs that match a text"),
+        key(A::Find, "find", "find a run by its name"),
     ] },
 ];
 
@@ -64,11 +62,29 @@ pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
     Command::new(Call::In(CHARTS, A::Difference), "Differences to the first pinned run", "compare subtract"),
     Command::new(Call::In(CHARTS, A::EventNext), "Next event", "arrest cursor"),
-    Command::new(Call::In(CHARTS, A::FitVertical), "Fit the vertical axis to the view or to everything", "scale"),
     Command::new(Call::In(CHARTS, A::LogX), "Logarithmic or linear time axis", "log x"),
     Command::new(Call::In(CHARTS, A::LogY), "Logarithmic or linear value axis", "log y"),
     Command::new(Call::In(CHARTS, A::ZoomFit), "Show everything", "fit zoom"),
 ];
+
+#[derive(Clone, Debug)]
+pub struct RunPage {
+    pub editor: editor::Editor,
+    pub charts: charts::Charts,
+    /// How the table of runs is sorted.
+    pub sorting: Sorting,
+    /// The row selected in it: 0 is the current run.
+    pub selected: usize,
+    /// The current run is drawn.
+    pub shows_current: bool,
+}
+
+impl Default for RunPage {
+    fn default() -> Self {
+        let (editor, charts, sorting, selected) = Default::default();
+        Self { editor, charts, sorting, selected, shows_current: true }
+    }
+}
 
 pub(crate) struct RunTab;
 
@@ -86,15 +102,15 @@ impl Page for RunTab {
             (_, CHARTS) | (Action::Difference, RUNS) | (Action::Window, VARIABLES) => {
                 return charts::act(app, action);
             }
-            (Action::Mark, RUNS) if app.selected_run > 0 => runs::unpin(app),
+            (Action::Mark, RUNS) if app.pages.run.selected > 0 => runs::unpin(app),
             (Action::Mark, _) => runs::pin_scene(app),
             (Action::Enter, RUNS) => runs::load(app),
             (Action::ShowHide, RUNS) => runs::show_or_hide(app),
             (Action::Sort, RUNS) => {
-                let sorting = app.runs.sorting.next(&app.compared_runs().keys());
-                app.runs.sorting = sorting;
+                let sorting = app.pages.run.sorting.next(&app.compared_runs().keys());
+                app.pages.run.sorting = sorting;
             }
-            (_, VARIABLES) if edits(action) && !app.editor.shows(&app.scene) => {
+            (_, VARIABLES) if edits(action) && !app.pages.run.editor.shows(&app.scene) => {
                 app.tell("no variable is selected: <back> shows all of them");
             }
             (Action::Enter, VARIABLES) => open(app),
@@ -108,12 +124,18 @@ impl Page for RunTab {
         true
     }
 
+    fn lists_words(&self, app: &mut App) -> bool {
+        app.pane() == VARIABLES && app.pages.run.editor.shows(&app.scene) && is_list(app)
+    }
+
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         match app.pane() {
-            CHARTS if app.charts.cursor_s.is_some() => note(Some(app.readout())),
-            CHARTS => note(Some(charts::draw::event_words(app, app.charts.selected))),
+            CHARTS if app.pages.run.charts.cursor_s.is_some() => note(Some(app.readout())),
+            CHARTS => note(Some(charts::draw::event_words(app, app.pages.run.charts.selected))),
             RUNS => note(runs::difference(app)),
-            VARIABLES if app.editor.shows(&app.scene) => note(Some(app.variable_words(room))),
+            VARIABLES if app.pages.run.editor.shows(&app.scene) => {
+                note(Some(app.variable_words(room)))
+            }
             _ => None,
         }
     }
@@ -129,20 +151,22 @@ impl Page for RunTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             VARIABLES => {
-                let listed = app.editor.listed(&app.scene);
-                let selected = listed.iter().position(|index| *index == app.editor.selected);
+                let listed = app.pages.run.editor.listed(&app.scene);
+                let selected =
+                    listed.iter().position(|index| *index == app.pages.run.editor.selected);
                 let area = app.layout().body.and_then(|body| panes(app, body).variables);
                 let shown = area.map_or(10, |area| usize::from(area.height.saturating_sub(2)));
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
             RUNS => {
                 let order = app.run_order();
-                let selected = order.iter().position(|run| *run == app.selected_run).unwrap_or(0);
+                let selected =
+                    order.iter().position(|run| *run == app.pages.run.selected).unwrap_or(0);
                 Some(Rows { count: order.len(), selected, shown: 8 })
             }
             _ => Some(Rows {
-                count: app.charts.quantities.len(),
-                selected: app.charts.selected,
+                count: app.pages.run.charts.quantities.len(),
+                selected: app.pages.run.charts.selected,
                 shown: 3,
             }),
         }
@@ -151,23 +175,26 @@ impl Page for RunTab {
     fn select(&self, app: &mut App, row: usize) {
         match app.pane() {
             VARIABLES => {
-                if let Some(index) = app.editor.listed(&app.scene).get(row) {
-                    app.editor.selected = *index;
+                if let Some(index) = app.pages.run.editor.listed(&app.scene).get(row) {
+                    app.pages.run.editor.selected = *index;
                 }
             }
             RUNS => {
-                app.selected_run = app.run_order().get(row).copied().unwrap_or(app.selected_run);
+                app.pages.run.selected =
+                    app.run_order().get(row).copied().unwrap_or(app.pages.run.selected);
             }
-            _ => app.charts.selected = row,
+            _ => app.pages.run.charts.selected = row,
         }
     }
 
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        let run = *app.run_order().get(row).filter(|_| app.pane() == RUNS)?;
+        let name = run.checked_sub(1).map_or("", |at| app.pins[at].name.as_str());
+        Some(format!("{} {name}", app.run_label(run)))
+    }
+
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        match app.pane() {
-            VARIABLES => Some(&mut app.editor.filter),
-            RUNS => Some(&mut app.runs.filter),
-            _ => None,
-        }
+        (app.pane() == VARIABLES).then_some(&mut app.pages.run.editor.filter)
     }
 
     fn takes_unit(&self, _app: &App) -> bool {
@@ -179,7 +206,7 @@ impl Page for RunTab {
     }
 
     fn change(&self, app: &mut App, _row: usize, input: Input<'_>) -> Result<(), String> {
-        edit::change(app, app.editor.selected, input)
+        edit::change(app, app.pages.run.editor.selected, input)
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
@@ -187,7 +214,7 @@ impl Page for RunTab {
     }
 
     fn go_to_value(&self, app: &mut App, chart: usize, value: f64) {
-        app.charts.selected = chart;
+        app.pages.run.charts.selected = chart;
         app.bring_into_view(value);
     }
 
@@ -213,30 +240,25 @@ fn edits(action: Action) -> bool {
 /// Words from which on a list is clearer than going to the next one.
 const WORDS_LISTED: usize = 3;
 
-/// Up or down, and by how much, an action steps a value.
-pub(crate) fn step_of(action: Action) -> Option<Press> {
-    let press = |up, size| Some(Press { up, size });
-    match action {
-        Action::Left => press(false, Size::Plain),
-        Action::Right => press(true, Size::Plain),
-        Action::FarLeft => press(false, Size::Coarse),
-        Action::FarRight => press(true, Size::Coarse),
-        Action::FineLess => press(false, Size::Fine),
-        Action::FineMore => press(true, Size::Fine),
-        _ => None,
-    }
+/// Whether the selected variable has so many words that a list is clearer than going to the next one.
+pub(crate) fn is_list(app: &App) -> bool {
+    app.pages.run.editor.variable().words().len() >= WORDS_LISTED
 }
 
-/// Open the selected variable's field, or the list of its words; of two words, the other one is taken.
+/// Select a variable in the list of all.
+pub(crate) fn focus_on(app: &mut App, index: usize) {
+    app.focus_on(VARIABLES);
+    app.pages.run.editor.filter.clear();
+    app.pages.run.editor.selected = index;
+}
+
+/// Open the selected variable's field; of two words, the other one is taken.
 pub(crate) fn open(app: &mut App) {
-    match &app.editor.variable().kind {
-        Kind::Choice(choice) if choice.words.len() >= WORDS_LISTED => {
-            app.dialog = Some(List::Words.at((choice.get)(&app.scene)));
-        }
+    match &app.pages.run.editor.variable().kind {
         Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, Press::NEXT),
         Kind::Number(_) => {
-            let row = pages::of(Tab::Run).rows(app).map_or(0, |rows| rows.selected);
-            update::open_field(app, row);
+            let row = RunTab.rows(app).map_or(0, |rows| rows.selected);
+            app.open_field(row);
         }
     }
 }

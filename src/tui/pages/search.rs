@@ -15,17 +15,19 @@ use crate::study::search::front::SAMPLES as DESIGNS;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::{Snapshot, Stepping};
-use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::app::status::outside as validity;
-use crate::tui::dialogs::{ask, wrap};
+use crate::tui::pages::move_by;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::search::setup::{Bound, Setup, read_bound};
-use crate::tui::pages::search::state::{Request, Row};
-use crate::tui::update::act::{along, move_by};
+use crate::tui::pages::search::state::Row;
+use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
+use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
+use crate::tui::widgets::layout::{NARROW, setup_width};
+use crate::tui::widgets::steps::{Input, Press};
+use crate::worker::studies::SearchRequest;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -53,13 +55,13 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Down, "move", "move to another row"),
         key(A::Find, "find", "find a row of the setup"),
     ] },
-    PaneSpec { pane: RESULTS, label: "Search results", has: &[Part::Chart, Part::Table], keys: &[
+    PaneSpec { pane: RESULTS, label: "Search results", has: &[Part::Table], keys: &[
         key(A::Down, "move", "move to the next design or solution"),
         key(A::Enter, "load", "load this design into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin this design"),
         key(A::Sort, "sort", "sort the table by the next column"),
         key(A::View, "axes", "show the next pair of objectives in the chart"),
-        key(A::Find, "", "show only the rows that match a text"),
+        key(A::Find, "", "find a design or a solution"),
     ] },
 ];
 
@@ -90,14 +92,14 @@ impl Page for SearchTab {
 
     fn turn_to(&self, app: &mut App, page: usize) {
         app.pages.search.page = state::Page::ALL[page.min(state::Page::ALL.len() - 1)];
-        app.field = None;
+        app.typing = None;
         app.pages.search.row = app.search_row();
         self.enter(app);
     }
 
     fn enter(&self, app: &mut App) {
         let tab = &app.pages.search;
-        let there = tab.shown().is_some() || app.jobs.running::<Request>().is_some();
+        let there = tab.shown().is_some() || app.jobs.running::<SearchRequest>().is_some();
         if there {
             follow(app);
         } else {
@@ -114,16 +116,6 @@ impl Page for SearchTab {
             Action::View => view(app),
             Action::Sort if self.is_idle(app, action) => app.tell("no table to sort on this page"),
             Action::Sort => app.pages.search.sort_next(),
-            Action::LogX if app.pages.search.page != state::Page::Front => {
-                app.tell("only the chart of the Pareto front has a choice of horizontal scale");
-            }
-            Action::LogY
-                if !matches!(app.pages.search.page, state::Page::Front | state::Page::Seek) =>
-            {
-                app.tell("no scale to choose here: goal seek and the Pareto front have one");
-            }
-            Action::LogX => app.pages.search.scales.0 = app.pages.search.scales.0.toggled(),
-            Action::LogY => app.pages.search.scales.1 = app.pages.search.scales.1.toggled(),
             _ => match along(action, FAR) {
                 Some(by) => move_by(app, by.into()),
                 None => return false,
@@ -142,8 +134,10 @@ impl Page for SearchTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.search;
-        let of_page = |(running, request): (_, &Request)| (running, request.page() == tab.page);
-        let running: Option<(&Running, bool)> = app.jobs.study::<Request>().map(of_page);
+        let of_page = |(running, request): (_, &SearchRequest)| {
+            (running, state::Page::of(request) == tab.page)
+        };
+        let running: Option<(&Running, bool)> = app.jobs.study::<SearchRequest>().map(of_page);
         let mut count = None;
         let progress = match (running, tab.shown()) {
             (Some((running, true)), _) => {
@@ -176,8 +170,8 @@ impl Page for SearchTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        let Some(request) = running.study.of::<Request>() else { return };
-        let (tab, page) = (&mut app.pages.search, request.page() as usize);
+        let Some(request) = SearchRequest::of(&running.asked) else { return };
+        let (tab, page) = (&mut app.pages.search, state::Page::of(request) as usize);
         // A page that was turned to meanwhile has its turn, unless a person wants the searching to stop.
         let waits = tab.page as usize != page && app.tab == Tab::Search;
         if let ReportBody::Failed(text) = news {
@@ -186,15 +180,10 @@ impl Page for SearchTab {
                 self.enter(app);
             }
         } else if let Some(answer) = news.found() {
-            let (scene, request) = (Arc::clone(&running.scene), request.clone());
+            let (scene, request) = (Arc::clone(&running.scene), SearchRequest::clone(request));
             let found = state::SearchResult { scene, request, answer };
-            let before = tab.found[page].replace(found);
-            let is_same = |old: state::SearchResult| {
-                old.scene == running.scene && running.study.of() == Some(&old.request)
-            };
-            tab.zoomed[page].take_if(|_| !before.is_some_and(is_same));
-            let is_complete =
-                tab.found[page].as_ref().is_some_and(state::SearchResult::is_complete);
+            let is_complete = found.is_complete();
+            tab.found[page] = Some(found);
             if news.is_last() && is_complete && waits {
                 self.enter(app);
             }
@@ -202,12 +191,11 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let file = format!("{}-{}", ask::base_stem(app), app.pages.search.page.file());
+        let file = format!("{}-{}", app.base_stem(), app.pages.search.page.file());
         let found = app.pages.search.shown()?.clone();
         let (scene, is_complete, command) =
             (Arc::clone(&found.scene), found.is_complete(), found.request.command());
-        let listed = app.pages.search.listed_rows();
-        let csv = move |name: &str| found.csv(name, listed.as_deref());
+        let csv = move |name: &str| found.csv(name);
         let table = PageTable::new("Export the results to CSV", file, is_complete, csv);
         Some(table.of(app, &scene, &command))
     }
@@ -239,16 +227,18 @@ impl Page for SearchTab {
             return Some(form.rows(shown));
         }
         let (count, selected) = match tab.choices() {
-            0 if !tab.lists_some() => (hidden_lines(app) + 1, tab.scrolled()),
+            0 => (hidden_lines(app) + 1, tab.scrolled()),
             choices => (choices, tab.selected()),
         };
         Some(Rows { count, selected, shown })
     }
 
-    fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        let tab = &mut app.pages.search;
-        let is_there = app.focus[Tab::Search.index()] == RESULTS && tab.shown().is_some();
-        is_there.then_some(&mut tab.listing[tab.page as usize].filter)
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        if let Some(form) = self.form(app) {
+            return Some(form.row(row)?.label.clone());
+        }
+        let tab = &app.pages.search;
+        tab.answer()?.name(tab, *tab.order().get(row)?)
     }
 
     fn select(&self, app: &mut App, row: usize) {
@@ -258,15 +248,6 @@ impl Page for SearchTab {
             }
             _ => app.pages.search.select(row),
         }
-    }
-
-    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        if app.pane() != RESULTS {
-            return None;
-        }
-        let tab = &mut app.pages.search;
-        let (x, about) = tab.answer()?.across(tab)?;
-        Some(Across::of(&mut tab.zoomed[tab.page as usize], x.view, x.scale, about))
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
@@ -309,8 +290,8 @@ pub(crate) fn hidden_lines(app: &App) -> usize {
 
 /// After an edit of the setup or the scene: a search that takes less than a second is made again.
 fn follow(app: &mut App) {
-    let quick = app.pages.search.page == state::Page::Seek && app.auto_run;
-    let running = app.jobs.study::<Request>().map(|(_, request)| request.page());
+    let quick = app.pages.search.page == state::Page::Seek && app.settings.auto_run;
+    let running = app.jobs.study::<SearchRequest>().map(|(_, request)| state::Page::of(request));
     // The search of another page goes on.
     let is_free = running.is_none_or(|page| page == state::Page::Seek);
     if quick && is_free && app.search_is_old() {
@@ -337,10 +318,7 @@ fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     if app.pages.search.setup == before.search {
         return;
     }
-    // Another quantity may stand on the axis.
-    let page = app.pages.search.page;
-    app.pages.search.zoomed[page as usize] = None;
-    let stepping = stepped.then_some(Stepping::Search(page, row));
+    let stepping = stepped.then_some(Stepping::Search(app.pages.search.page, row));
     let first = Arc::clone(&app.history.extended(stepping).unwrap_or(&before).search);
     let after = std::mem::replace(&mut app.pages.search.setup, first);
     let old = app.search_line(row, &app.search_bounds());
@@ -394,7 +372,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
         (Row::Across | Row::Up, Input::Step(press)) => {
             let (across, up) = &mut setup.axes;
             let axis = if row == Row::Up { up } else { across };
-            *axis = wrap((*axis).min(objectives - 1), press.by(), objectives);
+            *axis = cycled((*axis).min(objectives - 1), press.by(), objectives);
         }
         (_, Input::Step(press)) => step_number(setup, row, press),
         (_, Input::Text(text)) => read_number(setup, row, text)?,

@@ -3,16 +3,17 @@
 pub(crate) mod draw;
 
 use crate::report::thesis;
-use crate::study::thesis::{ClaimVerdict, Row, claims, reproduce, tally};
+use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::app::Base;
-use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::status::fitting;
-use crate::tui::dialogs::around;
-use crate::tui::dialogs::presets::base_of;
 use crate::tui::pages::explore::state::{Picture, PicturePlan};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::pages::{self, explore};
+use crate::tui::widgets::around;
+use crate::tui::widgets::find::{rank, ranked};
+use crate::tui::widgets::text::fitting;
+use crate::worker::studies::Claims;
+use crate::worker::study::RowsSoFar;
 
 pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
 pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
@@ -147,9 +148,9 @@ fn check(app: &mut App) {
 /// Open the preset that shows the selected claim: a sweep in its tab, another scene in the Run tab.
 fn open(app: &mut App) {
     let preset = app.claim().and_then(|row| row.claim.preset);
-    let entry = app.presets.iter().find(|entry| Some(entry.name.as_str()) == preset);
+    let entry = app.files.presets.iter().find(|entry| Some(entry.name.as_str()) == preset);
     match entry.cloned() {
-        Some(entry) => show(app, base_of(entry)),
+        Some(entry) => show(app, entry.base()),
         None => app.tell("no preset shows this"),
     }
 }
@@ -196,22 +197,6 @@ fn look(app: &mut App) {
     app.pages.explore.cursor = [None; 2];
     app.pages.explore.zoomed = None;
     pages::of(Tab::Explore).enter(app);
-}
-
-/// Checks every claim of the thesis; the scene plays no part.
-#[derive(Debug)]
-pub struct Claims;
-
-impl Study for Claims {
-    fn lane(&self) -> Lane {
-        Lane::Studies
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let watch = &mut reporter.watch(RowsSoFar::part);
-        let rows = reproduce(&mut Context::new(reporter.threads(), watch));
-        Ok(Finding::new(RowsSoFar::ended(rows, claims().count())))
-    }
 }
 
 #[derive(Clone, Debug, Default)]

@@ -1,8 +1,8 @@
 //! The panic hook while the workbench has the terminal.
 //!
-//! On the thread that draws: the terminal is restored first, then the panic is printed on the main screen and a report with a
-//! backtrace is left in the state directory. On any other thread: only the log gets an entry; the terminal stays as it is, since the
-//! workbench goes on. Outside the workbench the hook that was there before does its work.
+//! A report with a backtrace is left in the state directory. On the thread that draws the terminal is restored first, and the panic
+//! is then printed on the main screen; on any other thread the terminal stays as it is, since the workbench goes on. Outside the
+//! workbench the hook that was there before does its work.
 
 use std::backtrace::Backtrace;
 use std::fmt::Write as _;
@@ -23,7 +23,7 @@ pub(crate) fn install(directory: Option<PathBuf>) {
             super::restore();
             tell(&report(info), directory.as_deref());
         } else {
-            log::error!("{}", report(info));
+            written(&report(info), directory.as_deref());
         }
     }));
 }
@@ -39,14 +39,18 @@ fn report(info: &PanicHookInfo<'_>) -> String {
     )
 }
 
+/// Leave the report in a file.
+fn written(report: &str, directory: Option<&Path>) -> Option<PathBuf> {
+    let directory = directory?;
+    let path = directory.join(format!("panic-{}.txt", std::process::id()));
+    fs::create_dir_all(directory).ok()?;
+    fs::write(&path, report).ok()?;
+    Some(path)
+}
+
 /// Leave the report in a file and say so on the main screen; without a file, print all of it.
 fn tell(report: &str, directory: Option<&Path>) {
-    let written = directory.and_then(|directory| {
-        let path = directory.join(format!("panic-{}.txt", std::process::id()));
-        fs::create_dir_all(directory).ok()?;
-        fs::write(&path, report).ok()?;
-        Some(path)
-    });
+    let written = written(report, directory);
     let mut text = String::from("cmra: internal error; the terminal has been restored\n");
     // Writing to a string does not fail.
     let _ = match written {
@@ -141,7 +145,8 @@ mod tests {
         assert!(!parser.screen().alternate_screen() && same_modes);
         let text = parser.screen().contents();
         assert!(!text.contains("deliberate"), "{text}");
-        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 0);
+        let report = fs::read_dir(place.path()).unwrap().next().unwrap().unwrap().path();
+        assert!(fs::read_to_string(report).unwrap().contains("deliberate"));
     }
 
     fn take_over() -> Guard {

@@ -1,13 +1,17 @@
 //! One action: the page that is shown comes first, then what the action means anywhere.
 
-use crate::tui::dialogs::{List, around, ask, export, options, wrap};
-use crate::tui::keymap::Part;
-use crate::tui::pages;
-use crate::tui::pages::run::steps::{Input, Press};
-use crate::tui::pages::run::{runs, step_of};
+use crate::tui::app::edit;
+use crate::tui::dialogs;
+use crate::tui::keymap::{Call, Part};
+use crate::tui::message::Content;
+use crate::tui::pages::run::runs;
+use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
-use crate::tui::update::{self, edit, zoom};
+use crate::tui::update;
+use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::table::NO_MATCH;
+use crate::tui::widgets::zoom::is_zoom;
+use crate::tui::widgets::{around, cycled, rows_moved, step_of};
 
 /// Do it, in the pane that has the keys.
 pub(crate) fn act(app: &mut App, action: Action) {
@@ -19,11 +23,14 @@ pub(crate) fn act(app: &mut App, action: Action) {
     }
     if !steps(app, action) {
         app.history.commit();
-        app.editor.stepped = None;
+        app.pages.run.editor.stepped = None;
     }
     let page = pages::of(app.tab);
     if acts_on_rows(action) && update::matches_nothing(app) {
         return app.tell(NO_MATCH);
+    }
+    if action == Action::Enter && page.lists_words(app) {
+        return dialogs::list_words(app);
     }
     if page.act(app, action) || in_form(app, action) {
         return;
@@ -36,11 +43,8 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if page.across(app).is_some_and(|across| across.change(action)) {
         return;
     }
-    if zoom::map(app, action) {
-        return;
-    }
-    if zoom::is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
-        return app.tell("nothing to zoom yet");
+    if is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
+        return app.tell("nothing to zoom: a map has the ends that its setup says");
     }
     anywhere(app, action);
 }
@@ -60,21 +64,11 @@ fn in_form(app: &mut App, action: Action) -> bool {
     let row = form.rows(0).selected;
     page.select(app, row);
     if enters && form.line().is_some_and(|line| line.text.is_some()) {
-        update::open_field(app, row);
+        app.open_field(row);
     } else if let Err(why) = page.change(app, row, Input::Step(press)) {
         app.refuse(why);
     }
     true
-}
-
-/// Move the selection of the pane by rows, stopping at the ends.
-pub(crate) fn move_by(app: &mut App, by: isize) {
-    let page = pages::of(app.tab);
-    if let Some(rows) = page.rows(app)
-        && let Some(last) = rows.count.checked_sub(1)
-    {
-        page.select(app, rows.selected.min(last).saturating_add_signed(by).min(last));
-    }
 }
 
 /// Whether an action steps the value of a row: such steps join into one edit.
@@ -82,59 +76,12 @@ fn steps(app: &App, action: Action) -> bool {
     step_of(action).is_some() && pages::spec(app.pane()).has.contains(&Part::Form)
 }
 
-/// By how many rows an action moves in a list that shows this many at once; `None` for other actions.
-pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
-    let page = isize::try_from(page.max(2) - 1).unwrap_or(1);
-    match action {
-        Action::Up => Some(-1),
-        Action::Down => Some(1),
-        Action::PageUp => Some(-page),
-        Action::PageDown => Some(page),
-        Action::First => Some(isize::MIN / 2),
-        Action::Last => Some(isize::MAX / 2),
-        _ => None,
-    }
-}
-
-/// How far along an action moves a cursor; far is this many.
-pub(crate) fn along(action: Action, far: i16) -> Option<i16> {
-    match action {
-        Action::Left => Some(-1),
-        Action::Right => Some(1),
-        Action::FarLeft => Some(-far),
-        Action::FarRight => Some(far),
-        _ => None,
-    }
-}
-
-/// How far along and upward an action moves a cursor; far is this many.
-pub(crate) fn cursor_moved(action: Action, far: i16) -> Option<(isize, isize)> {
-    let up = isize::from(far);
-    match action {
-        Action::Up => Some((0, 1)),
-        Action::Down => Some((0, -1)),
-        Action::PageUp => Some((0, up)),
-        Action::PageDown => Some((0, -up)),
-        Action::First => Some((isize::MIN / 2, 0)),
-        Action::Last => Some((isize::MAX / 2, 0)),
-        _ => along(action, far).map(|by| (by.into(), 0)),
-    }
-}
-
-/// A cell of a map moved across and upward, within so many columns and rows.
-pub(crate) fn moved(
-    (x, y): (usize, usize),
-    (across, up): (isize, isize),
-    (columns, rows): (usize, usize),
-) -> (usize, usize) {
-    let along =
-        |at: usize, by, count: usize| at.saturating_add_signed(by).min(count.saturating_sub(1));
-    (along(x, across, columns), along(y, up, rows))
-}
-
 /// What an action does where the page has no meaning of its own for it.
 fn anywhere(app: &mut App, action: Action) {
     use Action as A;
+    if dialogs::open(app, action) {
+        return;
+    }
     match action {
         A::Tab(tab) => go_to(app, tab),
         A::FocusNext => focus(app, 1),
@@ -145,21 +92,10 @@ fn anywhere(app: &mut App, action: Action) {
         A::Undo => edit::undo(app),
         A::Redo => edit::redo(app),
         A::ResetAll => edit::reset_all(app),
-        A::History => app.dialog = Some(List::History.at(app.history.done)),
-        A::Palette => app.dialog = Some(List::Palette.typing()),
-        A::Help => app.dialog = Some(List::Help.at(0)),
-        A::Options => app.dialog = Some(List::Options.at(0)),
-        A::Presets => {
-            app.dialog = Some(List::Presets.typing());
-            app.list_presets();
-        }
-        A::Save => ask::save(app),
-        A::Export if of_runs(app.tab) => export::open(app),
-        A::Export => ask::export_table(app),
-        A::Copy if of_runs(app.tab) => runs::copy(app),
-        A::Copy => ask::copy(app),
+        A::Copy if app.shows_runs() => runs::copy(app),
+        A::Copy => copy(app),
         A::Models => runs::models(app),
-        A::Switch(option) => options::switch(app, option),
+        A::Switch(option) => dialogs::switch(app, option),
         A::Cancel | A::Back | A::Quit | A::QuitWithSummary => leave(app, action),
         A::FullPane => {
             let at = app.tab.index();
@@ -180,7 +116,7 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
         next_page(app, 1);
     } else {
         app.tab = tab;
-        app.field = None;
+        app.typing = None;
         pages::of(tab).enter(app);
     }
 }
@@ -188,14 +124,14 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
 /// The next or previous page of the tab, in a circle; nothing where it has one.
 fn next_page(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
-    let count = app.tab.about().pages.len();
+    let count = app.tab.pages();
     if count > 1 {
-        page.turn_to(app, wrap(page.shown(app), by, count));
+        page.turn_to(app, cycled(page.shown(app), by, count));
     }
 }
 
 /// Show a pane, with a page of its tab where one is named.
-pub(crate) fn show(app: &mut App, pane: Pane, page: Option<usize>) {
+fn show(app: &mut App, pane: Pane, page: Option<usize>) {
     app.focus_on(pane);
     let of_tab = pages::of(app.tab);
     match page {
@@ -209,7 +145,7 @@ fn focus(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
-        if app.tab.about().pages.len() < 2 {
+        if app.tab.pages() < 2 {
             app.tell("this tab has one pane; <next-tab> and <previous-tab> change tabs");
         }
         return next_page(app, by);
@@ -251,7 +187,7 @@ fn leave(app: &mut App, action: Action) {
         Some(
             "a job is running: <quit> again quits without it, <back> in its tab cancels it and keeps what is finished",
         )
-    } else if is_quit && app.session_lost && app.is_modified() {
+    } else if is_quit && app.files.session_lost && app.is_modified() {
         Some(
             "the session cannot be kept (see <tab-log>:Log): <quit> again quits without it, <save> or <export> save the scene or the table",
         )
@@ -275,7 +211,7 @@ fn back(app: &mut App) {
         app.full_pane[at] = false;
     } else {
         let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
-        let kept = if app.session_lost { "is not kept" } else { "is kept" };
+        let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
         let text = elsewhere.map_or_else(
             || format!("nothing to close: <quit> quits (the session {kept})"),
             |tab| {
@@ -286,7 +222,29 @@ fn back(app: &mut App) {
     }
 }
 
-/// Whether what a tab exports and copies are runs, not a table of its own.
-fn of_runs(tab: Tab) -> bool {
-    matches!(tab, Tab::Run | Tab::Log)
+/// Copy the table that the page shows.
+fn copy(app: &mut App) {
+    let Some(table) = pages::of(app.tab).table(app) else {
+        return app.refuse(pages::nothing_yet(app, "copy"));
+    };
+    match Content::Page(table).text() {
+        Ok(text) => app.request(Effect::Copy(text)),
+        Err(why) => app.refuse(why.to_string()),
+    }
+}
+
+/// Do what was called by its name, in the pane it belongs to.
+pub(crate) fn call(app: &mut App, call: Call) {
+    match call {
+        Call::Do(action) => act(app, action),
+        Call::Show(pane, page) => show(app, pane, page),
+        Call::In(pane, action) => {
+            let before = app.tab;
+            app.focus_on(pane);
+            if app.tab != before {
+                pages::of(app.tab).enter(app);
+            }
+            act(app, action);
+        }
+    }
 }

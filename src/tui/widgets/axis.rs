@@ -5,14 +5,11 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use crate::model::scene::{Scene, SweepAxis};
-use crate::model::units::{self, Bare, significant};
+use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Allowed, Kind, Number, VARIABLES, Variable};
-use crate::tui::chart::{Scale, ViewRange};
-use crate::tui::dialogs::wrap;
-use crate::tui::pages::run::editor::shown_number;
-use crate::tui::pages::run::steps::{self, Input};
-use crate::tui::update::zoom::Span;
+use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{FormRow, VALUE_WIDTH};
+use crate::tui::widgets::steps::{self, Input, shown_number};
 
 /// The numbers of points the arrows go through.
 const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
@@ -57,7 +54,7 @@ impl Part {
             (Self::Name, Input::Text(text)) => *axis = over(scene, find(text)?, axis.count)?,
             (Self::Name, Input::Step(press)) => {
                 let all: Vec<&'static Variable> = numeric(scene).collect();
-                let next = wrap(place(axis, &all).unwrap_or(0), press.by(), all.len());
+                let next = cycled(place(axis, &all).unwrap_or(0), press.by(), all.len());
                 *axis = over(scene, all[next], axis.count)?;
             }
             (Self::From | Self::To, _) => {
@@ -133,51 +130,6 @@ pub(crate) fn over(
     Ok(SweepAxis::linear(variable.symbol, from, to, count))
 }
 
-/// Zooming out ends where a range is so many times as wide as the usual one.
-const WIDEST: f64 = 10.0;
-/// On a log axis an end is no closer to 0 than this share of the greatest one.
-const LEAST_SHARE: f64 = 1e-6;
-
-/// What zooming can show of an axis, about one of its values: no more than ten times its usual range, and no end that is not allowed.
-pub(crate) fn span(
-    scene: &Scene,
-    axis: &SweepAxis,
-    home: Option<ViewRange>,
-    about: f64,
-) -> Result<Span, String> {
-    let scale = if axis.log { Scale::Log10 } else { Scale::Linear };
-    let view = ViewRange::new(axis.from, axis.to).on(scale);
-    let variable = find(&axis.name)?;
-    let (number, usual) = (number_of(variable)?, over(scene, variable, axis.count)?);
-    let most = WIDEST * usual.from.abs().max(usual.to.abs());
-    let least = if axis.log { LEAST_SHARE * most } else { -most };
-    let (least, most) = match number.allowed {
-        Allowed::Positive | Allowed::Any => (least, most),
-        Allowed::NonNegative => (least.max(0.0), most),
-        Allowed::Between(low, high) => (least.max(low), most.min(high)),
-        Allowed::Below(low, _) => (least.max(low), most),
-    };
-    let home = home.unwrap_or_else(|| ViewRange::new(usual.from, usual.to)).on(scale);
-    // A range that was wider already stays.
-    let (least, most) = (least.min(view.lo()).min(home.lo()), most.max(view.hi()).max(home.hi()));
-    let bounds = ViewRange::new(least, most);
-    Ok(Span { view, home, bounds, scale, about: Some(about) })
-}
-
-/// Give an axis the ends of a range, in a few digits, which a person reads in the setup; an end that is not allowed stays.
-pub(crate) fn set_ends(axis: &mut SweepAxis, view: ViewRange) -> Result<(), String> {
-    let number = number_of(find(&axis.name)?)?;
-    let (low, high) = (view.lo(), view.hi());
-    let ends = if axis.from < axis.to { (low, high) } else { (high, low) };
-    for (end, next) in [(&mut axis.from, ends.0), (&mut axis.to, ends.1)] {
-        let rounded: f64 = significant(next, 4).parse().unwrap_or(next);
-        if let Some(next) = [rounded, next].into_iter().find(|it| number.allowed.contains(*it)) {
-            *end = next;
-        }
-    }
-    Ok(())
-}
-
 /// The numeric variables, in the order of the editor: what an axis can be. Of those that give the plate its size the scene's own.
 pub(crate) fn numeric(scene: &Scene) -> impl Iterator<Item = &'static Variable> {
     let is_axis = |variable: &&Variable| {
@@ -208,33 +160,5 @@ fn number_of(variable: &'static Variable) -> Result<&'static Number, String> {
             variable.symbol,
             variable.allowed()
         )),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn zooming_comes_back_to_0_and_ends_at_ten_times_the_usual_range() {
-        use crate::tui::keymap::Action::{ZoomIn, ZoomOut};
-        let scene = Scene::default();
-        let mut axis = SweepAxis::linear("k", 0.0, 7.5e6, 5);
-        let zoom = |axis: &mut SweepAxis, about, action| {
-            let view = span(&scene, axis, None, about).unwrap().after(action).unwrap();
-            set_ends(axis, view).unwrap();
-        };
-        zoom(&mut axis, 1e6, ZoomIn);
-        assert_eq!((axis.from, axis.to), (5e5, 4.25e6));
-        zoom(&mut axis, 1.2e6, ZoomOut);
-        assert_eq!((axis.from, axis.to), (0.0, 7.3e6));
-        let usual = over(&scene, find("k").unwrap(), 5).unwrap();
-        for (log, least) in [(false, 0.0), (true, 1.0)] {
-            axis = SweepAxis { log, from: 1e4, ..axis };
-            for _ in 0..40 {
-                zoom(&mut axis, 1e5, ZoomOut);
-            }
-            assert!(axis.from >= least && axis.to <= 10.0 * usual.to, "{axis:?}");
-        }
     }
 }

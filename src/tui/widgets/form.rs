@@ -2,16 +2,18 @@
 
 use std::ops::RangeInclusive;
 
+use ratatui::layout::Rect;
+
 use crate::model::units::significant;
 use crate::study::quantities::{QUANTITIES, Quantity, named};
-use crate::tui::app::find::quantity_called;
-use crate::tui::app::status::clip;
-use crate::tui::dialogs::wrap;
-use crate::tui::pages::Rows;
-use crate::tui::pages::run::steps::Input;
-use crate::tui::prelude::*;
-use crate::tui::widgets::RowList;
+use crate::tui::keymap::{Pane, Target};
+use crate::tui::theme::Role;
+use crate::tui::widgets::find::quantity_called;
+use crate::tui::widgets::input::Field;
+use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::text::clip;
 use crate::tui::widgets::text::columns;
+use crate::tui::widgets::{Canvas, RowList, Rows, cycled};
 
 /// Columns within a row: cursor, `*`, label, value, unit.
 const LABEL: u16 = 2;
@@ -134,7 +136,7 @@ pub(crate) fn quantity_after(name: &str, input: Input<'_>) -> Result<&'static st
         Input::Text(text) => quantity_called(text).map(|quantity| quantity.name),
         Input::Step(press) => {
             let at = QUANTITIES.iter().position(|one| one.name == name).unwrap_or(0);
-            Ok(QUANTITIES[wrap(at, press.by(), QUANTITIES.len())].name)
+            Ok(QUANTITIES[cycled(at, press.by(), QUANTITIES.len())].name)
         }
     }
 }
@@ -181,13 +183,15 @@ impl Form {
         Rows { count: self.choices().count(), selected: self.place(self.selected), shown }
     }
 
-    pub(crate) fn render(&self, app: &App, pane: Pane, area: Rect, canvas: &mut Canvas<'_>) {
-        let on = app.pane() == pane;
-        let hint = app.keymap.shown(if on { "" } else { "<next-pane>" });
-        let frame = PaneFrame::new("Setup").right(hint);
-        let inner = frame.focused(app.has_focus(pane)).draw(area, canvas);
-        canvas.pane(area, pane);
-        let field = app.field.as_ref().filter(|_| on);
+    /// Draw it into a frame. Where its pane has the keys (`on`) it keeps the selected row in sight, with the field that is open.
+    pub(crate) fn render(
+        &self,
+        (pane, on): (Pane, bool),
+        field: Option<&Field>,
+        inner: Rect,
+        canvas: &mut Canvas<'_>,
+    ) {
+        let field = field.filter(|_| on);
         let list = RowList {
             count: self.lines.len(),
             // Without the keys it shows its beginning.

@@ -1,13 +1,15 @@
 //! One-line fields: what is typed or pasted into them, what ends them, and how they are drawn.
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
+use ratatui::layout::Rect;
 use ratatui::text::Span;
 use ratatui::widgets::{Paragraph, Widget};
 use tui_input::backend::crossterm::to_input_request;
 use tui_input::{Input, InputRequest};
 
 use crate::files::clean;
-use crate::tui::prelude::*;
+use crate::tui::theme::Role;
+use crate::tui::widgets::Canvas;
 
 /// No field of the workbench takes a longer text: characters that are not typed on purpose (a paste that came as keys, a book on
 /// the keyboard) are dropped.

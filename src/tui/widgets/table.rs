@@ -1,5 +1,5 @@
 //! Tables on the screen: the first column always, beside it as many of the others as have room, the next ones at a key; sorted by
-//! a column, and of the rows only those that match a text.
+//! a column.
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -7,8 +7,7 @@ use std::ops::Range;
 use serde_json::Value;
 
 use crate::report::table::{Cells, Table};
-use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::status::fitted;
+use crate::tui::widgets::text::fitted;
 
 /// Least columns of the names of a table's rows.
 const NAME_LEAST: usize = 12;
@@ -130,45 +129,6 @@ impl Sorting {
     }
 }
 
-/// Which rows of a table are listed, and in which order.
-#[derive(Clone, Debug, Default)]
-pub struct Listing {
-    pub sorting: Sorting,
-    /// A name or another word of every row shown matches this.
-    pub filter: String,
-}
-
-impl Listing {
-    /// The places of the rows of a table that are listed, matched by what these columns show.
-    pub(crate) fn order<R>(&self, table: &Table<'_, R>, keys: &[&str]) -> Vec<usize> {
-        self.matching(self.sorting.order(table), || table.cells(keys))
-    }
-
-    /// Of places in their order those whose words match: the best match first, where no column was chosen to sort by. A unit
-    /// behind a number is none of them.
-    pub(crate) fn matching(
-        &self,
-        places: Vec<usize>,
-        cells: impl FnOnce() -> Vec<Cells>,
-    ) -> Vec<usize> {
-        if self.filter.is_empty() {
-            return places;
-        }
-        let mut cells = cells();
-        cells.retain(|column| column.is_text);
-        let is_sorted = self.sorting.0.is_some();
-        ranked(places.into_iter(), |place| {
-            let names: Vec<&str> = cells.iter().map(|column| &*column.cells[*place]).collect();
-            rank(&self.filter, &names, "").map(|rank| if is_sorted { 0 } else { rank })
-        })
-    }
-
-    /// A title with the text that the rows match.
-    pub(crate) fn titled(&self, title: &str) -> String {
-        filtered(title, &self.filter)
-    }
-}
-
 /// The words of a table without a row that matches.
 pub(crate) const NO_MATCH: &str = "no row matches: <back> shows all of them";
 
@@ -233,33 +193,5 @@ mod tests {
             sorting = sorting.next(&keys);
         }
         assert_eq!(orders, [[0, 1, 2], [1, 0, 2], [2, 0, 1], [0, 1, 2]]);
-    }
-
-    #[test]
-    fn rows_are_listed_where_a_cell_matches_the_best_match_first_unless_they_are_sorted() {
-        let rows = [("stiff spring", "k"), ("kink", "b"), ("damper", "k-value"), ("unlike", "x")];
-        let table = Table::of(rows).with("name", "name", "", |row| row.0).with(
-            "symbol",
-            "symbol",
-            "",
-            |row| row.1,
-        );
-        let listed = |filter: &str, by| {
-            let listing = Listing { sorting: Sorting(by), filter: filter.to_owned() };
-            listing.order(&table, &["name", "symbol"])
-        };
-        // A whole cell, then the beginning of one; not a letter within a word.
-        assert_eq!(listed("k", None), [0, 1, 2]);
-        assert_eq!(listed("k", Some("name")), [2, 1, 0]);
-        assert_eq!(listed("spring k", None), [0]);
-        assert_eq!(listed("", None), [0, 1, 2, 3]);
-        assert!(listed("absent", None).is_empty());
-        // Not the unit of a number.
-        let table = Table::of([("mass", 2.0), ("stroke", 0.1)])
-            .with("name", "name", "", |row| row.0)
-            .with("value", "value", "", |row| row.1)
-            .shown(|_, value| Some(format!("{value} m")));
-        let listing = Listing { filter: "m".to_owned(), ..Listing::default() };
-        assert_eq!(listing.order(&table, &["name", "value"]), [0]);
     }
 }

@@ -10,11 +10,11 @@ use cmra::study::accuracy::method::{Answer, Ladder, Method, Parameter, Refusal};
 use cmra::study::accuracy::reference::{Reference, ReferenceSource, References};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report, Saving};
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::{ExportOutcome, Message};
-use cmra::tui::pages::Tab;
-use cmra::tui::pages::numerics::accuracy::Measurements;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::{Finding, ReportBody};
+use cmra::worker::ReportBody;
+use cmra::worker::studies::{Found, Measurements};
 
 /// When the made-up contact ends, s, and how deep it is then, m.
 const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
@@ -87,7 +87,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
 
 pub(super) fn answer(bench: &mut Bench, methods: usize) {
     for study in bench.studies() {
-        let found = Finding::new(measured(&study.scene, methods));
+        let found = Found::from(measured(&study.scene, methods));
         if methods == Method::ALL.len() {
             bench.reply(study.id, ended(found));
         } else {
@@ -138,7 +138,7 @@ fn escape_stops_and_keeps_partial_results() {
     let study = bench.studies().remove(0);
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let found = Finding::new(measured(&study.scene, 3));
+    let found = Found::from(measured(&study.scene, 3));
     bench.reply(study.id, ended(found));
     assert!(bench.message().contains("partial results are shown"), "{}", bench.message());
     assert!(bench.screen().contains("cancelled after"));
@@ -170,7 +170,7 @@ fn the_table_is_written_and_never_over_a_file_without_consent() {
     bench.keys("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
     bench.export_ended(ExportOutcome::Written(vec![to.path]));
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
 }
 
 #[test]

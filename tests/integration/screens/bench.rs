@@ -14,13 +14,12 @@ use cmra::model::run::{
 use cmra::model::scene::{Mount, Scene};
 use cmra::study::sweep::Plan;
 use cmra::tui::app::{App, Base};
-use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message, PresetEntry};
-use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
-use cmra::worker::{Finding, JobProgress, Report, ReportBody, SceneRun, Task};
+use cmra::worker::studies::{Asked, Found};
+use cmra::worker::{JobProgress, Report, ReportBody, Task};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -44,7 +43,7 @@ pub(crate) struct Job {
 pub(crate) struct Study {
     pub(crate) id: u64,
     pub(crate) scene: Arc<Scene>,
-    pub(crate) asked: Arc<dyn cmra::worker::study::Study>,
+    pub(crate) asked: Asked,
 }
 
 impl Bench {
@@ -99,16 +98,16 @@ impl Bench {
     /// The studies but sweeps that have been submitted and not been looked at.
     pub(crate) fn studies(&mut self) -> Vec<Study> {
         self.tasks(|task| {
-            let Task { id, scene, study, .. } = task.clone();
-            let other = study.of::<PictureSweep>().is_none() && study.of::<SceneRun>().is_none();
-            other.then_some(Study { id, scene, asked: study })
+            let Task { id, scene, asked, .. } = task.clone();
+            let other = !matches!(asked, Asked::Picture(_) | Asked::Run(_));
+            other.then_some(Study { id, scene, asked })
         })
     }
 
     /// The plans of the sweeps that have been submitted and not been looked at, with their numbers and threads.
     pub(crate) fn sweeps(&mut self) -> Vec<(u64, usize, Arc<Plan>)> {
         self.tasks(|task| {
-            let sweep = task.study.of::<PictureSweep>()?;
+            let Asked::Picture(sweep) = &task.asked else { return None };
             Some((task.id, task.threads, Arc::clone(&sweep.plan)))
         })
     }
@@ -126,8 +125,9 @@ impl Bench {
 
     /// Report how the export ended that the open dialog asked for.
     pub(crate) fn export_ended(&mut self, outcome: ExportOutcome) {
-        let Some(Dialog::Ask(ask)) = &self.app.dialog else { panic!("no dialog asks") };
-        let path = self.app.directory.join(ask.text.value());
+        let screen = self.screen();
+        let at = screen.find("/home/ada/work/").expect("a dialog that asks");
+        let path = screen[at..].split([' ', '|', '│']).next().expect("a path").into();
         self.send(Message::Done(EffectReport::Exported(path, outcome)));
     }
 
@@ -143,7 +143,7 @@ impl Bench {
     }
 
     /// Report what a task has so far.
-    pub(crate) fn part(&mut self, id: u64, (done, total): (usize, usize), part: Finding) {
+    pub(crate) fn part(&mut self, id: u64, (done, total): (usize, usize), part: Found) {
         self.progress(id, done, total);
         self.reply(id, ReportBody::Part(part));
     }
@@ -181,14 +181,15 @@ impl Bench {
     /// The jobs that have been submitted and not answered.
     pub(crate) fn jobs(&mut self) -> Vec<Job> {
         self.tasks(|task| {
-            task.study.of::<SceneRun>()?;
-            Some(Job { id: task.id, scene: Arc::clone(&task.scene) })
+            let is_run = matches!(task.asked, Asked::Run(_));
+            is_run.then(|| Job { id: task.id, scene: Arc::clone(&task.scene) })
         })
     }
 
     /// Answer every job with a made-up run, as the worker would.
     pub(crate) fn answer(&mut self) {
         loop {
+            self.look_for_files();
             let jobs = self.jobs();
             if jobs.is_empty() {
                 return;
@@ -196,6 +197,21 @@ impl Bench {
             for job in jobs {
                 self.reply(job.id, done(made(&job.scene)));
             }
+        }
+    }
+
+    /// Answer what was asked of files: whether they are there.
+    fn look_for_files(&mut self) {
+        let is_asked = |effect: &mut Effect| matches!(effect, Effect::Files(FileTask::IsFree(_)));
+        let asked: Vec<Effect> = self.effects.extract_if(.., is_asked).collect();
+        for effect in asked {
+            let Effect::Files(FileTask::IsFree(to)) = effect else { continue };
+            let path = to.path.clone();
+            self.send(Message::Done(if path.exists() {
+                EffectReport::Exported(path.clone(), ExportOutcome::Exists(path))
+            } else {
+                EffectReport::Free(to)
+            }));
         }
     }
 
@@ -218,13 +234,13 @@ impl Bench {
 }
 
 pub(crate) fn done(run: Run) -> ReportBody {
-    let found = Some(Finding::new(run));
+    let found = Some(run.into());
     ReportBody::Ended { found, took: Duration::from_micros(210) }
 }
 
 /// The last report of a task.
-pub(crate) fn ended(found: Finding) -> ReportBody {
-    ReportBody::Ended { found: Some(found), took: Duration::from_millis(8) }
+pub(crate) fn ended(found: impl Into<Found>) -> ReportBody {
+    ReportBody::Ended { found: Some(found.into()), took: Duration::from_millis(8) }
 }
 
 fn named(name: &str) -> KeyEvent {

@@ -4,16 +4,16 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::{Bench, done};
-use super::search::{keys, sought};
+use super::search::keys;
 use super::{limit, search, stability, sweep};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::stability::map::{Axis, Cell, FixedStep};
 use cmra::tui::message::Message;
+use cmra::tui::pages::plot_columns;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::plot_columns;
-use cmra::worker::Finding;
+use cmra::worker::studies::Found;
 
 #[test]
 fn letters_of_events_stay_beside_pinned_runs() {
@@ -34,7 +34,7 @@ fn no_two_charts_show_the_same_quantity() {
     for _ in 0..9 {
         bench.keys("v");
         let mut shown: Vec<&str> =
-            bench.app.charts.quantities.iter().map(|it| it.title()).collect();
+            bench.app.pages.run.charts.quantities.iter().map(|it| it.title()).collect();
         shown.sort_unstable();
         shown.dedup();
         assert_eq!(shown.len(), 3);
@@ -56,7 +56,7 @@ fn zoom_on_a_logarithmic_axis_goes_by_decades() {
     bench.keys("<Tab>X");
     let (from, to) = bench.app.time_range_s(0);
     bench.keys("l+");
-    let cursor = bench.app.charts.cursor_s.unwrap();
+    let cursor = bench.app.pages.run.charts.cursor_s.unwrap();
     let (near, far) = bench.app.time_range_s(0);
     let decades = |a: f64, b: f64| (b / a).log10();
     assert!((decades(near, far) / decades(from, to) - 0.5).abs() < 1e-9);
@@ -104,7 +104,7 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     let mut map = stability::map(FixedStep::Thesis, Axis::K);
     let columns = map.dt_s.len();
     map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
-    bench.part(study.id, (10, 19), Finding::new(map));
+    bench.part(study.id, (10, 19), Found::from(map));
     let screen = bench.screen();
     assert!(screen.contains("computing the map: 10 of 19 rows"), "{screen}");
     assert!(screen.contains("____") && screen.contains("k [N/m^n]"), "{screen}");
@@ -138,12 +138,12 @@ fn the_crosshair_goes_column_by_column() {
         }
         let columns = plot_columns(&bench.app);
         let (from, to) = bench.app.time_range_s(0);
-        assert_eq!(bench.app.charts.cursor_s, Some(from));
+        assert_eq!(bench.app.pages.run.charts.cursor_s, Some(from));
         for _ in 1..columns {
-            assert!(bench.app.charts.cursor_s < Some(to));
+            assert!(bench.app.pages.run.charts.cursor_s < Some(to));
             bench.press("l");
         }
-        assert_eq!(bench.app.charts.cursor_s, Some(to), "{size:?}");
+        assert_eq!(bench.app.pages.run.charts.cursor_s, Some(to), "{size:?}");
     }
 }
 
@@ -191,9 +191,9 @@ fn the_table_of_runs_is_sorted_and_the_keys_follow_its_order() {
     assert_eq!(bench.app.run_order(), [1, 2, 0]);
     assert!(bench.screen().contains("*depth mm"), "{}", bench.screen());
     bench.keys("k");
-    assert_eq!(bench.app.selected_run, 2);
+    assert_eq!(bench.app.pages.run.selected, 2);
     bench.keys("gV");
-    assert!(bench.app.selected_run == 1 && !bench.app.pins[0].visible);
+    assert!(bench.app.pages.run.selected == 1 && !bench.app.pins[0].visible);
 }
 
 #[test]
@@ -266,54 +266,6 @@ fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
     let go_on = &mut |_| ControlFlow::Continue(());
     bench.reply(job.id, done(simulate(&scene, &Settings::default(), go_on).unwrap()));
     assert!(is_marked(&bench), "{}", bench.screen());
-}
-
-#[test]
-fn each_page_of_the_search_has_its_own_zoom_until_other_results_come() {
-    let mut bench = sought((80, 24));
-    bench.keys("+");
-    assert!(bench.app.pages.search.zoomed().is_some());
-    bench.keys("4");
-    search::answer(&mut bench);
-    assert_eq!(bench.app.pages.search.zoomed(), None);
-    bench.keys("444");
-    assert!(bench.app.pages.search.zoomed().is_some());
-    bench.keys("r");
-    search::answer(&mut bench);
-    assert!(bench.app.pages.search.zoomed().is_some(), "the same results");
-    bench.keys("1jjl4r");
-    search::answer(&mut bench);
-    assert_eq!(bench.app.pages.search.zoomed(), None);
-}
-
-#[test]
-fn the_histogram_of_the_samples_is_zoomed_and_another_quantity_is_shown_whole() {
-    let mut bench = sought((80, 24));
-    bench.keys("444");
-    search::answer(&mut bench);
-    let whole = bench.screen();
-    bench.keys("+");
-    let zoomed = bench.app.pages.search.zoomed().expect("a part");
-    assert_ne!(bench.screen(), whole);
-    bench.keys("]");
-    assert!(bench.app.pages.search.zoomed().expect("a part").lo() > zoomed.lo());
-    bench.keys("0");
-    assert_eq!(bench.screen(), whole);
-    bench.keys("+<Tab>/percent<Enter>l");
-    assert_eq!(bench.app.pages.search.zoomed(), None, "{}", bench.screen());
-}
-
-#[test]
-fn another_curve_of_the_limit_is_shown_whole() {
-    let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
-    bench.keys("l++");
-    assert!(bench.app.pages.limit.zoomed.is_some());
-    bench.keys("r");
-    limit::answer(&mut bench);
-    assert!(bench.app.pages.limit.zoomed.is_some(), "the same curve");
-    bench.keys("r");
-    limit::end(&mut bench, |report| report.shots.truncate(20));
-    assert_eq!((bench.app.pages.limit.zoomed, bench.app.pages.limit.cursor), (None, None));
 }
 
 #[test]

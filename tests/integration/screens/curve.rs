@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use cmra::model::scene::SpringKind;
 use cmra::model::variables::VARIABLES;
-use cmra::tui::dialogs::{Dialog, Purpose};
 use cmra::tui::message::{Effect, EffectReport, FileTask, Message};
 
 use super::bench::Bench;
@@ -12,7 +11,7 @@ use super::bench::Bench;
 /// The workbench with the dialog open: `table` is the last of the spring's words.
 fn asking() -> Bench {
     let mut bench = Bench::ascii(80, 24);
-    bench.app.editor.selected =
+    bench.app.pages.run.editor.selected =
         VARIABLES.iter().position(|one| one.key == "mechanism.spring.kind").unwrap();
     bench.keys("<Enter>G<Enter>");
     bench
@@ -20,21 +19,13 @@ fn asking() -> Bench {
 
 fn report(bench: &mut Bench, points: Result<&[[f64; 2]], &str>) {
     let points = points.map(Arc::from).map_err(str::to_owned);
-    let path = bench.app.directory.join("measured/curve.csv");
+    let path = bench.app.files.directory.join("measured/curve.csv");
     bench.send(Message::Done(EffectReport::Curve(path, points)));
 }
 
 #[test]
 fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     let mut bench = asking();
-    assert!(
-        matches!(
-            bench.app.dialog,
-            Some(Dialog::Ask(ref ask)) if ask.purpose == Purpose::Curve
-        ),
-        "{:?}",
-        bench.app.dialog
-    );
     assert_eq!(bench.app.scene.mechanism.spring.kind, SpringKind::Table);
     let screen = bench.screen();
     for words in ["Measured curve of the spring", "0.01,1000", "3 points, x = 0 to 0.05 m"] {
@@ -48,7 +39,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     bench.send(Message::Done(EffectReport::Completions(vec!["measured/curve.csv".to_owned()])));
     bench.effects.clear();
     bench.keys("<Enter>");
-    let wanted = bench.app.directory.join("measured/curve.csv");
+    let wanted = bench.app.files.directory.join("measured/curve.csv");
     assert!(
         matches!(&bench.effects[..], [Effect::Files(FileTask::ReadCurve(path))] if *path == wanted),
         "{:?}",
@@ -61,7 +52,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     assert!(bench.screen().contains("must rise in x"), "{}", bench.screen());
     let before = Arc::clone(&bench.app.scene);
     report(&mut bench, Ok(&[[-0.1, -3e3], [0.0, 0.0], [0.1, 4e3]]));
-    assert!(bench.app.dialog.is_none() && bench.message().contains("3 points from curve.csv"));
+    assert!(!bench.app.has_dialog() && bench.message().contains("3 points from curve.csv"));
     assert!(bench.app.scene.mechanism.spring.table.points[0][0] < -0.09);
     assert!(bench.screen().contains("3 points"), "{}", bench.screen());
     bench.keys("u");
@@ -74,7 +65,7 @@ fn leaving_the_dialog_keeps_the_points_there_are() {
     bench.keys("<Enter>");
     assert!(bench.screen().contains("needs a file name"), "{}", bench.screen());
     bench.keys("<Esc>");
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
     assert_eq!(bench.app.scene.mechanism.spring.kind, SpringKind::Table);
     assert_eq!(bench.app.scene.mechanism.spring.table.points.len(), 3);
 }

@@ -10,7 +10,8 @@ use cmra::study::search::{front, seek};
 use cmra::study::sweep::grid::{Grid, PIECE};
 use cmra::study::{monte_carlo, sensitivity};
 use cmra::tui::pages::explore::state::Picture;
-use cmra::tui::pages::search::state::{Page, Request, SearchResult, StudyResult};
+use cmra::tui::pages::search::state::{Page, SearchResult};
+use cmra::worker::studies::{SearchAnswer, SearchRequest};
 
 /// Changes to the baseline that between them have another interface, mount, spring, threat and plate.
 const SCENES: [&str; 5] = [
@@ -44,25 +45,25 @@ fn by_command(command: &str, pairs: &str) -> Result<String, String> {
 }
 
 /// The table of the Search tab.
-fn by_tab(bench: &Bench, request: &Request) -> Result<String, String> {
+fn by_tab(bench: &Bench, request: &SearchRequest) -> Result<String, String> {
     let (scene, mut watch) = (&bench.app.scene, to_its_end);
     let context = &mut Context::new(2, &mut watch);
     let answer = match request {
-        Request::Seek(request) => seek::seek(scene, request, context).map(StudyResult::Seek),
-        Request::Front(request) => {
+        SearchRequest::Seek(request) => seek::seek(scene, request, context).map(SearchAnswer::Seek),
+        SearchRequest::Front(request) => {
             let front = front::optimise(scene, request, &mut Context::new(2, &mut to_its_end));
-            front.map(|front| StudyResult::Front(Box::new(front)))
+            front.map(|front| SearchAnswer::Front(Box::new(front)))
         }
-        Request::Sensitivity(request) => {
-            sensitivity::study(scene, request, context).map(StudyResult::Sensitivity)
+        SearchRequest::Sensitivity(request) => {
+            sensitivity::study(scene, request, context).map(SearchAnswer::Sensitivity)
         }
-        Request::MonteCarlo(request) => {
-            monte_carlo::sample(scene, request, context).map(StudyResult::MonteCarlo)
+        SearchRequest::MonteCarlo(request) => {
+            monte_carlo::sample(scene, request, context).map(SearchAnswer::MonteCarlo)
         }
     };
     let answer = Arc::new(answer.map_err(|error| error.to_string())?);
     let found = SearchResult { scene: Arc::clone(scene), request: request.clone(), answer };
-    Ok(found.csv(NAME, None))
+    Ok(found.csv(NAME))
 }
 
 #[test]
@@ -78,10 +79,10 @@ fn the_requests_of_the_search_tab_are_those_of_the_commands() {
             let mut request = bench.app.search_request(page).unwrap();
             assert_eq!(request.command(), bare, "{pairs}: what nobody changed needs no option");
             match &mut request {
-                Request::Seek(_) => {}
-                Request::Front(request) => request.samples = 64,
-                Request::Sensitivity(request) => request.samples = 16,
-                Request::MonteCarlo(request) => request.samples = Some(20),
+                SearchRequest::Seek(_) => {}
+                SearchRequest::Front(request) => request.samples = 64,
+                SearchRequest::Sensitivity(request) => request.samples = 16,
+                SearchRequest::MonteCarlo(request) => request.samples = Some(20),
             }
             let command = request.command();
             match (by_tab(&bench, &request), by_command(&command, pairs)) {

@@ -71,9 +71,9 @@ fn a_design_that_is_the_scene_already_is_not_loaded_again() {
 fn enter_after_a_value_stays_on_its_row_in_every_form() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("/gamma<Enter><Enter>2<Enter>");
-    assert_eq!(bench.app.editor.variable().symbol, "gamma");
+    assert_eq!(bench.app.pages.run.editor.variable().symbol, "gamma");
     bench.keys("<Esc><Enter>3<Down>");
-    assert_ne!(bench.app.editor.variable().symbol, "gamma");
+    assert_ne!(bench.app.pages.run.editor.variable().symbol, "gamma");
     keys(&mut bench, &["2", "<Tab>", "/from<Enter>", "<Enter>", "1<Enter>"]);
     assert!(bench.screen().contains("> from"), "{}", bench.screen());
 }
@@ -190,7 +190,7 @@ fn a_shot_that_is_loaded_leaves_the_curve_and_the_map_as_they_are() {
 fn an_absorber_that_is_loaded_and_undone_is_still_the_one_compared_with() {
     let mut bench = limit::open(GlyphSet::Ascii, (120, 40));
     let absorbers = library::list(None).0.into_iter().filter(|it| it.library == Library::Absorbers);
-    bench.app.presets.extend(absorbers.map(PresetEntry::of_part));
+    bench.app.files.presets.extend(absorbers.map(PresetEntry::of_part));
     bench.keys("<Tab>v");
     search::answer(&mut bench);
     let name = bench.app.absorber().expect("an absorber").name.clone();
@@ -231,25 +231,4 @@ fn the_search_setup_is_undone_and_redone_like_any_edit() {
     bench.keys("<C-r><C-r>");
     assert_eq!(bench.app.pages.search.setup.goal.0, "peak_contact_force_n");
     assert_eq!(bench.app.scene, scene);
-}
-
-#[test]
-fn the_list_of_edits_leads_over_setups_and_scenes_alike() {
-    let mut bench = in_search((80, 24));
-    bench.keys("<Enter>50 %<Enter>");
-    bench.press("1/m_p<Enter><Enter>20<Enter>4");
-    search::answer(&mut bench);
-    bench.keys("<Enter>40 %<Enter>");
-    assert_eq!(bench.app.history.edits.len(), 3);
-    let state =
-        |bench: &Bench| (bench.app.pages.search.setup.goal.1, bench.app.scene.projectile.mass_kg);
-    for (edits, expected) in [(0, (60.0, 0.0295)), (3, (40.0, 0.02)), (1, (50.0, 0.0295))] {
-        bench.keys(":list of edits<Enter>");
-        bench.keys("g");
-        for _ in 0..edits {
-            bench.keys("j");
-        }
-        bench.keys("<Enter>");
-        assert_eq!(state(&bench), expected, "after {edits} edits");
-    }
 }

@@ -23,7 +23,7 @@ fn open(folder: &Path) -> Bench {
     bench.app.scene = Arc::new(scene);
     bench.app.base =
         Base { name: "face".to_owned(), is_mine: false, scene: Arc::clone(&bench.app.scene) };
-    bench.app.directory = folder.to_owned();
+    bench.app.files.directory = folder.to_owned();
     let setup = Arc::make_mut(&mut bench.app.pages.search.setup);
     (setup.designs, setup.samples, setup.goal.1) = (64, 40, 90.0);
     bench

@@ -6,18 +6,17 @@ use super::bench::{Bench, Study, ended, made};
 use super::search::{in_search, sought};
 use super::{accuracy, limit, search};
 use cmra::model::run::EndReason;
-use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
-use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
-use cmra::tui::pages::limit::state::LimitSearch;
-use cmra::tui::pages::search::state::{Page, Request};
+use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::{Finding, ReportBody, Task, Worker};
+use cmra::worker::studies::{AskedFor, Comparison, EqualMass, LimitSearch, SearchRequest};
+use cmra::worker::{ReportBody, Task, Worker};
 
 /// The search that was submitted last.
 fn searched(bench: &mut Bench) -> (u64, Page) {
     let studies = bench.studies();
-    let found = studies.iter().rev().find_map(|it| Some((it.id, it.asked.of::<Request>()?.page())));
+    let found =
+        studies.iter().rev().find_map(|it| Some((it.id, Page::of(SearchRequest::of(&it.asked)?))));
     found.expect("a search")
 }
 
@@ -99,24 +98,24 @@ fn a_report_that_ends_leaves_another_dialog_alone() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("e<C-u>a.html<Enter><Esc>s");
     bench.send(ended.clone());
-    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if !ask.question));
+    assert!(bench.app.has_dialog() && !bench.screen().contains(" o overwrite"));
     assert!(bench.message().contains("a.html already exists"), "{}", bench.message());
     bench.keys("<Esc>e<C-u>b.html");
     bench.send(ended.clone());
-    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if !ask.question));
+    assert!(bench.app.has_dialog() && !bench.screen().contains(" o overwrite"));
     bench.keys("<C-u>a.html");
     bench.send(ended);
-    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
+    assert!(bench.screen().contains(" o overwrite"), "{}", bench.screen());
 }
 
 #[test]
 fn a_report_asks_about_its_file_first_and_is_computed_once() {
     let place = tempfile::tempdir().unwrap();
     let mut bench = Bench::ascii(80, 24);
-    bench.app.directory = place.path().to_owned();
+    bench.app.files.directory = place.path().to_owned();
     std::fs::write(place.path().join("a.html"), "").unwrap();
     bench.keys("e<C-u>a.html<Enter>");
-    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
+    assert!(bench.screen().contains(" o overwrite"), "{}", bench.screen());
     assert!(bench.studies().is_empty());
     bench.keys("o");
     assert_eq!(bench.studies().len(), 1);
@@ -139,7 +138,7 @@ fn a_name_that_ends_as_a_report_writes_the_report() {
         let (send, reports) = std::sync::mpsc::channel();
         let worker = Worker::spawn(move |report| drop(send.send(report))).unwrap();
         let Study { id, scene, asked } = study;
-        worker.submit(Task { id, threads: 1, scene, study: asked });
+        worker.submit(Task { id, threads: 1, scene, asked });
         loop {
             let report = reports.recv().expect("a report");
             let is_last = matches!(report.body, ReportBody::Ended { .. } | ReportBody::Failed(_));
@@ -203,9 +202,9 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     let part = stopped(&bench);
     bench.keys("r");
     let study = bench.studies().remove(0);
-    assert!(study.asked.of::<EqualMass>().is_some());
+    assert!(EqualMass::of(&study.asked).is_some());
     bench.keys("<Esc>");
-    bench.reply(study.id, ended(Finding::new(part)));
+    bench.reply(study.id, ended(part));
     for pane in ["comparison", "mass efficiency"] {
         assert!(bench.screen().contains("cancelled: press r"), "{pane}: {}", bench.screen());
         bench.keys("<Tab>");
@@ -213,8 +212,8 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     assert!(!bench.screen().contains("cancelled"), "the limit is there: {}", bench.screen());
     bench.keys("13");
     let again = bench.studies();
-    assert!(again.iter().all(|study| study.asked.of::<LimitSearch>().is_none()));
-    assert!(again.iter().all(|study| study.asked.of::<EqualMass>().is_none()));
+    assert!(again.iter().all(|study| LimitSearch::of(&study.asked).is_none()));
+    assert!(again.iter().all(|study| EqualMass::of(&study.asked).is_none()));
     // Its map is written as a part.
     bench.keys("<S-Tab>e<Enter>");
     assert!(writes_a_part(&bench));
@@ -230,10 +229,10 @@ fn a_part_of_a_run_is_not_the_result_of_a_pin() {
     let job = bench.app.pins[0].job.expect("the pin is computed");
     let mut part = made(&bench.app.pins[0].scene);
     part.end = EndReason::Cancelled;
-    bench.reply(job, ended(Finding::new(part)));
+    bench.reply(job, ended(part));
     assert!(bench.app.pins[0].run.is_none() && bench.app.pins[0].job.is_none());
     for other in jobs.iter().filter(|other| other.id != job) {
-        bench.reply(other.id, ended(Finding::new(made(&other.scene))));
+        bench.reply(other.id, ended(made(&other.scene)));
     }
     bench.keys("jl ");
     assert!(bench.app.pins.iter().all(|pin| pin.run.is_some()));
@@ -250,8 +249,8 @@ fn a_design_that_is_being_computed_cannot_be_loaded_yet() {
 fn ctrl_c_closes_the_field_of_a_search_and_does_not_leave() {
     let mut bench = in_search((80, 24));
     bench.keys("<Enter>50");
-    assert!(bench.app.field.is_some());
+    assert!(bench.app.field().is_some());
     bench.keys("<C-c>");
-    assert!(bench.app.field.is_none());
+    assert!(bench.app.field().is_none());
     assert!(!bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })));
 }

@@ -14,10 +14,9 @@ use cmra::report::run::Rows;
 use cmra::report::series::Channel;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::chart::ViewRange;
-use cmra::tui::dialogs::{Dialog, List};
+use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::{Key, LINES};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
-use cmra::tui::pages::Tab;
 use cmra::tui::pages::all_panes;
 use cmra::tui::pages::run::charts::Window;
 use cmra::worker::{JobProgress, ReportBody};
@@ -34,7 +33,7 @@ fn gamma(bench: &Bench) -> f64 {
 /// Select a variable by its symbol, without a filter left.
 fn select(bench: &mut Bench, symbol: &str) {
     let all = &cmra::model::variables::VARIABLES;
-    bench.app.editor.selected = all.iter().position(|one| one.symbol == symbol).unwrap();
+    bench.app.pages.run.editor.selected = all.iter().position(|one| one.symbol == symbol).unwrap();
 }
 
 /// Every key of the table in every pane: the screen is drawn, and where the footer or help offer the key it does something.
@@ -63,8 +62,8 @@ fn a_typed_value_replaces_the_old_one() {
     select(&mut bench, "v_i");
     bench.press("<Enter>120 m/s<Enter>");
     assert_eq!(bench.app.scene.projectile.velocity_m_s, 120.0);
-    assert_eq!(bench.app.editor.variable().symbol, "v_i");
-    assert!(bench.app.field.is_none());
+    assert_eq!(bench.app.pages.run.editor.variable().symbol, "v_i");
+    assert!(bench.app.field().is_none());
     let jobs = bench.jobs();
     assert_eq!(jobs.len(), 1);
     assert_eq!(jobs[0].scene, bench.app.scene);
@@ -84,7 +83,7 @@ fn units_fractions_and_relative_values_are_read() {
         let mut bench = bench();
         select(&mut bench, symbol);
         bench.keys(&format!("<Enter>{text}<Enter>"));
-        let shown = bench.app.field.is_none();
+        let shown = bench.app.field().is_none();
         assert!(shown, "{symbol} = {text}: {}", bench.message());
         let variable = cmra::model::variables::find(symbol).unwrap();
         let cmra::model::variables::Value::Number(value) = variable.value(&bench.app.scene) else {
@@ -98,14 +97,14 @@ fn units_fractions_and_relative_values_are_read() {
 fn a_bad_text_stays_with_its_reason_and_the_last_good_value_stays_live() {
     let mut bench = bench();
     bench.press("/m_p<Enter><Enter>12 mm<Enter>");
-    let field = bench.app.field.clone().unwrap();
+    let field = bench.app.field().cloned().unwrap();
     assert_eq!(field.text.value(), "12 mm");
     assert!(bench.message().contains("`mm` is not a unit of this quantity (column 4)"));
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
     assert!(bench.jobs().is_empty());
     // Typing goes on where it was; the error goes with the next character.
     bench.press("<BS><BS>kg");
-    assert_eq!(bench.app.field.clone().unwrap().text.error, None);
+    assert_eq!(bench.app.field().cloned().unwrap().text.error, None);
     bench.press("<Enter>");
     assert_eq!(bench.app.scene.projectile.mass_kg, 12.0);
 }
@@ -117,7 +116,7 @@ fn an_impossible_value_is_refused_with_the_rule() {
     assert!(bench.message().contains("must be a number greater than 0 kg"));
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
     bench.press("<Esc>");
-    assert!(bench.app.field.is_none());
+    assert!(bench.app.field().is_none());
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
 }
 
@@ -232,16 +231,13 @@ fn steps_back_and_forth_come_back() {
 }
 
 #[test]
-fn undo_is_unlimited_and_the_list_leads_anywhere() {
+fn undo_is_unlimited() {
     let mut bench = bench();
     for value in 2..40 {
         select(&mut bench, "gamma");
         bench.keys(&format!("<Enter>{value}<Enter>"));
     }
     let edits = bench.app.history.edits.len();
-    bench.keys(":list of edits<Enter>gj<Enter>");
-    assert_eq!(bench.app.history.done, 1);
-    assert_eq!(gamma(&bench), 2.0);
     bench.keys(&"u".repeat(edits + 2));
     assert!(!bench.app.is_modified());
     assert_eq!(bench.message(), "nothing to undo");
@@ -358,10 +354,7 @@ fn eight_pins_are_the_most() {
 fn a_pin_of_a_scene_that_is_not_on_the_screen_is_computed() {
     let mut bench = bench();
     bench.keys("p<Down><Tab>");
-    assert!(
-        matches!(bench.app.dialog, Some(Dialog::List(List::Presets, _))),
-        "the picker stays open"
-    );
+    assert!(bench.screen().contains("Presets, threats"), "the picker stays open");
     assert_eq!(bench.app.pins[0].name, "rigid-mount");
     assert!(bench.app.pins[0].run.is_some());
     assert!(!bench.app.is_modified());
@@ -373,7 +366,7 @@ fn differences_need_a_pin() {
     bench.keys("<Tab>D");
     assert!(bench.message().contains("no pinned run"));
     bench.keys(" D");
-    assert!(bench.app.charts.difference);
+    assert!(bench.app.pages.run.charts.difference);
     let curves = bench.app.curves(0);
     let values = curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
     assert!(values.clone().count() > 100 && values.clone().all(|value| value == 0.0));
@@ -383,7 +376,7 @@ fn differences_need_a_pin() {
 fn the_crosshair_reads_out_and_goes_to_events() {
     let mut bench = bench();
     bench.keys("<Tab>n");
-    assert_eq!(bench.app.charts.cursor_s, Some(55e-6));
+    assert_eq!(bench.app.pages.run.charts.cursor_s, Some(55e-6));
     bench.keys("n");
     assert_eq!(bench.app.event_at_cursor(), Some("projectile first stops"));
     assert!(bench.message().starts_with("t 113.0 us | p 4.565 mm"), "{}", bench.message());
@@ -391,7 +384,7 @@ fn the_crosshair_reads_out_and_goes_to_events() {
     let (from, to) = bench.app.time_range_s(0);
     assert!(from < 1.3e-3 && 1.3e-3 < to, "the event comes into view");
     bench.keys("NN");
-    assert_eq!(bench.app.charts.cursor_s, Some(55e-6));
+    assert_eq!(bench.app.pages.run.charts.cursor_s, Some(55e-6));
 }
 
 #[test]
@@ -401,14 +394,14 @@ fn zoom_keeps_the_crosshair_and_fit_shows_everything() {
     let whole = bench.app.time_range_s(0);
     bench.keys("+++");
     let (from, to) = bench.app.time_range_s(0);
-    let cursor = bench.app.charts.cursor_s.unwrap();
+    let cursor = bench.app.pages.run.charts.cursor_s.unwrap();
     assert!(from < cursor && cursor < to && (to - from) < 0.2 * (whole.1 - whole.0));
     bench.keys("]]]]]][[[[[[[[[[");
     assert!(bench.app.time_range_s(0).0 >= 0.0);
     bench.keys("0");
     assert_eq!(bench.app.time_range_s(0), whole);
     bench.keys("c");
-    assert_eq!(bench.app.charts.windows[0], Window::Whole);
+    assert_eq!(bench.app.pages.run.charts.windows[0], Window::Whole);
     assert_eq!(bench.app.time_range_s(0), (0.0, 1.3e-3));
 }
 
@@ -428,7 +421,7 @@ fn loading_a_preset_is_one_edit() {
 fn undoing_a_sweep_brings_the_setup_of_explore_back() {
     let mut bench = bench();
     let before = bench.app.pages.explore.plan;
-    let preset = bench.app.presets.iter_mut().find(|entry| entry.name == "cocked").unwrap();
+    let preset = bench.app.files.presets.iter_mut().find(|entry| entry.name == "cocked").unwrap();
     preset.scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
     bench.keys("p<Down><Down><Enter>");
     assert_eq!(bench.app.base.name, "cocked");
@@ -441,9 +434,9 @@ fn undoing_a_sweep_brings_the_setup_of_explore_back() {
 fn the_title_never_cuts_the_word_off() {
     for (width, height) in [(80, 24), (100, 30), (120, 40)] {
         let mut bench = Bench::ascii(width, height);
-        bench.app.auto_run = false;
+        bench.app.settings.auto_run = false;
         for mouse in [false, true] {
-            bench.app.mouse = mouse;
+            bench.app.settings.mouse = mouse;
             let screen = bench.screen();
             let title = screen.lines().next().unwrap();
             assert!(title.contains("auto-run off"), "{title}");
@@ -469,7 +462,7 @@ fn a_scene_is_saved_to_the_file_it_came_from() {
     let place = tempfile::tempdir().unwrap();
     std::fs::write(place.path().join("my.toml"), "format = 1\n").unwrap();
     let mut bench = bench();
-    bench.app.directory = place.path().to_owned();
+    bench.app.files.directory = place.path().to_owned();
     let saves = |bench: &Bench| -> Vec<(PathBuf, bool)> {
         let saved = bench.effects.iter().filter_map(|effect| match effect {
             Effect::Files(FileTask::SaveScene { path, overwrite, .. }) => {
@@ -482,15 +475,20 @@ fn a_scene_is_saved_to_the_file_it_came_from() {
     let loaded = Ok(("my.toml".to_owned(), Box::default()));
     bench.send(Message::Done(EffectReport::Loaded(loaded)));
     bench.press("ls<Enter>");
-    assert!(bench.screen().contains("exists: o overwrite"), "{}", bench.screen());
-    assert!(saves(&bench).is_empty());
-    bench.press("o");
     let file = place.path().join("my.toml");
-    assert_eq!(saves(&bench), [(file.clone(), true)]);
-    bench.send(Message::Done(EffectReport::Saved("my.toml".to_owned(), Ok(file))));
-    assert!(bench.app.dialog.is_none() && !bench.app.is_modified());
+    assert_eq!(saves(&bench), [(file.clone(), false)]);
+    let exists = ExportOutcome::Exists(file.clone());
+    bench.send(Message::Done(EffectReport::Saved("my.toml".to_owned(), exists)));
+    assert!(bench.screen().contains("exists: o overwrite"), "{}", bench.screen());
+    bench.press("o");
+    assert_eq!(saves(&bench)[1], (file.clone(), true));
+    bench.send(Message::Done(EffectReport::Saved(
+        "my.toml".to_owned(),
+        ExportOutcome::Written(vec![file]),
+    )));
+    assert!(!bench.app.has_dialog() && !bench.app.is_modified());
     bench.press("s<C-u>new/other.toml<Enter>");
-    assert_eq!(saves(&bench)[1], (place.path().join("new/other.toml"), false));
+    assert_eq!(saves(&bench)[2], (place.path().join("new/other.toml"), false));
     assert_eq!(bench.app.base.name, "my.toml");
 }
 
@@ -518,19 +516,16 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
     bench.press("y");
     assert_eq!(saves(&bench), [("heavy-plate".to_owned(), true)]);
     let ended = |outcome| Message::Done(EffectReport::Saved("heavy-plate".to_owned(), outcome));
-    let error = |bench: &Bench| match &bench.app.dialog {
-        Some(Dialog::Ask(ask)) => ask.text.error.clone(),
-        _ => None,
-    };
-    bench.send(ended(Err("the disk is full".to_owned())));
-    assert_eq!(error(&bench).as_deref(), Some("the disk is full"));
+    let error = |bench: &Bench| bench.screen().contains("x the disk is full");
+    bench.send(ended(ExportOutcome::Failed("the disk is full".to_owned())));
+    assert!(error(&bench), "{}", bench.screen());
     // A dialog that was opened meanwhile asked for something else.
     bench.press("<Esc>e");
-    bench.send(ended(Err("the disk is full".to_owned())));
-    assert_eq!((error(&bench), bench.message()), (None, "the disk is full".to_owned()));
+    bench.send(ended(ExportOutcome::Failed("the disk is full".to_owned())));
+    assert_eq!(bench.message(), "the disk is full");
     bench.press("<Esc>s<C-u>heavy-plate<Enter>y");
-    bench.send(ended(Ok("/home/ada/heavy-plate.toml".into())));
-    assert!(bench.app.dialog.is_none());
+    bench.send(ended(ExportOutcome::Written(vec!["/home/ada/heavy-plate.toml".into()])));
+    assert!(!bench.app.has_dialog());
     assert_eq!(bench.app.base.name, "heavy-plate");
     assert!(bench.message().contains("/home/ada/heavy-plate.toml"));
 }
@@ -559,12 +554,9 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     assert!(!request.columns.contains(&"mode".to_owned()));
     bench.export_ended(ExportOutcome::Exists("x".into()));
     bench.press("r");
-    let Some(Dialog::Ask(ask)) = &bench.app.dialog else {
-        panic!("the dialog stays open");
-    };
-    assert_eq!(ask.text.value(), "thesis-baseline-x-2.csv");
+    assert!(bench.screen().contains("thesis-baseline-x-2.csv"), "the dialog stays open");
     bench.export_ended(ExportOutcome::Written(vec!["a.csv".into()]));
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
     assert!(bench.message().contains("written: a.csv"));
 }
 
@@ -573,17 +565,17 @@ fn an_exports_bad_answers_stay_in_the_dialog() {
     let mut bench = bench();
     bench.press("e<C-u><Enter>");
     assert!(bench.screen().contains("needs a file name"));
-    bench.press("x.csv<Down>l<Down><C-u>1<Enter>");
-    assert!(bench.screen().contains("whole number from 2 to 1000000"));
+    bench.press("x.csv<Down><Down> <Enter>");
+    assert!(bench.screen().contains("no run is chosen"), "{}", bench.screen());
 }
 
 #[test]
 fn the_palette_and_help_execute() {
     let mut bench = bench();
     bench.keys(":auto-run<Enter>");
-    assert!(!bench.app.auto_run);
+    assert!(!bench.app.settings.auto_run);
     bench.keys("<Tab>?/whole response<Enter>");
-    assert_eq!(bench.app.charts.windows[0], Window::Whole);
+    assert_eq!(bench.app.pages.run.charts.windows[0], Window::Whole);
     bench.keys(":log tab<Enter>");
     assert_eq!(bench.app.tab, Tab::Log);
 }
@@ -609,13 +601,13 @@ fn an_action_of_another_tab_enters_it() {
 fn the_filter_follows_every_character() {
     let mut bench = bench();
     bench.keys("/exponent");
-    assert_eq!(bench.app.editor.listed(&bench.app.scene).len(), 2);
-    assert_eq!(bench.app.editor.variable().symbol, "n");
+    assert_eq!(bench.app.pages.run.editor.listed(&bench.app.scene).len(), 2);
+    assert_eq!(bench.app.pages.run.editor.variable().symbol, "n");
     bench.keys("<Enter>j");
-    assert_eq!(bench.app.editor.variable().symbol, "m");
+    assert_eq!(bench.app.pages.run.editor.variable().symbol, "m");
     bench.keys("<Esc>");
-    assert!(bench.app.editor.filter.is_empty());
-    assert_eq!(bench.app.editor.variable().symbol, "m");
+    assert!(bench.app.pages.run.editor.filter.is_empty());
+    assert_eq!(bench.app.pages.run.editor.variable().symbol, "m");
 }
 
 #[test]
@@ -671,7 +663,7 @@ fn popups_close_by_q_and_escape() {
         let mut bench = bench();
         bench.effects.clear();
         bench.keys(keys);
-        assert!(bench.app.dialog.is_none(), "{keys}");
+        assert!(!bench.app.has_dialog(), "{keys}");
         assert!(
             !bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })),
             "{keys}"
@@ -738,13 +730,6 @@ fn unpinning_is_undone_and_redone_like_any_edit() {
     assert_eq!(gamma(&bench), 2.0);
     bench.keys("<C-r>");
     assert_eq!(bench.app.pins.len(), 1);
-    // Through the list of edits, too: back to the start, and to the end again.
-    bench.keys(":list of edits<Enter>g<Enter>");
-    assert_eq!(bench.app.pins.len(), 0);
-    assert_eq!(gamma(&bench), 1.0);
-    bench.keys(":list of edits<Enter>G<Enter>");
-    assert_eq!(bench.app.pins.len(), 1);
-    assert_eq!(gamma(&bench), 2.0);
 }
 
 #[test]
@@ -782,8 +767,8 @@ fn view_reaches_stiffness_and_stress_with_the_yield_line_over_the_whole_way() {
     let mut titles = HashSet::new();
     for _ in 0..Channel::ALL.len() {
         bench.keys("v");
-        titles.insert(bench.app.charts.quantities[0].title());
-        if bench.app.charts.quantities[0] == Channel::Stress {
+        titles.insert(bench.app.pages.run.charts.quantities[0].title());
+        if bench.app.pages.run.charts.quantities[0] == Channel::Stress {
             break;
         }
     }
@@ -819,7 +804,7 @@ fn a_chart_between_two_points_shows_its_curve() {
     let series = &bench.app.shown.as_ref().unwrap().run.series;
     let (before, after) = (series[50].t_s, series[51].t_s);
     let (from, to) = (0.75 * before + 0.25 * after, 0.25 * before + 0.75 * after);
-    bench.app.charts.zoom_s[0] = Some(ViewRange::new(from, to));
+    bench.app.pages.run.charts.zoom_s[0] = Some(ViewRange::new(from, to));
     let curves = bench.app.curves(0);
     let middle = f64::midpoint(from, to);
     let value = Channel::Penetration.at(curves[0].view.run, middle).unwrap();
@@ -834,7 +819,7 @@ fn a_chart_between_two_points_shows_its_curve() {
 /// Go to the charts, and with `v` to a quantity in the first of them.
 fn show(bench: &mut Bench, quantity: Channel) {
     bench.keys("<Tab>");
-    while bench.app.charts.quantities[0] != quantity {
+    while bench.app.pages.run.charts.quantities[0] != quantity {
         bench.keys("v");
     }
 }
@@ -845,7 +830,7 @@ fn force_over_displacement_is_drawn_over_the_whole_way_of_the_plate() {
     show(&mut bench, Channel::MountForce);
     let run = bench.app.shown.as_ref().unwrap().run.clone();
     let farthest = run.max_plate_displacement_m.unwrap();
-    bench.app.charts.quantities[0] = Channel::MountForce;
+    bench.app.pages.run.charts.quantities[0] = Channel::MountForce;
     let curves = bench.app.curves(0);
     let drawn = curves[0].points.iter().map(|point| point.0).fold(0.0, f64::max);
     assert!((drawn - farthest).abs() < 1e-3 * farthest, "{drawn} {farthest}");

@@ -10,7 +10,7 @@ fn listing(columns: u16) -> Bench {
     let mut bench = Bench::ascii(columns, 24);
     let (entries, problems) = library::list(None);
     assert!(problems.is_empty(), "{problems:?}");
-    bench.app.presets.extend(entries.into_iter().map(PresetEntry::of_part));
+    bench.app.files.presets.extend(entries.into_iter().map(PresetEntry::of_part));
     bench
 }
 
@@ -19,9 +19,9 @@ fn listing(columns: u16) -> Bench {
 fn a_threat_and_a_material_ask_for_the_face_of_the_plate() {
     let mut bench = listing(80);
     bench.keys("pm80<Enter>");
-    assert!(bench.app.field.is_none(), "a threat alone keeps the plate");
+    assert!(bench.app.field().is_none(), "a threat alone keeps the plate");
     bench.keys("psteel-4340<Enter>");
-    assert!(bench.app.field.is_some(), "{}", bench.message());
+    assert!(bench.app.field().is_some(), "{}", bench.message());
     assert!(bench.message().contains("type the side of its face"), "{}", bench.message());
     bench.keys("150<Enter>");
     assert_eq!(bench.app.scene.plate.size, PlateSize::Face(0.15));

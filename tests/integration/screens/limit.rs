@@ -15,10 +15,8 @@ use cmra::study::limit::residual_law::ResidualLaw;
 use cmra::study::limit::{Limit, LimitMethod, Report, Shot};
 use cmra::study::monte_carlo;
 use cmra::tui::message::ExportOutcome;
-use cmra::tui::pages::limit::comparison::EqualMass;
-use cmra::tui::pages::limit::state::{LimitSearch, Spread};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::Finding;
+use cmra::worker::studies::{Asked, AskedFor, EqualMass, LimitSearch, Spread};
 use insta::assert_snapshot;
 
 /// The made-up limit, m/s.
@@ -51,17 +49,17 @@ fn found(scene: &Arc<Scene>) -> Report {
 
 pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
-        if let Some(Spread(task)) = study.asked.of() {
+        if let Some(Spread(task)) = Spread::of(&study.asked).map(|it| &**it) {
             let few = monte_carlo::Request { samples: Some(20), ..task.clone() };
             let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
             let v50 = monte_carlo::sample(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
-            bench.reply(study.id, ended(Finding::new(v50)));
+            bench.reply(study.id, ended(v50));
             continue;
         }
-        let Some(LimitSearch) = study.asked.of() else { continue };
+        let Asked::Limit(_) = study.asked else { continue };
         let mut report = found(&study.scene);
         change(&mut report);
-        let body = ended(Finding::new(report));
+        let body = ended(report);
         bench.reply(study.id, body);
     }
 }
@@ -146,7 +144,7 @@ fn the_limit_is_found_once_for_each_scene_and_again_on_request() {
     // Leaving and coming back does not ask twice.
     bench.keys("13");
     let again = bench.studies();
-    assert!(again.iter().all(|study| study.asked.of::<LimitSearch>().is_none()));
+    assert!(again.iter().all(|study| LimitSearch::of(&study.asked).is_none()));
 }
 
 #[test]
@@ -162,7 +160,7 @@ fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
     report.is_complete = false;
     report.limit = Limit::Unknown;
     report.shots.clear();
-    bench.reply(study.id, ended(Finding::new(report)));
+    bench.reply(study.id, ended(report));
     assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
     bench.keys("e");
     assert!(bench.message().contains("nothing is finished yet"), "{}", bench.message());
@@ -175,7 +173,7 @@ fn v_computes_v50_as_the_command_does() {
     bench.keys("v");
     let asked = bench.studies().remove(0).asked;
     let task = monte_carlo::Request::v50();
-    assert_eq!(asked.of(), Some(&Spread(task)));
+    assert_eq!(Spread::of(&asked).map(|it| &**it), Some(&Spread(task)));
 }
 
 /// The limit is that of any shot: another impact velocity starts no second search.
@@ -184,7 +182,7 @@ fn a_search_under_way_goes_on_at_another_impact_velocity() {
     let mut bench = Bench::ascii(80, 24);
     let asked = |bench: &mut Bench| {
         let studies = bench.studies().into_iter();
-        studies.filter(|study| study.asked.of::<LimitSearch>().is_some()).count()
+        studies.filter(|study| LimitSearch::of(&study.asked).is_some()).count()
     };
     bench.keys("3");
     assert_eq!(asked(&mut bench), 1);
@@ -221,7 +219,7 @@ fn shots_are_exported_and_a_file_is_not_replaced_without_consent() {
     bench.keys("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
     bench.export_ended(ExportOutcome::Written(vec![to.path]));
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
 }
 
 #[test]
@@ -294,13 +292,13 @@ fn the_tab_and_the_commands_give_the_same_digits() {
         for study in bench.studies() {
             let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
             let context = &mut Context::new(1, watch);
-            if let Some(LimitSearch) = study.asked.of() {
+            if let Some(LimitSearch) = LimitSearch::of(&study.asked).map(|it| &**it) {
                 let report = cmra::study::limit::find(&study.scene, context).unwrap();
                 let own = read(&cmra::report::limit::json(name, &report).to_string());
                 assert_eq!(own["shots"], json("limit")["shots"], "{name}");
                 asked += 1;
-            } else if let Some(asked_for) = study.asked.of::<EqualMass>() {
-                assert_eq!((&asked_for.absorber, &asked_for.part), (&None, &None));
+            } else if let Some(asked_for) = EqualMass::of(&study.asked) {
+                assert_eq!(asked_for.absorber, None);
                 let report = compare(&study.scene, Hardware::default(), context).unwrap();
                 let own = read(&cmra::report::compare::json(name, &report).to_string());
                 let command = json("compare");

@@ -7,8 +7,9 @@ use super::bench::Bench;
 use super::search::{keys, sought};
 use super::{limit, search, stability};
 use cmra::tui::keymap::Keymap;
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::{Message, PresetEntry};
-use cmra::tui::pages::{Tab, explore, run};
+use cmra::tui::pages::{explore, run};
 use cmra::tui::theme::GlyphSet;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
@@ -26,7 +27,7 @@ fn the_palette_never_loads_a_scene_by_scattered_letters() {
 fn a_broken_preset_is_listed_with_its_error_and_cannot_be_loaded() {
     let mut bench = Bench::ascii(80, 24);
     let problem = "mine.toml, line 3: unknown key `gama`".to_owned();
-    bench.app.presets.push(PresetEntry::broken("mine-too".to_owned(), problem));
+    bench.app.files.presets.push(PresetEntry::broken("mine-too".to_owned(), problem));
     let before = Arc::clone(&bench.app.scene);
     bench.press("pmine-too");
     let screen = bench.screen();
@@ -37,7 +38,7 @@ fn a_broken_preset_is_listed_with_its_error_and_cannot_be_loaded() {
     // A long error stands whole above the dialog.
     let mut bench = Bench::ascii(80, 24);
     let why = ["expected a length;"; 10].join(" ") + " write\nfor example 0.0295";
-    bench.app.presets.push(PresetEntry::broken("mine-too".to_owned(), why.clone()));
+    bench.app.files.presets.push(PresetEntry::broken("mine-too".to_owned(), why.clone()));
     bench.press("pmine-too<Enter>");
     let screen = bench.screen();
     let lines: Vec<&str> = screen.lines().skip(18).map(str::trim).collect();
@@ -54,9 +55,9 @@ fn the_exact_symbol_comes_first() {
     for (typed, symbol) in [("k", "k"), ("d", "d"), ("h", "h"), ("gam", "gamma"), ("cock", "d")] {
         let mut bench = Bench::ascii(80, 24);
         bench.keys(&format!("/{typed}"));
-        assert_eq!(bench.app.editor.variable().symbol, symbol, "{typed}");
+        assert_eq!(bench.app.pages.run.editor.variable().symbol, symbol, "{typed}");
         bench.keys("<Enter><Enter>");
-        assert!(bench.app.field.is_some(), "{typed}");
+        assert!(bench.app.field().is_some(), "{typed}");
     }
 }
 
@@ -67,7 +68,14 @@ fn a_preset_of_a_figure_opens_its_sweep() {
     let scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
     let (comment, part, problem) = (String::new(), None, None);
     let name = "figure-9.8".to_owned();
-    bench.app.presets.push(PresetEntry { name, origin: "bundled", scene, comment, part, problem });
+    bench.app.files.presets.push(PresetEntry {
+        name,
+        origin: "bundled",
+        scene,
+        comment,
+        part,
+        problem,
+    });
     bench.press("pfigure 9.8");
     assert!(bench.screen().contains("shows on 2:Explore"), "{}", bench.screen());
     bench.press("<Enter>");
@@ -86,10 +94,10 @@ fn options_are_a_menu_of_named_lines() {
         assert!(screen.contains(name), "{name}: {screen}");
     }
     bench.press("jjjl");
-    assert!(!bench.app.auto_run);
+    assert!(!bench.app.settings.auto_run);
     bench.send(Message::Resize(80, 24));
     bench.press("<Esc>");
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
 }
 
 /// A name that no quantity has is answered with titles as they stand on the screen, never with keys of files.
@@ -101,7 +109,7 @@ fn quantities_are_named_as_the_screen_names_them() {
     assert!(!bench.message().contains('_'), "{}", bench.message());
     let mut bench = Bench::ascii(120, 36);
     bench.press("4k<Enter>");
-    let typed = bench.app.field.as_ref().expect("a field").text.value().to_owned();
+    let typed = bench.app.field().expect("a field").text.value().to_owned();
     assert_eq!(typed, "% of rigid-mount depth");
     bench.press("penetration<Enter>");
     assert!(bench.message().contains("final depth"), "{}", bench.message());
@@ -112,12 +120,12 @@ fn quantities_are_named_as_the_screen_names_them() {
 fn threads_are_chosen_in_the_options_and_used() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("ojjjjl<Esc>");
-    assert_eq!(bench.app.threads, Some(1));
+    assert_eq!(bench.app.settings.threads, Some(1));
     bench.press("2");
     let sweeps = bench.sweeps();
     assert!(matches!(sweeps[..], [(_, 1, _)]));
     bench.press("ojjjjh<Esc>");
-    assert_eq!(bench.app.threads, None);
+    assert_eq!(bench.app.settings.threads, None);
 }
 
 #[test]
@@ -132,7 +140,7 @@ fn a_key_that_sorts_nothing_says_so() {
 fn options_are_found_by_name() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys(":threads<Enter>");
-    assert_eq!((bench.app.threads, bench.message()), (Some(1), "threads: 1".to_owned()));
+    assert_eq!((bench.app.settings.threads, bench.message()), (Some(1), "threads: 1".to_owned()));
     bench.keys(":next contact<Enter>");
     assert!(bench.message().starts_with("contact model: "), "{}", bench.message());
     assert_ne!(bench.app.scene, bench.app.base.scene);
@@ -149,7 +157,7 @@ fn a_new_filter_begins_empty_and_what_it_hides_is_not_edited() {
         let mut bench = Bench::ascii(80, 24);
         bench.keys(&format!("/zz<Enter>{key}"));
         assert!(bench.screen().contains("no variable matches"), "{}", bench.screen());
-        assert!(bench.app.history.edits.is_empty() && bench.app.field.is_none(), "{key}");
+        assert!(bench.app.history.edits.is_empty() && bench.app.field().is_none(), "{key}");
     }
     let mut bench = Bench::ascii(80, 24);
     bench.keys("/zz<Enter>l");
@@ -163,7 +171,7 @@ fn words_on_the_screen_find_their_rows() {
     let first = |filter: &str| {
         let mut bench = Bench::ascii(80, 24);
         bench.keys(&format!("/{filter}<Enter>"));
-        bench.app.editor.variable().symbol
+        bench.app.pages.run.editor.variable().symbol
     };
     for (typed, symbol) in [
         ("stiffness", "k"),
@@ -308,5 +316,5 @@ fn a_search_without_a_match_explains_how_to_open_a_file() {
     bench.press("zzz");
     bench.press("<Enter>");
     assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
-    assert!(bench.app.dialog.is_some());
+    assert!(bench.app.has_dialog());
 }

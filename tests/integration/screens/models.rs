@@ -42,7 +42,7 @@ fn variables_of_a_model_are_listed_only_with_it() {
     let mut bench = Bench::ascii(120, 60);
     assert!(!bench.screen().contains("t_d"));
     std::sync::Arc::make_mut(&mut bench.app.scene).contact.model = ContactModel::Appendix;
-    let listed = bench.app.editor.listed(&bench.app.scene);
+    let listed = bench.app.pages.run.editor.listed(&bench.app.scene);
     let symbols: Vec<&str> =
         listed.iter().map(|index| cmra::model::variables::VARIABLES[*index].symbol).collect();
     assert!(symbols.contains(&"dt"));

@@ -7,10 +7,11 @@ use super::pointer::{click, find};
 use super::search::in_search;
 use super::{limit, search, stability, sweep};
 use cmra::model::run::{EndReason, Outcome, Warning};
-use cmra::tui::chart::Scale;
-use cmra::tui::message::{Message, Target};
+use cmra::tui::keymap::Tab;
+use cmra::tui::keymap::Target;
+use cmra::tui::message::Message;
 use cmra::tui::pages::search::state::Page;
-use cmra::tui::pages::{Tab, explore, run};
+use cmra::tui::pages::{explore, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -91,11 +92,11 @@ fn a_key_in_the_same_read_as_an_escape_is_that_key() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("?");
     bench.send(alt('2'));
-    assert!(bench.app.dialog.is_none());
+    assert!(!bench.app.has_dialog());
     assert_eq!(bench.app.tab, Tab::Explore);
     bench.press("1<Enter>");
     bench.send(alt('2'));
-    assert!(bench.app.field.is_none());
+    assert!(bench.app.field().is_none());
     assert_eq!(bench.app.tab, Tab::Explore);
 }
 
@@ -131,9 +132,6 @@ fn the_keys_row_omits_keys_without_effect() {
     search::answer(&mut bench);
     assert_eq!(bench.app.pages.search.page, Page::Sensitivity);
     assert!(!keys(&bench).contains("Enter"), "{}", keys(&bench));
-    bench.press("X");
-    assert!(bench.message().contains("only the chart of the Pareto front"));
-    assert_eq!(bench.app.pages.search.scales, (Scale::Linear, Scale::Linear));
 }
 
 #[test]
@@ -161,7 +159,7 @@ fn a_click_selects_a_run_and_one_beside_them_takes_the_keys_there() {
     let at = find(&bench, "+B");
     assert_eq!(target(&bench.app, at), Some(Target::Row(run::RUNS, 2)));
     click(&mut bench, at);
-    assert_eq!((bench.app.pane(), bench.app.selected_run), (run::RUNS, 2));
+    assert_eq!((bench.app.pane(), bench.app.pages.run.selected), (run::RUNS, 2));
     let first = find(&bench, "oA ");
     click(&mut bench, first);
     click(&mut bench, first);
@@ -175,13 +173,13 @@ fn a_click_selects_a_run_and_one_beside_them_takes_the_keys_there() {
 #[test]
 fn on_a_screen_too_small_the_mouse_does_nothing() {
     let mut bench = Bench::ascii(40, 12);
-    let before = bench.app.editor.selected;
+    let before = bench.app.pages.run.editor.selected;
     for at in [(0, 0), (10, 0), (20, 6)] {
         assert_eq!(target(&bench.app, at), None);
     }
     bench.send(Message::Wheel(false, None));
     bench.send(Message::Paste("1".to_owned()));
-    assert_eq!((bench.app.editor.selected, bench.app.tab), (before, Tab::Run));
+    assert_eq!((bench.app.pages.run.editor.selected, bench.app.tab), (before, Tab::Run));
 }
 
 #[test]
@@ -213,16 +211,16 @@ fn the_selection_stays_in_the_list_of_variables() {
     bench.keys("/m_2<Enter>h");
     assert!(bench.message().contains("cannot be stepped to less"), "{}", bench.message());
     assert!(!bench.message().contains("step finer"), "there is nothing to step");
-    let of_mass = bench.app.editor.selected;
+    let of_mass = bench.app.pages.run.editor.selected;
     bench.keys("<Enter>5<Enter>");
     bench.keys("/mount<Enter>l");
     bench.keys("<Esc>");
-    let listed = bench.app.editor.listed(&bench.app.scene);
+    let listed = bench.app.pages.run.editor.listed(&bench.app.scene);
     assert!(listed.contains(&of_mass), "{:?}\n{}", bench.app.scene.plate, bench.screen());
-    bench.app.editor.selected = of_mass;
+    bench.app.pages.run.editor.selected = of_mass;
     bench.keys("d");
-    assert!(!bench.app.editor.listed(&bench.app.scene).contains(&of_mass));
-    assert!(bench.app.editor.shows(&bench.app.scene), "{}", bench.screen());
+    assert!(!bench.app.pages.run.editor.listed(&bench.app.scene).contains(&of_mass));
+    assert!(bench.app.pages.run.editor.shows(&bench.app.scene), "{}", bench.screen());
 }
 
 #[test]

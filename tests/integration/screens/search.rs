@@ -13,16 +13,14 @@ use cmra::study::compare::{self, Hardware};
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::front::{self, Design, Front};
 use cmra::study::sensitivity;
+use cmra::study::sweep::PointOutcome;
 use cmra::study::sweep::usual::{or_usual, thesis_axes};
-use cmra::study::sweep::{Axis, PointOutcome};
 use cmra::study::{monte_carlo, search::seek};
-use cmra::tui::pages::Tab;
-use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
+use cmra::tui::keymap::Tab;
 use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::Page;
-use cmra::tui::pages::search::state::{Request, StudyResult};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::Finding;
+use cmra::worker::studies::{AskedFor, Comparison, EqualMass, Found, SearchAnswer, SearchRequest};
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
@@ -47,19 +45,21 @@ fn front(scene: &Scene, request: &front::Request) -> Front {
     }
 }
 
-fn made(scene: &Arc<Scene>, request: &Request) -> StudyResult {
+fn made(scene: &Arc<Scene>, request: &SearchRequest) -> SearchAnswer {
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
     match request {
-        Request::Seek(request) => StudyResult::Seek(seek::seek(scene, request, context).unwrap()),
-        Request::Front(request) => StudyResult::Front(Box::new(front(scene, request))),
-        Request::Sensitivity(request) => {
-            let request = sensitivity::Request { samples: 256, ..request.clone() };
-            StudyResult::Sensitivity(sensitivity::study(scene, &request, context).unwrap())
+        SearchRequest::Seek(request) => {
+            SearchAnswer::Seek(seek::seek(scene, request, context).unwrap())
         }
-        Request::MonteCarlo(task) => {
+        SearchRequest::Front(request) => SearchAnswer::Front(Box::new(front(scene, request))),
+        SearchRequest::Sensitivity(request) => {
+            let request = sensitivity::Request { samples: 256, ..request.clone() };
+            SearchAnswer::Sensitivity(sensitivity::study(scene, &request, context).unwrap())
+        }
+        SearchRequest::MonteCarlo(task) => {
             let task = monte_carlo::Request { samples: Some(500), ..task.clone() };
-            StudyResult::MonteCarlo(monte_carlo::sample(scene, &task, context).unwrap())
+            SearchAnswer::MonteCarlo(monte_carlo::sample(scene, &task, context).unwrap())
         }
     }
 }
@@ -68,10 +68,7 @@ fn compared(scene: &Arc<Scene>, asked: &EqualMass) -> Comparison {
     let mut watch = to_its_end;
     let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
     let report = compare::compare(scene, hardware, context).unwrap();
-    let mut axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
-    for (axis, part) in axes.iter_mut().zip(asked.part.into_iter().flatten()) {
-        *axis = Axis::new(axis.symbol(), (part.lo(), part.hi()), 21, axis.spacing()).unwrap();
-    }
+    let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
     let map = Map::compute(scene, &axes, hardware, context).ok();
     Comparison { report, absorber: asked.absorber.clone(), map }
 }
@@ -113,10 +110,10 @@ pub(super) fn sought(size: (u16, u16)) -> Bench {
 }
 
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
-    let found = if let Some(request) = study.asked.of::<Request>() {
-        Finding::new(made(&study.scene, request))
-    } else if let Some(asked) = study.asked.of::<EqualMass>() {
-        Finding::new(compared(&study.scene, asked))
+    let found = if let Some(request) = SearchRequest::of(&study.asked) {
+        Found::from(made(&study.scene, request))
+    } else if let Some(asked) = EqualMass::of(&study.asked) {
+        Found::from(compared(&study.scene, asked))
     } else {
         return false;
     };
@@ -194,7 +191,7 @@ fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
     bench.keys("l");
     assert!(bench.app.pages.search.setup.seek.log);
     bench.keys("gj<Enter>3kg<Enter>");
-    assert!(bench.app.field.is_some());
+    assert!(bench.app.field().is_some());
     bench.keys("<C-u>65 %<Enter>");
     answer(&mut bench);
     assert!(bench.screen().contains("> k = "), "{}", bench.screen());
@@ -220,10 +217,10 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("4");
     let study = bench.studies().remove(0);
-    let request = study.asked.of::<Request>().expect("a search");
-    let StudyResult::Front(mut front) = made(&study.scene, request) else { panic!("no front") };
+    let request = SearchRequest::of(&study.asked).expect("a search");
+    let SearchAnswer::Front(mut front) = made(&study.scene, request) else { panic!("no front") };
     front.is_complete = false;
-    let part = Finding::new(StudyResult::Front(front));
+    let part = Found::from(SearchAnswer::Front(front));
     bench.part(study.id, (480, 2460), part.clone());
     let screen = bench.screen();
     assert!(screen.contains("searching: about 480 of 2460 runs (Esc cancels)"), "{screen}");
@@ -381,12 +378,12 @@ fn what_an_absorber_uses_can_be_varied_and_any_quantity_bounded() {
     bench.press("=20kN<Enter>");
     assert!(bench.screen().contains("mount force<=20.00 kN"), "{}", bench.screen());
     let request = bench.app.search_request(Page::Front);
-    let Ok(Request::Front(asked)) = request else { panic!("{request:?}") };
+    let Ok(SearchRequest::Front(asked)) = request else { panic!("{request:?}") };
     let bound = asked.subject_to.iter().find(|it| it.measure.name == "peak_mount_force_n").unwrap();
     assert_eq!((bound.at_most, bound.bound), (true, 2e4));
     // A session keeps it, and what the command line refuses is refused in its words.
     let mut other = Bench::ascii(120, 36);
-    other.app.restore_setups(&bench.app.setups());
+    other.app.restore_setups(bench.app.setups());
     assert_eq!(other.app.pages.search.setup.subject_to, bench.app.pages.search.setup.subject_to);
     bench.press("<Enter><C-u>stroke_m=1<Enter>");
     assert!(bench.screen().contains("write QUANTITY<=VALUE"), "{}", bench.screen());

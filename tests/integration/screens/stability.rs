@@ -10,23 +10,17 @@ use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, Wanted};
 use cmra::study::stability::others::{Fault, Verdict};
 use cmra::study::stability::{Row, Shortfall, Stiffness};
-use cmra::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::Finding;
+use cmra::worker::studies::{AskedFor, Found, StabilityMap, StiffScenes};
 use cmra::worker::study::RowsSoFar;
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
-    part(method, axis, [(1e-9, 1e-4), (1e3, 1e12)])
-}
-
-/// A part of it.
-fn part(method: FixedStep, axis: Axis, [steps, range]: [(f64, f64); 2]) -> Map {
     let ratios = |(low, high): (f64, f64), count: i32| -> Vec<f64> {
         let step = (high / low).ln() / f64::from(count - 1);
         (0..count).map(|i| low * (step * f64::from(i)).exp()).collect()
     };
-    let (dt_s, values) = (ratios(steps, 61), ratios(range, 19));
+    let (dt_s, values) = (ratios((1e-9, 1e-4), 61), ratios((1e3, 1e12), 19));
     let limit = |value: f64| 2.83 / (value / 0.0295).sqrt();
     let cell = |value: f64, dt_s: f64| match dt_s / limit(value) {
         ratio if ratio < 0.5 && dt_s < 3e-6 => Cell::Accurate,
@@ -66,19 +60,23 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
     CASES.iter().take(count).enumerate().map(row).collect()
 }
 
-/// The study of a whole map.
-fn whole(method: FixedStep, axis: Axis) -> StabilityMap {
-    StabilityMap(Wanted { method, axis, size: SIZE, ends: None })
+/// A whole map.
+fn whole(method: FixedStep, axis: Axis) -> Wanted {
+    Wanted { method, axis, size: SIZE }
+}
+
+/// The map that was requested, by its place among the studies.
+fn asked(bench: &mut Bench, at: usize) -> Wanted {
+    StabilityMap::of(&bench.studies()[at].asked).expect("a map").0
 }
 
 /// Answer what was requested.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
-        let found = if let Some(asked) = study.asked.of::<StabilityMap>() {
-            let ends = asked.0.ends.unwrap_or([(1e-9, 1e-4), (1e3, 1e12)]);
-            Finding::new(part(asked.0.method, asked.0.axis, ends))
-        } else if study.asked.of::<StiffScenes>().is_some() {
-            Finding::new(RowsSoFar { rows: rows(12), is_complete: true })
+        let found = if let Some(asked) = StabilityMap::of(&study.asked) {
+            Found::from(map(asked.0.method, asked.0.axis))
+        } else if StiffScenes::of(&study.asked).is_some() {
+            Found::from(RowsSoFar { rows: rows(12), is_complete: true })
         } else {
             continue;
         };
@@ -108,15 +106,15 @@ fn the_crosshair_starts_at_the_scene_and_describes_each_cell() {
 fn variable_and_method_are_chosen_and_mapped_again() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
-    assert_eq!(bench.studies()[0].asked.of(), Some(&whole(FixedStep::Thesis, Axis::N)));
+    assert_eq!(asked(&mut bench, 0), whole(FixedStep::Thesis, Axis::N));
     bench.keys("vv");
-    assert_eq!(bench.studies()[1].asked.of(), Some(&whole(FixedStep::Rk4, Axis::K)));
+    assert_eq!(asked(&mut bench, 1), whole(FixedStep::Rk4, Axis::K));
     // A map that came back belongs to what was requested last.
     bench.app.jobs.studies.clear();
     bench.keys("1");
     bench.effects.clear();
     bench.keys("5");
-    assert_eq!(bench.studies()[0].asked.of(), Some(&whole(FixedStep::Rk4, Axis::K)));
+    assert_eq!(asked(&mut bench, 0), whole(FixedStep::Rk4, Axis::K));
 }
 
 #[test]
@@ -134,13 +132,13 @@ fn the_stiff_scenes_run_once_can_be_stopped_and_name_failures() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>");
     let study = bench.studies().remove(0);
-    assert!(study.asked.of::<StiffScenes>().is_some());
-    let part = Finding::new(RowsSoFar { rows: rows(4), is_complete: false });
+    assert!(StiffScenes::of(&study.asked).is_some());
+    let part = Found::from(RowsSoFar { rows: rows(4), is_complete: false });
     bench.part(study.id, (4, 62), part);
     assert!(bench.screen().contains("checking the stiff scenes: 4 of 62 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let body = ended(Finding::new(RowsSoFar { rows: rows(5), is_complete: false }));
+    let body = ended(RowsSoFar { rows: rows(5), is_complete: false });
     bench.reply(study.id, body);
     assert!(bench.screen().contains("cancelled: press r | 4 of 5 scenes pass"));
     bench.keys("jj");

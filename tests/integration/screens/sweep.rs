@@ -12,14 +12,13 @@ use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
 use cmra::tui::app::Base;
-use cmra::tui::dialogs::Dialog;
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::ExportOutcome;
-use cmra::tui::pages::Tab;
-use cmra::tui::pages::explore::plan::{PictureSweep, PrintedSweep};
 use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
-use cmra::worker::{Finding, JobProgress, ReportBody};
+use cmra::worker::studies::{AskedFor, Found, PictureSweep, PrintedSweep};
+use cmra::worker::{JobProgress, ReportBody};
 use insta::assert_snapshot;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -49,7 +48,7 @@ fn grid(job: &Job, points: usize) -> Arc<Grid> {
 pub(super) fn answer(bench: &mut Bench) {
     for job in jobs(bench) {
         let grid = grid(&job, usize::MAX);
-        bench.reply(job.id, ended(Finding::from(grid)));
+        bench.reply(job.id, ended(grid));
     }
 }
 
@@ -104,14 +103,14 @@ fn a_figure_has_the_curves_of_the_printed_scheme_beside_its_own() {
         let mut bench = open(figure, 7, GlyphSet::Ascii, (160, 48));
         bench.keys("2");
         let printed = bench.tasks(|task| {
-            let plan = Arc::clone(&task.study.of::<PrintedSweep>()?.0);
+            let plan = Arc::clone(&PrintedSweep::of(&task.asked)?.0);
             Some(Job { id: task.id, plan })
         });
         answer(&mut bench);
         assert!(!bench.screen().contains("as printed"), "{}", bench.screen());
         for job in printed {
             let found = grid(&job, usize::MAX);
-            bench.reply(job.id, ended(Finding::from(found)));
+            bench.reply(job.id, ended(found));
         }
         let screen = bench.screen();
         assert!(screen.contains("as printed"), "{figure}\n{screen}");
@@ -146,7 +145,7 @@ fn points_without_a_value_are_letters_with_a_legend() {
 fn a_coloured_map_shows_two_values_in_a_cell_and_ascii_one_with_its_character() {
     let draw = |glyphs| {
         let mut bench = open_map("figure-9.7", 21, glyphs, (80, 24));
-        bench.app.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
+        bench.app.settings.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
         keys(&mut bench, "2");
         let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
         view(&bench.app, &mut buffer);
@@ -227,7 +226,7 @@ fn a_held_variable_redraws_at_once_coarse_first() {
     assert_eq!(job.plan.base().projectile.velocity_m_s.to_bits(), 101f64.to_bits());
     let part = grid(&job, 36);
     assert!(!part.is_complete());
-    bench.part(job.id, (36, 441), Finding::from(part));
+    bench.part(job.id, (36, 441), Found::from(part));
     assert!(
         bench.screen().contains("sweeping: 36 of 441 points, 6.8 s left"),
         "{}",
@@ -238,10 +237,10 @@ fn a_held_variable_redraws_at_once_coarse_first() {
     bench.keys("l");
     let newer = jobs(&mut bench).remove(0);
     let late = grid(&job, usize::MAX);
-    bench.reply(job.id, ended(Finding::from(late)));
+    bench.reply(job.id, ended(late));
     assert!(bench.app.jobs.running::<PictureSweep>().is_some());
     let found = grid(&newer, usize::MAX);
-    bench.reply(newer.id, ended(Finding::from(found)));
+    bench.reply(newer.id, ended(found));
     assert!(bench.screen().contains("441 points in 8.0 ms"), "{}", bench.screen());
 }
 
@@ -256,7 +255,7 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
     let found = grid(&job, 100);
-    bench.reply(job.id, ended(Finding::from(found)));
+    bench.reply(job.id, ended(found));
     assert!(bench.message().contains("partial results are shown"));
     assert!(bench.screen().contains("cancelled after 100 of 441 points: press r"));
     bench.keys("12");
@@ -289,7 +288,7 @@ fn a_refused_text_stays_with_its_reason() {
         bench.app.pages.explore.row = to;
         let before = Arc::clone(&bench.app.scene);
         keys(&mut bench, &format!("<Enter>{text}<Enter>"));
-        let field = bench.app.field.clone().expect("the field is still open");
+        let field = bench.app.field().cloned().expect("the field is still open");
         assert_eq!(field.text.value(), text);
         for fragment in fragments {
             assert!(bench.message().contains(fragment), "{}: {fragment}", bench.message());
@@ -349,7 +348,7 @@ fn an_edit_taken_back_leaves_the_picture_as_it_is() {
     bench.keys("l");
     assert!(bench.has_cancelled());
     let found = grid(&late, usize::MAX);
-    bench.reply(late.id, ended(Finding::from(found)));
+    bench.reply(late.id, ended(found));
     let chart = |screen: &str| -> Vec<String> {
         screen.lines().take(20).filter_map(|it| it.split_once("||")).map(|it| it.1.into()).collect()
     };
@@ -386,7 +385,7 @@ fn results_are_exported_and_nothing_is_replaced_without_consent() {
     );
     assert_eq!(text.lines().count(), 1 + 25);
     bench.export_ended(ExportOutcome::Exists("x.csv".into()));
-    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
+    assert!(bench.screen().contains(" o overwrite"), "{}", bench.screen());
     bench.press("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
 }

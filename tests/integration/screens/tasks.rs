@@ -6,8 +6,8 @@ use super::{limit, search, sweep};
 use cmra::files::library;
 use cmra::model::scene::PlateSize;
 use cmra::study::accuracy::method::Method;
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
-use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore;
 use cmra::tui::pages::search::state::Page;
 
@@ -79,7 +79,7 @@ fn opening_figure_9_8_and_loading_a_design_takes_4_and_the_moves() {
         axis.count = 5;
     }
     let (part, problem) = (None, None);
-    task.bench.app.presets.push(PresetEntry {
+    task.bench.app.files.presets.push(PresetEntry {
         name,
         origin: "bundled",
         scene,

@@ -5,10 +5,9 @@ use super::jobs::writes_a_part;
 use cmra::study::context::CancelFlag;
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{self, Claim, ClaimVerdict, Row, claims};
+use cmra::tui::keymap::Tab;
 use cmra::tui::message::PresetEntry;
-use cmra::tui::pages::Tab;
-use cmra::tui::pages::thesis::Claims;
-use cmra::worker::Finding;
+use cmra::worker::studies::{AskedFor, Claims, Found};
 use cmra::worker::study::RowsSoFar;
 use insta::assert_snapshot;
 
@@ -22,14 +21,14 @@ fn bench(columns: u16, rows: u16) -> Bench {
     bench.keys("6");
     let id = asked(&mut bench).expect("the claims are asked for");
     let rows: Vec<Row> = claims().take(24).map(check).collect();
-    bench.reply(id, ended(Finding::new(RowsSoFar { rows, is_complete: true })));
+    bench.reply(id, ended(RowsSoFar { rows, is_complete: true }));
     bench
 }
 
 /// The number of the study of the claims that was requested.
 fn asked(bench: &mut Bench) -> Option<u64> {
     let studies = bench.studies();
-    Some(studies.iter().rev().find(|it| it.asked.of::<Claims>().is_some())?.id)
+    Some(studies.iter().rev().find(|it| Claims::of(&it.asked).is_some())?.id)
 }
 
 #[test]
@@ -50,12 +49,12 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     assert!(bench.screen().contains("checking the first claims"));
     let id = asked(&mut bench).unwrap();
     let some: Vec<Row> = claims().take(2).map(check).collect();
-    let part = Finding::new(RowsSoFar { rows: some.clone(), is_complete: false });
+    let part = Found::from(RowsSoFar { rows: some.clone(), is_complete: false });
     bench.part(id, (2, 114), part);
     assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    bench.reply(id, ended(Finding::new(RowsSoFar { rows: some, is_complete: false })));
+    bench.reply(id, ended(RowsSoFar { rows: some, is_complete: false }));
     assert!(bench.screen().contains("cancelled: press r"));
     bench.keys("e<Enter>");
     assert!(writes_a_part(&bench));
@@ -79,7 +78,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         let found = cmra::files::preset::resolve(preset, None).expect("a bundled preset");
         let (name, comment) = (preset.to_owned(), String::new());
         let scene = found.scene;
-        bench.app.presets.push(PresetEntry {
+        bench.app.files.presets.push(PresetEntry {
             name,
             origin: "bundled",
             scene,
@@ -91,7 +90,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         let id = asked(&mut bench).expect("the claims are asked for");
         let rows = claims().find(|claim| claim.preset == Some(preset));
         let rows: Vec<Row> = rows.into_iter().map(check).collect();
-        bench.reply(id, ended(Finding::new(RowsSoFar { rows, is_complete: true })));
+        bench.reply(id, ended(RowsSoFar { rows, is_complete: true }));
         bench.press("<Enter>");
         assert_eq!((bench.app.tab, bench.app.base.name.as_str()), (tab, preset));
         let (_, _, plan) = bench.sweeps().pop().expect("a sweep");

@@ -151,12 +151,9 @@ pub struct Wanted {
     pub axis: Axis,
     /// Its cells.
     pub size: Size,
-    /// The ends of the steps, s, and of the values; `None`: from a hundred-thousandth of the present contact to all of it, and all
-    /// values.
-    pub ends: Option<[(f64, f64); 2]>,
 }
 
-/// The command's name and options, which know no other ends.
+/// The command's name and options.
 impl fmt::Display for Wanted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let quick = if self.size == QUICK { " --quick" } else { "" };
@@ -236,13 +233,13 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 
 /// Compute the map of a valid scene, and show it as it grows. Where it is stopped, the rest is waiting.
 pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map {
-    let Wanted { method, axis, size: Size { rows, columns }, ends } = wanted;
+    let Wanted { method, axis, size: Size { rows, columns } } = wanted;
     let present = Target::of(scene);
     let contact_s = present.map_or_else(
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
         |target| target.peaks.contact_s,
     );
-    let [steps, range] = ends.unwrap_or_else(|| [(1e-5 * contact_s, contact_s), axis.range()]);
+    let [steps, range] = [(1e-5 * contact_s, contact_s), axis.range()];
     let (dt_s, values) = (ratios(steps, columns), ratios(range, rows));
     let mut map = Map {
         method,
@@ -412,7 +409,7 @@ mod tests {
     use crate::study::context::{Progress, to_its_end};
 
     fn wanted(size: Size) -> Wanted {
-        Wanted { method: FixedStep::Rk4, axis: Axis::B, size, ends: None }
+        Wanted { method: FixedStep::Rk4, axis: Axis::B, size }
     }
 
     #[test]

@@ -6,14 +6,14 @@ use crate::report::map::Map;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
-use crate::tui::app::status::shortened;
 use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
-use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Picture, SweepResult, nearest, no_value};
 use crate::tui::pages::explore::{RESULTS, SweepPanes};
 use crate::tui::pages::prelude::*;
+use crate::tui::widgets::text::shortened;
 use crate::tui::widgets::text::{put, wrapped};
+use crate::worker::studies::PictureSweep;
 
 pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));
@@ -287,7 +287,7 @@ impl<'a> ChartView<'a> {
         if let Some(levels) = &self.levels {
             let here = self.value(app.cursor_point(self.grid));
             for band in (0..levels.bands()).rev() {
-                let (symbol, style) = swatch(band, levels.bands(), app.theme);
+                let (symbol, style) = swatch(band, levels.bands(), app.settings.theme);
                 let patch: String = [symbol; 3].iter().collect();
                 put(canvas, inner, (1, row), &patch, style);
                 let (from, to) = levels.band(band);

@@ -1,65 +1,11 @@
 //! The plan of a chart or map of the Explore tab.
 
-use std::time::Duration;
-
 use crate::model::run::Outcome;
 use crate::model::scene::ContactModel;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
 use crate::tui::pages::explore::state::{Picture, has_family, sweep_of};
 use crate::tui::pages::prelude::*;
-use crate::worker::study::Tempo;
-
-/// A sweep that ends before this shows nothing on the way: no picture is drawn twice for it.
-const FIRST: Duration = Duration::from_millis(25);
-/// Least time between two pictures of passes.
-const BETWEEN_PASSES: Duration = Duration::from_millis(120);
-
-/// Computes the points of a picture: coarse ones come first.
-#[derive(Debug)]
-pub struct PictureSweep {
-    pub picture: Picture,
-    pub plan: Arc<Plan>,
-}
-
-impl Study for PictureSweep {
-    fn lane(&self) -> Lane {
-        Lane::Sweeps
-    }
-
-    fn tempo(&self) -> Tempo {
-        Tempo { first: FIRST, between: BETWEEN_PASSES }
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        grid::fits(&self.plan)?;
-        let grid = Grid::new(Arc::clone(&self.plan));
-        let grid = grid.ok_or("a chart has one axis and a map two: use fewer axes")?;
-        let watch = &mut |progress, pass: Option<&Grid>| {
-            let pass = pass.filter(|grid| !grid.is_complete());
-            reporter.tell(progress, &|| pass.map(|grid| Finding::new(grid.clone())))
-        };
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(Finding::new(grid.fill(grid::PIECE, context)))
-    }
-}
-
-/// Computes the curves of a figure by the scheme that the thesis prints.
-#[derive(Debug)]
-pub struct PrintedSweep(pub Arc<Plan>);
-
-impl Study for PrintedSweep {
-    fn lane(&self) -> Lane {
-        Lane::Sweeps
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let grid = Grid::new(Arc::clone(&self.0)).ok_or("a chart has one axis")?;
-        let watch = &mut reporter.watch(Grid::clone);
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(Finding::new(grid.fill(grid::PIECE, context)))
-    }
-}
 
 impl App {
     /// The plan of a figure's curves by the scheme that the thesis prints; `None` where the scene is no figure, or drawn by it.

@@ -8,15 +8,15 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
-use crate::tui::app::status::fitting;
-use crate::tui::dialogs::{around, wrap};
 use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::{FIELD_DIGITS, number_in};
-use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::{explore, run};
-use crate::tui::widgets::axis::{meaning, numeric, over, place, set_ends, span, whole};
+use crate::tui::widgets::axis::{meaning, numeric, over, place, whole};
 use crate::tui::widgets::form::{Form, FormRow, VALUE_WIDTH, quantity_after};
+use crate::tui::widgets::steps::{Input, Press};
+use crate::tui::widgets::text::fitting;
+use crate::tui::widgets::{around, cycled};
 
 pub use crate::tui::widgets::axis::Part;
 
@@ -115,7 +115,7 @@ impl App {
     fn held_line(&self, index: usize) -> FormRow {
         let variable = &VARIABLES[index];
         let is_number = matches!(variable.value(&self.scene), Value::Number(_));
-        let unit = self.editor.unit(index);
+        let unit = self.pages.run.editor.unit(index);
         let number = |digits| number_in(variable, &self.scene, unit, digits);
         let texts = (1..=6).rev().map(number);
         let shown = fitting(texts, usize::from(VALUE_WIDTH));
@@ -143,7 +143,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         }
         return action == Action::Reset;
     };
-    app.editor.selected = index;
+    app.pages.run.editor.selected = index;
     match action {
         Action::Reset => edit::reset(app),
         // A list of the words, or the other of two.
@@ -153,38 +153,19 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     true
 }
 
+/// Select the held variable of the row; whether it has a list of words.
+pub(crate) fn lists_words(app: &mut App) -> bool {
+    let SetupRow::Held(index) = app.setup_row() else { return false };
+    app.pages.run.editor.selected = index;
+    run::is_list(app)
+}
+
 /// The variable along on the other scale.
 pub(crate) fn toggle_spacing(app: &mut App) {
     let next = Input::Step(Press::NEXT);
     if let Err(error) = change(app, SetupRow::Axis(0, Part::Spacing), next) {
         app.refuse(error);
     }
-}
-
-/// The axes of a map as they are zoomed about its cursor; home are the ends that the preset has, else the usual ones.
-pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
-    let grid = &app.pages.explore.found(Picture::Surface)?.grid;
-    if app.picture() != Picture::Surface {
-        return None;
-    }
-    let (sweep, preset) = (sweep_of(&app.scene), sweep_of(&app.base.scene));
-    let at = app.cursor_point(grid);
-    let of = |place: usize| {
-        let axis = sweep.axes.get(place)?;
-        let home = preset.axes.iter().find(|it| it.name == axis.name);
-        let home = home.map(|it| ViewRange::new(it.from, it.to));
-        span(&app.scene, axis, home, grid.coordinate(at, place)).ok()
-    };
-    Some([of(0)?, of(1)?])
-}
-
-/// A part of a map, as the ends of its axes.
-pub(crate) fn show_part(app: &mut App, part: MapPart) -> Result<(), String> {
-    let mut sweep = sweep_of(&app.scene);
-    for (axis, part) in sweep.axes.iter_mut().zip(part) {
-        set_ends(axis, part)?;
-    }
-    checked(app, sweep, 1)
 }
 
 /// Take another value in a row.
@@ -258,8 +239,8 @@ fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     let next = match (alone, by > 0) {
         // From none to the usual one first.
         (true, true) => own,
-        (true, false) => wrap(places - 1, by, places),
-        (false, _) => wrap(own, by, places),
+        (true, false) => cycled(places - 1, by, places),
+        (false, _) => cycled(own, by, places),
     };
     let Some(variable) = choices.get(next) else {
         sweep.axes.truncate(1);

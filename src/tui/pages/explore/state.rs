@@ -14,25 +14,17 @@ use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::{Axis, USUAL_OUTPUTS};
 use crate::tui::pages::prelude::*;
 
-use crate::tui::pages::explore::plan::PictureSweep;
 pub use crate::tui::pages::explore::plan::no_value;
 pub use crate::tui::pages::explore::setup::{Part, SetupRow};
 use crate::tui::widgets::axis::over;
+pub use crate::worker::studies::Picture;
+use crate::worker::studies::PictureSweep;
 
 /// Curves of a family unless another number is chosen.
 const CURVES: u64 = 5;
 /// The axes that stand in where a scene has none: those of Figure 9.7, 9.10 and 9.11.
 const USUAL_AXES: [(&str, f64, f64, usize); 3] =
     [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Picture {
-    /// One axis, with a family of curves or without.
-    #[default]
-    Line,
-    /// Two axes: a map.
-    Surface,
-}
 
 #[derive(Clone, Debug)]
 pub struct SweepResult {

@@ -5,79 +5,23 @@ use crate::model::library::{Entry, Library};
 use crate::report;
 use crate::report::compare::{picture, reasons, verdict};
 use crate::report::figures::column_of;
-use crate::study::compare::map::{Map, usual_axes};
-use crate::study::compare::{self, Hardware, is_equal};
-use crate::study::context::Progress;
+use crate::study::compare::map::Map;
+use crate::study::compare::{self, is_equal};
 use crate::study::sweep::Axis;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::{copy_value, nearest, placed};
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::prelude::*;
-use crate::tui::widgets::axis::span;
 use crate::tui::widgets::text::put;
+use crate::worker::studies::{Comparison, EqualMass};
 
 /// What the rows of the comparison mean, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring must survive: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";
 
-/// Compares at equal areal mass, and maps the mass efficiency around the scene, or over a part of its axes.
-#[derive(Debug)]
-pub struct EqualMass {
-    /// The absorber of the library that the scene has for it.
-    pub absorber: Option<String>,
-    /// The part of the axes that is mapped; all of them where there is none.
-    pub part: Option<MapPart>,
-}
-
-/// An axis over a part of its values.
-fn over_part(axis: &Axis, part: ViewRange) -> Option<Axis> {
-    Axis::new(axis.symbol(), (part.lo(), part.hi()), axis.count(), axis.spacing()).ok()
-}
-
-/// A comparison at equal areal mass with its map, where there is one.
-#[derive(Clone, Debug)]
-pub struct Comparison {
-    pub report: compare::Report,
-    /// The absorber it was made with; `None`: the scene's own.
-    pub absorber: Option<String>,
-    /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
-    pub map: Option<Map>,
-}
-
-impl Study for EqualMass {
-    /// A scene without such a map has none.
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let axes = usual_axes(scene).and_then(|[x, y]| match self.part {
-            Some([across, up]) => Some([over_part(&x, across)?, over_part(&y, up)?]),
-            None => Some([x, y]),
-        });
-        let points = axes.as_ref().map_or(0, |[x, y]| x.count() * y.count());
-        let points = usize::try_from(points)?;
-        let whole = points + compare::Candidate::ALL.len();
-        let of_all = |progress: Progress, before: usize| Progress {
-            done: before + progress.done,
-            total: whole,
-        };
-        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
-        let context = &mut Context::new(1, watch);
-        let report = compare::compare(scene, Hardware::default(), context)?;
-        let first = Comparison { report, absorber: self.absorber.clone(), map: None };
-        let Some(axes) = axes.filter(|_| first.report.is_complete) else {
-            return Ok(Finding::new(first));
-        };
-        // The map that is zoomed stays until the other one is there.
-        let part = || self.part.is_none().then(|| Finding::new(first.clone()));
-        let done = whole - points;
-        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
-        let context = &mut Context::new(reporter.threads(), watch);
-        let map = Map::compute(scene, &axes, Hardware::default(), context).ok();
-        Ok(Finding::new(Comparison { map, ..first }))
-    }
-}
-
 impl App {
     /// The absorbers of the library that the comparison can be made with.
     pub fn absorbers(&self) -> Vec<&Entry> {
-        let parts = self.presets.iter().filter_map(|entry| entry.part.as_ref());
+        let parts = self.files.presets.iter().filter_map(|entry| entry.part.as_ref());
         parts.filter(|part| part.library == Library::Absorbers).collect()
     }
 
@@ -137,19 +81,6 @@ impl App {
             return Err(old("scene"));
         }
         Ok(placed(self.compared_scene()?, values(map, at)))
-    }
-
-    /// The axes of the map as they are zoomed about its cursor.
-    pub(crate) fn efficiency_axes(&self) -> Option<[Span; 2]> {
-        let (map, at) = self.efficiency_cell()?;
-        let scene = &self.pages.limit.comparison.scene;
-        let of = |home: &Axis, (axis, about): (&Axis, f64)| {
-            let (low, high) = home.ends();
-            let home = ViewRange::new(low, high);
-            span(scene, &axis.to_sweep_axis(), Some(home), about).ok()
-        };
-        let ([home_x, home_y], [x, y]) = (usual_axes(scene)?, values(map, at));
-        Some([of(&home_x, x)?, of(&home_y, y)?])
     }
 
     /// The scene whose map is wanted: with the values that the axes of the one there have in its scene.
@@ -289,7 +220,7 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut bands: Vec<usize> = every(each).collect();
     bands.reverse();
     for band in bands {
-        let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
+        let (symbol, style) = heatmap::swatch(band, levels.bands(), app.settings.theme);
         let from = from(band);
         column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
         column = canvas.put(area, (column, above.height), &from, Role::Text);

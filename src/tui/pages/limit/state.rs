@@ -8,16 +8,14 @@ use crate::report::Remark;
 use crate::report::limit::{remarks, residual, taken_to_hold};
 use crate::report::monte_carlo::{perforation, v50};
 use crate::study::compare::map::Map;
-use crate::study::limit::{self, Limit, Report, Shot};
+use crate::study::limit::{Limit, Report, Shot};
 use crate::study::monte_carlo;
-use crate::study::sweep::Axis;
-use crate::tui::app::layout::CHART_ROWS;
-use crate::tui::app::status::fitting;
-use crate::tui::chart::{Emphasis, Layout};
-use crate::tui::pages::explore::state::nearest;
-use crate::tui::pages::limit::comparison::Comparison;
+use crate::tui::chart::Emphasis;
 use crate::tui::pages::limit::{RESIDUAL, area};
 use crate::tui::pages::prelude::*;
+use crate::tui::widgets::layout::CHART_ROWS;
+use crate::tui::widgets::text::fitting;
+use crate::worker::studies::{Comparison, LimitSearch};
 
 /// From this width on the facts stand beside the chart.
 pub const BESIDE: u16 = 100;
@@ -26,29 +24,6 @@ pub const FACTS: u16 = 40;
 /// Columns of a fact's label where it stands before the words.
 pub const LABEL: u16 = 15;
 
-#[derive(Debug, PartialEq)]
-pub struct LimitSearch;
-
-impl Study for LimitSearch {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let watch = &mut reporter.progress();
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(Finding::new(limit::find(scene, context)?))
-    }
-}
-
-/// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
-#[derive(Debug, PartialEq)]
-pub struct Spread(pub monte_carlo::Request);
-
-impl Study for Spread {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let watch = &mut reporter.progress();
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(Finding::new(monte_carlo::sample(scene, &self.0, context)?))
-    }
-}
-
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {
     pub report: Kept<Report>,
@@ -56,10 +31,6 @@ pub struct Ballistic {
     pub spread: Kept<monte_carlo::Report>,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
-    /// The part of the impact velocities in view; `None`: all of them.
-    pub zoomed: Option<ViewRange>,
-    /// Logarithmic axes: impact velocity, residual velocity.
-    pub log: (bool, bool),
     /// The comparison at equal areal mass.
     pub comparison: Kept<Comparison>,
     /// The absorber of the library it is made with; `None`: the scene's own.
@@ -68,8 +39,6 @@ pub struct Ballistic {
     pub scrolled: usize,
     /// The cell under the cursor of the map of mass efficiency; `None`: the scene's.
     pub map_cursor: Option<(usize, usize)>,
-    /// The part of the map that was chosen; `None`: all of it.
-    pub part: Option<MapPart>,
     /// Where curve and words have no room together: the page of words that is shown, 0 for the curve.
     pub page: usize,
 }
@@ -82,20 +51,13 @@ impl Ballistic {
         if self.report.keep(running, news, |report| report.is_complete)
             && shots(&before) != shots(&self.report)
         {
-            (self.cursor, self.zoomed) = (None, None);
+            self.cursor = None;
         }
         self.spread.keep(running, news, |spread| spread.is_complete);
-        let map_before = self.comparison.found.as_ref().and_then(|it| it.map.clone());
         let is_whole =
             |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
         if self.comparison.keep(running, news, is_whole) {
-            // On another part of the map the cursor stays at its values.
-            let map = self.comparison.found.as_ref().and_then(|it| it.map.as_ref());
             self.map_cursor.take_if(|_| is_old);
-            if let (Some(before), Some(map), Some((x, y))) = (&map_before, map, self.map_cursor) {
-                let at = |old: &Axis, new: &Axis, at| nearest(new, old.value(at as u64));
-                self.map_cursor = at(before.x(), map.x(), x).zip(at(before.y(), map.y(), y));
-            }
         }
     }
 
@@ -333,7 +295,7 @@ fn write(lines: &[Remark], hint: &str, area: Rect, canvas: &mut Canvas<'_>) {
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
     let found = tab.report.found.as_ref();
-    let drawn = found.and_then(|it| Some((it, residual(it, app.limit_shot_m_s(), tab.zoomed)?)));
+    let drawn = found.and_then(|it| Some((it, residual(it, app.limit_shot_m_s())?)));
     let Some((report, mut chart)) = drawn else {
         let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
         let inner = frame.draw(area, canvas);
@@ -343,11 +305,6 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
     };
     let old = app.limit_is_old();
-    for (is_log, axis) in [(tab.log.0, &mut chart.x), (tab.log.1, &mut chart.y)] {
-        if is_log {
-            axis.scale = Scale::Log10;
-        }
-    }
     for curve in &mut chart.curves {
         if old {
             curve.emphasis = Emphasis::Stale;
@@ -368,28 +325,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     chart.crosshair = tab.shot().map(|shot| shot.impact_m_s);
     chart.focused = app.has_focus(RESIDUAL);
     let layout = canvas.draw(&chart, area);
-    marks(app, report, &layout, canvas);
     let shots = report.shots.iter();
     let places = shots.map(|shot| Some((shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0))));
     canvas.points(&layout, places, |shot| Target::Row(RESIDUAL, shot));
-}
-
-/// A letter for each shot, whatever the characters of curves: its outcome.
-fn marks(app: &App, report: &Report, layout: &Layout, canvas: &mut Canvas<'_>) {
-    let tab = &app.pages.limit;
-    for (index, shot) in report.shots.iter().enumerate() {
-        let (letter, colour) = match shot.outcome {
-            Outcome::Perforated => ("o", 3),
-            Outcome::Arrested | Outcome::Separated => ("s", 4),
-            Outcome::Moving => ("m", 4),
-        };
-        let height = shot.residual_m_s.unwrap_or(0.0);
-        let Some(place) = layout.place(shot.impact_m_s, height) else { continue };
-        let role = match (tab.cursor == Some(index), app.limit_is_old()) {
-            (true, _) => Role::Crosshair,
-            (false, true) => Role::Dim,
-            (false, false) => Role::Curve(colour),
-        };
-        canvas.put(layout.plot, place, letter, role);
-    }
 }

@@ -8,33 +8,12 @@ use crate::report::accuracy::{
     TARGETS, advice, error_over_time, gain, percent, printed_scheme, seconds,
 };
 use crate::study::accuracy::method::{Method, Parameter};
-use crate::study::accuracy::{self, ComparisonOptions, Measured, MethodReport, RESULTS, Report};
+use crate::study::accuracy::{ComparisonOptions, Measured, MethodReport, RESULTS, Report};
 use crate::tui::chart::{Chart, Mapping};
+use crate::tui::pages::plot_columns;
 use crate::tui::pages::prelude::*;
-use crate::tui::update::act::along;
-use crate::tui::view::plot_columns;
-use crate::worker::clock;
-
-/// Measures error and run time of every method.
-#[derive(Debug)]
-pub struct Measurements(pub ComparisonOptions);
-
-impl Study for Measurements {
-    fn lane(&self) -> Lane {
-        Lane::Studies
-    }
-
-    fn measures(&self) -> bool {
-        true
-    }
-
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let watch = &mut reporter.watch(Report::clone);
-        let context = &mut Context::new(1, watch);
-        let report = accuracy::compare(scene, self.0, &mut clock::processor_s, context)?;
-        Ok(Finding::new(report))
-    }
-}
+use crate::tui::widgets::along;
+use crate::worker::studies::Measurements;
 
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {

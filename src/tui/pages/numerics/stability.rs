@@ -5,14 +5,16 @@ use crate::report;
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
+use crate::study::stability::Row;
 use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
 use crate::study::stability::others::Other;
-use crate::study::stability::{self, Row};
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
-use crate::tui::update::act::{cursor_moved, moved};
-use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
+use crate::tui::widgets::table::{Grid, Sorting};
 use crate::tui::widgets::text::NEEDS_SINGLE;
+use crate::tui::widgets::{cursor_moved, moved};
+use crate::worker::studies::{StabilityMap, StiffScenes};
+use crate::worker::study::RowsSoFar;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
@@ -29,38 +31,6 @@ pub(crate) fn stiff_scenes_words() -> String {
     )
 }
 
-/// Computes where a fixed-step method is stable.
-#[derive(Debug, PartialEq)]
-pub struct StabilityMap(pub Wanted);
-
-impl Study for StabilityMap {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        map::accepts(scene)?;
-        let watch = &mut reporter.watch(Map::clone);
-        let context = &mut Context::new(1, watch);
-        Ok(Finding::new(map::map(scene, self.0, context)))
-    }
-}
-
-/// Runs the battery of stiff and extreme scenes; the scene plays no part.
-#[derive(Debug)]
-pub struct StiffScenes;
-
-impl Study for StiffScenes {
-    fn lane(&self) -> Lane {
-        Lane::Studies
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let cases = stability::battery(false);
-        let watch = &mut reporter.watch(RowsSoFar::part);
-        // A run of an edited scene has its turn beside it.
-        let context = &mut Context::new(reporter.threads().min(2), watch);
-        let rows = stability::run(&cases, &reporter.clock(), context)?;
-        Ok(Finding::new(RowsSoFar::ended(rows, cases.len())))
-    }
-}
-
 /// The columns of the table of stiff scenes.
 pub fn keys() -> Vec<&'static str> {
     ["scene", "shortfall"].into_iter().chain(HOW_IT_RAN).chain(["reference"]).collect()
@@ -71,14 +41,10 @@ pub struct Stability {
     /// Which map is wanted: of each variable by one method, then by the other.
     pub view: usize,
     pub map: Kept<Map>,
-    /// The part of the map that was chosen: steps, values; `None`: all of it.
-    pub part: Option<MapPart>,
-    /// The steps and values of all of it.
-    whole: Option<MapPart>,
     /// The crosshair: column and row of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    /// How the table of stiff scenes is listed.
-    pub listing: Listing,
+    /// How the table of stiff scenes is sorted.
+    pub sorting: Sorting,
     pub battery: Kept<RowsSoFar<Row>>,
     /// The selected scene, by its place among all.
     pub selected: usize,
@@ -114,7 +80,7 @@ impl Stability {
 
     /// The places of the scenes listed, in the order of the table.
     pub fn order(&self) -> Vec<usize> {
-        self.listing.order(&table(self.rows()), &keys())
+        self.sorting.order(&table(self.rows()))
     }
 
     /// The row of the selected scene; the first where it is not listed.
@@ -204,47 +170,8 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     if tab.map.keep(running, news, Map::is_complete)
         && let Some(map) = &tab.map.found
     {
-        // The crosshair stays at its step and value.
-        let same = before.filter(|before| before.axis == map.axis);
-        tab.cursor = same.zip(tab.cursor).and_then(|(before, (column, row))| {
-            map.nearest(before.dt_s[column], before.values[row])
-        });
-        if running.study.of::<StabilityMap>().is_some_and(|asked| asked.0.ends.is_none()) {
-            tab.whole = Some([&map.dt_s, &map.values].map(|values| ends(values)));
-        }
+        tab.cursor.take_if(|_| before.is_none_or(|before| before.axis != map.axis));
     }
-}
-
-/// The ends of rising values.
-fn ends(values: &[f64]) -> ViewRange {
-    let ends = values.first().zip(values.last());
-    ends.map_or_else(ViewRange::default, |(low, high)| ViewRange::new(*low, *high))
-}
-
-/// The steps and the values of the map shown, as they are zoomed about its crosshair.
-pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
-    let tab = &app.pages.numerics.stability;
-    let (map, (column, row)) = tab.map.found.as_ref().zip(tab.cursor())?;
-    let span = |values: &[f64], at: usize, home: ViewRange| Span {
-        view: ends(values),
-        home,
-        bounds: home,
-        scale: Scale::Log10,
-        about: Some(values[at]),
-    };
-    let [steps, values] = tab.whole?;
-    Some([span(&map.dt_s, column, steps), span(&map.values, row, values)])
-}
-
-/// Compute another part of the map.
-pub(crate) fn show_part(app: &mut App, part: MapPart) -> Result<(), String> {
-    let tab = &mut app.pages.numerics.stability;
-    if tab.map.is_old(&app.scene) {
-        return Err(old("scene"));
-    }
-    tab.part = Some(part).filter(|_| Some(part) != tab.whole);
-    ask_map(app);
-    Ok(())
 }
 
 /// What is shown is computed, unless it has been or is being.
@@ -271,12 +198,11 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run if on_scenes => ask_battery(app),
         Action::View if on_scenes => tab.table_page += 1,
-        Action::Sort if on_scenes => tab.listing.sorting = tab.listing.sorting.next(&keys()),
+        Action::Sort if on_scenes => tab.sorting = tab.sorting.next(&keys()),
         _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
             tab.view += 1;
-            tab.part = None;
             ask_map(app);
         }
         Action::Enter => load(app),
@@ -304,12 +230,8 @@ fn load(app: &mut App) {
 }
 
 fn ask_map(app: &mut App) {
-    let tab = &mut app.pages.numerics.stability;
-    if tab.map.is_old(&app.scene) {
-        tab.part = None;
-    }
-    let ends = tab.part.map(|part| part.map(|range| (range.lo(), range.hi())));
-    let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE, ends };
+    let tab = &app.pages.numerics.stability;
+    let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE };
     jobs::study(app, Tab::Numerics, StabilityMap(wanted));
 }
 
@@ -357,30 +279,27 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let table = table(rows.iter().copied());
     let keys = keys();
     let mut cells = table.cells(&keys);
-    tab.listing.sorting.mark(&keys, &mut cells);
+    tab.sorting.mark(&keys, &mut cells);
     let grid = Grid::of(cells, area.width.saturating_sub(2), tab.table_page);
     let height = usize::from(area.height.saturating_sub(3));
     let (count, selected) = (rows.len(), tab.selected_row());
     let list = RowList { count, selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
     let title = if area.width < 70 { "Battery" } else { "Stiff and extreme scenes" };
-    let title = tab.listing.titled(title);
-    let title = if rows.len() > height {
+    let counted = if rows.len() > height {
         let last = (first + height).min(rows.len());
-        format!("{title} {}-{last}/{}", first + 1, rows.len())
+        format!(" {}-{last}/{}", first + 1, rows.len())
     } else {
-        title
+        String::new()
     };
+    let title = format!("{title}{counted}");
     let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
     let hint = app.keymap.shown(&(hint + "<next-pane>: map"));
     let pane = PaneFrame::new(title).right(hint).focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {
-        let text = match tab.rows() {
-            [] => nothing::<StiffScenes>(app, "running the first scenes", None),
-            _ => app.keymap.shown(NO_MATCH),
-        };
+        let text = nothing::<StiffScenes>(app, "running the first scenes", None);
         canvas.put(inner, (1, 2), &text, Role::Dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };

@@ -9,10 +9,10 @@ use crate::numerics::{larger, smaller};
 use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
 use crate::tui::chart::Mapping;
+use crate::tui::pages::plot_columns;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, RunView};
-use crate::tui::update::act::along;
-use crate::tui::view::plot_columns;
+use crate::tui::widgets::along;
 
 /// Which part of the time is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,8 +34,6 @@ pub struct Charts {
     pub cursor_s: Option<f64>,
     /// A time range chosen by zooming or panning, s, of the charts of each window; `None`: all of it.
     pub zoom_s: [Option<ViewRange>; 2],
-    /// The vertical axes are fitted to the whole curves, not to the part in view.
-    pub fits_whole: bool,
     pub time_scale: Scale,
     pub value_scales: [Scale; 3],
     /// Curves are differences to the first pinned run.
@@ -50,7 +48,6 @@ impl Default for Charts {
             selected: 0,
             cursor_s: None,
             zoom_s: [None; 2],
-            fits_whole: false,
             time_scale: Scale::Linear,
             value_scales: [Scale::Linear; 3],
             difference: false,
@@ -114,13 +111,13 @@ impl App {
 
     /// The time range that a chart shows, s; begins above zero on a logarithmic axis.
     pub fn time_range_s(&self, chart: usize) -> (f64, f64) {
-        let window = self.charts.windows[chart];
-        let zoom_s = self.charts.zoom_s[window as usize];
+        let window = self.pages.run.charts.windows[chart];
+        let zoom_s = self.pages.run.charts.zoom_s[window as usize];
         self.on_time_axis(zoom_s.map_or_else(|| self.window_s(window), |it| (it.lo(), it.hi())))
     }
 
     fn on_time_axis(&self, (from, to): (f64, f64)) -> (f64, f64) {
-        match self.charts.time_scale {
+        match self.pages.run.charts.time_scale {
             Scale::Log10 if from <= 0.0 => (to * 1e-4, to),
             Scale::Log10 | Scale::Linear => (from, to),
         }
@@ -130,7 +127,7 @@ impl App {
     pub fn curves(&self, chart: usize) -> Vec<Curve<'_>> {
         let reference = self
             .reference_pin()
-            .filter(|_| self.charts.difference)
+            .filter(|_| self.pages.run.charts.difference)
             .and_then(|pin| pin.run.as_deref());
         let runs = self.visible_runs().into_iter();
         runs.map(|view| self.curve(view, chart, reference)).collect()
@@ -138,11 +135,11 @@ impl App {
 
     /// The points of a run that are in view, and one on either side of it.
     fn curve<'a>(&self, view: RunView<'a>, chart: usize, reference: Option<&Run>) -> Curve<'a> {
-        let (run, quantity) = (view.run, self.charts.quantities[chart]);
+        let (run, quantity) = (view.run, self.pages.run.charts.quantities[chart]);
         let over_time = quantity.is_over_time();
         // Over the displacement the whole way is drawn.
         let range = self.time_range_s(chart);
-        let seen = if over_time { self.samples_seen(run, range) } else { 0..run.series.len() };
+        let seen = if over_time { Self::samples_seen(run, range) } else { 0..run.series.len() };
         let samples = &run.series[seen];
         let mut points = quantity.points(run, samples);
         if quantity == Channel::ContactForce && is_held(run) {
@@ -162,29 +159,26 @@ impl App {
                 *value -= quantity.at(run, *t_s).unwrap_or(f64::NAN);
             }
         }
-        if over_time && self.charts.time_scale == Scale::Linear {
+        if over_time && self.pages.run.charts.time_scale == Scale::Linear {
             points = thinned(points);
         }
         Curve { view, points }
     }
 
-    fn samples_seen(&self, run: &Run, (from, to): (f64, f64)) -> Range<usize> {
-        let all = 0..run.series.len();
-        if self.charts.fits_whole {
-            return all;
-        }
+    fn samples_seen(run: &Run, (from, to): (f64, f64)) -> Range<usize> {
         // The outermost dots of a chart stand for times a little beyond its range.
         let beyond = BEYOND * (to - from);
         let (from, to) = (from - beyond, to + beyond);
         let before = run.series.partition_point(|sample| sample.t_s < from);
         let within = run.series.partition_point(|sample| sample.t_s <= to);
-        before.saturating_sub(1)..all.end.min(within + 1)
+        before.saturating_sub(1)..run.series.len().min(within + 1)
     }
 
     /// The range of values to show, over the curves; a little room is left to the chart itself.
     pub fn value_range(&self, curves: &[Curve<'_>], chart: usize) -> (f64, f64) {
-        let (scale, (from, to)) = (self.charts.value_scales[chart], self.time_range_s(chart));
-        let seen = |t: f64| self.charts.fits_whole || (from..=to).contains(&t);
+        let (scale, (from, to)) =
+            (self.pages.run.charts.value_scales[chart], self.time_range_s(chart));
+        let seen = |t: f64| (from..=to).contains(&t);
         let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
         // What a curve passes at the ends of the range counts, too: there may be no point between them.
         let at_end = |curve: &Curve<'_>, t: f64| {
@@ -211,17 +205,18 @@ impl App {
 
     /// Move the crosshair by columns of a plot so wide; it starts in the middle and stays in the range.
     pub fn move_cursor(&mut self, columns: i32, width: u16) {
-        let (from, to) = self.time_range_s(self.charts.selected);
-        let view = Mapping::new(self.charts.time_scale, ViewRange::new(from, to), width);
+        let (from, to) = self.time_range_s(self.pages.run.charts.selected);
+        let view = Mapping::new(self.pages.run.charts.time_scale, ViewRange::new(from, to), width);
         let middle = || view.value(width / 2);
-        let moved = self.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
-        self.charts.cursor_s = Some(moved);
+        let moved =
+            self.pages.run.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
+        self.pages.run.charts.cursor_s = Some(moved);
     }
 
     /// Move the crosshair to the next or previous event of the current run and bring it into view; gives its name.
     pub fn move_to_event(&mut self, forward: bool) -> Option<&'static str> {
         let events = &self.shown.as_ref()?.run.events;
-        let here = self.charts.cursor_s;
+        let here = self.pages.run.charts.cursor_s;
         let event = if forward {
             let start = here.unwrap_or(f64::NEG_INFINITY);
             events.iter().find(|event| event.t_s > start)
@@ -236,8 +231,8 @@ impl App {
 
     /// Put the crosshair on a time, and that into view.
     pub fn bring_into_view(&mut self, t_s: f64) {
-        self.charts.cursor_s = Some(t_s);
-        let (from, to) = self.time_range_s(self.charts.selected);
+        self.pages.run.charts.cursor_s = Some(t_s);
+        let (from, to) = self.time_range_s(self.pages.run.charts.selected);
         if t_s < from || t_s > to {
             let width = to - from;
             *self.zoom_mut() =
@@ -247,14 +242,15 @@ impl App {
 
     /// The zoom of the selected chart, which it has in common with the others of its window.
     fn zoom_mut(&mut self) -> &mut Option<ViewRange> {
-        &mut self.charts.zoom_s[self.charts.windows[self.charts.selected] as usize]
+        &mut self.pages.run.charts.zoom_s
+            [self.pages.run.charts.windows[self.pages.run.charts.selected] as usize]
     }
 
     /// The event of the current run under the crosshair.
     pub fn event_at_cursor(&self) -> Option<&'static str> {
-        let cursor = self.charts.cursor_s?;
+        let cursor = self.pages.run.charts.cursor_s?;
         let run = &self.shown.as_ref()?.run;
-        let (from, to) = self.time_range_s(self.charts.selected);
+        let (from, to) = self.time_range_s(self.pages.run.charts.selected);
         let near = 0.5 * (to - from) / f64::from(plot_columns(self));
         run.events
             .iter()
@@ -269,47 +265,43 @@ impl App {
     /// The time axis, of which a part can be chosen.
     pub(crate) fn time_across(&mut self) -> Across<'_> {
         let range = |(from, to)| ViewRange::new(from, to);
-        let view = range(self.time_range_s(self.charts.selected));
+        let view = range(self.time_range_s(self.pages.run.charts.selected));
         let (_, whole_s) = self.window_s(Window::Whole);
-        let (from_s, home_s) = self.window_s(self.charts.windows[self.charts.selected]);
+        let (from_s, home_s) =
+            self.window_s(self.pages.run.charts.windows[self.pages.run.charts.selected]);
         let home = range(self.on_time_axis((from_s, home_s)));
         let bounds = range((from_s, larger(whole_s, home_s)));
-        let (scale, about) = (self.charts.time_scale, self.charts.cursor_s);
+        let (scale, about) = (self.pages.run.charts.time_scale, self.pages.run.charts.cursor_s);
         let mut across = Across::of(self.zoom_mut(), home, scale, about);
-        (across.span.view, across.span.bounds) = (view, bounds);
+        (across.view, across.bounds) = (view, bounds);
         across
     }
 }
 
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
     use Action as A;
-    let selected = app.charts.selected;
+    let selected = app.pages.run.charts.selected;
     match action {
-        A::LogX if !app.charts.quantities[selected].is_over_time() => {
+        A::LogX if !app.pages.run.charts.quantities[selected].is_over_time() => {
             app.refuse("this chart has no time axis: <view> shows another one");
         }
         A::Mark => runs::pin_scene(app),
         A::EventNext => event(app, true),
         A::EventPrevious => event(app, false),
-        A::ZoomFit => {
-            app.charts.fits_whole = false;
-            return false;
-        }
-        A::FitVertical => fit(app),
         A::Window => window(app),
         A::View => {
-            let mut next = app.charts.quantities[selected].next();
-            while app.charts.quantities.contains(&next) {
+            let mut next = app.pages.run.charts.quantities[selected].next();
+            while app.pages.run.charts.quantities.contains(&next) {
                 next = next.next();
             }
             show(app, next);
         }
         A::LogX => {
-            app.charts.time_scale = app.charts.time_scale.toggled();
-            app.tell(format!("time axis: {}", word(app.charts.time_scale)));
+            app.pages.run.charts.time_scale = app.pages.run.charts.time_scale.toggled();
+            app.tell(format!("time axis: {}", word(app.pages.run.charts.time_scale)));
         }
         A::LogY => {
-            let scale = &mut app.charts.value_scales[selected];
+            let scale = &mut app.pages.run.charts.value_scales[selected];
             *scale = scale.toggled();
             let text = format!("value axis: {}", word(*scale));
             app.tell(text);
@@ -325,7 +317,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 
 /// Draw a quantity: the chart that has it is selected, else the selected one shows it.
 pub(crate) fn show(app: &mut App, quantity: Channel) {
-    let charts = &mut app.charts;
+    let charts = &mut app.pages.run.charts;
     if let Some(there) = charts.quantities.iter().position(|one| *one == quantity) {
         charts.selected = there;
         return;
@@ -353,15 +345,9 @@ fn event(app: &mut App, forward: bool) {
     }
 }
 
-fn fit(app: &mut App) {
-    app.charts.fits_whole = !app.charts.fits_whole;
-    let to = if app.charts.fits_whole { "the whole run" } else { "what is in view" };
-    app.tell(format!("vertical axes: fitted to {to}"));
-}
-
 /// The selected chart shows the other part of the time.
 fn window(app: &mut App) {
-    let charts = &mut app.charts;
+    let charts = &mut app.pages.run.charts;
     let (window, name) =
         (&mut charts.windows[charts.selected], charts.quantities[charts.selected].title());
     let (next, words) = match window {
@@ -376,8 +362,8 @@ fn difference(app: &mut App) {
     let Some(letter) = app.reference_pin().map(|pin| pin.letter) else {
         return app.refuse("no pinned run to compare with: <mark> pins the current one");
     };
-    app.charts.difference = !app.charts.difference;
-    let text = if app.charts.difference {
+    app.pages.run.charts.difference = !app.pages.run.charts.difference;
+    let text = if app.pages.run.charts.difference {
         format!("curves are differences to {letter}: <difference> shows the values again")
     } else {
         "curves are values again".to_owned()

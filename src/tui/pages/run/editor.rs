@@ -6,13 +6,12 @@ use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES, Value, Variable, is_listed, is_offered};
 use crate::report::chart::Below;
-use crate::tui::app::find::{rank_variable, ranked};
-use crate::tui::app::status::fitting;
-use crate::tui::dialogs::ask::extent;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::VARIABLES as PANE;
+use crate::tui::widgets::find::{rank_variable, ranked};
 use crate::tui::widgets::input::Field;
 use crate::tui::widgets::table::filtered;
+use crate::tui::widgets::text::fitting;
 
 /// The variables that the thesis designs with, and those that it is given: they are always in the list. Each has a word for where
 /// its label is too long.
@@ -35,7 +34,7 @@ const ANALYSIS: [(&str, &str); 7] = [
     ("C_d", "drag"),
 ];
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Editor {
     /// Selected variable, by index into the table.
     pub selected: usize,
@@ -75,12 +74,15 @@ fn is_main(variable: &Variable) -> bool {
     short_label(variable).is_some()
 }
 
-impl Editor {
-    /// The editor with the first design variable selected.
-    pub fn new() -> Self {
-        Self { selected: index_of(DESIGN[0].0), ..Self::default() }
+impl Default for Editor {
+    /// The first design variable is selected.
+    fn default() -> Self {
+        let (filter, stepped, units) = Default::default();
+        Self { selected: index_of(DESIGN[0].0), filter, stepped, units }
     }
+}
 
+impl Editor {
     /// The variables beside the main ones that the scene offers.
     fn more(scene: &Scene) -> impl Iterator<Item = usize> {
         let all = VARIABLES.iter().enumerate();
@@ -173,15 +175,6 @@ pub(crate) fn number_in(variable: &Variable, scene: &Scene, unit: &str, digits: 
     )
 }
 
-/// A number in at most `width` characters.
-pub fn shown_number(number: f64, width: usize) -> String {
-    (1..=6)
-        .rev()
-        .map(|digits| significant(number, digits))
-        .find(|text| text.len() <= width)
-        .unwrap_or_else(|| format!("{number:.0e}"))
-}
-
 /// Digits of a field: as many as a number that was typed may have.
 pub(crate) const FIELD_DIGITS: usize = 12;
 /// Columns of a field.
@@ -195,13 +188,13 @@ const UNFOLDED: u16 = 4;
 impl App {
     /// The text that the field of the selected variable opens with: the number in the unit that stands behind it.
     pub(crate) fn variable_text(&self) -> String {
-        let unit = self.editor.unit(self.editor.selected);
-        number_in(self.editor.variable(), &self.scene, unit, FIELD_DIGITS)
+        let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);
+        number_in(self.pages.run.editor.variable(), &self.scene, unit, FIELD_DIGITS)
     }
 }
 
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    let editor = &app.editor;
+    let editor = &app.pages.run.editor;
     // The main ones with the heading between them need so many rows, and the frame two.
     let main = 15;
     let is_unfolded = area.height >= main + 2 + UNFOLDED || !is_main(editor.variable());
@@ -285,7 +278,7 @@ fn more_words(app: &App, room: usize) -> String {
 
 fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut Canvas<'_>) {
     let variable = &VARIABLES[index];
-    let selected = app.editor.selected == index;
+    let selected = app.pages.run.editor.selected == index;
     let used = variables::is_used(variable, &app.scene) && is_listed(variable, &app.scene);
     let warned = used && (is_outside || variable.range_warning(&app.scene).is_some());
     let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
@@ -294,9 +287,9 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
         canvas.put(line, (1, 0), "*", Role::Note);
     }
     let end = canvas.put(line, (SYMBOL, 0), variable.symbol, role);
-    if let Some(field) = app.field.as_ref().filter(|_| selected && app.pane() == PANE) {
+    if let Some(field) = app.field().filter(|_| selected && app.pane() == PANE) {
         canvas.put(line, (0, 0), ">", Role::Title);
-        return open_field(app.editor.unit(index), field, line, canvas);
+        return open_field(app.pages.run.editor.unit(index), field, line, canvas);
     }
     // A blank at the right end, so that the frame is not taken for a part of the unit.
     let room = line.width.saturating_sub(end + 2 + if warned { 2 } else { 0 });
@@ -322,7 +315,7 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
 
 /// The value with its unit, as many of six figures as fit; beside the mass ratio the mass of the plate.
 fn value_text(app: &App, index: usize, room: usize) -> String {
-    let (variable, unit) = (&VARIABLES[index], app.editor.unit(index));
+    let (variable, unit) = (&VARIABLES[index], app.pages.run.editor.unit(index));
     let digits = (2..=6).rev();
     let plain = digits.map(|digits| shown_in(variable, &app.scene, unit, digits));
     let mass =
@@ -346,6 +339,19 @@ fn open_field(unit: &str, field: &Field, line: Rect, canvas: &mut Canvas<'_>) {
 /// The points of the spring whose kind the selected variable is, in words, where it is a table.
 pub(crate) fn measured(app: &App) -> Option<String> {
     let spring = &app.scene.mechanism.spring;
-    let is_kind = app.editor.variable().key == "mechanism.spring.kind";
+    let is_kind = app.pages.run.editor.variable().key == "mechanism.spring.kind";
     (is_kind && spring.kind == SpringKind::Table).then(|| extent(&spring.table.points))
+}
+
+/// `3 points, x = 0 to 0.05 m`.
+pub(crate) fn extent(points: &[[f64; 2]]) -> String {
+    match (points.first(), points.last()) {
+        (Some(first), Some(last)) => format!(
+            "{} points, x = {} to {} m",
+            points.len(),
+            units::shortest(first[0]),
+            units::shortest(last[0])
+        ),
+        _ => "no points".to_owned(),
+    }
 }

@@ -1,45 +1,9 @@
 //! The report of the scene as one file: its limit and its sweep are computed first.
 
 use crate::files::export::Destination;
-use crate::files::report::Subject;
-use crate::model::run::Run;
-use crate::study::limit;
-use crate::study::sweep::Plan;
-use crate::study::sweep::grid::{self, Grid};
 use crate::tui::message::{Content, FileTask};
 use crate::tui::pages::prelude::*;
-
-/// Makes the text of a report of the scene.
-#[derive(Clone, Debug)]
-pub(crate) struct ReportFile {
-    name: String,
-    run: Arc<Run>,
-    to: Destination,
-}
-
-impl Study for ReportFile {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let watch = &mut reporter.progress();
-        let context = &mut Context::new(reporter.threads(), watch);
-        let limit = limit::find(scene, context)?;
-        let sweep = if scene.sweep.is_some() { own_sweep(scene, reporter)? } else { None };
-        if !limit.is_complete || sweep.as_ref().is_some_and(|grid| !grid.is_complete()) {
-            return Err("cancelled: no report was written".into());
-        }
-        let Self { name, run, .. } = self;
-        let subject = Subject { name, scene, run, limit: &limit, sweep: sweep.as_ref() };
-        Ok(Finding::new(subject.html()))
-    }
-}
-
-/// The sweep that is kept with the scene, where a picture can show it.
-fn own_sweep(scene: &Scene, reporter: &Reporter<'_>) -> Result<Option<Grid>, Box<dyn Error>> {
-    let plan = Arc::new(Plan::of(scene)?);
-    let grid = Grid::new(Arc::clone(&plan)).filter(|_| grid::fits(&plan).is_ok());
-    let watch = &mut reporter.watch(Grid::clone);
-    let context = &mut Context::new(reporter.threads(), watch);
-    Ok(grid.map(|grid| grid.fill(grid::PIECE, context)))
-}
+use crate::worker::studies::ReportFile;
 
 /// Compute a report for a file, which is written then.
 pub(crate) fn write(app: &mut App, to: Destination) -> Result<(), String> {
@@ -61,7 +25,7 @@ pub(crate) fn write(app: &mut App, to: Destination) -> Result<(), String> {
 
 /// The text is there: it is written.
 pub(crate) fn made(app: &mut App, running: &Running, news: &ReportBody) {
-    if let (Some(report), Some(text)) = (running.study.of::<ReportFile>(), news.found::<String>()) {
+    if let (Some(report), Some(text)) = (ReportFile::of(&running.asked), news.found::<String>()) {
         let content = Content::Text((*text).clone());
         app.request(Effect::Files(FileTask::Export(report.to.clone(), content)));
     }

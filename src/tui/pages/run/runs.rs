@@ -8,14 +8,15 @@ use crate::model::units;
 use crate::model::variables::{self, VARIABLES, Value};
 use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison};
-use crate::report::table::{Cells, Table};
+use crate::report::table::Table;
 use crate::study::models::by_every_model;
 use crate::study::quantities;
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::RUNS;
-use crate::tui::pages::run::editor::{shown_number, shown_value};
-use crate::tui::widgets::table::{Grid, NO_MATCH};
+use crate::tui::pages::run::editor::shown_value;
+use crate::tui::widgets::steps::shown_number;
+use crate::tui::widgets::table::Grid;
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
@@ -61,14 +62,9 @@ impl App {
         comparison(std::iter::once(now).chain(pins))
     }
 
-    /// The runs listed in their table, in its order: 0 the current one, then the pins.
+    /// The runs in the order of their table: 0 the current one, then the pins.
     pub fn run_order(&self) -> Vec<usize> {
-        let table = self.compared_runs();
-        self.runs.matching(self.runs.sorting.order(&table), || {
-            let labels = (0..table.rows.len()).map(|run| self.run_label(run)).collect();
-            let labels = Cells { head: String::new(), is_text: true, cells: labels };
-            table.cells(&table.keys()).into_iter().chain([labels]).collect()
-        })
+        self.pages.run.sorting.order(&self.compared_runs())
     }
 
     /// `now`, or the letter of a pin.
@@ -79,7 +75,7 @@ impl App {
 
     /// The pin selected in the table of runs; `None`: the current run is.
     fn selected_pin(&self) -> Option<&Pin> {
-        self.pins.get(self.selected_run.checked_sub(1)?)
+        self.pins.get(self.pages.run.selected.checked_sub(1)?)
     }
 
     /// The last result in a few lines, for the main screen after leaving.
@@ -155,19 +151,13 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         keys.retain(|key| !matches!(*key, "plastic" | "peak_mount_force_n"));
     }
     let mut cells = table.cells(&keys);
-    app.runs.sorting.mark(&keys, &mut cells);
+    app.pages.run.sorting.mark(&keys, &mut cells);
     let grid = Grid::shortened(cells, area.width.saturating_sub(LEAD + 1));
     let role = if focused { Role::Focus } else { Role::Title };
     canvas.put(area, (LEAD, 0), &grid.line(None), role);
-    if !app.runs.filter.is_empty() {
-        canvas.put(area, (1, 0), &format!("/{} ", app.runs.filter), Role::Key);
-    }
     let order = app.run_order();
     let list = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
-    if order.is_empty() {
-        canvas.put(list, (LEAD, 0), &app.keymap.shown(NO_MATCH), Role::Dim);
-    }
-    let selected = order.iter().position(|run| *run == app.selected_run).unwrap_or(0);
+    let selected = order.iter().position(|run| *run == app.pages.run.selected).unwrap_or(0);
     let rows = RowList { count: order.len(), selected, painted: focused };
     rows.render(
         canvas,
@@ -176,7 +166,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         |canvas, row, at| {
             let index = order[at];
             let pin = index.checked_sub(1).map(|at| &app.pins[at]);
-            let visible = pin.map_or(app.current_visible, |pin| pin.visible);
+            let visible = pin.map_or(app.pages.run.shows_current, |pin| pin.visible);
             let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
             let role = |role| if visible { role } else { Role::Dim };
             let label = format!("{marker}{}", app.run_label(index));
@@ -325,18 +315,16 @@ pub(crate) fn unpin(app: &mut App) {
 }
 
 fn unpin_all(app: &mut App, pins: Vec<Pin>) {
-    for pin in &pins {
-        take_away(app, &pin.scene);
-    }
+    take_away(app, &pins);
     app.tell(format!("unpinned {} (<undo> undoes)", edit::named(&pins)));
     edit::note_unpinned(app, pins);
 }
 
-/// Take a pinned scene away. It is known by its scene, not by its letter: that may have become another one's since.
-pub(crate) fn take_away(app: &mut App, gone: &Scene) {
-    app.pins.retain(|pin| *pin.scene != *gone);
-    app.selected_run = app.selected_run.min(app.pins.len());
-    app.charts.difference &= !app.pins.is_empty();
+/// Take pinned scenes away. Each is known by its scene, not by its letter: that may have become another one's since.
+pub(crate) fn take_away(app: &mut App, gone: &[Pin]) {
+    app.pins.retain(|pin| gone.iter().all(|gone| pin.scene != gone.scene));
+    app.pages.run.selected = app.pages.run.selected.min(app.pins.len());
+    app.pages.run.charts.difference &= !app.pins.is_empty();
     app.request(Effect::SaveSession);
 }
 
@@ -380,8 +368,8 @@ pub(crate) fn load(app: &mut App) {
 }
 
 pub(crate) fn show_or_hide(app: &mut App) {
-    let pin = app.selected_run.checked_sub(1).and_then(|at| app.pins.get_mut(at));
-    let visible = pin.map_or(&mut app.current_visible, |pin| &mut pin.visible);
+    let pin = app.pages.run.selected.checked_sub(1).and_then(|at| app.pins.get_mut(at));
+    let visible = pin.map_or(&mut app.pages.run.shows_current, |pin| &mut pin.visible);
     *visible = !*visible;
 }
 

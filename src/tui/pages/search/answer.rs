@@ -4,10 +4,10 @@ use crate::model::run::envelope::Check;
 use crate::report::Remark;
 use crate::report::table::Table;
 use crate::study::sweep;
-use crate::tui::chart::Axis;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::state::{Searching, StudyResult};
-use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
+use crate::tui::pages::search::state::Searching;
+use crate::tui::widgets::table::Grid;
+use crate::worker::studies::SearchAnswer;
 
 /// The result of a study of the tab, as its page shows it.
 pub(crate) trait Answer {
@@ -23,9 +23,14 @@ pub(crate) trait Answer {
         None
     }
 
-    /// The places of the designs or solutions that are listed, in the order of the table.
+    /// The places of the designs or solutions, in the order of the table.
     fn order(&self, _tab: &Searching) -> Vec<usize> {
         Vec::new()
+    }
+
+    /// The name of a design or solution.
+    fn name(&self, _tab: &Searching, _place: usize) -> Option<String> {
+        None
     }
 
     /// The design under the cursor, as a change of a scene.
@@ -51,26 +56,18 @@ pub(crate) trait Answer {
     /// What it says in words, without what its chart draws.
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine>;
 
-    /// The places in the exported table of the rows that are listed.
-    fn listed(&self, tab: &Searching) -> Vec<usize>;
-
-    /// The results of a scene of this name as a table; of listed results it has the rows that are listed.
-    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String;
+    /// The results of a scene of this name as a table.
+    fn csv(&self, scene: &Scene, name: &str) -> String;
 
     /// Whether there is something to draw.
     fn draws(&self, _tab: &Searching) -> bool {
         false
     }
 
-    /// The axis across of the chart, all of it, and where the selected point is on it.
-    fn across(&self, _tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-        None
-    }
-
     fn draw(&self, _app: &App, _area: Rect, _focused: bool, _canvas: &mut Canvas<'_>) {}
 }
 
-impl StudyResult {
+impl SearchAnswer {
     pub(crate) fn answer(&self) -> &dyn Answer {
         match self {
             Self::Seek(report) => report,
@@ -90,33 +87,16 @@ pub(super) fn line(remark: Remark) -> TextLine {
     (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
 }
 
-/// A line that says that no row matches, where that is so.
-pub(super) fn no_match(app: &App, is_so: bool) -> Option<TextLine> {
-    is_so.then(|| (app.keymap.shown(NO_MATCH), Role::Dim))
-}
-
-/// The rows of a table that are listed, in a given number of columns, below their headings.
+/// The rows of a table in a given number of columns, below their headings.
 pub(super) fn table_lines<R>(
     table: &Table<'_, R>,
     keys: &[&str],
-    listing: &Listing,
     width: usize,
 ) -> impl Iterator<Item = TextLine> {
-    let rows = listing.order(table, keys);
+    let rows = table.rows.len();
     let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
     let grid = Grid::shortened(table.cells(keys), room);
     std::iter::once(None)
-        .chain(rows.into_iter().map(Some))
+        .chain((0..rows).map(Some))
         .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))
-}
-
-/// A table with the rows at some places and with warnings, as CSV; with all rows where none are named.
-pub(super) fn only<R>(
-    mut table: Table<'_, R>,
-    listed: Option<&[usize]>,
-    warnings: &[String],
-) -> String {
-    let mut at = 0..;
-    table.rows.retain(|_| at.next().is_none_or(|at| listed.is_none_or(|it| it.contains(&at))));
-    table.with_warnings(warnings).csv()
 }

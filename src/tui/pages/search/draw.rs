@@ -1,13 +1,15 @@
 //! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
 
+use crate::tui::pages::draw_setup;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::state::{Page, Request};
+use crate::tui::pages::search::state::Page;
 use crate::tui::pages::search::{RESULTS, SETUP};
 use crate::tui::widgets::text::first_row;
+use crate::worker::studies::SearchRequest;
 
 pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(results, RESULTS);
-    app.search_form().render(app, SETUP, setup, canvas);
+    draw_setup(app, &app.search_form(), SETUP, setup, canvas);
     let lines = app.search_lines(usize::from(results.width.saturating_sub(2)));
     let Some(found) = app.pages.search.shown() else {
         waiting(app, results, canvas);
@@ -44,16 +46,15 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
     let problem = app.pages.search.problem().map(|_| "see the message below");
     let why = problem.unwrap_or(NO_RESULTS);
-    let running = app.jobs.study::<Request>().map(|(_, request)| request.page());
+    let running = app.jobs.study::<SearchRequest>().map(|(_, request)| Page::of(request));
     let is_own = running.is_none_or(|page| page == app.pages.search.page);
     let searching = if is_own { "searching" } else { "waits for another search" };
-    canvas.put_centred(inner, &nothing::<Request>(app, searching, Some(why)));
+    canvas.put_centred(inner, &nothing::<SearchRequest>(app, searching, Some(why)));
 }
 
 pub(super) fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup" } else { "" };
     let title = format!("{}{old}", app.pages.search.page.title());
-    let title = app.pages.search.listing().titled(&title);
     let focused = app.has_focus(RESULTS);
     let height = usize::from(area.height.saturating_sub(2));
     let (has_choices, more) = (app.pages.search.choices() > 0, lines.len() > height);

@@ -3,15 +3,15 @@
 use crate::report::front::{lacks, page_keys, table, warnings};
 use crate::report::table::Cells;
 use crate::study::quantities::named;
-use crate::study::search::front::{self, Constraint, Design, Front, Objective, USUAL};
+use crate::study::search::front::{self, Constraint, Front, Objective, USUAL};
 use crate::study::sweep;
 use crate::study::validity::counted;
 use crate::tui::app::status::outside;
-use crate::tui::chart::{Axis, Chart, Curve, Layout};
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend};
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::RESULTS;
-use crate::tui::pages::search::answer::{Answer, no_match, note, only};
+use crate::tui::pages::search::answer::{Answer, note};
 use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::setup::{OBJECTIVES, Row, brief};
 use crate::tui::pages::search::state::Searching;
@@ -65,7 +65,12 @@ impl Answer for Front {
     }
 
     fn order(&self, tab: &Searching) -> Vec<usize> {
-        tab.listing().matching(tab.sorted_places(self), || design_cells(tab, self))
+        tab.sorted_places(self)
+    }
+
+    fn name(&self, tab: &Searching, place: usize) -> Option<String> {
+        let words = design_cells(tab, self).into_iter().take(1);
+        words.map(|column| column.cells[place].clone()).next()
     }
 
     fn design(&self, app: &App) -> Result<LabelledScene, String> {
@@ -121,31 +126,17 @@ impl Answer for Front {
             let mark = if at == selected { ">" } else { " " };
             lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
         }
-        lines.extend(no_match(app, order.is_empty() && !front.designs.is_empty()));
         let lacks = lacks(front).into_iter();
         lines.extend(broken(lacks.map(|text| (text, Role::Warning)).collect(), width));
         lines
     }
 
-    fn listed(&self, tab: &Searching) -> Vec<usize> {
-        tab.order()
-    }
-
-    fn csv(&self, _scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
-        only(table(name, self), listed, &warnings(self))
+    fn csv(&self, _scene: &Scene, name: &str) -> String {
+        table(name, self).with_warnings(&warnings(self)).csv()
     }
 
     fn draws(&self, _tab: &Searching) -> bool {
         !self.designs.is_empty()
-    }
-
-    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-        let at = tab.across(self).0;
-        let value = |design: &Design| design.measures.get(at).copied().flatten();
-        let measure = self.request.measures()[at];
-        let values: Vec<f64> = self.designs.iter().filter_map(value).collect();
-        let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
-        Some((x, tab.chosen().and_then(|at| value(&self.designs[at]))))
     }
 
     /// Designs as points.
@@ -155,42 +146,35 @@ impl Answer for Front {
         let measures = found.request.measures();
         let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
         let designs = tab.designs();
-        let x = Answer::across(self, tab).map(|(x, _)| x);
-        let ups: Vec<f64> = found.designs.iter().filter_map(|it| value(&it.measures, up)).collect();
-        let y = Axis::fitted("", measures[up].unit(), tab.scales.1, ups);
-        let Some((x, y)) = x.zip(y) else {
+        let axis = |label: String, at: usize| {
+            let values: Vec<f64> =
+                found.designs.iter().filter_map(|it| value(&it.measures, at)).collect();
+            Axis::fitted(label, measures[at].unit(), Scale::Linear, values)
+        };
+        let axes = axis(brief(measures[across]), across).zip(axis(String::new(), up));
+        let Some((x, y)) = axes else {
             let text = "no design satisfies every constraint".to_owned();
             return lines_below(app, &[(text, Role::Warning)], area, canvas);
         };
-        let x = Axis { view: tab.zoomed().unwrap_or(x.view), ..x };
         let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
         let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
-        let selected =
-            designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
-        let chart = Chart { focused, crosshair: selected, ..Chart::new(title, x, y, Vec::new()) };
         let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
-        let curves = || {
-            // A gap after every point: no line goes from one to the next.
-            let places = designs.iter().filter_map(|it| place(&it.measures));
-            let points: Vec<_> = places.flat_map(|it| [it, (f64::NAN, f64::NAN)]).collect();
-            vec![Curve::new('o', "designs", points)]
+        let selected = designs.get(tab.selected()).and_then(|design| place(&design.measures));
+        let places = designs.iter().filter_map(|it| place(&it.measures));
+        let curves = vec![
+            Curve::points('o', "designs", places).colour(1),
+            Curve::points('X', "", selected).emphasis(Emphasis::Selected),
+        ];
+        let chart = Chart {
+            focused,
+            crosshair: selected.map(|place| place.0),
+            legend: Legend::Hidden,
+            ..Chart::new(title, x, y, curves)
         };
-        let layout = canvas.draw_with_picture(&chart, area, curves);
-        for design in &designs {
-            mark(place(&design.measures), "o", Role::Curve(1), &layout, canvas);
-        }
-        if let Some(design) = designs.get(tab.selected()) {
-            mark(place(&design.measures), "X", Role::Crosshair, &layout, canvas);
-        }
+        let layout = canvas.draw(&chart, area);
         canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), |at| {
             Target::Row(RESULTS, at)
         });
-    }
-}
-
-fn mark(at: Option<(f64, f64)>, text: &str, role: Role, layout: &Layout, canvas: &mut Canvas<'_>) {
-    if let Some(place) = at.and_then(|(across, up)| layout.place(across, up)) {
-        canvas.put(layout.plot, place, text, role);
     }
 }
 

@@ -1,7 +1,6 @@
 //! The setup of the tab as a session keeps it: by what it means, whatever its rows are called.
 
-use serde::{Deserialize, Serialize};
-
+use crate::files::session::Search;
 use crate::model::scene::SweepAxis;
 use crate::study::quantities;
 use crate::study::search::front::{SAMPLES, USUAL};
@@ -9,75 +8,51 @@ use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL};
 use crate::study::sweep::{Axis, COUNTS};
 use crate::tui::pages::search::setup::{Bound, Setup};
 
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub(crate) struct KeptSetup {
-    /// Goal seek: its variable, and its goal.
-    seek: String,
-    goal: String,
-    /// The variables of fronts and sensitivity, and whether each is varied; none where nobody changed them.
-    bounds: Vec<(String, bool)>,
-    minimise: Vec<String>,
-    stroke_m: Option<f64>,
-    subject_to: Vec<String>,
-    feasible: bool,
-    designs: usize,
-    /// The objectives drawn across and up.
-    axes: (usize, usize),
-    output: String,
-    percent: f64,
-    samples: usize,
-}
-
-impl Default for KeptSetup {
-    fn default() -> Self {
-        Self::of(&Setup::default())
-    }
-}
-
-impl KeptSetup {
-    pub(crate) fn of(setup: &Setup) -> Self {
-        let (name, target) = setup.goal;
+impl Setup {
+    pub(crate) fn kept(&self) -> Search {
+        let (name, target) = self.goal;
         let goal = quantities::find(name).map(|measure| Goal { measure, target });
-        let chosen = USUAL.iter().zip(setup.objectives).filter(|(_, is_chosen)| *is_chosen);
-        Self {
-            seek: Axis::of(&setup.seek, &SCAN).map_or_else(|_| String::new(), |it| it.to_string()),
+        let chosen = USUAL.iter().zip(self.objectives).filter(|(_, is_chosen)| *is_chosen);
+        Search {
+            seek: Axis::of(&self.seek, &SCAN).map_or_else(|_| String::new(), |it| it.to_string()),
             goal: goal.map_or_else(String::new, |goal| goal.to_string()),
-            bounds: setup.bounds.iter().map(|it| (it.axis.to_string(), it.on)).collect(),
-            minimise: chosen.map(|(name, _)| (*name).to_owned()).collect(),
-            stroke_m: setup.stroke_m,
-            subject_to: setup.subject_to.iter().map(ToString::to_string).collect(),
-            feasible: setup.feasible,
-            designs: setup.designs,
-            axes: setup.axes,
-            output: setup.output.to_owned(),
-            percent: setup.percent,
-            samples: setup.samples,
+            bounds: self.bounds.iter().map(|it| (it.axis.to_string(), it.on)).collect(),
+            minimise: Some(chosen.map(|(name, _)| (*name).to_owned()).collect()),
+            stroke_m: self.stroke_m,
+            subject_to: self.subject_to.iter().map(ToString::to_string).collect(),
+            feasible: Some(self.feasible),
+            designs: Some(self.designs),
+            axes: self.axes,
+            output: self.output.to_owned(),
+            percent: Some(self.percent),
+            samples: Some(self.samples),
         }
     }
 
-    /// The setup, as far as what was kept of it still means something.
-    pub(crate) fn setup(&self) -> Setup {
-        let usual = Setup::default();
+    /// The setup that was kept, as far as that still means something.
+    pub(crate) fn of(kept: &Search) -> Self {
+        let usual = Self::default();
         let bound = |(text, on): &(String, bool)| {
             let axis = Axis::read_range(text, Some(*COUNTS.start()), &COUNTS).ok()?;
             Some(Bound { axis, on: *on })
         };
-        let seek = Axis::read_range(&self.seek, Some(SCAN_USUAL), &SCAN);
-        let goal = self.goal.parse::<Goal>().map(|goal| (goal.measure.name, goal.target));
-        Setup {
+        let seek = Axis::read_range(&kept.seek, Some(SCAN_USUAL), &SCAN);
+        let goal = kept.goal.parse::<Goal>().map(|goal| (goal.measure.name, goal.target));
+        let minimise =
+            kept.minimise.as_ref().map(|it| USUAL.map(|name| it.iter().any(|one| one == name)));
+        Self {
             seek: seek.map_or(usual.seek, |axis: Axis| -> SweepAxis { axis.to_sweep_axis() }),
             goal: goal.unwrap_or(usual.goal),
-            bounds: self.bounds.iter().filter_map(bound).collect(),
-            objectives: USUAL.map(|name| self.minimise.iter().any(|it| it == name)),
-            stroke_m: self.stroke_m.filter(|stroke_m| *stroke_m > 0.0),
-            subject_to: self.subject_to.iter().filter_map(|text| text.parse().ok()).collect(),
-            feasible: self.feasible,
-            designs: self.designs.clamp(*SAMPLES.start(), *SAMPLES.end()),
-            axes: self.axes,
-            output: quantities::find(&self.output).map_or(usual.output, |it| it.name),
-            percent: self.percent.clamp(1e-3, 100.0),
-            samples: self.samples.clamp(2, 1_000_000),
+            bounds: kept.bounds.iter().filter_map(bound).collect(),
+            objectives: minimise.unwrap_or(usual.objectives),
+            stroke_m: kept.stroke_m.filter(|stroke_m| *stroke_m > 0.0),
+            subject_to: kept.subject_to.iter().filter_map(|text| text.parse().ok()).collect(),
+            feasible: kept.feasible.unwrap_or(usual.feasible),
+            designs: kept.designs.unwrap_or(usual.designs).clamp(*SAMPLES.start(), *SAMPLES.end()),
+            axes: kept.axes,
+            output: quantities::find(&kept.output).map_or(usual.output, |it| it.name),
+            percent: kept.percent.unwrap_or(usual.percent).clamp(1e-3, 100.0),
+            samples: kept.samples.unwrap_or(usual.samples).clamp(2, 1_000_000),
         }
     }
 }
@@ -104,11 +79,16 @@ mod tests {
             axes: (1, 0),
             ..Setup::default()
         };
-        let text = serde_json::to_string(&KeptSetup::of(&setup)).unwrap();
-        let kept: KeptSetup = serde_json::from_str(&text).unwrap();
-        assert_eq!(kept.setup(), setup);
-        let odd = r#"{ "seek": "kk=1..2", "goal": "depth", "output": "?", "bounds": [["gamma=1..5", true], ["x", true]], "percent": 0 }"#;
-        let kept = serde_json::from_str::<KeptSetup>(odd).unwrap().setup();
+        assert_eq!(Setup::of(&setup.kept()), setup);
+        let odd = Search {
+            seek: "kk=1..2".to_owned(),
+            goal: "depth".to_owned(),
+            output: "?".to_owned(),
+            bounds: vec![("gamma=1..5".to_owned(), true), ("x".to_owned(), true)],
+            percent: Some(0.0),
+            ..Search::default()
+        };
+        let kept = Setup::of(&odd);
         let usual = Setup::default();
         assert_eq!((kept.seek, kept.goal, kept.output), (usual.seek, usual.goal, usual.output));
         assert!(kept.bounds.len() == 1 && kept.percent > 0.0);

@@ -4,7 +4,7 @@ use crate::report::monte_carlo::{perforation, table, warnings};
 use crate::study::monte_carlo::{Report, Request, Summary, USUAL_DEVIATION, usual_tolerances};
 use crate::tui::chart::{Axis, Chart, Curve, Mark, Unit};
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::answer::{Answer, no_match, note, only, table_lines};
+use crate::tui::pages::search::answer::{Answer, note, table_lines};
 use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::setup::{Row, Setup};
 use crate::tui::pages::search::state::Searching;
@@ -56,45 +56,29 @@ impl Answer for Report {
         let mut lines = broken(lines, width);
         let mut table = table("", report);
         table.rows.retain(|summary| summary.deviation.is_some());
-        let listing = app.pages.search.listing();
-        let listed = listing.order(&table, &QUANTILES);
         let output = app.pages.search.setup.output;
-        let selected = listed.iter().position(|at| table.rows[*at].measure.name == output);
-        let mut rows: Vec<TextLine> = table_lines(&table, &QUANTILES, listing, width).collect();
+        let selected = table.rows.iter().position(|row| row.measure.name == output);
+        let mut rows: Vec<TextLine> = table_lines(&table, &QUANTILES, width).collect();
         if let Some((row, _)) = selected.and_then(|at| rows.get_mut(at + 1)) {
             row.replace_range(..1, ">");
         }
-        rows.extend(no_match(app, listed.is_empty() && !table.rows.is_empty()));
         lines.extend(rows);
         lines
     }
 
-    fn listed(&self, tab: &Searching) -> Vec<usize> {
-        let table = table("", self);
-        let mut listed = tab.listing().order(&table, &QUANTILES);
-        listed.retain(|at| table.rows[*at].deviation.is_some());
-        listed
-    }
-
-    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
-        only(table(name, self), listed, &warnings(scene, self))
+    fn csv(&self, scene: &Scene, name: &str) -> String {
+        table(name, self).with_warnings(&warnings(scene, self)).csv()
     }
 
     fn draws(&self, tab: &Searching) -> bool {
         drawn(self, tab).is_some_and(|it| !it.sorted.is_empty())
     }
 
-    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-        let Summary { measure, sorted, .. } = drawn(self, tab)?;
-        let values = sorted.iter().copied();
-        Some((Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values)?, None))
-    }
-
     /// How often a value falls into each of some bins, as steps.
     fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let tab = &app.pages.search;
         let Some(summary) = drawn(self, tab) else { return };
-        let sorted = &summary.sorted;
+        let Summary { measure, sorted, .. } = summary;
         let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
             let text = "no sample has this result: <next-pane>, then another one under Show";
             let text = app.keymap.shown(text);
@@ -111,7 +95,8 @@ impl Answer for Report {
         }
         // Room above for the tags.
         let highest = steps.iter().map(|step| 1.3 * step.1);
-        let x = self.across(tab).map(|(x, _)| Axis { view: tab.zoomed().unwrap_or(x.view), ..x });
+        let values = sorted.iter().copied();
+        let x = Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values);
         let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
         let Some((x, y)) = x.zip(y) else { return };
         let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));

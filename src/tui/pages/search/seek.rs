@@ -2,7 +2,6 @@
 
 use crate::report::figures::axis_of;
 use crate::report::seek::{remarks, solution, table, warnings};
-use crate::report::table::Cells;
 use crate::study::quantities::named;
 use crate::study::search::seek::{self, Goal, Report, SCAN};
 use crate::study::sweep;
@@ -12,7 +11,7 @@ use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mark};
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::RESULTS;
-use crate::tui::pages::search::answer::{Answer, line, no_match, note, only};
+use crate::tui::pages::search::answer::{Answer, line, note};
 use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::setup::{Row, Setup};
 use crate::tui::pages::search::state::Searching;
@@ -45,12 +44,13 @@ impl Answer for Report {
         Some(format!("{} runs", self.runs))
     }
 
-    fn order(&self, tab: &Searching) -> Vec<usize> {
-        let solutions = self.solutions().zip(&self.checked);
-        let cells: Vec<String> = solutions.map(|(it, own)| solution(self, it, own)).collect();
-        let places = (0..cells.len()).collect();
-        let column = Cells { head: String::new(), is_text: true, cells };
-        tab.listing().matching(places, || vec![column])
+    fn order(&self, _: &Searching) -> Vec<usize> {
+        (0..self.solutions().count()).collect()
+    }
+
+    fn name(&self, _: &Searching, place: usize) -> Option<String> {
+        let mut solutions = self.solutions().zip(&self.checked);
+        solutions.nth(place).map(|(it, own)| solution(self, it, own))
     }
 
     fn design(&self, app: &App) -> Result<LabelledScene, String> {
@@ -74,12 +74,9 @@ impl Answer for Report {
     }
 
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let (report, tab) = (self, &app.pages.search);
-        let (order, selected) = (tab.order(), tab.selected());
-        let all: Vec<_> = report.solutions().zip(&report.checked).collect();
-        let is_empty = order.is_empty() && !all.is_empty();
-        let listed = order.iter().map(|at| all[*at]).enumerate();
-        let solutions = listed.flat_map(|(index, (found, checked))| {
+        let (report, selected) = (self, app.pages.search.selected());
+        let all = report.solutions().zip(&report.checked).enumerate();
+        let solutions = all.flat_map(|(index, (found, checked))| {
             let mark = if index == selected { ">" } else { " " };
             let solution = note(format!("{mark} {}", solution(report, found, checked)));
             let warnings = checked.new.iter().map(|text| (format!("! {text}"), Role::Warning));
@@ -87,46 +84,29 @@ impl Answer for Report {
             let warnings = warnings.filter(move |_| index == selected);
             std::iter::once(solution).chain(warnings)
         });
-        let solutions = solutions.chain(no_match(app, is_empty));
         let lines = solutions.chain(remarks(report).into_iter().map(line)).collect();
         broken(lines, width)
     }
 
-    fn listed(&self, tab: &Searching) -> Vec<usize> {
-        let lines = self.lines.iter().enumerate().filter(|(_, it)| it.kind.is_solution());
-        let solutions: Vec<usize> = lines.map(|(at, _)| at).collect();
-        tab.order().into_iter().map(|at| solutions[at]).collect()
-    }
-
-    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
-        only(table(name, self), listed, &warnings(scene, self))
+    fn csv(&self, scene: &Scene, name: &str) -> String {
+        table(name, self).with_warnings(&warnings(scene, self)).csv()
     }
 
     fn draws(&self, _tab: &Searching) -> bool {
         self.scan.iter().any(|point| point.1.is_some())
     }
 
-    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-        let about = tab.chosen().and_then(|at| self.solutions().nth(at));
-        Some((axis_of(&self.axis), about.map(|it| it.place.at)))
-    }
-
     fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let report = self;
         let points: Vec<(f64, f64)> =
             report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
-        let zoomed = app.pages.search.zoomed();
-        let seen =
-            report.scan.iter().filter(|point| zoomed.is_none_or(|view| view.contains(point.0)));
-        let values = seen.filter_map(|point| point.1).chain([report.target]);
-        let (_, scale) = app.pages.search.scales;
-        let y = Axis::fitted("", report.measure.unit(), scale, values);
+        let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
+        let y = Axis::fitted("", report.measure.unit(), Scale::Linear, values);
         let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
             let text = "no point has a value".to_owned();
             return lines_below(app, &[(text, Role::Warning)], area, canvas);
         };
         let x = axis_of(&report.axis);
-        let x = Axis { view: zoomed.unwrap_or(x.view), ..x };
         let old = app.search_is_old();
         let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
         let curve = Curve::new('*', "", &points).emphasis(emphasis);

@@ -7,9 +7,8 @@ use crate::study::sensitivity::{Report, Request};
 use crate::study::sweep;
 use crate::study::validity;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::answer::{Answer, note, only, table_lines};
+use crate::tui::pages::search::answer::{Answer, note, table_lines};
 use crate::tui::pages::search::setup::Row;
-use crate::tui::pages::search::state::Searching;
 use crate::tui::widgets::text::broken;
 
 /// The columns shown.
@@ -54,26 +53,14 @@ impl Answer for Report {
             let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
             return broken(vec![lines.remove(0), (app.keymap.shown(text), Role::Warning)], width);
         }
-        let listing = app.pages.search.listing();
         let bar = width.saturating_sub(36).clamp(4, 40);
-        lines.extend(table_lines(&tornado(report, bar), &TORNADO, listing, width));
+        lines.extend(table_lines(&tornado(report, bar), &TORNADO, width));
         lines.push(note(String::new()));
-        lines.extend(table_lines(&indices(report), &INDICES, listing, width));
+        lines.extend(table_lines(&indices(report), &INDICES, width));
         lines
     }
 
-    fn listed(&self, tab: &Searching) -> Vec<usize> {
-        let (bars, indices, listing) = (tornado(self, 0), indices(self), tab.listing());
-        let listed = |rows: &[usize], places: Vec<usize>| {
-            places.into_iter().map(|at| rows[at]).collect::<Vec<usize>>()
-        };
-        let mut axes = listed(&bars.rows, listing.order(&bars, &TORNADO));
-        axes.extend(listed(&indices.rows, listing.order(&indices, &INDICES)));
-        let order = self.order().into_iter().enumerate();
-        order.filter(|(_, axis)| axes.contains(axis)).map(|(at, _)| at).collect()
-    }
-
-    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
-        only(table(name, self), listed, &validity::of_axes(scene, &self.axes))
+    fn csv(&self, scene: &Scene, name: &str) -> String {
+        table(name, self).with_warnings(&validity::of_axes(scene, &self.axes)).csv()
     }
 }

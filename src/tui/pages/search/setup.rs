@@ -9,10 +9,11 @@ use crate::study::search::seek::SCAN_USUAL;
 use crate::study::sweep::usual::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::state::{Page, Request};
+use crate::tui::pages::search::state::Page;
 use crate::tui::pages::search::{front, monte_carlo, seek, sensitivity};
 use crate::tui::widgets::axis::{Part, meaning, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_meaning};
+use crate::worker::studies::SearchRequest;
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
@@ -226,7 +227,7 @@ impl App {
     }
 
     /// The setup of a page.
-    pub fn search_request(&self, page: Page) -> Result<Request, String> {
+    pub fn search_request(&self, page: Page) -> Result<SearchRequest, String> {
         let setup = &self.pages.search.setup;
         // The usual variables have no need of being named.
         let axes = || {
@@ -241,10 +242,10 @@ impl App {
             Ok(varied)
         };
         Ok(match page {
-            Page::Seek => Request::Seek(seek::request(setup)?),
-            Page::Front => Request::Front(front::request(self, axes()?)?),
-            Page::Sensitivity => Request::Sensitivity(sensitivity::request(self, axes()?)?),
-            Page::MonteCarlo => Request::MonteCarlo(monte_carlo::request(self)),
+            Page::Seek => SearchRequest::Seek(seek::request(setup)?),
+            Page::Front => SearchRequest::Front(front::request(self, axes()?)?),
+            Page::Sensitivity => SearchRequest::Sensitivity(sensitivity::request(self, axes()?)?),
+            Page::MonteCarlo => SearchRequest::MonteCarlo(monte_carlo::request(self)),
         })
     }
 }

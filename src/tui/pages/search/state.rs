@@ -1,16 +1,14 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
 use crate::numerics::statistics::ascending;
-use crate::study::monte_carlo;
-use crate::study::search::front::{self, Design, Front};
-use crate::study::search::seek;
-use crate::study::sensitivity;
-use crate::tui::app::layout::CHART_ROWS;
+use crate::study::search::front::{Design, Front};
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::PAGES;
 use crate::tui::pages::search::answer::Answer;
-use crate::tui::widgets::table::{Listing, Sorting};
+use crate::tui::widgets::layout::CHART_ROWS;
+use crate::tui::widgets::table::Sorting;
+use crate::worker::studies::{SearchAnswer, SearchRequest};
 
 pub use crate::tui::pages::search::setup::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
@@ -48,8 +46,8 @@ impl Page {
 #[derive(Clone, Debug)]
 pub struct SearchResult {
     pub scene: Arc<Scene>,
-    pub request: Request,
-    pub answer: Arc<StudyResult>,
+    pub request: SearchRequest,
+    pub answer: Arc<SearchAnswer>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -63,12 +61,8 @@ pub struct Searching {
     pub problem: [Option<String>; 4],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
     pub cursor: [Option<usize>; 4],
-    /// How values are spread across and up.
-    pub scales: (Scale, Scale),
-    /// The part of the axis across that is in view, page by page; `None`: all of it.
-    pub zoomed: [Option<ViewRange>; 4],
-    /// How the results are listed, page by page; designs that no column was chosen for are sorted by the objective across.
-    pub listing: [Listing; 4],
+    /// The measure that the designs of a front are sorted by; `None`: the objective across.
+    pub sorting: Sorting,
 }
 
 impl Searching {
@@ -81,28 +75,18 @@ impl Searching {
         self.problem[self.page as usize].as_ref()
     }
 
-    /// The part of the axis across that was chosen on the page shown.
-    pub fn zoomed(&self) -> Option<ViewRange> {
-        self.zoomed[self.page as usize]
-    }
-
     pub fn front(&self) -> Option<&Front> {
         match &*self.found[Page::Front as usize].as_ref()?.answer {
-            StudyResult::Front(front) => Some(front),
+            SearchAnswer::Front(front) => Some(front),
             _ => None,
         }
     }
 
     /// The measure that the table of the front is sorted by, by its place.
     pub fn sorted(&self, front: &Front) -> usize {
-        let by = self.listing[Page::Front as usize].sorting.0;
+        let by = self.sorting.0;
         let chosen = front.request.measures().iter().position(|measure| Some(measure.name) == by);
         chosen.unwrap_or_else(|| self.across(front).0)
-    }
-
-    /// How the results of the page shown are listed.
-    pub fn listing(&self) -> &Listing {
-        &self.listing[self.page as usize]
     }
 
     /// The places of all designs of a front in the order of the table.
@@ -118,20 +102,9 @@ impl Searching {
         Some(self.shown()?.answer.answer())
     }
 
-    /// The places of the designs or solutions that are listed, in the order of the table.
+    /// The places of the designs or solutions, in the order of the table.
     pub fn order(&self) -> Vec<usize> {
         self.answer().map_or_else(Vec::new, |answer| answer.order(self))
-    }
-
-    /// The places in the exported table of the rows that are listed; `None` where all are.
-    pub(super) fn listed_rows(&self) -> Option<Vec<usize>> {
-        let answer = self.answer().filter(|_| !self.listing().filter.is_empty())?;
-        Some(answer.listed(self))
-    }
-
-    /// Whether only some designs or solutions are listed.
-    pub fn lists_some(&self) -> bool {
-        matches!(self.page, Page::Seek | Page::Front) && !self.listing().filter.is_empty()
     }
 
     /// The selected design or solution, by its place among all.
@@ -171,9 +144,6 @@ impl Searching {
     /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart, none where it
     /// stands alone.
     pub fn words_height(&self, height: u16, lines: usize) -> u16 {
-        if !self.listing().filter.is_empty() && self.is_crowded(height, lines) {
-            return height;
-        }
         match (self.draws(), self.is_crowded(height, lines)) {
             (true, false) => words_rows(lines).min(height - CHART_ROWS).max(3),
             (true, true) => 0,
@@ -189,12 +159,11 @@ impl Searching {
     /// Select a row of the table; where there is none, the first line shown.
     pub fn select(&mut self, row: usize) {
         let order = self.order();
-        let is_list = !order.is_empty() || self.lists_some();
-        let at = if is_list { order.get(row).copied() } else { Some(row) };
+        let at = if order.is_empty() { Some(row) } else { order.get(row).copied() };
         self.cursor[self.page as usize] = at.or(self.cursor[self.page as usize]);
     }
 
-    /// The row of the selected one of them: of a front its knee, until another one is selected; the first where it is not listed.
+    /// The row of the selected one of them: of a front its knee, until another one is selected; the first where there is none.
     pub fn selected(&self) -> usize {
         let knee = || self.knee().filter(|_| self.page == Page::Front);
         let chosen = self.cursor[self.page as usize].or_else(knee);
@@ -235,7 +204,7 @@ impl Searching {
         let Some(front) = self.front() else { return };
         let measures = front.request.measures();
         let next = measures.get((self.sorted(front) + 1) % measures.len().max(1));
-        self.listing[Page::Front as usize].sorting = Sorting(next.map(|measure| measure.name));
+        self.sorting = Sorting(next.map(|measure| measure.name));
     }
 }
 
@@ -268,7 +237,7 @@ impl App {
     pub fn search_design(&self) -> Result<LabelledScene, String> {
         let tab = &self.pages.search;
         let Some(found) = tab.shown() else {
-            return Err(nothing::<Request>(self, BEING_COMPUTED, None));
+            return Err(nothing::<SearchRequest>(self, BEING_COMPUTED, None));
         };
         if self.search_is_old() {
             return Err(old("setup"));
@@ -278,9 +247,9 @@ impl App {
 }
 
 impl SearchResult {
-    /// The results as a table; the scene has this name. Of listed results it has the rows that are listed.
-    pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
-        self.answer.answer().csv(&self.scene, name, listed)
+    /// The results as a table; the scene has this name.
+    pub fn csv(&self, name: &str) -> String {
+        self.answer.answer().csv(&self.scene, name)
     }
 
     pub fn is_complete(&self) -> bool {
@@ -288,70 +257,14 @@ impl SearchResult {
     }
 }
 
-#[derive(Clone, Debug, PartialEq)]
-pub enum Request {
-    /// Which values of a variable give a wanted result.
-    Seek(seek::Request),
-    /// The Pareto front: designs that no other one dominates.
-    Front(front::Request),
-    /// How strongly each variable acts on a quantity.
-    Sensitivity(sensitivity::Request),
-    /// How results scatter when inputs do.
-    MonteCarlo(monte_carlo::Request),
-}
-
-impl Request {
-    /// The command that makes it of the scene that was searched: its name, then its options.
-    pub fn command(&self) -> String {
-        match self {
-            Self::Seek(request) => request.to_string(),
-            Self::Front(request) => request.to_string(),
-            Self::Sensitivity(request) => request.to_string(),
-            Self::MonteCarlo(request) => request.to_string(),
+impl Page {
+    /// The page that asks for it.
+    pub fn of(request: &SearchRequest) -> Self {
+        match request {
+            SearchRequest::Seek(_) => Self::Seek,
+            SearchRequest::Front(_) => Self::Front,
+            SearchRequest::Sensitivity(_) => Self::Sensitivity,
+            SearchRequest::MonteCarlo(_) => Self::MonteCarlo,
         }
-    }
-
-    pub fn page(&self) -> Page {
-        match self {
-            Self::Seek(_) => Page::Seek,
-            Self::Front(_) => Page::Front,
-            Self::Sensitivity(_) => Page::Sensitivity,
-            Self::MonteCarlo(_) => Page::MonteCarlo,
-        }
-    }
-}
-
-#[derive(Clone, Debug)]
-pub enum StudyResult {
-    Seek(seek::Report),
-    Front(Box<Front>),
-    Sensitivity(sensitivity::Report),
-    MonteCarlo(monte_carlo::Report),
-}
-
-impl Study for Request {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let (threads, plain) = (reporter.threads(), &mut reporter.progress());
-        let answer = match self {
-            Self::Seek(request) => {
-                let context = &mut Context::new(threads, plain);
-                StudyResult::Seek(seek::seek(scene, request, context)?)
-            }
-            Self::Front(request) => {
-                let answer = |front: &Front| StudyResult::Front(Box::new(front.clone()));
-                let watch = &mut reporter.watch(answer);
-                let context = &mut Context::new(threads, watch);
-                StudyResult::Front(Box::new(front::optimise(scene, request, context)?))
-            }
-            Self::Sensitivity(request) => {
-                let context = &mut Context::new(threads, plain);
-                StudyResult::Sensitivity(sensitivity::study(scene, request, context)?)
-            }
-            Self::MonteCarlo(request) => {
-                let context = &mut Context::new(threads, plain);
-                StudyResult::MonteCarlo(monte_carlo::sample(scene, request, context)?)
-            }
-        };
-        Ok(Finding::new(answer))
     }
 }

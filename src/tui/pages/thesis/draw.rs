@@ -3,8 +3,9 @@
 use crate::study::principles::{CONCEPTS, CRITERIA, PRINCIPLES};
 use crate::study::thesis::ClaimVerdict;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::thesis::{self, CLAIMS, Claims};
+use crate::tui::pages::thesis::{self, CLAIMS};
 use crate::tui::widgets::table::{NO_MATCH, filtered};
+use crate::worker::studies::Claims;
 
 /// From this width on the detail stands beside the list.
 const BESIDE: u16 = 110;

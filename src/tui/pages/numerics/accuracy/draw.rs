@@ -3,13 +3,13 @@
 use crate::report::accuracy;
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
-use crate::tui::app::layout::WIDE;
 use crate::tui::chart::Emphasis;
 use crate::tui::pages::numerics::ACCURACY;
-use crate::tui::pages::numerics::accuracy::Measurements;
 use crate::tui::pages::prelude::*;
+use crate::tui::widgets::layout::WIDE;
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::{NEEDS_SINGLE, wrapped};
+use crate::worker::studies::Measurements;
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;

@@ -7,7 +7,6 @@ use crate::report::figures::run::{contact_window_s, event_letter, event_marks};
 use crate::report::law::Law;
 use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
-use crate::tui::app::status::fitting;
 use crate::tui::chart::{
     self, Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
 };
@@ -15,6 +14,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::charts::{Curve as Data, Window, is_free, is_held};
 use crate::tui::pages::run::runs::{RunView, engineering};
+use crate::tui::widgets::text::fitting;
 
 /// Rows of a chart that can be read.
 const LEAST: u16 = 3;
@@ -37,7 +37,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let mut charts: Vec<Chart<'_>> =
         places.iter().zip(&data).map(|(place, data)| chart(app, place, data)).collect();
     for (chart, place) in charts.iter_mut().zip(&places) {
-        chart.focused = focused && app.charts.selected == place.chart;
+        chart.focused = focused && app.pages.run.charts.selected == place.chart;
         // The table of runs has the markers, where it is seen.
         if places.len() > 1 || !app.is_full() {
             chart.legend = Legend::Hidden;
@@ -61,18 +61,18 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 /// Say what the areas of a chart are to the mouse.
 fn hits(app: &App, chart: usize, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
     canvas.plot_columns.get_or_insert(layout.plot.width);
-    if app.charts.quantities[chart].is_over_time() {
+    if app.pages.run.charts.quantities[chart].is_over_time() {
         canvas.plot(layout, |value, _| Some(Target::Value { pane: CHARTS, chart, value }));
     }
 }
 
 /// The title of a chart without rows: a line across the box, or the last one.
 fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canvas<'_>) {
-    let title = format!("{}: {why}", app.charts.quantities[place.chart].title());
+    let title = format!("{}: {why}", app.pages.run.charts.quantities[place.chart].title());
     let pane = PaneFrame::new(title).focused(focused).stacked(place.begins, Below::Nothing);
     pane.draw(place.area, canvas);
     if place.below == Below::End {
-        let set = app.theme.glyphs.border();
+        let set = app.settings.theme.glyphs.border();
         let role = if focused { Role::Focus } else { Role::Border };
         canvas.put(place.area, (0, 0), set.bottom_left, role);
         canvas.put(place.area, (place.area.width - 1, 0), set.bottom_right, role);
@@ -81,8 +81,8 @@ fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canva
 
 /// The charts that have room in an area, from top to bottom: the selected one is among them.
 fn places(app: &App, area: Rect) -> Vec<Place> {
-    let all: Vec<usize> = (0..app.charts.quantities.len()).collect();
-    let selected = app.charts.selected;
+    let all: Vec<usize> = (0..app.pages.run.charts.quantities.len()).collect();
+    let selected = app.pages.run.charts.selected;
     if app.is_full() {
         return stack(app, area, &[selected]).unwrap_or_default();
     }
@@ -97,7 +97,9 @@ fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
     let drawn = u16::try_from(absent.iter().filter(|it| it.is_none()).count()).ok()?;
     let below = |at: usize| match charts.get(at + 1) {
         None => Below::End,
-        Some(next) if absent[at + 1].is_none() && app.charts.shares_axis(charts[at], *next) => {
+        Some(next)
+            if absent[at + 1].is_none() && app.pages.run.charts.shares_axis(charts[at], *next) =>
+        {
             Below::Nothing
         }
         Some(_) => Below::Across,
@@ -124,7 +126,7 @@ fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
 
 /// Why a chart has nothing to draw, in all runs.
 fn absence(app: &App, chart: usize) -> Option<String> {
-    let quantity = app.charts.quantities[chart];
+    let quantity = app.pages.run.charts.quantities[chart];
     let of = |run: &Run| {
         if quantity == Channel::PlateDisplacement && is_held(run) {
             let farthest =
@@ -156,7 +158,7 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     let index = place.chart;
-    let quantity = app.charts.quantities[index];
+    let quantity = app.pages.run.charts.quantities[index];
     let curves = data.iter().map(|Data { view, points }| {
         Curve::new(MARKERS[view.index % MARKERS.len()], label(view), points)
             .colour(view.index)
@@ -177,16 +179,17 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     }
     let range @ (from, to) = app.time_range_s(index);
     let time = ViewRange::new(from, to);
-    let x =
-        Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")).scale(app.charts.time_scale);
-    let scale = app.charts.value_scales[index];
-    let shown = app.shown.iter().filter(|_| app.current_visible);
+    let x = Axis::new("t", time)
+        .unit(Unit::with_prefix(time.size(), "s"))
+        .scale(app.pages.run.charts.time_scale);
+    let scale = app.pages.run.charts.value_scales[index];
+    let shown = app.shown.iter().filter(|_| app.pages.run.shows_current);
     let marks = shown.flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
     let left = room.saturating_sub(title.chars().count() + 4);
     Chart {
         marks: marks.collect(),
         levels: levels(app, quantity),
-        crosshair: app.charts.cursor_s,
+        crosshair: app.pages.run.charts.cursor_s,
         frame,
         note: note(app, index, alike, left).into(),
         ..Chart::new(title, x, value_axis(app, data, index).scale(scale), curves.collect())
@@ -195,7 +198,10 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
 
 /// The plate's thickness, and where the stop stands.
 fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
-    let Some(shown) = app.shown.as_ref().filter(|_| app.current_visible && !app.charts.difference)
+    let Some(shown) = app
+        .shown
+        .as_ref()
+        .filter(|_| app.pages.run.shows_current && !app.pages.run.charts.difference)
     else {
         return Vec::new();
     };
@@ -263,13 +269,13 @@ fn over_displacement<'a>(
     data: &[Data<'_>],
     curves: Vec<Curve<'a>>,
 ) -> Chart<'a> {
-    let quantity = app.charts.quantities[index];
-    let run = app.shown.as_ref().filter(|_| app.current_visible).map(|shown| &shown.run);
+    let quantity = app.pages.run.charts.quantities[index];
+    let run = app.shown.as_ref().filter(|_| app.pages.run.shows_current).map(|shown| &shown.run);
     let law = run.and_then(|run| Law::of(run));
     let points = || data.iter().flat_map(|curve| curve.points.iter());
     let limits = law.iter().flat_map(|law| <[f64; 2]>::from(law.range_m()));
     let x = Axis::over("x", "m", Scale::Linear, points().map(|point| point.0).chain(limits));
-    let scale = app.charts.value_scales[index];
+    let scale = app.pages.run.charts.value_scales[index];
     let y = Axis::over("", quantity.unit(), scale, points().map(|point| point.1));
     let none = || Axis::new("", ViewRange::default());
     let (x, mut y) = (x.unwrap_or_else(none), y.unwrap_or_else(none));
@@ -281,7 +287,7 @@ fn over_displacement<'a>(
         marks: law.map_or_else(Vec::new, |law| law.marks()),
         levels,
         crosshair: run
-            .zip(app.charts.cursor_s)
+            .zip(app.pages.run.charts.cursor_s)
             .and_then(|(run, t_s)| Channel::PlateDisplacement.at(run, t_s)),
         ..Chart::new(title, x.padded(0.04), y.padded(0.04), curves)
     }
@@ -289,7 +295,8 @@ fn over_displacement<'a>(
 
 /// A vertical axis that shows all of some curves.
 fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
-    let (scale, unit) = (app.charts.value_scales[chart], app.charts.quantities[chart].unit());
+    let (scale, unit) =
+        (app.pages.run.charts.value_scales[chart], app.pages.run.charts.quantities[chart].unit());
     let (low, high) = app.value_range(data, chart);
     let values = match scale {
         Scale::Linear => ViewRange::new(low, high),
@@ -312,14 +319,14 @@ fn label(view: &RunView<'_>) -> String {
 
 /// The name of a chart with the number of the current run, in a given number of columns.
 fn title(app: &App, chart: usize, room: usize) -> String {
-    let quantity = app.charts.quantities[chart];
+    let quantity = app.pages.run.charts.quantities[chart];
     let name = quantity.title().trim_end_matches(" over displacement");
     if let Some(pin) =
-        app.reference_pin().filter(|_| app.charts.difference && quantity.is_over_time())
+        app.reference_pin().filter(|_| app.pages.run.charts.difference && quantity.is_over_time())
     {
         return format!("{name} minus that of {}", pin.letter);
     }
-    let window = match app.charts.windows[chart] {
+    let window = match app.pages.run.charts.windows[chart] {
         Window::Whole if quantity.is_over_time() => ", whole",
         Window::Whole | Window::Contact => "",
     };

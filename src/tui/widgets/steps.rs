@@ -3,11 +3,19 @@
 use crate::model::scene::Scene;
 use crate::model::units::{Dimension, significant};
 use crate::model::variables::{Number, Step, Variable};
-use crate::tui::pages::run::editor::shown_number;
+
+/// A number in at most `width` characters.
+pub(crate) fn shown_number(number: f64, width: usize) -> String {
+    (1..=6)
+        .rev()
+        .map(|digits| significant(number, digits))
+        .find(|text| text.len() <= width)
+        .unwrap_or_else(|| format!("{number:.0e}"))
+}
 
 /// What changes the value of a row.
 #[derive(Clone, Copy, Debug)]
-pub enum Input<'a> {
+pub(crate) enum Input<'a> {
     /// Arrow keys.
     Step(Press),
     /// What was typed into its field.
@@ -15,23 +23,23 @@ pub enum Input<'a> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Press {
+pub(crate) struct Press {
     /// To the next value; else to the one before.
     pub up: bool,
     pub size: Size,
 }
 
 impl Press {
-    pub const NEXT: Self = Self { up: true, size: Size::Plain };
+    pub(crate) const NEXT: Self = Self { up: true, size: Size::Plain };
 
     /// The number of values a choice goes on by.
-    pub fn by(self) -> isize {
+    pub(crate) fn by(self) -> isize {
         if self.up { 1 } else { -1 }
     }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Size {
+pub(crate) enum Size {
     /// A tenth of a step.
     Fine,
     /// One step.
@@ -41,7 +49,7 @@ pub enum Size {
 }
 
 impl Size {
-    pub fn factor(self) -> f64 {
+    pub(crate) fn factor(self) -> f64 {
         10f64.powi(self.decade())
     }
 
@@ -55,7 +63,7 @@ impl Size {
 }
 
 /// The decade of a plain linear step from this value: the last figure shown, made finer where that is a fifth of it or more.
-pub fn decade(number: &Number, value: f64) -> i32 {
+pub(crate) fn decade(number: &Number, value: f64) -> i32 {
     if value == 0.0 {
         return decade_at_zero(number);
     }
@@ -80,7 +88,7 @@ fn decade_at_zero(number: &Number) -> i32 {
 /// The value one press away, `None` where that would make no physical sense.
 ///
 /// `plain` is the decade of a plain linear step ([`decade`]); up and down by the same one come back to the same value.
-pub fn stepped(number: &Number, value: f64, press: Press, plain: i32) -> Option<f64> {
+pub(crate) fn stepped(number: &Number, value: f64, press: Press, plain: i32) -> Option<f64> {
     let next = match number.step {
         Step::Linear => linear(value, press.up, plain + press.size.decade()),
         Step::Log => logarithmic(number, value, press),
@@ -90,7 +98,7 @@ pub fn stepped(number: &Number, value: f64, press: Press, plain: i32) -> Option<
 }
 
 /// A value to begin with where there was none: the plate's size as it is, in three digits.
-pub fn first_value(variable: &Variable, number: &Number, scene: &Scene) -> f64 {
+pub(crate) fn first_value(variable: &Variable, number: &Number, scene: &Scene) -> f64 {
     let now = match variable.key {
         "plate.mass_kg" => scene.plate_mass_kg(),
         "plate.face_m" => scene.plate_face_m(),

@@ -8,14 +8,14 @@ use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
-use crate::tui::dialogs::wrap;
+use crate::tui::app::jobs;
 use crate::tui::pages::explore::state::PicturePlan;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::{self, Pin};
-use crate::tui::pages::run::steps::{self, Input, Press};
 use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
-use crate::tui::update::jobs;
+use crate::tui::widgets::cycled;
+use crate::tui::widgets::steps::{self, Input, Press};
 
 /// Set a variable. `stepping` joins it with the steps just before.
 pub(crate) fn set(
@@ -55,13 +55,13 @@ pub(crate) fn set(
 pub(crate) fn change(app: &mut App, index: usize, input: Input<'_>) -> Result<(), String> {
     let text = match input {
         Input::Step(press) => {
-            app.editor.selected = index;
+            app.pages.run.editor.selected = index;
             step(app, press);
             return Ok(());
         }
         Input::Text(text) => text,
     };
-    let text = app.editor.with_unit(index, text);
+    let text = app.pages.run.editor.with_unit(index, text);
     let value = VARIABLES[index].parse(&app.scene, &text, Bare::Stored);
     set(app, index, value.map_err(|error| error.to_string())?, None)
 }
@@ -91,8 +91,8 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
 pub(crate) fn load(app: &mut App, base: Base, plan: PicturePlan) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
-    app.charts.zoom_s = [None; 2];
-    app.charts.cursor_s = None;
+    app.pages.run.charts.zoom_s = [None; 2];
+    app.pages.run.charts.cursor_s = None;
     app.pages.explore.plan = plan;
     (app.scene, app.base) = (Arc::clone(&base.scene), base);
     commit(app, before, label, None);
@@ -106,11 +106,11 @@ fn commit(app: &mut App, before: Snapshot, label: String, stepping: Option<Stepp
 
 /// Updates after a change of the scene.
 fn follow(app: &mut App) {
-    if app.editor.filter.is_empty() && !app.editor.shows(&app.scene) {
+    if app.pages.run.editor.filter.is_empty() && !app.pages.run.editor.shows(&app.scene) {
         // The variable means nothing any more: the nearest one in the list is selected.
-        let away = |index: &usize| index.abs_diff(app.editor.selected);
-        let nearest = app.editor.listed(&app.scene).into_iter().min_by_key(away);
-        app.editor.selected = nearest.unwrap_or_default();
+        let away = |index: &usize| index.abs_diff(app.pages.run.editor.selected);
+        let nearest = app.pages.run.editor.listed(&app.scene).into_iter().min_by_key(away);
+        app.pages.run.editor.selected = nearest.unwrap_or_default();
     }
     jobs::after_edit(app);
     explore::after_edit(app);
@@ -148,7 +148,7 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     }
     if from.search != to.search {
         app.pages.search.setup = to.search;
-        (app.pages.search.problem, app.pages.search.zoomed) = Default::default();
+        app.pages.search.problem = Default::default();
     }
     if from.plan != to.plan {
         app.pages.explore.plan = to.plan;
@@ -158,61 +158,45 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
 
 /// Take the last edit back.
 pub(crate) fn undo(app: &mut App) {
-    let Some(last) = app.history.done.checked_sub(1) else {
+    let Some(at) = app.history.done.checked_sub(1) else {
         return app.tell("nothing to undo");
     };
-    let label = app.history.edits[last].label.clone();
+    let Edit { label, change, .. } = app.history.edits[at].clone();
     app.tell(format!("undone: {label} (<redo> redoes)"));
-    go_to(app, last);
+    app.history.done = at;
+    let (scene, base) = (Arc::clone(&app.scene), app.base.clone());
+    match change {
+        Change::State(states) => make(app, &states.1, states.0),
+        Change::Unpinned(pins) => runs::put_back(app, pins),
+        Change::Pinned(pins) => runs::take_away(app, &pins),
+    }
+    if (&app.scene, &app.base) != (&scene, &base) {
+        follow(app);
+    }
 }
 
 /// Do the last undone edit again.
 pub(crate) fn redo(app: &mut App) {
-    let done = app.history.done;
-    let Some(label) = app.history.edits.get(done).map(|edit| edit.label.clone()) else {
+    let at = app.history.done;
+    let Some(Edit { label, change, .. }) = app.history.edits.get(at).cloned() else {
         return app.tell("nothing to redo");
     };
     app.tell(format!("redone: {label}"));
-    go_to(app, done + 1);
-}
-
-/// Go to the state after the first `done` edits, and say so.
-pub(crate) fn travel(app: &mut App, done: usize) {
-    let done = done.min(app.history.edits.len());
-    if done == app.history.done {
-        return;
+    app.history.done = at + 1;
+    let (scene, base) = (Arc::clone(&app.scene), app.base.clone());
+    match change {
+        Change::State(states) => make(app, &states.0, states.1),
+        Change::Pinned(pins) => runs::put_back(app, pins),
+        Change::Unpinned(pins) => runs::take_away(app, &pins),
     }
-    app.tell(format!("back to the state after edit {done}"));
-    go_to(app, done);
-}
-
-/// Undo or redo until the first `done` edits are in force.
-fn go_to(app: &mut App, done: usize) {
-    let before = (Arc::clone(&app.scene), app.base.clone());
-    while app.history.done != done {
-        let forward = app.history.done < done;
-        let at = app.history.done - usize::from(!forward);
-        app.history.done = at + usize::from(forward);
-        match app.history.edits[at].change.clone() {
-            Change::State(states) if forward => make(app, &states.0, states.1),
-            Change::State(states) => make(app, &states.1, states.0),
-            Change::Pinned(pins) if forward => runs::put_back(app, pins),
-            Change::Unpinned(pins) if !forward => runs::put_back(app, pins),
-            Change::Pinned(pins) | Change::Unpinned(pins) => {
-                for pin in &pins {
-                    runs::take_away(app, &pin.scene);
-                }
-            }
-        }
-    }
-    if (&app.scene, &app.base) != (&before.0, &before.1) {
+    if (&app.scene, &app.base) != (&scene, &base) {
         follow(app);
     }
 }
 
 /// Reset the selected variable to the preset's value.
 pub(crate) fn reset(app: &mut App) {
-    let index = app.editor.selected;
+    let index = app.pages.run.editor.selected;
     let value = VARIABLES[index].value(&app.base.scene);
     if value == VARIABLES[index].value(&app.scene) {
         return app.tell(format!("{} has the preset's value already", VARIABLES[index].symbol));
@@ -233,10 +217,10 @@ pub(crate) fn reset_all(app: &mut App) {
 
 /// Step the selected variable: a number by its rule, a choice or switch to its neighbour.
 pub(crate) fn step(app: &mut App, press: Press) {
-    let index = app.editor.selected;
+    let index = app.pages.run.editor.selected;
     let variable = &VARIABLES[index];
     let Kind::Number(number) = &variable.kind else {
-        if let Some(value) = cycled(app, index, press.by()) {
+        if let Some(value) = neighbour(app, index, press.by()) {
             return finish(app, index, value, None);
         }
         let only = format!("{} has only one value: {}", variable.symbol, variable.show(&app.scene));
@@ -263,11 +247,11 @@ fn step_number(
     value: f64,
     press: Press,
 ) -> Option<f64> {
-    let plain = match app.editor.stepped {
+    let plain = match app.pages.run.editor.stepped {
         Some((same, decade)) if same == index => decade,
         _ => steps::decade(number, value),
     };
-    app.editor.stepped = Some((index, plain));
+    app.pages.run.editor.stepped = Some((index, plain));
     steps::stepped(number, value, press, plain)
 }
 
@@ -283,11 +267,11 @@ fn finish(app: &mut App, index: usize, value: Value, stepping: Option<Stepping>)
 }
 
 /// The neighbour of a choice or switch; `None` where there is only one value, or the variable is a number.
-fn cycled(app: &App, index: usize, by: isize) -> Option<Value> {
+fn neighbour(app: &App, index: usize, by: isize) -> Option<Value> {
     match &VARIABLES[index].kind {
         Kind::Switch { get, .. } => Some(Value::Switch(!get(&app.scene))),
         Kind::Choice(choice) if choice.words.len() > 1 => {
-            let next = wrap((choice.get)(&app.scene), by, choice.words.len());
+            let next = cycled((choice.get)(&app.scene), by, choice.words.len());
             Some(Value::Word(choice.words[next]))
         }
         Kind::Choice(_) | Kind::Number(_) => None,

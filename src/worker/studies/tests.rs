@@ -1,15 +1,14 @@
-//! The studies of the pages on the threads of the worker: what they refuse, and what they keep.
+//! The studies on the threads of the worker: what they refuse, and what they keep.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
-use super::explore::plan::PictureSweep;
-use super::explore::state::Picture;
-use super::limit::state::LimitSearch;
-use super::numerics::accuracy::Measurements;
-use super::search::state::{Request, StudyResult};
+use super::{
+    Asked, Finding, Found, LimitSearch, Measurements, Picture, PictureSweep, SearchAnswer,
+    SearchRequest,
+};
 use crate::model::scene::{InterfaceLaw, Mount, Plate, Scene};
 use crate::study::accuracy::{self, Report as Accuracy};
 use crate::study::limit;
@@ -18,15 +17,14 @@ use crate::study::search::front;
 use crate::study::search::seek::{self, Goal};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
-use crate::worker::study::Study;
-use crate::worker::{Finding, Report, ReportBody, Task, Worker};
+use crate::worker::{Report, ReportBody, Task, Worker};
 
 /// A test that waits so long hangs.
 const HANG: Duration = Duration::from_secs(120);
 
 /// The threads with one study, and what they report. A second passes with each look at their clock, so that progress comes however
 /// fast the machine is; a report that is read holds the study up until the next one is wanted.
-fn begun(scene: Scene, study: impl Study) -> (Worker, Receiver<Report>) {
+fn begun(scene: Scene, study: impl Into<Asked>) -> (Worker, Receiver<Report>) {
     let (send, reports) = mpsc::sync_channel(0);
     let looks = AtomicU32::new(0);
     let clock = move || Duration::from_secs(1) * looks.fetch_add(1, Ordering::Relaxed);
@@ -35,8 +33,7 @@ fn begun(scene: Scene, study: impl Study) -> (Worker, Receiver<Report>) {
         let _ = send.send(report);
     });
     let worker = worker.unwrap();
-    let (scene, study) = (Arc::new(scene), Arc::new(study));
-    worker.submit(Task { id: 1, threads: 2, scene, study });
+    worker.submit(Task { id: 1, threads: 2, scene: Arc::new(scene), asked: study.into() });
     (worker, reports)
 }
 
@@ -45,7 +42,7 @@ fn next(reports: &Receiver<Report>) -> ReportBody {
 }
 
 /// The result, or why there is none.
-fn last(reports: &Receiver<Report>) -> Result<Finding, String> {
+fn last(reports: &Receiver<Report>) -> Result<Found, String> {
     loop {
         match next(reports) {
             ReportBody::Ended { found, .. } => return Ok(found.expect("a result")),
@@ -55,13 +52,13 @@ fn last(reports: &Receiver<Report>) -> Result<Finding, String> {
     }
 }
 
-fn made(scene: Scene, study: impl Study) -> Result<Finding, String> {
+fn made(scene: Scene, study: impl Into<Asked>) -> Result<Found, String> {
     let (_worker, reports) = begun(scene, study);
     last(&reports)
 }
 
 /// The result of a study that is cancelled at its first progress.
-fn cancelled(study: impl Study) -> Finding {
+fn cancelled(study: impl Into<Asked>) -> Found {
     let (worker, reports) = begun(Scene::default(), study);
     while !matches!(next(&reports), ReportBody::Progress { .. }) {}
     worker.cancel(1);
@@ -86,10 +83,11 @@ fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
             break part;
         }
     };
-    let done = part.get::<Grid>().expect("a grid").progress().0;
+    let done = Grid::of(&part).expect("a grid").progress().0;
     assert!(done >= 25 * 25, "the coarsest pass at least: {done}");
     worker.cancel(1);
-    let kept = last(&reports).unwrap().get::<Grid>().expect("a grid");
+    let last = last(&reports).unwrap();
+    let kept = Grid::of(&last).expect("a grid");
     assert!(!kept.is_complete() && kept.progress().0 >= done);
 }
 
@@ -104,17 +102,18 @@ fn a_search_that_makes_no_sense_is_refused_in_words() {
     let goal = |measure: &str| {
         let axis = Axis::new("k", (0.0, 1e6), 9, Spacing::Linear).unwrap();
         let goal = Goal { measure: named(measure).unwrap(), target: 60.0 };
-        Request::Seek(seek::Request { over: axis, goal })
+        SearchRequest::Seek(seek::Request { over: axis, goal })
     };
-    let found = made(Scene::default(), goal("percent_of_baseline")).unwrap().get::<StudyResult>();
+    let found = made(Scene::default(), goal("percent_of_baseline")).unwrap();
+    let answer = SearchAnswer::of(&found).map(|it| &**it);
     assert!(
-        matches!(&*found.unwrap(), StudyResult::Seek(report) if report.solutions().next().is_none())
+        matches!(answer, Some(SearchAnswer::Seek(report)) if report.solutions().next().is_none())
     );
     let rigid = Scene {
         plate: Plate { mount: Mount::Rigid, ..Scene::default().plate },
         ..Scene::default()
     };
-    let none = Request::Front(front::Request::default());
+    let none = SearchRequest::Front(front::Request::default());
     let refused = made(rigid, none).unwrap_err();
     assert!(refused.contains("no variable of Table 9.2"), "{refused}");
 }
@@ -125,8 +124,8 @@ fn measurements_of_an_impossible_scene_are_refused_and_cancelled_ones_are_kept()
     scene.projectile.mass_kg = -1.0;
     let refused = made(scene, Measurements(accuracy::ComparisonOptions::QUICK)).unwrap_err();
     assert!(refused.contains("m_p"), "{refused}");
-    let kept = cancelled(Measurements(accuracy::ComparisonOptions::FULL)).get::<Accuracy>();
-    assert!(!kept.expect("measurements").is_complete);
+    let kept = cancelled(Measurements(accuracy::ComparisonOptions::FULL));
+    assert!(!Accuracy::of(&kept).expect("measurements").is_complete);
 }
 
 /// A rigid mount has its limit in closed form.
@@ -134,9 +133,10 @@ fn measurements_of_an_impossible_scene_are_refused_and_cancelled_ones_are_kept()
 fn a_limit_is_found_and_a_stopped_one_says_so() {
     let mut scene = Scene::default();
     scene.plate.mount = Mount::Rigid;
-    let found = made(scene, LimitSearch).unwrap().get::<limit::Report>().expect("a limit");
-    let limit_m_s = found.limit.velocity_m_s().expect("a limit");
+    let found = made(scene, LimitSearch).unwrap();
+    let limit_m_s =
+        limit::Report::of(&found).expect("a limit").limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-    let kept = cancelled(LimitSearch).get::<limit::Report>();
-    assert!(!kept.expect("a limit").is_complete);
+    let kept = cancelled(LimitSearch);
+    assert!(!limit::Report::of(&kept).expect("a limit").is_complete);
 }

@@ -3,16 +3,16 @@
 use ratatui::layout::{self, Constraint, Rect};
 
 /// The smallest size that can be worked with: columns and rows.
-pub const SMALLEST: (u16, u16) = (60, 16);
+pub(crate) const SMALLEST: (u16, u16) = (60, 16);
 
 /// Least rows of a chart that can be read.
-pub const CHART_ROWS: u16 = 9;
+pub(crate) const CHART_ROWS: u16 = 9;
 /// Below this width the setup and what it is about get in each other's way.
-pub const NARROW: u16 = 72;
+pub(crate) const NARROW: u16 = 72;
 /// From this width on a setup has room for long words.
-pub const WIDE: u16 = 100;
+pub(crate) const WIDE: u16 = 100;
 /// From this width on names of runs stand in full beside their results.
-pub const ROOMY: u16 = 120;
+pub(crate) const ROOMY: u16 = 120;
 
 /// From this height on the names of the pages have a row.
 const WITH_PAGES: u16 = 18;
@@ -35,7 +35,7 @@ pub struct Layout {
 }
 
 /// Where everything stands at a size, for a tab with several pages or one, with a row for hints or without.
-pub fn layout((width, height): (u16, u16), has_pages: bool, has_hint: bool) -> Layout {
+pub(crate) fn layout((width, height): (u16, u16), has_pages: bool, has_hint: bool) -> Layout {
     let messages = if height < TWO_MESSAGE_ROWS || !has_hint { 1 } else { 2 };
     // On the lowest screens the frame of the pane names the page.
     let with_pages = has_pages && height >= WITH_PAGES;
@@ -59,7 +59,7 @@ pub fn layout((width, height): (u16, u16), has_pages: bool, has_hint: bool) -> L
 }
 
 /// Columns of a setup beside what it is about, in a body so wide.
-pub fn setup_width(width: u16) -> u16 {
+pub(crate) fn setup_width(width: u16) -> u16 {
     match width {
         0..NARROW => 24,
         NARROW..WIDE => 27,
@@ -68,18 +68,18 @@ pub fn setup_width(width: u16) -> u16 {
 }
 
 /// The columns at the left, at most this many, and the rest.
-pub fn split_left(area: Rect, width: u16) -> (Rect, Rect) {
+pub(crate) fn split_left(area: Rect, width: u16) -> (Rect, Rect) {
     let width = width.min(area.width);
     (Rect { width, ..area }, Rect { x: area.x + width, width: area.width - width, ..area })
 }
 
 /// The rows at the top, at most so many, and the rest.
-pub fn split_top(area: Rect, height: u16) -> (Rect, Rect) {
+pub(crate) fn split_top(area: Rect, height: u16) -> (Rect, Rect) {
     split_bottom(area, area.height.saturating_sub(height))
 }
 
 /// The rows above, and those at the bottom, at most this many.
-pub fn split_bottom(area: Rect, height: u16) -> (Rect, Rect) {
+pub(crate) fn split_bottom(area: Rect, height: u16) -> (Rect, Rect) {
     let height = height.min(area.height);
     let top = Rect { height: area.height - height, ..area };
     (top, Rect { y: area.y + area.height - height, height, ..area })

@@ -7,7 +7,7 @@ use crate::study::quantities::{QUANTITIES, Quantity, named};
 ///
 /// A whole name comes first, then the beginning of a name, then the beginnings of words of a name, those of any words, and last a
 /// long part of a word.
-pub fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
+pub(crate) fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
     let typed = plain(typed);
     if typed.is_empty() {
         return Some(0);
@@ -35,7 +35,7 @@ pub fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
 const PART_LEAST: usize = 5;
 
 /// How well what was typed matches a variable: by symbol, alias, label, or its name on the command line, else by its meaning.
-pub fn rank_variable(typed: &str, variable: &Variable) -> Option<usize> {
+pub(crate) fn rank_variable(typed: &str, variable: &Variable) -> Option<usize> {
     let name = variable.name();
     let mut names = vec![variable.symbol, variable.label, &name];
     names.extend(variable.aliases);
@@ -43,14 +43,17 @@ pub fn rank_variable(typed: &str, variable: &Variable) -> Option<usize> {
 }
 
 /// The ones that match, best first; those that match alike stay in their order.
-pub fn ranked<T>(items: impl Iterator<Item = T>, rank: impl Fn(&T) -> Option<usize>) -> Vec<T> {
+pub(crate) fn ranked<T>(
+    items: impl Iterator<Item = T>,
+    rank: impl Fn(&T) -> Option<usize>,
+) -> Vec<T> {
     let mut found: Vec<(usize, T)> = items.filter_map(|item| Some((rank(&item)?, item))).collect();
     found.sort_by_key(|(rank, _)| *rank);
     found.into_iter().map(|(_, item)| item).collect()
 }
 
 /// The quantity that is called so on the screen, or by its key.
-pub fn quantity_called(text: &str) -> Result<&'static Quantity, String> {
+pub(crate) fn quantity_called(text: &str) -> Result<&'static Quantity, String> {
     let text = text.trim();
     let titled = QUANTITIES.iter().find(|column| column.title().eq_ignore_ascii_case(text));
     if let Some(found) = titled.or_else(|| named(text).ok()) {

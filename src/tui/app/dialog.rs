@@ -1,0 +1,81 @@
+//! A dialog on top of the panes, as the rest of the workbench knows it.
+
+use std::fmt::Debug;
+use std::path::Path;
+
+use crossterm::event::KeyEvent;
+
+use crate::tui::keymap::{Action, Call};
+use crate::tui::message::EffectReport;
+use crate::tui::prelude::*;
+use crate::tui::widgets::input::TextField;
+
+/// What becomes of a dialog.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    Stays,
+    Closes,
+    /// It closes, and this is done.
+    Calls(Call),
+}
+
+/// A dialog: its keys, how it is drawn, and what comes of it. While it is open it has all keys but those that work everywhere.
+pub(crate) trait Dialog: Debug + Boxed {
+    /// The keys in the last row of the screen, the most useful first.
+    fn footer(&self) -> Footer;
+
+    fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome;
+
+    /// A click on a row of its list.
+    fn click(&mut self, app: &mut App, row: usize) -> Outcome;
+
+    /// Whether a click beside it closes it: not where that would throw a text away.
+    fn closes_beside(&self) -> bool {
+        false
+    }
+
+    /// The field that takes characters, if one does.
+    fn field_mut(&mut self) -> Option<&mut TextField>;
+
+    /// A text was pasted into that.
+    fn pasted(&mut self);
+
+    /// An effect has ended: what becomes of the dialog where it asked for that, `None` where it did not. Relative paths start in
+    /// the directory.
+    fn answered(&mut self, _directory: &Path, _report: &EffectReport) -> Option<Outcome> {
+        None
+    }
+
+    fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>);
+}
+
+/// Keys with a word or two for what they do.
+pub(crate) type Footer = &'static [(FootKey, &'static str)];
+
+/// A key in the footer of a dialog.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum FootKey {
+    /// The key of an action, as configured.
+    Of(Action),
+    /// Those of two actions.
+    Pair(Action, Action),
+    /// As it stands here.
+    As(&'static str),
+}
+
+/// A copy of a dialog, as of all of the state.
+pub(crate) trait Boxed {
+    fn boxed(&self) -> Box<dyn Dialog>;
+}
+
+impl<D: Dialog + Clone + 'static> Boxed for D {
+    fn boxed(&self) -> Box<dyn Dialog> {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for Box<dyn Dialog> {
+    fn clone(&self) -> Self {
+        (**self).boxed()
+    }
+}

@@ -1,0 +1,91 @@
+//! The words that the selected variable can be.
+
+use crate::model::variables::{self, Kind, Value};
+use crate::tui::app::dialog::{FootKey, Footer, Outcome};
+use crate::tui::app::edit;
+use crate::tui::dialogs::list::{List, Listed, Picker};
+use crate::tui::dialogs::{curve, frame};
+use crate::tui::prelude::*;
+use crate::tui::widgets::text::wrapped;
+
+/// A list of the words of the selected variable.
+pub(crate) fn open(app: &mut App) {
+    if let Kind::Choice(choice) = &app.pages.run.editor.variable().kind {
+        app.dialog = Some(Listed::at(Words, (choice.get)(&app.scene)));
+    }
+}
+
+#[derive(Clone, Debug)]
+struct Words;
+
+const WIDTH: u16 = 58;
+/// Rows for the meaning below the words.
+const NOTE_ROWS: u16 = 3;
+
+impl List for Words {
+    const OPENED_BY: Action = Action::Enter;
+    const IS_FILTERED: bool = false;
+
+    fn footer(&self, _: bool) -> Footer {
+        &[
+            (FootKey::Of(Action::Enter), "take it"),
+            (FootKey::Pair(Action::Down, Action::Up), "move"),
+            (FootKey::Of(Action::Quit), "close"),
+        ]
+    }
+
+    fn count(&self, app: &App, _: &str) -> usize {
+        app.pages.run.editor.variable().words().len()
+    }
+
+    /// A word that is refused leaves the list open, with the reason.
+    fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
+        let index = app.pages.run.editor.selected;
+        let Some(word) = app.pages.run.editor.variable().words().get(picker.selected) else {
+            return Outcome::Closes;
+        };
+        match edit::set(app, index, Value::Word(word), None) {
+            Ok(()) => {
+                curve::ask(app, word);
+                Outcome::Closes
+            }
+            Err(error) => {
+                app.refuse(error);
+                Outcome::Stays
+            }
+        }
+    }
+
+    fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+        let variable = app.pages.run.editor.variable();
+        let words = variable.words();
+        let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
+        let size = (WIDTH, count.saturating_add(NOTE_ROWS + 3));
+        let pane = PaneFrame::new(variable.symbol);
+        let inner = frame(screen, size, pane, canvas);
+        let list = Rect { height: inner.height.saturating_sub(NOTE_ROWS + 1).min(count), ..inner };
+        let now = variable.value(&app.scene);
+        picker.draw_rows(words.len(), list, canvas, |canvas, row, index| {
+            let is_now = now == Value::Word(words[index]);
+            let role = if refusal(app, words[index]).is_some() { Role::Dim } else { Role::Text };
+            let end = canvas.put(row, (2, 0), words[index], role);
+            if is_now {
+                canvas.put(row, (0, 0), ">", Role::Title);
+                canvas.put(row, (end + 2, 0), "now", Role::Dim);
+            }
+        });
+        let refused = words.get(picker.selected).and_then(|word| refusal(app, word));
+        let (text, role) = match refused {
+            Some(text) => (text, Role::Warning),
+            None => (variable.meaning.to_owned(), Role::Dim),
+        };
+        canvas.put_lines(inner, list.height + 1, wrapped(&text, inner.width, role));
+    }
+}
+
+/// Why the scene makes no sense with this word; `None` where it does.
+fn refusal(app: &App, word: &'static str) -> Option<String> {
+    let mut scene = (*app.scene).clone();
+    let set = app.pages.run.editor.variable().set(&mut scene, Value::Word(word));
+    set.and_then(|()| variables::validate(&scene)).err().map(|error| error.to_string())
+}

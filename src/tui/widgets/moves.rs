@@ -1,0 +1,81 @@
+//! What an action is as a movement: by rows, along a chart, over a map, round a list of choices, of a value.
+
+use crate::tui::keymap::Action;
+use crate::tui::widgets::steps::{Press, Size};
+
+/// By how many rows an action moves in a list that shows this many at once; `None` for other actions.
+pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
+    let page = isize::try_from(page.max(2) - 1).unwrap_or(1);
+    match action {
+        Action::Up => Some(-1),
+        Action::Down => Some(1),
+        Action::PageUp => Some(-page),
+        Action::PageDown => Some(page),
+        Action::First => Some(isize::MIN / 2),
+        Action::Last => Some(isize::MAX / 2),
+        _ => None,
+    }
+}
+
+/// How far along an action moves a cursor; far is this many.
+pub(crate) fn along(action: Action, far: i16) -> Option<i16> {
+    match action {
+        Action::Left => Some(-1),
+        Action::Right => Some(1),
+        Action::FarLeft => Some(-far),
+        Action::FarRight => Some(far),
+        _ => None,
+    }
+}
+
+/// How far along and upward an action moves a cursor; far is this many.
+pub(crate) fn cursor_moved(action: Action, far: i16) -> Option<(isize, isize)> {
+    let up = isize::from(far);
+    match action {
+        Action::Up => Some((0, 1)),
+        Action::Down => Some((0, -1)),
+        Action::PageUp => Some((0, up)),
+        Action::PageDown => Some((0, -up)),
+        Action::First => Some((isize::MIN / 2, 0)),
+        Action::Last => Some((isize::MAX / 2, 0)),
+        _ => along(action, far).map(|by| (by.into(), 0)),
+    }
+}
+
+/// A cell of a map moved across and upward, within so many columns and rows.
+pub(crate) fn moved(
+    (x, y): (usize, usize),
+    (across, up): (isize, isize),
+    (columns, rows): (usize, usize),
+) -> (usize, usize) {
+    let along =
+        |at: usize, by, count: usize| at.saturating_add_signed(by).min(count.saturating_sub(1));
+    (along(x, across, columns), along(y, up, rows))
+}
+
+/// Up or down, and by how much, an action steps a value.
+pub(crate) fn step_of(action: Action) -> Option<Press> {
+    let press = |up, size| Some(Press { up, size });
+    match action {
+        Action::Left => press(false, Size::Plain),
+        Action::Right => press(true, Size::Plain),
+        Action::FarLeft => press(false, Size::Coarse),
+        Action::FarRight => press(true, Size::Coarse),
+        Action::FineLess => press(false, Size::Fine),
+        Action::FineMore => press(true, Size::Fine),
+        _ => None,
+    }
+}
+
+/// The one by this many places further on, round and round.
+pub(crate) fn around<T: Copy + PartialEq>(all: &[T], one: T, by: isize) -> T {
+    let at = all.iter().position(|other| *other == one).unwrap_or(0);
+    all[cycled(at, by, all.len())]
+}
+
+/// `at` moved by `by` within `0..count`, round and round.
+pub(crate) fn cycled(at: usize, by: isize, count: usize) -> usize {
+    let count = isize::try_from(count.max(1)).unwrap_or(1);
+    let at = isize::try_from(at).unwrap_or(0);
+    usize::try_from((at + by).rem_euclid(count)).unwrap_or(0)
+}

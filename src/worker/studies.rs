@@ -1,0 +1,406 @@
+//! What can be asked of the worker: runs, and studies of many runs; and what it finds.
+
+use std::error::Error;
+use std::fmt::Debug;
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::clock;
+use super::runs::SceneRun;
+use super::study::{Lane, Reporter, RowsSoFar, Study, Tempo};
+use crate::files::export::Destination;
+use crate::files::report::Subject;
+use crate::model::run::Run;
+use crate::model::scene::Scene;
+use crate::study::accuracy::{self, ComparisonOptions};
+use crate::study::compare::map::{Map as EfficiencyMap, usual_axes};
+use crate::study::compare::{self, Hardware};
+use crate::study::context::{Context, Progress};
+use crate::study::search::{front, seek};
+use crate::study::stability::map::{self, Map as StabilityCells, Wanted};
+use crate::study::sweep::Plan;
+use crate::study::sweep::grid::{self, Grid};
+use crate::study::{limit, monte_carlo, sensitivity, stability, thesis};
+
+/// An enum with a variant for each of some types, which a caller takes out again by its type.
+macro_rules! one_of {
+    ($(#[$doc:meta])* $name:ident, $(#[$about:meta])* $of:ident: $($kind:ident($type:ty),)*) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug)]
+        pub enum $name {
+            $($kind(Arc<$type>),)*
+        }
+
+        $(#[$about])*
+        pub trait $of: Sized + 'static {
+            /// It, where it is of this type.
+            fn of(one: &$name) -> Option<&Arc<Self>>;
+        }
+
+        $(
+            impl From<$type> for $name {
+                fn from(it: $type) -> Self {
+                    Self::$kind(Arc::new(it))
+                }
+            }
+
+            impl From<Arc<$type>> for $name {
+                fn from(it: Arc<$type>) -> Self {
+                    Self::$kind(it)
+                }
+            }
+
+            impl $of for $type {
+                fn of(one: &$name) -> Option<&Arc<Self>> {
+                    if let $name::$kind(it) = one { Some(it) } else { None }
+                }
+            }
+        )*
+    };
+}
+
+one_of! {
+    /// What a task is to compute.
+    Asked,
+    /// One of the things a task can compute.
+    AskedFor:
+    Run(SceneRun),
+    Picture(PictureSweep),
+    Printed(PrintedSweep),
+    Limit(LimitSearch),
+    Spread(Spread),
+    EqualMass(EqualMass),
+    Measurements(Measurements),
+    StabilityMap(StabilityMap),
+    StiffScenes(StiffScenes),
+    Claims(Claims),
+    Search(SearchRequest),
+    Report(ReportFile),
+}
+
+one_of! {
+    /// A result, whole or as far as it is.
+    Found,
+    /// One of the results there are.
+    Finding:
+    Run(Run),
+    Grid(Grid),
+    Limit(limit::Report),
+    Spread(monte_carlo::Report),
+    Comparison(Comparison),
+    Measurements(accuracy::Report),
+    StabilityMap(StabilityCells),
+    StiffScenes(RowsSoFar<stability::Row>),
+    Claims(RowsSoFar<thesis::Row>),
+    Search(SearchAnswer),
+    Report(String),
+}
+
+impl Asked {
+    pub(super) fn study(&self) -> &dyn Study {
+        match self {
+            Self::Run(it) => &**it,
+            Self::Picture(it) => &**it,
+            Self::Printed(it) => &**it,
+            Self::Limit(it) => &**it,
+            Self::Spread(it) => &**it,
+            Self::EqualMass(it) => &**it,
+            Self::Measurements(it) => &**it,
+            Self::StabilityMap(it) => &**it,
+            Self::StiffScenes(it) => &**it,
+            Self::Claims(it) => &**it,
+            Self::Search(it) => &**it,
+            Self::Report(it) => &**it,
+        }
+    }
+}
+
+/// A sweep that ends before this shows nothing on the way: no picture is drawn twice for it.
+const FIRST: Duration = Duration::from_millis(25);
+/// Least time between two pictures of passes.
+const BETWEEN_PASSES: Duration = Duration::from_millis(120);
+
+/// How a sweep is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Picture {
+    /// One axis, with a family of curves or without.
+    #[default]
+    Line,
+    /// Two axes: a map.
+    Surface,
+}
+
+/// Computes the points of a picture: coarse ones come first.
+#[derive(Debug)]
+pub struct PictureSweep {
+    pub picture: Picture,
+    pub plan: Arc<Plan>,
+}
+
+impl Study for PictureSweep {
+    fn lane(&self) -> Lane {
+        Lane::Sweeps
+    }
+
+    fn tempo(&self) -> Tempo {
+        Tempo { first: FIRST, between: BETWEEN_PASSES }
+    }
+
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        grid::fits(&self.plan)?;
+        let grid = Grid::new(Arc::clone(&self.plan));
+        let grid = grid.ok_or("a chart has one axis and a map two: use fewer axes")?;
+        let watch = &mut |progress, pass: Option<&Grid>| {
+            let pass = pass.filter(|grid| !grid.is_complete());
+            reporter.tell(progress, &|| pass.map(|grid| grid.clone().into()))
+        };
+        let context = &mut Context::new(reporter.threads(), watch);
+        Ok(grid.fill(grid::PIECE, context).into())
+    }
+}
+
+/// Computes the curves of a figure by the scheme that the thesis prints.
+#[derive(Debug)]
+pub struct PrintedSweep(pub Arc<Plan>);
+
+impl Study for PrintedSweep {
+    fn lane(&self) -> Lane {
+        Lane::Sweeps
+    }
+
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let grid = Grid::new(Arc::clone(&self.0)).ok_or("a chart has one axis")?;
+        Ok(filled(grid, reporter).into())
+    }
+}
+
+fn filled(grid: Grid, reporter: &Reporter<'_>) -> Grid {
+    let watch = &mut reporter.watch(Grid::clone);
+    grid.fill(grid::PIECE, &mut Context::new(reporter.threads(), watch))
+}
+
+/// Finds the ballistic limit.
+#[derive(Debug, PartialEq)]
+pub struct LimitSearch;
+
+impl Study for LimitSearch {
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let watch = &mut reporter.progress();
+        let context = &mut Context::new(reporter.threads(), watch);
+        Ok(limit::find(scene, context)?.into())
+    }
+}
+
+/// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
+#[derive(Debug, PartialEq)]
+pub struct Spread(pub monte_carlo::Request);
+
+impl Study for Spread {
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let watch = &mut reporter.progress();
+        let context = &mut Context::new(reporter.threads(), watch);
+        Ok(monte_carlo::sample(scene, &self.0, context)?.into())
+    }
+}
+
+/// Compares at equal areal mass, and maps the mass efficiency around the scene.
+#[derive(Debug)]
+pub struct EqualMass {
+    /// The absorber of the library that the scene has for it.
+    pub absorber: Option<String>,
+}
+
+/// A comparison at equal areal mass with its map, where there is one.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    pub report: compare::Report,
+    /// The absorber it was made with; `None`: the scene's own.
+    pub absorber: Option<String>,
+    /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
+    pub map: Option<EfficiencyMap>,
+}
+
+impl Study for EqualMass {
+    /// A scene without such a map has none.
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let axes = usual_axes(scene);
+        let points = axes.as_ref().map_or(0, |[x, y]| x.count() * y.count());
+        let points = usize::try_from(points)?;
+        let whole = points + compare::Candidate::ALL.len();
+        let of_all = |progress: Progress, before: usize| Progress {
+            done: before + progress.done,
+            total: whole,
+        };
+        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
+        let context = &mut Context::new(1, watch);
+        let report = compare::compare(scene, Hardware::default(), context)?;
+        let first = Comparison { report, absorber: self.absorber.clone(), map: None };
+        let Some(axes) = axes.filter(|_| first.report.is_complete) else {
+            return Ok(first.into());
+        };
+        let part = || Some(first.clone().into());
+        let done = whole - points;
+        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
+        let context = &mut Context::new(reporter.threads(), watch);
+        let map = EfficiencyMap::compute(scene, &axes, Hardware::default(), context).ok();
+        Ok(Comparison { map, ..first }.into())
+    }
+}
+
+/// Measures error and run time of every method.
+#[derive(Debug)]
+pub struct Measurements(pub ComparisonOptions);
+
+impl Study for Measurements {
+    fn lane(&self) -> Lane {
+        Lane::Studies
+    }
+
+    fn measures(&self) -> bool {
+        true
+    }
+
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let watch = &mut reporter.watch(accuracy::Report::clone);
+        let context = &mut Context::new(1, watch);
+        Ok(accuracy::compare(scene, self.0, &mut clock::processor_s, context)?.into())
+    }
+}
+
+/// Computes where a fixed-step method is stable.
+#[derive(Debug, PartialEq)]
+pub struct StabilityMap(pub Wanted);
+
+impl Study for StabilityMap {
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        map::accepts(scene)?;
+        let watch = &mut reporter.watch(StabilityCells::clone);
+        Ok(map::map(scene, self.0, &mut Context::new(1, watch)).into())
+    }
+}
+
+/// Runs the battery of stiff and extreme scenes; the scene plays no part.
+#[derive(Debug)]
+pub struct StiffScenes;
+
+impl Study for StiffScenes {
+    fn lane(&self) -> Lane {
+        Lane::Studies
+    }
+
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let cases = stability::battery(false);
+        let watch = &mut reporter.watch(RowsSoFar::<stability::Row>::part);
+        // A run of an edited scene has its turn beside it.
+        let context = &mut Context::new(reporter.threads().min(2), watch);
+        let rows = stability::run(&cases, &reporter.clock(), context)?;
+        Ok(RowsSoFar::ended(rows, cases.len()).into())
+    }
+}
+
+/// Checks every claim of the thesis; the scene plays no part.
+#[derive(Debug)]
+pub struct Claims;
+
+impl Study for Claims {
+    fn lane(&self) -> Lane {
+        Lane::Studies
+    }
+
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let watch = &mut reporter.watch(RowsSoFar::<thesis::Row>::part);
+        let rows = thesis::reproduce(&mut Context::new(reporter.threads(), watch));
+        Ok(RowsSoFar::ended(rows, thesis::claims().count()).into())
+    }
+}
+
+/// What is searched for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SearchRequest {
+    /// Which values of a variable give a wanted result.
+    Seek(seek::Request),
+    /// The Pareto front: designs that no other one dominates.
+    Front(front::Request),
+    /// How strongly each variable acts on a quantity.
+    Sensitivity(sensitivity::Request),
+    /// How results scatter when inputs do.
+    MonteCarlo(monte_carlo::Request),
+}
+
+#[derive(Clone, Debug)]
+pub enum SearchAnswer {
+    Seek(seek::Report),
+    Front(Box<front::Front>),
+    Sensitivity(sensitivity::Report),
+    MonteCarlo(monte_carlo::Report),
+}
+
+impl SearchRequest {
+    /// The command that makes it of the scene that was searched: its name, then its options.
+    pub fn command(&self) -> String {
+        match self {
+            Self::Seek(request) => request.to_string(),
+            Self::Front(request) => request.to_string(),
+            Self::Sensitivity(request) => request.to_string(),
+            Self::MonteCarlo(request) => request.to_string(),
+        }
+    }
+}
+
+impl Study for SearchRequest {
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let plain = &mut reporter.progress();
+        let parts = &mut reporter
+            .watch(|front: &front::Front| SearchAnswer::Front(Box::new(front.clone())));
+        let context = &mut Context::new(reporter.threads(), plain);
+        let answer = match self {
+            Self::Seek(request) => SearchAnswer::Seek(seek::seek(scene, request, context)?),
+            Self::Front(request) => {
+                let context = &mut Context::new(reporter.threads(), parts);
+                SearchAnswer::Front(Box::new(front::optimise(scene, request, context)?))
+            }
+            Self::Sensitivity(request) => {
+                SearchAnswer::Sensitivity(sensitivity::study(scene, request, context)?)
+            }
+            Self::MonteCarlo(request) => {
+                SearchAnswer::MonteCarlo(monte_carlo::sample(scene, request, context)?)
+            }
+        };
+        Ok(answer.into())
+    }
+}
+
+/// Makes the text of a report of the scene: its limit and its sweep are computed first.
+#[derive(Clone, Debug)]
+pub struct ReportFile {
+    /// The scene's name.
+    pub name: String,
+    pub run: Arc<Run>,
+    /// Where it will be written.
+    pub to: Destination,
+}
+
+impl Study for ReportFile {
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let watch = &mut reporter.progress();
+        let context = &mut Context::new(reporter.threads(), watch);
+        let limit = limit::find(scene, context)?;
+        let sweep = if scene.sweep.is_some() { own_sweep(scene, reporter)? } else { None };
+        if !limit.is_complete || sweep.as_ref().is_some_and(|grid| !grid.is_complete()) {
+            return Err("cancelled: no report was written".into());
+        }
+        let Self { name, run, .. } = self;
+        let subject = Subject { name, scene, run, limit: &limit, sweep: sweep.as_ref() };
+        Ok(subject.html().into())
+    }
+}
+
+/// The sweep that is kept with the scene, where a picture can show it.
+fn own_sweep(scene: &Scene, reporter: &Reporter<'_>) -> Result<Option<Grid>, Box<dyn Error>> {
+    let plan = Arc::new(Plan::of(scene)?);
+    let grid = Grid::new(Arc::clone(&plan)).filter(|_| grid::fits(&plan).is_ok());
+    Ok(grid.map(|grid| filled(grid, reporter)))
+}
+
+#[cfg(test)]
+mod tests;
