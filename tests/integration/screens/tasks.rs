@@ -155,7 +155,7 @@ fn the_comparison_over_velocity_takes_1() {
 fn a_bullet_against_a_steel_plate_of_a_given_face_takes_8() {
     let mut task = Counted::start();
     let parts = library::list(None).0.into_iter().map(PresetEntry::of_part);
-    task.bench.app.presets.extend(parts);
+    task.bench.app.files.presets.extend(parts);
     task.key("p").text("m80").key("<Enter>").key("p").text("steel-4340").key("<Enter>");
     task.text("150").key("<Enter>");
     assert_eq!(task.bench.app.scene.plate.size, PlateSize::Face(0.15), "{}", task.bench.message());
