@@ -26,11 +26,11 @@ type Open = fn(&mut App) -> Option<Box<dyn Dialog>>;
 
 /// The dialogs by the action that opens each.
 const OPENED: &[(Action, Open)] = &[
-    (Action::Help, help::open),
-    (Action::Palette, palette::open),
-    (Action::Presets, presets::open),
-    (Action::Options, options::open),
-    (Action::Save, save::open),
+    (Action::Help, |app| Some(help::open(app))),
+    (Action::Palette, |app| Some(palette::open(app))),
+    (Action::Presets, |app| Some(presets::open(app))),
+    (Action::Options, |app| Some(options::open(app))),
+    (Action::Save, |app| Some(save::open(app))),
     (Action::Export, export_runs::open),
     (Action::Export, export_table::open),
 ];

@@ -15,8 +15,8 @@ use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 
-pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
-    Some(Listed::at(Help, 0))
+pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
+    Listed::at(Help, 0)
 }
 
 #[derive(Clone, Debug)]

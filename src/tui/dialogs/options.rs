@@ -11,8 +11,8 @@ use crate::tui::prelude::*;
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::text::wrapped;
 
-pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
-    Some(Listed::at(Options, 0))
+pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
+    Listed::at(Options, 0)
 }
 
 #[derive(Clone, Debug)]

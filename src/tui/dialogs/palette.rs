@@ -18,8 +18,8 @@ use crate::tui::widgets::find::{rank, rank_variable, ranked};
 use crate::tui::widgets::text::{clip, wrapped};
 use crate::tui::widgets::{split_bottom, split_top};
 
-pub(super) fn open(_: &mut App) -> Option<Box<dyn Dialog>> {
-    Some(Listed::typing(Palette))
+pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
+    Listed::typing(Palette)
 }
 
 #[derive(Clone, Debug)]

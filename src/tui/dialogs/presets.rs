@@ -18,9 +18,9 @@ use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 use crate::tui::widgets::{split_left, split_top};
 
-pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
+pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
     app.list_presets();
-    Some(Listed::typing(Presets))
+    Listed::typing(Presets)
 }
 
 #[derive(Clone, Debug)]

@@ -9,9 +9,9 @@ use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 
-pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
+pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
     app.list_presets();
-    Some(Asking::open(Save, TextField::selected(proposed_name(app))))
+    Asking::open(Save, TextField::selected(proposed_name(app)))
 }
 
 #[derive(Clone, Debug)]
