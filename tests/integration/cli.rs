@@ -167,7 +167,7 @@ fn no_warning_is_cut_before_its_number() {
     assert!(lines > 40, "{lines}");
 }
 
-/// Stone's depth m_p v_i^2/(pi R^2 rho c_t), and the length m_p/(rho_p pi R^2) of the projectile as a rod.
+/// Stone's depth is `m_p v_i^2/(pi R^2 rho c_t)`, and the projectile as a rod is `m_p/(rho_p pi R^2)` long.
 #[test]
 fn valid_formulas_of_a_shot() {
     let done = Place::new().cmra("design --c-t 1e5");
