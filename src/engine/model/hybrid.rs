@@ -1,24 +1,27 @@
 //! One impact by one loop, one integrator and one locator: the second computation that the error estimate of a run rests on.
 //!
 //! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
-//! `moving` is what the integrator sees of it; `run` is the loop; `outcome` decides by energy when it is over; `record` keeps what is asked for. It shares the law with the
-//! first computation (area, springs, dampers) and nothing of its method or its rules.
+//! `moving` is what the integrator sees of it; `run` is the loop; `outcome` decides by energy when it is over, `horizon` when it is
+//! at the latest; `record` keeps rows, work and greatest forces, and `report` makes the run of them. It shares the law with the first
+//! computation (area, springs, dampers) and nothing of its method or its rules.
 
 use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::{Collocation, NINE, THREE};
+use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
 use equations::Setup;
-pub(in crate::model) use run::Bounds;
+pub(in crate::model) use run::Extent;
 
 mod equations;
 mod events;
+mod horizon;
 mod modes;
 mod moving;
 mod outcome;
 mod record;
+mod report;
 mod run;
 #[cfg(test)]
 mod tests;
@@ -28,6 +31,8 @@ mod tests;
 pub enum Stepping {
     /// Radau IIA with nine stages, the engine's own, to a tolerance.
     Collocation(f64),
+    /// The same with seven stages, which share nothing with the nine but the law.
+    Second(f64),
     /// The same with nothing omitted that a scene does not need: powers of any exponent, the plate followed to its turn.
     CollocationInFull(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
@@ -43,7 +48,7 @@ pub enum Stepping {
 /// One impact on a valid scene by a method; `None` where this engine does not know the contact.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
-    bounds: Bounds,
+    extent: Extent<'_>,
     stepping: Stepping,
     observer: Observer<'_>,
 ) -> Option<Run> {
@@ -57,20 +62,24 @@ pub(in crate::model) fn run(
     Some(match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };
-            run::run(scene, setup, &stepper, bounds, observer)
+            run::run(scene, setup, &stepper, extent, observer)
+        }
+        Stepping::Second(tolerance) => {
+            let stepper = Collocation { member: &*SEVEN, tolerance };
+            run::run(scene, setup, &stepper, extent, observer)
         }
         Stepping::Radau5(tolerance) => {
             let stepper = Collocation { member: &*THREE, tolerance };
-            run::run(scene, setup, &stepper, bounds, observer)
+            run::run(scene, setup, &stepper, extent, observer)
         }
         Stepping::Dop853(tolerance) => {
-            run::run(scene, setup, &Dop853 { tolerance }, bounds, observer)
+            run::run(scene, setup, &Dop853 { tolerance }, extent, observer)
         }
         Stepping::Rk4(step) => {
-            run::run(scene, setup, &Rk4 { step, locates: true }, bounds, observer)
+            run::run(scene, setup, &Rk4 { step, locates: true }, extent, observer)
         }
         Stepping::Rk4WithoutEvents(step) => {
-            run::run(scene, setup, &Rk4 { step, locates: false }, bounds, observer)
+            run::run(scene, setup, &Rk4 { step, locates: false }, extent, observer)
         }
     })
 }

@@ -120,9 +120,7 @@ fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run>
 
 /// One impact by the other engine.
 fn by_collocation(problem: &Problem, stepping: Stepping, observer: Observer<'_>) -> Option<Run> {
-    let bounds =
-        hybrid::Bounds { horizon_s: problem.horizon_s, to_horizon: problem.horizon_is_given };
-    hybrid::run(&problem.scene, bounds, stepping, observer)
+    hybrid::run(&problem.scene, hybrid::Extent::BARE, stepping, observer)
 }
 
 /// The one method of a simulation for comparison, where [`run`] chooses by itself.

@@ -15,7 +15,7 @@ const NEGLIGIBLE: f64 = 1e-12;
 
 /// Excess of the greatest load of the joined interface over its strength below which the slips to come are summed by energy. Each has a
 /// speed of about its excess to the power 1.5, so that the drag takes this to the third power of the whole.
-const LAST_SLIPS: f64 = 1e-2;
+const LAST_SLIPS: f64 = 2e-3;
 
 /// Of the way to the bottom of the hole, or out of it, the other half is left to the last slip.
 const SLIP_RESERVE: f64 = 2.0;
@@ -92,7 +92,7 @@ impl Equations<'_> {
     }
 
     /// Most force backwards on it, N.
-    fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
+    pub(super) fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
         let Equations { setup, mode } = self;
         if mode.spring.is_absent() && state.w_m_s >= 0.0 && setup.stop.is_none() {
             return 0.0;
@@ -376,7 +376,7 @@ mod tests {
         let setup = Setup::of(&scene_with(pairs));
         let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
-        let energy_j = 1.005 * 1.005 * holding_j;
+        let energy_j = 1.001 * 1.001 * holding_j;
         let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
         let mode = Mode { contact: Contact::Joined, deepest_m: 0.012, ..first(&setup).0 };
         let state = State { q_m: 0.012, w_m_s, ..State::default() };

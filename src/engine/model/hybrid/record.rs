@@ -1,104 +1,450 @@
-//! What a run leaves: milestones and extremes, each from the accepted steps.
+//! What a run leaves: rows, events, work, milestones and extremes, each from the accepted steps.
 
-use crate::model::hybrid::equations::{Equations, State};
-use crate::model::hybrid::modes::{Contact, Event, Mode};
-use crate::model::run::{Arrest, Departure};
-use crate::numerics::larger;
+use crate::model::hybrid::equations::{Equations, Setup, State};
+use crate::model::hybrid::modes::{self, Contact, Hold, Mode, Touch};
+use crate::model::impact::window::Window;
+use crate::model::run::{self, Arrest, Departure, EnergyLedger, Event, EventKind, Sample};
+use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::maximum::greatest;
+use crate::numerics::quadrature::GAUSS_16;
+use crate::numerics::{larger, smaller};
+
+/// Rows within each step, its end included: its polynomial has no wiggles that they miss.
+const ROWS_PER_STEP: usize = 16;
+/// Rows after which only the ends of steps are kept: as many as a run's work allows.
+const ROWS_MAX: usize = 20_000;
+/// Hits of the stop slower than this part of the impact velocity are not events to mark.
+const NOTED_HIT: f64 = 1e-9;
+/// Parts of a depth by which rounding may put it off, and by which the laws of an oblique section are cut beside it.
+const SAME_DEPTH: f64 = 1e-9;
+const NEAR_DEPTH: f64 = 1e-2;
 
 /// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Record {
+pub(super) struct Record<'a> {
+    pub(super) keep_series: bool,
+    /// No events are marked any more.
+    pub(super) is_over: bool,
+    /// Where rows at equal times, and the run so far, are shown.
+    pub(super) window: Option<&'a Window>,
+    pub(super) series: Vec<Sample>,
+    pub(super) events: Vec<Event>,
+    /// The energies that have to be integrated; of the others nothing.
+    pub(super) work: EnergyLedger,
     pub(super) first_arrest: Option<Arrest>,
     pub(super) exit: Option<Departure>,
     pub(super) separation: Option<Departure>,
+    pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
-    /// Greatest displacement, m.
+    pub(super) loads: Loads,
+    /// Greatest displacement and when it was reached, and the least, m and s.
     pub(super) farthest_m: f64,
-    /// Greatest force forwards through the joined interface over its strength in compression.
-    pub(super) demand_ratio: Option<f64>,
+    pub(super) farthest_s: f64,
+    pub(super) least_m: f64,
+    /// Greatest speed of the plate at the ends of steps, m/s.
+    pub(super) fastest_m_s: f64,
+    /// A steep law held the plate up to the first arrest.
+    pub(super) was_held: bool,
     pub(super) steps: usize,
-    pub(super) events: usize,
+    pub(super) rejected: usize,
     pub(super) evaluations: usize,
-    /// Ways forward of the joined body that have ended.
-    pub(super) swings: usize,
+    /// Events that changed what acts.
+    pub(super) changes: usize,
+    /// Times the plate turned.
+    pub(super) turns: usize,
 }
 
-impl Record {
+/// The greatest forces of mount and joined interface.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Loads {
+    /// Of spring, damper and elastic stop, N.
+    pub(super) mount_n: f64,
+    /// Push and pull through the joined interface, over its strength in compression.
+    pub(super) push_ratio: Option<f64>,
+    pub(super) pull_ratio: f64,
+    /// When a fused one was first pushed, and pulled, by more than its strength, s.
+    pub(super) push_exceeded_s: Option<f64>,
+    pub(super) pull_exceeded_s: Option<f64>,
+    /// It has no strength.
+    pub(super) no_strength: bool,
+}
+
+impl Record<'_> {
+    /// Notes the first moment.
+    pub(super) fn begin(&mut self, equations: &Equations<'_>, state: &State) {
+        let x_m = equations.displacement_m(state.x_m);
+        (self.farthest_m, self.least_m) = (x_m, x_m);
+        self.row(equations, state, true);
+    }
+
+    /// Keeps neither rows nor events any more.
+    pub(super) fn stop_drawing(&mut self) {
+        (self.keep_series, self.is_over) = (false, true);
+    }
+
     /// Notes a step, whose states are given by the part of it.
     pub(super) fn step(&mut self, equations: &Equations<'_>, at: impl Fn(f64) -> State) {
         self.steps += 1;
-        let end = at(1.0);
-        self.reach(equations.displacement_m(end.x_m));
-        match equations.mode.contact {
-            Contact::Deepening => {
-                let force = |theta: f64| {
+        self.reach(equations, &at(1.0));
+        self.add_work(equations, &at);
+        self.note_forces(equations, &at);
+        self.draw(equations, ROWS_PER_STEP, &at);
+    }
+
+    fn reach(&mut self, equations: &Equations<'_>, state: &State) {
+        let x_m = equations.displacement_m(state.x_m);
+        if x_m > self.farthest_m {
+            (self.farthest_m, self.farthest_s) = (x_m, state.t_s);
+        }
+        self.least_m = smaller(x_m, self.least_m);
+        self.fastest_m_s = larger(state.w_m_s.abs(), self.fastest_m_s);
+    }
+
+    /// Work in the hole, of the damper and of the elastic stop, by Gauss's rule: exact for the product of two of the step's polynomials.
+    fn add_work(&mut self, equations: &Equations<'_>, at: &impl Fn(f64) -> State) {
+        let moves = !equations.plate_rests();
+        let is_damped = moves && !equations.setup.damper.is_absent();
+        let is_pressed = moves && equations.mode.touch == Touch::Pressed;
+        let slides = equations.slides();
+        if !(slides || is_damped || is_pressed) {
+            return;
+        }
+        let span_s = at(1.0).t_s - at(0.0).t_s;
+        for node in &GAUSS_16 {
+            for place in [-node.at, node.at] {
+                let State { q_m, u_m_s, x_m, w_m_s, .. } = at(0.5 + 0.5 * place);
+                let part_s = 0.5 * node.weight * span_s;
+                if slides {
+                    self.work.penetration_j += part_s * equations.contact_n(q_m, u_m_s) * u_m_s;
+                }
+                if is_damped {
+                    self.work.damper_j += part_s * equations.setup.damper.force(w_m_s) * w_m_s;
+                }
+                if is_pressed {
+                    self.work.stop_j += part_s * equations.stop_n(x_m, w_m_s) * w_m_s;
+                }
+            }
+        }
+    }
+
+    /// The greatest forces of contact, mount and interface on a step.
+    fn note_forces(&mut self, equations: &Equations<'_>, at: &impl Fn(f64) -> State) {
+        let contact_n = |theta: f64| {
+            let state = at(theta);
+            equations.contact_n(state.q_m, state.u_m_s)
+        };
+        if equations.mode.contact == Contact::Deepening {
+            let peak_n = greatest(0.0, 1.0, self.peak_contact_n, contact_n);
+            self.peak_contact_n = larger(peak_n, self.peak_contact_n);
+        }
+        match equations.mode.hold {
+            Hold::Mount => {}
+            // What a plate that is held does not take, the mount does.
+            Hold::OnStop | Hold::Law => {
+                let push_n = |theta: f64| contact_n(theta) * equations.setup.cos;
+                let known_n = self.loads.mount_n;
+                self.loads.mount_n = larger(greatest(0.0, 1.0, known_n, push_n), known_n);
+            }
+            Hold::Free => {
+                let force_n = |theta: f64| {
                     let state = at(theta);
-                    equations.contact_n(state.q_m, state.u_m_s)
+                    equations.mechanism_n(state.x_m, state.w_m_s)
                 };
-                let peak = greatest(0.0, 1.0, self.peak_contact_n, force);
-                self.peak_contact_n = larger(peak, self.peak_contact_n);
+                self.note_mechanism(equations, at, &force_n);
             }
-            Contact::Joined => {
-                let known_n = self.demand_ratio.unwrap_or(0.0) * equations.strength_n(&end);
-                let carried = |theta: f64| equations.carried_n(&at(theta));
-                let most_n = if equations.is_undamped() {
-                    // Spring and stop push most at an end: the plate turns only there.
-                    larger(carried(0.0), carried(1.0))
-                } else {
-                    greatest(0.0, 1.0, known_n, carried)
-                };
-                self.carried(equations, &end, most_n);
+        }
+    }
+
+    /// The greatest forces of the mechanism on a step.
+    fn note_mechanism(
+        &mut self,
+        equations: &Equations<'_>,
+        at: &impl Fn(f64) -> State,
+        force_n: &impl Fn(f64) -> f64,
+    ) {
+        // A power law and a stop push most at an end of the step, where nothing else does: the plate turns only there.
+        let at_ends = equations.is_undamped() && equations.mode.spring.power().is_some();
+        let most_n = |way: f64, known_n: f64| {
+            let force_n = |theta: f64| way * force_n(theta);
+            if at_ends {
+                larger(force_n(0.0), force_n(1.0))
+            } else {
+                greatest(0.0, 1.0, known_n, force_n)
             }
+        };
+        let (push_n, pull_n) = self.loads.known_n(equations, &at(1.0));
+        let (push_n, pull_n) = (most_n(1.0, push_n), most_n(-1.0, pull_n));
+        let first_s = |way: f64| {
+            let holds = if way > 0.0 { 1.0 } else { equations.setup.grip };
+            let gap_n = |theta: f64| {
+                holds * equations.strength_n(&at(1.0))
+                    - way * equations.setup.interface_fraction() * force_n(theta)
+            };
+            let found = first_fall(1, |theta, gaps| gaps[0] = gap_n(theta));
+            at(if let Found::Fall(_, theta) = found { theta } else { 1.0 }).t_s
+        };
+        self.note_load(equations, &at(1.0), [push_n, pull_n]);
+        self.note_excess(equations, &at(1.0), [push_n, pull_n], first_s);
+    }
+
+    /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it.
+    pub(super) fn note_load(
+        &mut self,
+        equations: &Equations<'_>,
+        state: &State,
+        [push_n, pull_n]: [f64; 2],
+    ) {
+        let loads = &mut self.loads;
+        loads.mount_n = larger(larger(push_n, pull_n), loads.mount_n);
+        if equations.mode.contact != Contact::Joined || equations.plate_rests() {
+            return;
+        }
+        let strength_n = equations.strength_n(state);
+        if strength_n <= 0.0 {
+            loads.no_strength = true;
+            return;
+        }
+        let part = equations.setup.interface_fraction() / strength_n;
+        loads.push_ratio = Some(larger(part * push_n, loads.push_ratio.unwrap_or(0.0)));
+        loads.pull_ratio = larger(part * pull_n, loads.pull_ratio);
+    }
+
+    /// Notes when these forces ask too much of a fused interface for the first time.
+    fn note_excess(
+        &mut self,
+        equations: &Equations<'_>,
+        state: &State,
+        [push_n, pull_n]: [f64; 2],
+        first_s: impl Fn(f64) -> f64,
+    ) {
+        let Equations { setup, mode } = equations;
+        let strength_n = equations.strength_n(state);
+        let is_joined = mode.contact == Contact::Joined && !equations.plate_rests();
+        if setup.plastic || !is_joined || strength_n <= 0.0 {
+            return;
+        }
+        let part = setup.interface_fraction() / strength_n;
+        if part * push_n > 1.0 && self.loads.push_exceeded_s.is_none() {
+            let t_s = first_s(1.0);
+            self.loads.push_exceeded_s = Some(t_s);
+            self.note(t_s, EventKind::InterfaceExceeded);
+        }
+        if part * pull_n > setup.grip && self.loads.pull_exceeded_s.is_none() {
+            let t_s = first_s(-1.0);
+            self.loads.pull_exceeded_s = Some(t_s);
+            self.note(t_s, EventKind::InterfaceExceeded);
+        }
+    }
+
+    /// Draws a step in so many parts: its rows at equal times, and those at the ends of the parts.
+    pub(super) fn draw(
+        &mut self,
+        equations: &Equations<'_>,
+        parts: usize,
+        at: &impl Fn(f64) -> State,
+    ) {
+        if !self.keep_series {
+            return;
+        }
+        if let Some(window) = self.window {
+            let (from_s, to_s) = (at(0.0).t_s, at(1.0).t_s);
+            window.fill(to_s, |t_s| {
+                let state = State { t_s, ..at((t_s - from_s) / (to_s - from_s)) };
+                sample(equations, &state, false)
+            });
+        }
+        let parts = if self.series.len() < ROWS_MAX { parts } else { 1 };
+        for part in 1..=parts {
+            let state = at(part as f64 / parts as f64);
+            self.series.push(sample(equations, &state, part == parts));
+        }
+    }
+
+    fn row(&mut self, equations: &Equations<'_>, state: &State, is_step: bool) {
+        if self.keep_series {
+            let row = sample(equations, state, is_step);
+            if let Some(window) = self.window {
+                window.fill(row.t_s, |_| row);
+            }
+            self.series.push(row);
+        }
+    }
+
+    fn note(&mut self, t_s: f64, kind: EventKind) {
+        if !self.is_over {
+            self.events.push(Event { t_s, kind });
+        }
+    }
+
+    /// Notes an event and what it led to, from a state to a state.
+    pub(super) fn event(
+        &mut self,
+        event: modes::Event,
+        (before, from): (&Equations<'_>, &State),
+        (after, to): (&Equations<'_>, &State),
+    ) {
+        self.reach(after, to);
+        self.mark(event, (before, from), (after, to));
+        if event == modes::Event::StopReached {
+            self.work.stop_j += before.kinetic_j(from) - after.kinetic_j(to);
+        }
+        let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
+        self.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
+        if after.mode.contact == Contact::Joined && after.mode.hold == Hold::Free {
+            let force_n = after.mechanism_n(to.x_m, to.w_m_s);
+            self.note_load(after, to, [force_n, -force_n]);
+            self.note_excess(after, to, [force_n, -force_n], |_| to.t_s);
+        }
+        let acts = |mode: &Mode| (mode.contact, mode.hold, mode.touch);
+        if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
+            self.changes += 1;
+            self.row(after, to, true);
+        } else if let Some(row) = self.series.last_mut().filter(|_| self.keep_series) {
+            *row = sample(after, to, true);
+        }
+    }
+
+    /// The milestones at an event, and what is marked of it.
+    fn mark(
+        &mut self,
+        event: modes::Event,
+        (before, from): (&Equations<'_>, &State),
+        (after, to): (&Equations<'_>, &State),
+    ) {
+        let setup = before.setup;
+        let (old, new) = (before.mode, after.mode);
+        let departure = Departure { t_s: to.t_s, velocity_m_s: setup.projectile_m_s(to) };
+        match event {
+            modes::Event::SlipZero => self.arrest(after, to, old.hold == Hold::Law),
+            modes::Event::PieceEnd if new.contact == Contact::Gone => {
+                self.exit = Some(departure);
+                self.note(to.t_s, EventKind::Perforation);
+            }
+            modes::Event::PieceEnd if new.contact == Contact::Deepening => {
+                self.pass_joint(setup, to);
+            }
+            modes::Event::Recontact => self.note(to.t_s, EventKind::Recontact),
+            modes::Event::SpeedZero
+                if old.w_side > 0.0 && after.displacement_m(to.x_m) >= self.farthest_m =>
+            {
+                self.events.retain(|it| it.kind != EventKind::GreatestDisplacement);
+                self.note(to.t_s, EventKind::GreatestDisplacement);
+            }
+            modes::Event::StopReached if from.w_m_s > NOTED_HIT * setup.velocity_m_s => {
+                self.note(to.t_s, EventKind::StopHit);
+            }
+            _ => {}
+        }
+        let is_new = |contact| {
+            new.contact == contact && (old.contact != contact || event == modes::Event::SlipZero)
+        };
+        if is_new(Contact::Deepening) {
+            self.resumed_s.get_or_insert(to.t_s);
+            self.note(to.t_s, EventKind::Resumption);
+        } else if is_new(Contact::PullingOut) {
+            self.note(to.t_s, EventKind::PullOut);
+        } else if new.contact == Contact::Apart && old.contact != Contact::Apart {
+            self.separation = Some(departure);
+            self.note(to.t_s, EventKind::Separation);
+        }
+        match (old.hold, new.hold) {
+            (Hold::Free, Hold::OnStop) => self.note(to.t_s, EventKind::StopHold),
+            (Hold::OnStop, Hold::Free) => self.note(to.t_s, EventKind::StopRelease),
             _ => {}
         }
     }
 
-    /// Notes a force through the joined interface.
-    pub(super) fn carried(&mut self, equations: &Equations<'_>, state: &State, force_n: f64) {
-        let strength_n = equations.strength_n(state);
-        if strength_n > 0.0 && !equations.plate_rests() {
-            let known = self.demand_ratio.unwrap_or(0.0);
-            self.demand_ratio = Some(larger(known, force_n / strength_n));
-        }
-    }
-
-    fn reach(&mut self, x_m: f64) {
-        self.farthest_m = larger(x_m, self.farthest_m);
-    }
-
-    /// Notes an event and what it led to.
-    pub(super) fn event(
-        &mut self,
-        event: Event,
-        before: &Equations<'_>,
-        after: &Mode,
-        state: &State,
-    ) {
-        let setup = before.setup;
-        self.events += 1;
-        self.reach(after.origin_m + state.x_m);
-        let departure = Departure { t_s: state.t_s, velocity_m_s: setup.projectile_m_s(state) };
-        if event == Event::SlipZero && self.first_arrest.is_none() {
+    fn arrest(&mut self, after: &Equations<'_>, state: &State, is_held: bool) {
+        let is_first = self.first_arrest.is_none();
+        self.note(state.t_s, if is_first { EventKind::FirstArrest } else { EventKind::Arrest });
+        if is_first {
+            self.was_held = is_held;
             self.first_arrest = Some(Arrest {
                 t_s: state.t_s,
-                penetration_m: setup.geometry.depth_m(state.q_m),
-                plate_displacement_m: after.origin_m + state.x_m,
+                penetration_m: after.setup.geometry.depth_m(state.q_m),
+                plate_displacement_m: after.displacement_m(state.x_m),
                 plate_velocity_m_s: state.w_m_s,
             });
         }
-        if after.contact == Contact::Gone && before.mode.contact != Contact::Gone {
-            self.exit = Some(departure);
+    }
+
+    /// The nose is in, or its front at the rear face, where the area law changes there.
+    fn pass_joint(&mut self, setup: &Setup, state: &State) {
+        let geometry = &setup.geometry;
+        let is_at = |depth_m: f64, part: f64| {
+            (geometry.depth_m(state.q_m) - depth_m).abs() < part * depth_m
+        };
+        if is_at(geometry.thickness_m, SAME_DEPTH) {
+            self.note(state.t_s, EventKind::RearFace);
+        } else if is_at(geometry.nose.full_from_m(), NEAR_DEPTH) {
+            self.note(state.t_s, EventKind::NoseBuried);
         }
-        if after.contact == Contact::Apart && before.mode.contact != Contact::Apart {
-            self.separation = Some(departure);
+    }
+}
+
+impl Loads {
+    /// The greatest force of the mechanism forwards, and backwards, below which nothing new is known of mount and interface, N.
+    pub(super) fn known_n(&self, equations: &Equations<'_>, state: &State) -> (f64, f64) {
+        let strength_n = equations.strength_n(state);
+        let is_carried = equations.mode.contact == Contact::Joined && strength_n > 0.0;
+        if !is_carried {
+            return (self.mount_n, self.mount_n);
         }
-        let turns_back =
-            matches!(event, Event::SpeedZero | Event::StopReached) && after.w_side < 0.0;
-        self.swings += usize::from(turns_back && after.contact == Contact::Joined);
-        if after.contact == Contact::Joined {
-            let now = Equations { setup, mode: after };
-            self.carried(&now, state, now.carried_n(state));
-        }
+        let per_ratio_n = strength_n / equations.setup.interface_fraction();
+        let known = |ratio: f64| smaller(ratio * per_ratio_n, self.mount_n);
+        (known(self.push_ratio.unwrap_or(0.0)), known(self.pull_ratio))
+    }
+}
+
+impl Equations<'_> {
+    /// Whether the nose rubs or cuts.
+    fn slides(&self) -> bool {
+        matches!(self.mode.contact, Contact::Deepening | Contact::Closing | Contact::PullingOut)
+    }
+
+    /// Kinetic energy of both bodies, J.
+    pub(super) fn kinetic_j(&self, state: &State) -> f64 {
+        let Setup { projectile_kg, plate_kg, .. } = *self.setup;
+        let (v, w) = (self.setup.projectile_m_s(state), state.w_m_s);
+        0.5 * (projectile_kg * v * v + plate_kg * w * w)
+    }
+}
+
+/// The row of a state.
+fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
+    let Equations { setup, mode } = equations;
+    let contact_n = match mode.contact {
+        Contact::Joined => equations.carried_n(state),
+        _ => equations.contact_n(state.q_m, state.u_m_s),
+    };
+    let (x_m, w_m_s) = match mode.hold {
+        Hold::Law => equations.balanced(state),
+        _ => (equations.displacement_m(state.x_m), state.w_m_s),
+    };
+    let spring_n = mode.spring.force(x_m);
+    Sample {
+        t_s: state.t_s,
+        mode: match mode.contact {
+            Contact::Deepening => run::Mode::Penetrating,
+            Contact::Closing => run::Mode::Closing,
+            Contact::PullingOut => run::Mode::Withdrawing,
+            Contact::Apart => run::Mode::FreeFlight,
+            Contact::Gone => run::Mode::Perforated,
+            Contact::Joined => run::Mode::Fused,
+        },
+        penetration_m: setup.geometry.depth_m(state.q_m),
+        projectile_displacement_m: state.q_m + (x_m - setup.start_m) * setup.cos,
+        projectile_velocity_m_s: setup.projectile_m_s(state),
+        plate_displacement_m: x_m,
+        plate_velocity_m_s: w_m_s,
+        contact_force_n: contact_n,
+        spring_force_n: spring_n,
+        damper_force_n: setup.damper.force(w_m_s),
+        stop_force_n: match mode.hold {
+            Hold::OnStop => contact_n * setup.cos - spring_n,
+            _ if mode.touch == Touch::Pressed => equations.stop_n(state.x_m, w_m_s),
+            _ => 0.0,
+        },
+        is_step,
     }
 }

@@ -4,15 +4,17 @@ use std::sync::Arc;
 
 use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::events::{Events, gap};
-use crate::model::hybrid::modes::{self, Contact, Event, Hold, Mode};
+use crate::model::hybrid::horizon;
+use crate::model::hybrid::modes::{self, Contact, Event, Hold};
 use crate::model::hybrid::moving::{Both, Moving, Plate, Projectile};
-use crate::model::hybrid::outcome::Farthest;
-use crate::model::hybrid::record::Record;
-use crate::model::run::{Cost, EndReason, Observer, Outcome, Run};
-use crate::model::scene::{Scene, Stop, StopKind};
+use crate::model::hybrid::record::{Loads, Record};
+use crate::model::hybrid::report::{self, Course};
+use crate::model::impact::window::Window;
+use crate::model::run::{EndReason, Observer, Run};
+use crate::model::scene::Scene;
 use crate::numerics::locate::{Found, first_fall};
+use crate::numerics::smaller;
 use crate::numerics::step::{Near, Step, Stepper};
-use crate::numerics::{larger, smaller};
 
 /// Evaluations of the equations after which a run ends undecided: about 0.1 s.
 const EVALUATIONS_MAX: usize = 400_000;
@@ -30,33 +32,39 @@ const SECANTS: usize = 8;
 const NO_TIME: f64 = 1e-15;
 /// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
 const AT_ONCE: f64 = 1e-9;
-/// Part of the interface's load by which it may grow without being followed.
-const DEMAND_GROWTH: f64 = 1e-9;
+/// Turns and changes, five hundred oscillations, after which a run that has used up its work is said to oscillate.
+const TURNS_MAX: usize = 1_000;
+/// Turns of the plate to which it is followed for its loads, forward and back, and steps for which it is drawn after the results are known: a
+/// stiff mount may oscillate a million times meanwhile.
+const TURNS_FOLLOWED: usize = 2;
+const STEPS_DRAWN: usize = 200;
 
-/// How far a run goes, and how exactly.
+/// How far a run is followed, and what it keeps besides its results.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::model) struct Bounds {
-    pub(in crate::model) horizon_s: f64,
-    /// Go on to the horizon although all is decided.
-    pub(in crate::model) to_horizon: bool,
+pub(in crate::model) struct Extent<'a> {
+    pub(in crate::model) keep_series: bool,
+    /// Where the run so far is shown.
+    pub(in crate::model) window: Option<&'a Window>,
+    /// How many times as long as usual a run is followed that oscillates on undecided.
+    pub(in crate::model) horizons: f64,
+}
+
+impl Extent<'_> {
+    /// The results alone.
+    pub(in crate::model) const BARE: Self =
+        Self { keep_series: false, window: None, horizons: 1.0 };
 }
 
 /// A run in progress.
 struct Progress<'a, M, const S: usize> {
-    setup: &'a Setup,
+    course: Course<'a>,
     stepper: &'a M,
-    mode: Mode,
-    state: State,
-    record: Record,
-    /// Outcome and greatest displacement, once nothing can change them any more.
-    decided: Option<(Outcome, Farthest)>,
     /// The event on which the state is, until a step has left it.
     last: Option<Event>,
     /// Length and acceleration of the step that ends at the state, in the same mode.
     previous: Option<(f64, [[f64; S]; 2])>,
     /// Length of the next step, s.
     h_s: f64,
-    horizon_s: f64,
 }
 
 /// One impact, stepped through by a method. A run whose work is used up ends early, with what is known.
@@ -64,80 +72,151 @@ pub(super) fn run<const S: usize>(
     scene: &Arc<Scene>,
     setup: &Setup,
     stepper: &impl Stepper<S>,
-    bounds: Bounds,
+    extent: Extent<'_>,
     observer: Observer<'_>,
 ) -> Run {
-    let passage_s = setup.geometry.nose.radius_m / setup.velocity_m_s;
     let (mode, state) = modes::first(setup);
     // Without a spring to bring it back a plate is followed to its stop, and until it has left that.
-    let waits = !bounds.to_horizon && setup.spring.is_absent() && setup.stop.is_some();
+    let waits = setup.spring.is_absent() && setup.stop.is_some();
+    let horizon_s = scene.run.horizon_s.unwrap_or_else(|| {
+        if waits { f64::INFINITY } else { extent.horizons * horizon::of(setup) }
+    });
+    let Extent { keep_series, window, .. } = extent;
+    let record = Record { keep_series, window, ..Record::default() };
     let mut progress = Progress {
-        setup,
+        course: Course { scene, setup, mode, state, record, decided: None, horizon_s },
         stepper,
-        mode,
-        state,
-        record: Record { farthest_m: setup.start_m, ..Record::default() },
-        decided: None,
         last: None,
         previous: None,
-        h_s: FIRST_STEP * passage_s,
-        horizon_s: if waits { f64::INFINITY } else { bounds.horizon_s },
+        h_s: FIRST_STEP * setup.geometry.nose.radius_m / setup.velocity_m_s,
     };
-    progress.first_moment();
-    let end = progress.follow(bounds.to_horizon, observer);
-    progress.gather(scene, end)
+    progress.begin();
+    let mut end = progress.follow(observer);
+    let course = progress.results();
+    if end == EndReason::Decided {
+        end = progress.follow_on(observer);
+    }
+    report::gather(progress.completed(course), end)
 }
 
-impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
-    fn equations(&self) -> Equations<'_> {
-        Equations { setup: self.setup, mode: &self.mode }
-    }
-
-    /// A law that is infinitely steep where the plate begins is left by the balance of forces.
-    fn first_moment(&mut self) {
-        if self.setup.starts_steep() && self.mode.hold == Hold::Free {
-            self.state = self.equations().after_first_moment();
-            self.h_s = self.state.t_s;
+impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
+    fn begin(&mut self) {
+        let Course { setup, mode, state, record, .. } = &mut self.course;
+        record.begin(&Equations { setup, mode }, state);
+        // A law that is infinitely steep where the plate begins is left by the balance of forces.
+        if setup.starts_steep() && mode.hold == Hold::Free {
+            *state = Equations { setup, mode }.after_first_moment();
+            self.h_s = state.t_s;
         }
     }
 
-    fn follow(&mut self, to_horizon: bool, observer: Observer<'_>) -> EndReason {
-        let mut to_horizon = to_horizon;
+    fn is_at(&self, t_s: f64) -> bool {
+        self.course.state.t_s >= t_s * (1.0 - 4.0 * f64::EPSILON)
+    }
+
+    /// Goes on until all is decided, or to the horizon that the scene gives.
+    fn follow(&mut self, observer: Observer<'_>) -> EndReason {
         loop {
-            let at_horizon = self.state.t_s >= self.horizon_s * (1.0 - 4.0 * f64::EPSILON);
-            self.decided = self.decided.or_else(|| self.decide());
-            let is_decided = self.decided.is_some();
-            let is_enough = is_decided && (at_horizon || !to_horizon);
-            if is_enough && !self.demand_may_grow(to_horizon) {
+            self.course.decide();
+            let is_decided = self.course.decided.is_some();
+            let at_horizon = self.is_at(self.course.horizon_s);
+            if is_decided && (at_horizon || self.course.scene.run.horizon_s.is_none()) {
                 return EndReason::Decided;
             }
             if at_horizon {
-                // Only what an elastic stop throws back may load the interface more after the horizon.
-                if !(is_decided && to_horizon && self.is_thrown_back()) {
-                    return if is_decided { EndReason::Decided } else { EndReason::Horizon };
-                }
-                self.horizon_s *= 2.0;
-                to_horizon = false;
+                return EndReason::Horizon;
             }
-            if observer(self.state.t_s).is_break() {
-                return EndReason::Cancelled;
-            }
-            if self.record.evaluations + S * self.record.events > EVALUATIONS_MAX {
-                return EndReason::StepBudget;
-            }
-            if let Some(event) = self.missed() {
-                self.react(event, self.state);
-            } else if let Some(end) = self.advance() {
+            if let Some(end) = self.go_on(observer) {
                 return end;
             }
         }
     }
 
+    /// One step, or one event.
+    fn go_on(&mut self, observer: Observer<'_>) -> Option<EndReason> {
+        if observer(self.course.state.t_s).is_break() {
+            return Some(EndReason::Cancelled);
+        }
+        if let Some(window) = self.course.record.window {
+            window.show(|| report::gather(self.course.clone(), EndReason::Cancelled));
+        }
+        let record = &self.course.record;
+        if record.evaluations + S * (record.changes + record.turns) > EVALUATIONS_MAX {
+            // The first contact ends, however often the plate turns in it.
+            let is_over = record.first_arrest.is_some() || record.exit.is_some();
+            let oscillates = is_over
+                && self.course.scene.run.horizon_s.is_none()
+                && record.turns + record.changes > TURNS_MAX;
+            return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
+        }
+        if let Some(event) = self.missed() {
+            self.react(event, self.course.state);
+            None
+        } else {
+            self.advance()
+        }
+    }
+
+    /// What is known when all is decided; the rows and events stay with the run, which goes on.
+    fn results(&mut self) -> Course<'a> {
+        let record = &mut self.course.record;
+        let drawn = (std::mem::take(&mut record.series), std::mem::take(&mut record.events));
+        let course = self.course.clone();
+        (self.course.record.series, self.course.record.events) = drawn;
+        course
+    }
+
+    /// The results with the rows, events and loads of the run that went on.
+    fn completed(self, mut course: Course<'a>) -> Course<'a> {
+        let Record { series, events, loads, .. } = self.course.record;
+        (course.record.series, course.record.events, course.record.loads) = (series, events, loads);
+        course
+    }
+
+    /// Goes on after the results are known: for the greatest loads of mount and interface, to the second turn of the plate, and to draw the
+    /// end of the contact and the way to the greatest displacement.
+    fn follow_on(&mut self, observer: Observer<'_>) -> EndReason {
+        let scene = self.course.scene;
+        let is_drawn = self.course.record.keep_series && scene.run.horizon_s.is_none();
+        let (turns, steps) = (self.course.record.turns, self.course.record.steps);
+        self.course.horizon_s = self.course.state.t_s + horizon::of(self.course.setup);
+        let mut loads: Option<Loads> = None;
+        let mut end = EndReason::Decided;
+        loop {
+            let turned = self.course.record.turns - turns;
+            if loads.is_none() && (turned >= TURNS_FOLLOWED || !self.course.loads_may_grow()) {
+                loads = Some(self.course.record.loads);
+            }
+            let draws = is_drawn
+                && self.course.record.steps < steps + STEPS_DRAWN
+                && self.course.is_drawn();
+            if (loads.is_some() && !draws) || self.is_at(self.course.horizon_s) {
+                break;
+            }
+            if !draws {
+                self.course.record.stop_drawing();
+            }
+            if loads.is_some() && !self.course.goes_farther() {
+                self.course.horizon_s = self.course.tail_s();
+            }
+            match self.go_on(observer) {
+                Some(EndReason::Cancelled) => {
+                    end = EndReason::Cancelled;
+                    break;
+                }
+                Some(_) => break,
+                None => {}
+            }
+        }
+        self.course.record.loads = loads.unwrap_or(self.course.record.loads);
+        end
+    }
+
     /// An event that rounding, or another event, has put behind the state.
     fn missed(&self) -> Option<Event> {
-        let equations = self.equations();
-        let events = Events::of(self.setup, &self.mode);
-        let is_behind = |event: &Event| gap(&equations, *event, &self.state) < 0.0;
+        let equations = self.course.equations();
+        let events = Events::of(self.course.setup, &self.course.mode);
+        let is_behind = |event: &Event| gap(&equations, *event, &self.course.state) < 0.0;
         events.list().iter().copied().find(|event| is_behind(event) && !self.is_undone_by(*event))
     }
 
@@ -148,23 +227,32 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
 
     /// Takes an event at a state on it.
     fn react(&mut self, event: Event, on_it: State) {
+        let setup = self.course.setup;
         let mut state = on_it;
-        let mut next = modes::after(self.setup, &self.mode, event, &mut state);
+        let before = self.course.mode.clone();
+        let mut next = modes::after(setup, &before, event, &mut state);
         if event != Event::StopRelease {
-            modes::face(self.setup, &mut next, &state);
+            modes::face(setup, &mut next, &state);
         }
         (self.last, self.previous) = (Some(event), None);
-        self.record.event(event, &Equations { setup: self.setup, mode: &self.mode }, &next, &state);
-        (self.mode, self.state) = (next, state);
-        if let Some(travel_m) = self.last_slips_m() {
-            modes::take_slips(self.setup, &mut self.mode, &mut self.state, travel_m);
+        let [old, new] = [&before, &next].map(|mode| Equations { setup, mode });
+        self.course.record.event(event, (&old, &on_it), (&new, &state));
+        let before_j = new.kinetic_j(&state);
+        (self.course.mode, self.course.state) = (next, state);
+        // What is to be seen up to a horizon happens when it does.
+        let last_slips_m =
+            self.last_slips_m().filter(|_| self.course.scene.run.horizon_s.is_none());
+        if let Some(travel_m) = last_slips_m {
+            let Course { mode, state, record, .. } = &mut self.course;
+            modes::take_slips(setup, mode, state, travel_m);
+            record.work.penetration_j += before_j - Equations { setup, mode }.kinetic_j(state);
         }
     }
 
     /// One step by the law of whatever moves.
     fn advance(&mut self) -> Option<EndReason> {
-        let mode = self.mode.clone();
-        let equations = Equations { setup: self.setup, mode: &mode };
+        let mode = self.course.mode.clone();
+        let equations = Equations { setup: self.course.setup, mode: &mode };
         match (mode.hold, mode.contact) {
             (Hold::Free, Contact::Joined | Contact::Gone) => self.advance_by(&Plate(equations)),
             (Hold::Free, _) => self.advance_by(&Both(equations)),
@@ -173,17 +261,25 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         }
     }
 
-    /// Nothing moves any more: the time goes on to the horizon.
+    /// Nothing acts any more: the time goes on to the horizon.
     fn rest(&mut self) -> Option<EndReason> {
-        self.state.t_s = self.horizon_s;
+        let Course { setup, mode, state, record, horizon_s, .. } = &mut self.course;
+        let span_s = *horizon_s - state.t_s;
+        let at = |part: f64| {
+            let dt_s = part * span_s;
+            State { t_s: state.t_s + dt_s, q_m: state.q_m + state.u_m_s * dt_s, ..*state }
+        };
+        record.draw(&Equations { setup, mode }, 1, &at);
+        *state = at(1.0);
         None
     }
 
     fn advance_by<const D: usize>(&mut self, law: &impl Moving<D>) -> Option<EndReason> {
         let equations = law.equations();
-        let events = Events::of(self.setup, equations.mode);
-        let h_s = smaller(self.h_s, self.horizon_s - self.state.t_s);
-        let no_time_s = NO_TIME * self.setup.geometry.nose.radius_m / self.setup.velocity_m_s;
+        let events = Events::of(self.course.setup, equations.mode);
+        let h_s = smaller(self.h_s, self.course.horizon_s - self.course.state.t_s);
+        let no_time_s =
+            NO_TIME * self.course.setup.geometry.nose.radius_m / self.course.setup.velocity_m_s;
         if h_s < NO_TIME * no_time_s {
             return Some(EndReason::StepUnderflow);
         }
@@ -192,12 +288,13 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             from: 1.0,
             over: h_s / before_s,
         });
-        let start = self.state;
-        let evaluations = &mut self.record.evaluations;
+        let start = self.course.state;
+        let evaluations = &mut self.course.record.evaluations;
         let (step, next_s) = match self.stepper.step(law, law.point(&start), h_s, near, evaluations)
         {
             Ok(taken) => taken,
             Err(shorter_s) => {
+                self.course.record.rejected += 1;
                 self.h_s = shorter_s;
                 return None;
             }
@@ -211,10 +308,10 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         });
         match found {
             Found::Nothing => {
-                self.record.step(equations, |theta| {
+                self.course.record.step(equations, |theta| {
                     law.state(&start, start.t_s + theta * h_s, &step.at(theta))
                 });
-                self.state = law.state(&start, start.t_s + h_s, &step.end);
+                self.course.state = law.state(&start, start.t_s + h_s, &step.end);
                 self.last = None;
                 let mut acceleration = [[0.0; S]; 2];
                 acceleration[..D].copy_from_slice(&step.acceleration);
@@ -249,12 +346,12 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         (which, about_s): (usize, f64),
         near: &Step<D, S>,
     ) -> Result<State, f64> {
-        let (equations, start) = (law.equations(), self.state);
+        let (equations, start) = (law.equations(), self.course.state);
         let event = events.list()[which];
         let mut h_s = about_s;
         for _ in 0..LANDINGS_MAX {
             let near = Near { acceleration: near.acceleration, from: 0.0, over: h_s / near.h };
-            let evaluations = &mut self.record.evaluations;
+            let evaluations = &mut self.course.record.evaluations;
             let (step, _) =
                 self.stepper.step(law, law.point(&start), h_s, Some(near), evaluations)?;
             let at = |theta: f64| law.state(&start, start.t_s + theta * h_s, &step.at(theta));
@@ -273,105 +370,19 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             if comes_first {
                 return Err(0.5 * h_s);
             }
-            self.record.step(equations, |part| at(part * theta));
+            self.course.record.step(equations, |part| at(part * theta));
             return Ok(state);
         }
         Err(0.5 * h_s)
     }
 
-    /// The outcome and the greatest displacement, once nothing can change them any more.
-    fn decide(&self) -> Option<(Outcome, Farthest)> {
-        let equations = self.equations();
-        let outcome = equations.outcome(&self.state)?;
-        let farthest = equations.farthest(&self.state, self.record.farthest_m);
-        (farthest != Farthest::Pending).then_some((outcome, farthest))
-    }
-
     /// The travel of all slips to come, where they are so small that energy alone gives it.
     fn last_slips_m(&self) -> Option<f64> {
-        let equations = self.equations();
-        let far_m = equations.reach_m(&self.state, equations.energy_j(&self.state));
-        let is_past = self.state.w_m_s < 0.0 && far_m <= self.record.farthest_m;
-        is_past.then(|| equations.last_slips_m(&self.state)).flatten()
-    }
-
-    /// Whether the joined interface may still have to carry more than it has, on the plate's first way forward; behind an elastic
-    /// stop, which throws it back, on the second as well.
-    fn demand_may_grow(&mut self, only_to_horizon: bool) -> bool {
-        let equations = Equations { setup: self.setup, mode: &self.mode };
-        let ways = if self.is_thrown_back() { 2 } else { 1 };
-        if self.mode.contact != Contact::Joined
-            || equations.plate_rests()
-            || self.record.swings >= ways
-        {
-            return false;
-        }
-        let strength_n = equations.strength_n(&self.state);
-        let known_n = self.record.demand_ratio.unwrap_or(0.0) * strength_n;
-        let most_n = equations.push_at_most_n(&self.state, equations.energy_j(&self.state));
-        if most_n <= known_n * (1.0 + DEMAND_GROWTH) {
-            return false;
-        }
-        // Nothing takes any of the energy on the way to where the spring pushes most.
-        if self.setup.damper.is_absent() && self.setup.stop.is_none() && !only_to_horizon {
-            self.record.carried(&equations, &self.state, most_n);
-            return false;
-        }
-        true
-    }
-
-    /// Whether an elastic stop may throw the plate back and load an interface that cannot yield more than before.
-    fn is_thrown_back(&self) -> bool {
-        let is_elastic = |stop: Stop| stop.kind == StopKind::Elastic;
-        !self.setup.plastic && self.setup.stop.is_some_and(is_elastic)
-    }
-
-    fn gather(self, scene: &Arc<Scene>, end: EndReason) -> Run {
-        let equations = self.equations();
-        let outcome = self.decided.map_or_else(
-            || equations.outcome(&self.state).unwrap_or(Outcome::Moving),
-            |(outcome, _)| outcome,
-        );
-        let (geometry, record) = (&self.setup.geometry, &self.record);
-        let deepest_m = match self.mode.contact {
-            Contact::Deepening => larger(self.state.q_m, self.mode.deepest_m),
-            _ => self.mode.deepest_m,
-        };
-        let max_plate_displacement_m = match self.decided.map(|(_, farthest)| farthest) {
-            Some(Farthest::Known(x_m)) => Some(larger(x_m, record.farthest_m)),
-            Some(Farthest::Unbounded) => None,
-            // Of an undecided run as far as there is no energy to go farther.
-            Some(Farthest::Pending) | None => {
-                let left_j = equations.energy_left_j(&self.state);
-                let reach_m = equations.reach_m(&self.state, left_j);
-                let is_farthest = reach_m <= record.farthest_m * (1.0 + AT_ONCE);
-                is_farthest.then_some(record.farthest_m)
-            }
-        };
-        Run {
-            scene: Arc::clone(scene),
-            outcome,
-            end,
-            first_arrest: record.first_arrest,
-            final_penetration_m: Some(match outcome {
-                Outcome::Perforated => geometry.depth_m(geometry.exit_m),
-                _ => geometry.depth_m(deepest_m),
-            }),
-            peak_contact_force_n: Some(record.peak_contact_n),
-            max_plate_displacement_m,
-            residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
-            exit_time_s: record.exit.map(|exit| exit.t_s),
-            separation: record.separation.filter(|_| outcome == Outcome::Separated),
-            interface_demand_ratio: record.demand_ratio,
-            cost: Cost {
-                steps: record.steps,
-                events: record.events,
-                rhs_evaluations: record.evaluations,
-                method: "Radau IIA collocation",
-                ..Cost::default()
-            },
-            ..Run::default()
-        }
+        let Course { state, record, .. } = &self.course;
+        let equations = self.course.equations();
+        let far_m = equations.reach_m(state, equations.energy_j(state));
+        let is_past = state.w_m_s < 0.0 && far_m <= record.farthest_m;
+        is_past.then(|| equations.last_slips_m(state)).flatten()
     }
 }
 

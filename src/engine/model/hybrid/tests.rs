@@ -3,17 +3,17 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::{Bounds, Stepping, equations::Setup, run};
+use super::{Extent, Stepping, equations::Setup, run};
+use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::variables::scene_with;
 use crate::numerics::collocation::{Collocation, NINE, SEVEN};
 
-const FAR: Bounds = Bounds { horizon_s: 1.0, to_horizon: false };
-
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
     let found =
-        run(&scene, FAR, Stepping::Collocation(1e-12), &mut |_| ControlFlow::Continue(())).unwrap();
+        run(&scene, Extent::BARE, Stepping::Collocation(1e-12), &mut |_| ControlFlow::Continue(()))
+            .unwrap();
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -112,13 +112,18 @@ fn the_two_members_agree() {
         let scene = Arc::new(scene_with(pairs));
         let setup = Setup::of(&scene);
         let go_on = &mut |_: f64| ControlFlow::Continue(());
-        let nine =
-            run::run(&scene, &setup, &Collocation { member: &*NINE, tolerance: 1e-12 }, FAR, go_on);
+        let nine = run::run(
+            &scene,
+            &setup,
+            &Collocation { member: &*NINE, tolerance: 1e-12 },
+            Extent::BARE,
+            go_on,
+        );
         let seven = run::run(
             &scene,
             &setup,
             &Collocation { member: &*SEVEN, tolerance: 1e-11 },
-            FAR,
+            Extent::BARE,
             go_on,
         );
         let depth = |run: &Run| run.final_penetration_m.unwrap();
@@ -132,13 +137,13 @@ fn the_two_members_agree() {
 fn a_run_that_is_cancelled_says_so() {
     let scene = Arc::new(scene_with("k=1e5"));
     let mut steps = 0;
-    let found = run(&scene, FAR, Stepping::Collocation(1e-12), &mut |_| {
+    let found = run(&scene, Extent::BARE, Stepping::Collocation(1e-12), &mut |_| {
         steps += 1;
         if steps > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     let run = found.unwrap();
     assert_eq!((run.end, run.outcome), (EndReason::Cancelled, Outcome::Moving));
-    assert!(run.final_penetration_m.unwrap() > 0.0);
+    assert!(run.at_least.penetration_m.unwrap() > 0.0);
 }
 
 /// Methods of four families, one of them without events: each approaches the same run.
@@ -147,7 +152,8 @@ fn valid_every_method_steps_to_the_same_end() {
     for pairs in ["k=1e5", "k=1e5 interface=plastic gamma=0.8 b=50", "h=0.003 v_i=400 k=1e5"] {
         let scene = Arc::new(scene_with(pairs));
         let end = |stepping: Stepping| {
-            let run = run(&scene, FAR, stepping, &mut |_| ControlFlow::Continue(())).unwrap();
+            let run =
+                run(&scene, Extent::BARE, stepping, &mut |_| ControlFlow::Continue(())).unwrap();
             assert!(run.end.is_complete(), "{pairs}: {stepping:?} {:?}", run.end);
             let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
             [time_s, run.final_penetration_m, run.peak_contact_force_n].map(Option::unwrap)
@@ -164,5 +170,94 @@ fn valid_every_method_steps_to_the_same_end() {
                 assert!(off < within, "{pairs}: {stepping:?} {off:e}");
             }
         }
+    }
+}
+
+/// Nothing but momentum passes between a free plate and its shot: `m_p v + m_2 w` at every row, both masses 29.5 g.
+#[test]
+fn valid_rows_at_equal_times_lie_on_the_motion() {
+    let scene = Arc::new(scene_with("gamma=1 k=0"));
+    let window = Window::with_steps(1e-6, 1_000);
+    let extent = Extent { keep_series: true, window: Some(&window), horizons: 1.0 };
+    let go_on = &mut |_: f64| ControlFlow::Continue(());
+    let found = run(&scene, extent, Stepping::Collocation(1e-12), go_on).unwrap();
+    let rows = window.rows();
+    let end_s = 1.25 * found.first_arrest.unwrap().t_s;
+    assert!((rows.len() as f64 - end_s / 1e-6 - 0.5).abs() <= 0.5, "{}", rows.len());
+    for (index, row) in rows.iter().enumerate() {
+        assert!((row.t_s - index as f64 * 1e-6).abs() < 1e-18);
+        let momentum = row.projectile_velocity_m_s + row.plate_velocity_m_s;
+        assert!((momentum - 100.0).abs() < 1e-11, "{row:?}");
+        let way_m = row.projectile_displacement_m + row.plate_displacement_m;
+        assert!((way_m - 100.0 * row.t_s).abs() < 1e-15, "{row:?}");
+    }
+    let marked = found.series.iter().filter(|row| row.is_step).count();
+    assert!(marked > found.cost.steps && 8 * marked < found.series.len(), "{marked}");
+}
+
+#[test]
+fn results_do_not_depend_on_whether_a_series_is_kept() {
+    for pairs in [
+        "k=1e6",
+        "k=1e6 b=50",
+        "k=7.5e6 gamma=0.8 interface=plastic",
+        "k=1e5 x_stop=5mm e=0.5",
+        "k=0 x_stop=5mm stop_kind=elastic k_stop=1e7",
+        "d=0.1 k=1e6",
+        "h=3mm v_i=400 k=1e5",
+        "k=1e6 n=0.5 horizon=2ms",
+    ] {
+        let scene = Arc::new(scene_with(pairs));
+        let results = |keep_series: bool| {
+            let extent = Extent { keep_series, ..Extent::BARE };
+            let go_on = &mut |_: f64| ControlFlow::Continue(());
+            let found = run(&scene, extent, Stepping::Collocation(1e-12), go_on).unwrap();
+            assert_eq!(found.series.is_empty(), !keep_series);
+            Run { series: Vec::new(), events: Vec::new(), omitted: Vec::new(), ..found }
+        };
+        assert_eq!(results(true), results(false), "{pairs}");
+    }
+}
+
+/// From the first arrest on both bodies swing as one damped oscillator: x'' = -(k x + b x')/M, whose greatest pull the way back has.
+#[test]
+fn valid_the_way_back_pulls_as_a_damped_oscillator_does() {
+    for b in [10.0, 40.0, 80.0] {
+        let found = shot(&format!("k=1e5 b={b} grip=0.1"));
+        let arrest = found.first_arrest.unwrap();
+        let (x, v) = (arrest.plate_displacement_m, arrest.plate_velocity_m_s);
+        let (mass, k) = (0.059, 1e5);
+        let decay: f64 = b / (2.0 * mass);
+        let w = (k / mass - decay * decay).sqrt();
+        let at = |t: f64| {
+            let (sin, cos) = (w * t).sin_cos();
+            let (a, c) = (x, (v + decay * x) / w);
+            let place = (-decay * t).exp() * (a * cos + c * sin);
+            let speed = (-decay * t).exp() * w * (c * cos - a * sin) - decay * place;
+            -(k * place + b * speed)
+        };
+        let times = (0..200_000).map(|i| f64::from(i) * 1e-5 * 2.0 * std::f64::consts::PI / w);
+        let pull_n = times.map(at).fold(0.0, f64::max);
+        // Of the mount's force the projectile has the half, over what the interface bears: pi p (2 R - p) S_y.
+        let p = arrest.penetration_m;
+        let strength_n = std::f64::consts::PI * p * (2.0 * 0.00635 - p) * 1.52e8;
+        let expected = 0.5 * pull_n / (0.1 * strength_n);
+        assert!(is_near(found.interface_tension_ratio.unwrap(), expected, 1e-8), "{b}");
+    }
+}
+
+/// Work is summed by its own rule, energies are those of the end: together they are all there was.
+#[test]
+fn valid_the_energy_ledger_closes() {
+    for pairs in [
+        "k=1e5",
+        "k=1e6 b=50 m=0.7",
+        "k=1e5 x_stop=2mm stop_kind=elastic k_stop=1e7 b_stop=100",
+        "k=1e5 x_stop=2mm e=0.5 interface=plastic",
+        "d=0.1 k=1e6 theta=20deg",
+        "h=3mm v_i=400 k=1e5",
+    ] {
+        let found = shot(pairs);
+        assert!(found.ledger.residual().abs() < 1e-10, "{pairs}: {:e}", found.ledger.residual());
     }
 }

@@ -52,7 +52,7 @@ impl Window {
     }
 
     /// Take the rows that are due up to a moment from a step's dense output.
-    pub(super) fn fill(&self, to_s: f64, sample: impl Fn(f64) -> Sample) {
+    pub(in crate::model) fn fill(&self, to_s: f64, sample: impl Fn(f64) -> Sample) {
         if let Some(even) = &mut *self.even.borrow_mut() {
             let due: Vec<f64> = even.due(to_s).collect();
             even.rows.extend(due.into_iter().map(sample));
@@ -69,7 +69,7 @@ impl Window {
     }
 
     /// Put in the run so far, if it was requested.
-    pub(super) fn show(&self, so_far: impl FnOnce() -> Run) {
+    pub(in crate::model) fn show(&self, so_far: impl FnOnce() -> Run) {
         if self.wanted.replace(false) {
             self.run.replace(Some(so_far()));
         }
