@@ -106,13 +106,13 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
     let matches = match help::grouped(Arguments::command()).try_get_matches_from(&written) {
         Ok(matches) => matches,
         Err(error) => {
-            match usage::line(&error, &commands::whole(), &written) {
+            if let Some(line) = usage::line(&error, &commands::whole(), &written) {
                 // The parser repeats what was written; a terminal would obey it.
-                Some(line) => output::note(&clean::line(&format!("error: {line}"))),
-                // Help and version; a closed pipe ends them quietly.
-                None => {
-                    let _ = error.print();
-                }
+                output::note(&clean::line(&format!("error: {line}")));
+            } else {
+                // Help and version.
+                output::open()?;
+                error.print().map_err(CliError::Stdout)?;
             }
             return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
         }

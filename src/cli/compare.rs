@@ -12,7 +12,7 @@ use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
-use crate::model::scene::Scene;
+use crate::model::scene::{Criterion, Scene};
 use crate::model::units::{Dimension, fixed_significant, significant};
 use crate::report::compare as tables;
 use crate::report::compare::beside;
@@ -142,6 +142,10 @@ fn page(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: does moving armour pay? {gram} g, design velocity {v} m/s\n\n");
     let say = |page: &mut String, text: &str| *page += &hanging("", text, INDENT);
     say(&mut page, &tables::verdict(report));
+    let criterion = report.scene.target.criterion;
+    if criterion != Criterion::default() {
+        say(&mut page, &format!("criterion: {}", criterion.label()));
+    }
     if let Some(caution) = report.caution() {
         say(&mut page, &format!("caution: {caution}"));
     }

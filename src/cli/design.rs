@@ -5,13 +5,14 @@ use std::fmt::Write as _;
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::amount::above_zero;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::model::design;
 use crate::model::library;
 use crate::model::run::envelope;
 use crate::model::scene::{Scene, Wire};
-use crate::model::units::engineering;
+use crate::model::units::{Dimension, engineering};
 use crate::model::variables;
 use crate::report::table::Table;
 
@@ -19,6 +20,9 @@ use crate::report::table::Table;
 pub(super) struct DesignArguments {
     #[command(flatten)]
     scene: SceneArguments,
+    /// Give Stone's `c_t`, the square of a speed in m2/s2, for his depth P of equation 2.4
+    #[arg(long, value_name = "NUMBER", value_parser = above_zero(Dimension::Number, "2e5"))]
+    c_t: Option<f64>,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -26,7 +30,7 @@ pub(super) struct DesignArguments {
 pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     let preset = arguments.scene.load()?;
     variables::validate(&preset.scene)?;
-    let found = formulas(&preset.scene);
+    let found = formulas(&preset.scene, arguments.c_t);
     let mut page = format!("{}: by formulas alone\n\n", preset.name);
     for Formula { name, value, unit, source } in &found {
         let shown = engineering(*value, unit, 4);
@@ -53,7 +57,7 @@ struct Formula {
     source: &'static str,
 }
 
-fn formulas(scene: &Scene) -> Vec<Formula> {
+fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let (m, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
     let m_2 = scene.plate_mass_kg();
     let common = design::inelastic(m, v, m_2, 0.0);
@@ -62,15 +66,16 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
     let drawn = variables_energy_j(scene);
     let spring = design::coil_spring_mass_kg(left + drawn, &Wire::default());
     let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
-    let at_one = design::stone_depth_m(m, v, r, rho, 1.0);
+    let stone = design::stone_depth_m(m, v, r, rho, c_t.unwrap_or(1.0));
+    let rod = design::Rod::of(scene);
     let formula = |name, value, unit, source| Formula { name, value, unit, source };
-    let critical_deg = design::Rod::of(scene).critical_obliquity_deg(rho);
+    let critical_deg = rod.critical_obliquity_deg(rho);
     let tate = "Tate, eq. 2.3; rho_p and Y_p are assumptions";
     let integral = "the integral of its force; k d^(n+1)/(n+1) of a power law";
     let coil = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
-    let square = "eq. 2.4; c_t must be the square of a speed";
     vec![
         formula("critical obliquity", critical_deg, "deg", tate),
+        formula("  length of the rod", rod.length_m, "m", "m_p/(rho_p pi R^2)"),
         formula(
             "effective thickness",
             scene.effective_thickness_m(),
@@ -83,7 +88,10 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
         formula("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
         formula("energy stored by cocking", drawn, "J", integral),
         formula("least mass of a steel coil for both", spring, "kg", coil),
-        formula("Stone's depth times c_t", at_one, "m3/s2", square),
+        match c_t {
+            Some(_) => formula("Stone's depth P", stone, "m", "eq. 2.4"),
+            None => formula("Stone's depth times c_t", stone, "m3/s2", "eq. 2.4; give --c-t"),
+        },
     ]
 }
 

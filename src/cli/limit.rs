@@ -8,20 +8,16 @@ use clap::Args;
 
 use crate::cli::pictures::PictureArguments;
 use crate::cli::study::{StudyArguments, StudyOutput};
-use crate::cli::table::choice;
 use crate::cli::text::{chart_size, hanging};
 use crate::cli::{CliError, draw, progress};
 use crate::model::units::velocity;
 use crate::report::limit::{self, remarks, residual, taken_to_hold};
 use crate::report::svg::Picture;
-use crate::study::limit::{Criterion, Limit, Report, Request, find};
+use crate::study::limit::{COMMAND, Limit, Report, find};
 use crate::tui::theme::Theme;
 
 #[derive(Debug, Args)]
 pub(super) struct LimitArguments {
-    /// What counts as a perforation
-    #[arg(long, value_name = "WORD", default_value = "passage", value_parser = choice(&Criterion::ALL, Criterion::word, Criterion::label))]
-    criterion: Criterion,
     #[command(flatten)]
     pictures: PictureArguments,
     #[command(flatten)]
@@ -32,15 +28,14 @@ pub(super) struct LimitArguments {
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let LimitArguments { study, pictures, .. } = arguments;
     pictures.check(&study.table)?;
-    let request = Request { criterion: arguments.criterion };
     let preset = study.load()?;
     let scene = Arc::new(preset.scene);
-    let report = study.run("shots or so", |context| find(&scene, request, context))?;
+    let report = study.run("shots or so", |context| find(&scene, context))?;
     let name = preset.name.as_str();
     let warnings = limit::warnings(&report);
     if !pictures.is_stdout() {
         let (page, object) = (page(name, &report), limit::json(name, &report));
-        let command = request.to_string();
+        let command = COMMAND.to_owned();
         let answer =
             StudyOutput { command, warnings, page, object, rows: limit::shots(name, &report) };
         study.deliver(&report.scene, answer)?;
@@ -84,7 +79,7 @@ fn head(page: &mut String, report: &Report) {
             let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
         }
     }
-    *page += &hanging("criterion       ", report.criterion.label(), LABEL);
+    *page += &hanging("criterion       ", report.scene.target.criterion.label(), LABEL);
     if let Some(margin) = report.margin() {
         let side = if margin < 0.0 { "which perforates" } else { "which is stopped" };
         let (percent, own) = (100.0 * margin, velocity(own, 6));

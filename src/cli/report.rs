@@ -54,9 +54,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let scene = Arc::new(preset.scene.clone());
     let Computed { preset, run, .. } = run::compute(preset)?;
     let threads = arguments.threads.count();
-    let limit = progress::study(threads, "shots or so", |context| {
-        limit::find(&scene, limit::Request::default(), context)
-    })?;
+    let limit = progress::study(threads, "shots or so", |context| limit::find(&scene, context))?;
     let sweep = own_sweep(&scene, threads)?;
     if progress::was_interrupted() {
         output::note("interrupted: no report was written");

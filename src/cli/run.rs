@@ -118,8 +118,9 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
         })
     };
     let start = Instant::now();
-    let run = simulate::simulate_openly(&scene, &settings, &mut observer, window)?;
+    let mut run = simulate::simulate_openly(&scene, &settings, &mut observer, window)?;
     let took = start.elapsed();
+    run.cost.took_s = Some(took.as_secs_f64());
     line.clear();
     Ok(Computed { preset, run: Arc::new(run), took })
 }

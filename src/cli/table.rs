@@ -237,13 +237,21 @@ fn marked<R>(table: Table<'_, R>) -> Table<'_, R> {
 /// no number, and on which side the answer errs; of any other what fits.
 fn brief(warning: &str) -> String {
     let room = text::width() - 4;
-    let Some((lead, text)) = warning.split_once(OUTSIDE) else { return clip(warning, room) };
+    let Some((lead, text)) = warning.split_once(OUTSIDE) else {
+        let fits = |clause: &&str| clause.chars().count() <= room;
+        return clip(clauses(warning).filter(fits).last().unwrap_or(warning), room);
+    };
     let (text, direction) = text.rsplit_once(" (").unwrap_or((text, ""));
-    let ends = text.match_indices([':', ';']).map(|(at, _)| &text[..at]);
     let has_number = |clause: &&str| clause.contains(|c: char| c.is_ascii_digit());
-    let clause = ends.into_iter().find(has_number).unwrap_or(text);
+    let clause = clauses(text).find(has_number).or_else(|| clauses(text).next()).unwrap_or(text);
     let room = room.saturating_sub(direction.chars().count() + 2);
     format!("{} ({direction}", clip(&format!("{lead}{clause}"), room))
+}
+
+/// A text up to each end of a clause, and the whole.
+fn clauses(text: &str) -> impl Iterator<Item = &str> {
+    let ends = text.match_indices([':', ';']).map(|(at, _)| at);
+    ends.chain([text.len()]).map(|end| &text[..end])
 }
 
 #[cfg(test)]
@@ -258,8 +266,8 @@ mod tests {
                 "h/D = 2 (conservative)",
             ),
             (
-                "at k = 7.5e6: outside validity: the spring's end moves at 36.8 m/s: a coil surges (unconservative)",
-                "at k = 7.5e6: the spring's end moves at 36.8 m/s (unconservative)",
+                "at k = 7.5e6: outside validity: spring end moves at 36.8 m/s: a coil surges (unconservative)",
+                "at k = 7.5e6: spring end moves at 36.8 m/s (unconservative)",
             ),
             (
                 "outside validity: nose = blunt: about 60 % too high (unconservative)",
@@ -268,6 +276,14 @@ mod tests {
             (
                 "the horizon of 1 ms was not reached: the run stopped",
                 "the horizon of 1 ms was not reached: the run stopped",
+            ),
+            (
+                "equal velocities at 92 us, before t_d = 185 us: the half-sine history is that of a fixed plate",
+                "equal velocities at 92 us, before t_d = 185 us",
+            ),
+            (
+                "outside validity: rigid stop asks the fused interface for an unbounded force: set it (unconservative)",
+                "rigid stop asks the fused interface for an unbounded force (unconservative)",
             ),
         ] {
             assert_eq!(brief(warning), line);

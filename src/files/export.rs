@@ -213,6 +213,10 @@ fn outcome(run: &Run) -> String {
         }
     }
     let _ = writeln!(text, "# method: {}", run.cost.method);
+    if let Some(took_s) = run.cost.took_s {
+        let _ =
+            writeln!(text, "# run_time_s = {} (with the error estimate)", units::shortest(took_s));
+    }
     for warning in envelope::warnings(run) {
         let _ = writeln!(text, "# warning: {warning}");
     }

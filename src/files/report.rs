@@ -184,7 +184,7 @@ fn ballistic_limit(report: &limit::Report) -> Vec<Block> {
         Some(velocity) => lines.push(units::velocity(velocity, DIGITS)),
         None => lines.extend(report.limit.absence()),
     }
-    lines.push(format!("criterion: {}", report.criterion.label()));
+    lines.push(format!("criterion: {}", report.scene.target.criterion.label()));
     if let Some(margin) = report.margin() {
         lines.push(format!("{:+.1} % over the scene's own velocity", 100.0 * margin));
     }

@@ -466,7 +466,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::Find, "find", "/")], "find in this pane; variables and claims: show what matches"),
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
     line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
-    line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r")], "undo, redo: scene, setups, pins"),
+    line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),
     line(Everywhere, &[(A::Mark, "mark", "Space")], "pin or unpin a run to compare with; mark a row of a table"),
     line(Everywhere, &[(A::View, "view", "v")], "next view of this pane"),
     line(Everywhere, &[(A::Run, "run", "r")], "run again what this page computes"),

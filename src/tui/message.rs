@@ -228,7 +228,7 @@ impl PageTable {
         Self { title, file: file.into(), is_complete, csv: Arc::new(csv), source: None }
     }
 
-    /// The same as a table of a scene, which a command makes again: `limit --criterion protrusion`.
+    /// The same as a table of a scene, which a command makes again: `sweep --over k=1..2`.
     pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: &str) -> Self {
         let (command, is_complete) = (command.to_owned(), self.is_complete);
         let again = move |own: &str| {

@@ -22,7 +22,7 @@ enumeration! {
     Threads { name: "threads", meaning: "how many threads sweeps and studies use" }
     Interface {
         name: "interface law",
-        meaning: "whether projectile and plate stay together after the first arrest"
+        meaning: "whether projectile and plate stay together once the projectile stops"
     }
     Contact { name: "contact model", meaning: "the force between projectile and plate" }
 }

@@ -141,19 +141,24 @@ fn foot_key(app: &App, key: FootKey) -> String {
     }
 }
 
-/// The keys of the pane, the most useful first, as many as fit; the keys of every pane at the end: `? keys  : find  q quit`.
+/// Columns between two keys of the footer.
+const GAP: u16 = 2;
+
+/// The keys of the pane, the most useful first, as many as fit; the keys of every pane at the end: `? keys  q quit`.
 fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
     let map = &app.keymap;
     let key = |action| map.label(action);
-    let last = [(Action::Help, "keys"), (Action::Palette, "find"), (Action::Quit, "quit")]
+    let last = [(Action::Help, "keys"), (Action::Quit, "quit")]
         .map(|(action, what)| (key(action), what.to_owned()));
-    let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + 3;
-    let room = width.saturating_sub(last.iter().map(size).sum::<u16>());
+    let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + GAP + 1;
+    // Nothing stands behind the last one.
+    let room = (width + GAP).saturating_sub(last.iter().map(size).sum::<u16>());
     let page = pages::of(app.tab);
     let own = pages::spec(app.pane()).keys.iter();
     let own = own.filter(|row| !row.short.is_empty() && !page.is_idle(app, row.action));
     let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
     let common = [
+        (Action::Palette, "find"),
         (Action::FocusNext, "pane"),
         (Action::Presets, "presets"),
         (Action::Export, "export"),
@@ -165,6 +170,9 @@ fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
     let mut shown: Vec<(String, String)> = Vec::new();
     let has_key = |entry: &(String, String)| !entry.0.is_empty();
     for entry in own.chain(common).filter(has_key) {
+        if shown.contains(&entry) {
+            continue;
+        }
         used += size(&entry);
         if used > room {
             break;
@@ -290,7 +298,7 @@ pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             canvas.put(area, (1, row), severity.mark(), role);
         }
         before = Some(*severity);
-        let column = if *severity == Severity::Note { 1 } else { 3 };
+        let column = if *severity == Severity::Note { 1 } else { 2 + columns(severity.mark()) };
         canvas.put(area, (column, row), text, role);
     }
 }
@@ -303,7 +311,7 @@ const BETWEEN: usize = 3;
 /// The state of the run and its cost.
 pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut spans = vec![Span::raw(" ")];
-    let parts = fitted(app.status(), usize::from(area.width.saturating_sub(2)));
+    let parts = fitted(app.status(), usize::from(area.width.saturating_sub(1)));
     for (index, (severity, text)) in parts.into_iter().enumerate() {
         if index > 0 {
             spans.push(Span::styled(" | ", app.settings.theme.style(Role::Border)));

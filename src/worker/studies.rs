@@ -181,13 +181,13 @@ fn filled(grid: Grid, reporter: &Reporter<'_>) -> Grid {
 
 /// Finds the ballistic limit.
 #[derive(Debug, PartialEq)]
-pub struct LimitSearch(pub limit::Request);
+pub struct LimitSearch;
 
 impl Study for LimitSearch {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
         let watch = &mut reporter.progress();
         let context = &mut Context::new(reporter.threads(), watch);
-        Ok(limit::find(scene, self.0, context)?.into())
+        Ok(limit::find(scene, context)?.into())
     }
 }
 
@@ -384,7 +384,7 @@ impl Study for ReportFile {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
         let watch = &mut reporter.progress();
         let context = &mut Context::new(reporter.threads(), watch);
-        let limit = limit::find(scene, limit::Request::default(), context)?;
+        let limit = limit::find(scene, context)?;
         let sweep = if scene.sweep.is_some() { own_sweep(scene, reporter)? } else { None };
         if !limit.is_complete || sweep.as_ref().is_some_and(|grid| !grid.is_complete()) {
             return Err("cancelled: no report was written".into());

@@ -15,7 +15,7 @@ use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate;
 use crate::study::context::Context;
-use crate::study::{limit, monte_carlo};
+use crate::study::monte_carlo;
 
 /// A test that waits so long hangs.
 const HANG: Duration = Duration::from_secs(120);
@@ -298,7 +298,7 @@ fn a_study_of_another_type_waits_in_its_lane_and_passes_in_another() {
     let (worker, reports) = start();
     worker.submit(study(1, Claims, true));
     worker.submit(study(2, StiffScenes, false));
-    worker.submit(study(3, LimitSearch(limit::Request::default()), false));
+    worker.submit(study(3, LimitSearch, false));
     assert_eq!(next_last(&reports).id, 3);
     worker.cancel(1);
     let ends = [next_last(&reports).id, next_last(&reports).id];

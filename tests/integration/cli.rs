@@ -132,10 +132,59 @@ fn run_prints_a_summary_of_the_baseline() {
     assert!(force < warnings && warnings < first, "{}", done.out);
     let full = place.cmra("run --verbose");
     assert!(full.out.contains("! outside validity: h/D = 2: with dishing"), "{}", full.out);
-    for label in ["first arrest", "peak contact force", "residual", "run time"] {
+    for label in ["first stop", "peak contact force", "residual", "run time"] {
         assert!(done.out.contains(label), "{label}\n{}", done.out);
     }
     assert!(!done.out.contains('\u{1b}'), "no colour codes in a pipe");
+}
+
+/// A line of a warning has its number and direction whole within 80 columns, whatever the scene.
+#[test]
+fn no_warning_is_cut_before_its_number() {
+    let place = Place::new();
+    let mut lines = 0;
+    for changes in [
+        "gamma=0.05 k=7.5e6 d=0.5",
+        "h=1mm nose=blunt",
+        "v_i=1200 S_y=1.9e9",
+        "m_p=1g x_stop=1mm",
+        "rho=1200 S_y=1e7",
+        "model=half-sine",
+        "interface=plastic d=0.5",
+        "horizon=10us spring=prbm-cantilever",
+        "g=0 d=0.1 gamma=7",
+    ] {
+        let sets: Vec<String> = changes.split(' ').map(|it| format!(" --set {it}")).collect();
+        let out = place.cmra(&format!("run{}", sets.concat())).out;
+        for line in out.lines().filter(|line| line.starts_with("  ! ")) {
+            assert!(
+                line.len() <= 80 && !line.contains(".. (") && !line.ends_with(".."),
+                "{changes}: {line}"
+            );
+            lines += 1;
+        }
+    }
+    assert!(lines > 40, "{lines}");
+}
+
+/// Stone's depth is `m_p v_i^2/(pi R^2 rho c_t)`, and the projectile as a rod is `m_p/(rho_p pi R^2)` long.
+#[test]
+fn valid_formulas_of_a_shot() {
+    let done = Place::new().cmra("design --c-t 1e5");
+    for line in ["8.593 mm  Stone's depth P (eq. 2.4)", "29.67 mm    length of the rod"] {
+        assert!(done.out.contains(line), "{}", done.out);
+    }
+}
+
+/// A result that nobody can read is no success.
+#[test]
+fn a_closed_standard_output_is_a_failure() {
+    for arguments in ["run", "presets", "--help", "run --csv -"] {
+        let shell = format!("{} {arguments} >&-", env!("CARGO_BIN_EXE_cmra"));
+        let done = Command::new("sh").args(["-c", &shell]).output().unwrap();
+        assert_eq!(done.status.code(), Some(1), "{arguments}");
+        assert!(String::from_utf8_lossy(&done.stderr).contains("standard output"), "{done:?}");
+    }
 }
 
 #[test]
@@ -321,7 +370,7 @@ fn csv_reads_back_the_same_floats() {
     assert!(done.err.contains("wrote out.csv\nwrote out.toml"), "{}", done.err);
     let text = place.read("out.csv");
     assert!(text.starts_with(CONTRACT_COLUMNS), "{}", text.lines().next().unwrap());
-    assert!(text.contains("first arrest"), "events stand in the rows");
+    assert!(text.contains("projectile first stops"), "events stand in the rows");
 
     // The same run inside this process, for floats to compare with.
     let preset = cmra::files::preset::resolve("free-plate", None).unwrap();
@@ -356,7 +405,9 @@ fn the_sidecar_runs_again_to_the_same_digits() {
     let sidecar = place.read("out.toml");
     let version = env!("CARGO_PKG_VERSION");
     assert!(sidecar.starts_with(&format!("# exported by cmra {version} with out.csv, checksum ")));
-    assert!(sidecar.contains("# outcome: "), "{sidecar}");
+    for line in ["# outcome: ", "# run_time_s = "] {
+        assert!(sidecar.contains(line), "{sidecar}");
+    }
     let again = place.json("run out.toml --json");
     assert_eq!(digits(again), digits(first));
     let before = place.read("out.csv");

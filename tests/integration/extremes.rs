@@ -187,7 +187,8 @@ fn valid_the_interface_tension_is_that_at_the_first_arrest() {
     let exact = 0.5 * 1e6 * -arrest.plate_displacement_m / (0.1 * area * 1.52e8);
     assert!(exact > 1.0, "{exact}");
     assert_near(found.interface_tension_ratio.unwrap(), exact, 1e-9);
-    let text = format!("{exact:.3} times its strength g A S_y in tension");
+    let exact = cmra::model::units::significant(exact, 4);
+    let text = format!("interface pull is {exact} times its strength g A S_y");
     assert!(found.warnings.iter().any(|warning| warning.to_string().contains(&text)));
     let gripless = run(scene("d=0.1 k=1e6 grip=0"));
     assert!(gripless.interface_tension_ratio.unwrap().is_infinite());

@@ -77,7 +77,10 @@ fn sweeps_limits_and_comparisons_are_drawn() {
     // The axis runs from the left edge of the plot to its right edge.
     assert!(points[0].starts_with("72,") && points[6].starts_with("616,"), "{points:?}");
     let map = svg_of(place.path(), "sweep --over gamma=1..7:7 --over k=1e4,1e5,1e6 --csv map.csv");
-    check(&map, &["gamma", "k [MN/m^n]", "percent of baseline", "[%]", "max plate displacement"]);
+    check(
+        &map,
+        &["gamma", "k [MN/m^n]", "% of rigid-mount depth", "[%]", "max plate displacement"],
+    );
     let limit = svg_of(place.path(), "limit");
     check(
         &limit,

@@ -59,7 +59,7 @@ fn least_mass_is_not_least_tile() {
 #[test]
 fn every_study_warns_outside_the_validity() {
     let stop = object("limit", &["--set", "x_stop=30mm"], 0);
-    assert!(warnings(&stop).contains("a rigid stop asks the fused interface"), "{stop}");
+    assert!(warnings(&stop).contains("rigid stop asks the fused interface"), "{stop}");
     let (page, _) = says("limit", &[], 0);
     let first = page.split("in full)\n").nth(1).and_then(|rest| rest.lines().next());
     assert_eq!(first, Some("  ! h/D = 2 (conservative)"), "{page}");
@@ -104,10 +104,7 @@ fn variables_and_quantities_are_explained() {
 #[test]
 fn a_warning_is_explained_by_its_name() {
     let (page, _) = says("run", &[], 0);
-    assert!(
-        page.contains("\n  ! plate face: the plate's face is 20.7 mm square, 1.63 D ("),
-        "{page}"
-    );
+    assert!(page.contains("\n  ! plate face is 20.7 mm square, 1.63 D ("), "{page}");
     for name in Check::WORDS {
         let (page, _) = says("explain", &[name], 0);
         let text = page.split(&format!("{name}: a warning\n")).nth(1);

@@ -30,7 +30,7 @@ fn an_input_without_effect_has_indices_of_zero() {
 #[test]
 fn the_page_has_both_and_the_bounds_of_the_thesis() {
     let page = output(&QUICK);
-    for words in ["percent of baseline", "one at a time", "Sobol", "####"] {
+    for words in ["% of rigid-mount depth", "one at a time", "Sobol", "####"] {
         assert!(page.contains(words), "{words}: {page}");
     }
     assert!(page.contains("4 % either way") && page.contains("--over"), "{page}");

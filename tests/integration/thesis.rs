@@ -44,7 +44,7 @@ fn valid_rows_have_the_known_numbers() {
         ("9.3-torsion", "computed", "7209"),
         ("A.1-case", "computed", "38.1"),
         ("A.1-case", "as_printed", "6.8806 mm"),
-        ("9.5.1-stop", "computed", "64.22 % at the first arrest, 82.7"),
+        ("9.5.1-stop", "computed", "64.22 % at the first stop, 82.7"),
     ] {
         assert!(text(id, column).contains(expected), "{id}: {}", text(id, column));
     }

@@ -7,7 +7,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::scene::Scene;
+use crate::model::scene::{Criterion, Scene};
 use crate::model::worded::worded;
 
 mod check;
@@ -246,7 +246,7 @@ worded! {
     /// The kinds of events a person wants marked on a chart.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum EventKind: words {
-        FirstArrest = "first arrest",
+        FirstArrest = "projectile first stops",
         Arrest = "arrest",
         /// The nose is buried to its full radius.
         NoseBuried = "nose buried",
@@ -413,9 +413,20 @@ impl Run {
         Some(100.0 * (self.final_penetration_m? / self.baseline_penetration_m?))
     }
 
-    /// The outcome of the whole shot: into a stack, that in the last plate struck.
+    /// The outcome of the whole shot by the scene's criterion: into a stack, that in the last plate struck. What protrudes from one
+    /// before the base plate does not count.
     pub fn shot_outcome(&self) -> Outcome {
-        self.stack.as_ref().map_or(self.outcome, |stack| stack.outcome)
+        let (base, outcome) = match &self.stack {
+            None => (Some(self), self.outcome),
+            Some(stack) => {
+                let last = stack.behind.last().filter(|_| stack.behind.len() == stack.elements);
+                let is_in = stack.outcome != Outcome::Separated;
+                (last.map(|run| &**run).filter(|_| is_in), stack.outcome)
+            }
+        };
+        let by_protrusion = self.scene.target.criterion == Criterion::Protrusion;
+        let is_out = base.is_some_and(|run| run.protrusion_m().is_some());
+        if by_protrusion && is_out { Outcome::Perforated } else { outcome }
     }
 
     /// The residual velocity behind the plate, or behind the base plate of a stack, m/s.

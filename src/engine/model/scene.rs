@@ -16,7 +16,8 @@ pub use crate::model::mechanism::damper::Damper;
 pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
 pub use crate::model::mechanism::stop::{Stop, StopKind};
 pub use bodies::{
-    Closure, ClosureInEffect, DragSource, Mount, Nose, Plate, PlateSize, Projectile, Target,
+    Closure, ClosureInEffect, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile,
+    Target,
 };
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Jumps, Listing, Reading};
 pub use mechanism::{Combination, Mechanism, OwnMass, Second, Wire};

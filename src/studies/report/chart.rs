@@ -99,7 +99,14 @@ impl<'a> Axis<'a> {
 
     /// Its quantity and unit.
     pub fn text(&self, exponent: i32) -> String {
-        spaced(&self.label, &self.unit_text(exponent))
+        self.after(&self.label, exponent)
+    }
+
+    /// A title of its values and their unit, unless the title begins with it: `% of rigid-mount depth`.
+    pub fn after(&self, title: &str, exponent: i32) -> String {
+        let has_unit = title.starts_with('%') && exponent == 0;
+        let unit = if has_unit { String::new() } else { self.unit_text(exponent) };
+        spaced(title, &unit)
     }
 }
 

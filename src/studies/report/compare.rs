@@ -138,6 +138,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "spring_energy_j_per_kg": report.scene.mechanism.specific_energy_j_kg(),
         "spring_energy_j": own.and_then(|own| own.load.stored_j),
         "spring_mass_kg": own.and_then(|own| own.spring_kg),
+        "criterion": report.scene.target.criterion.word(),
         "mount_mass_kg": report.hardware.mount_kg,
         "stroke_available_m": report.hardware.stroke_m,
         "spring_is_sized": report.hardware.is_sized,

@@ -10,7 +10,7 @@ use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::limit::residual_law::ResidualLaw;
-use crate::study::limit::{AtLimit, Closures, Limit, Report, Shot};
+use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
 use crate::study::load::Load;
 use crate::study::validation::KnownError;
 use crate::study::validity;
@@ -38,21 +38,32 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         let load = self::load(load, &report.scene);
         remarks.push(Remark::new("at the limit", load.unwrap_or_else(none)));
     }
+    if let Some(holds_m_s) = report.interface_holds_m_s {
+        let holds = if holds_m_s < RANGE_M_S.0 {
+            "at no velocity".to_owned()
+        } else {
+            format!("up to {}", velocity(holds_m_s, 4))
+        };
+        let text = format!(
+            "fused, carries no more than its strength {holds}; beyond, take interface=plastic"
+        );
+        remarks.push(Remark::caution("interface", text));
+    }
     remarks.extend(measured(report).map(|text| Remark::caution("measured", text)));
     if let Some(closure) = report.scene.closure_by_thickness() {
         let text = format!("{}, by the plate's thickness", closure.word());
-        remarks.push(Remark::new("closure", text));
+        remarks.push(Remark::new("strength rule", text));
     }
     if let Some((thin, thick)) = report.jump_m_s {
         let change = engineering(2.0 * report.scene.projectile.tip_radius_m, "m", 4);
         let (thin, thick) = (fixed_significant(thin, 4), velocity(thick, 4));
         let text = format!(
-            "at h = D = {change} the closure changes and the limit jumps from {thin} to {thick}: between these two it is not known"
+            "at h = D = {change} the strength rule changes and the limit jumps from {thin} to {thick}: between these two it is not known"
         );
         remarks.push(Remark::caution("jump", text));
     }
     if let Some(closures) = &report.closures {
-        remarks.push(Remark::new("closure band", self::closures(closures)));
+        remarks.push(Remark::new("by each rule", self::closures(closures)));
     }
     remarks.extend(carried(report).map(|text| Remark::new("note", text)));
     if report.lambert_jonas.is_some() {
@@ -130,7 +141,7 @@ fn measured(report: &Report) -> Option<String> {
     ))
 }
 
-/// The band between the closures.
+/// The limits by both closures.
 fn closures(closures: &Closures) -> String {
     let shown = |value: Option<f64>, drag: f64| {
         let limit = value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
@@ -204,7 +215,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "scene": name,
         "limit_velocity_m_s": report.limit.velocity_m_s(),
         "interface": report.scene.interface.law.word(),
-        "criterion": report.criterion.word(),
+        "criterion": report.scene.target.criterion.word(),
         "basis": basis,
         "no_limit": report.limit.absence(),
         "limit_above_m_s": above,
@@ -213,6 +224,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "undecided_above_m_s": report.undecided_m_s.map(|it| it.0),
         "undecided_below_m_s": report.undecided_m_s.map(|it| it.1),
         "impact_velocity_m_s": report.scene.projectile.velocity_m_s,
+        "interface_holds_m_s": report.interface_holds_m_s,
         "margin": report.margin(),
         "caution": report.caution(),
         "stroke_at_limit_m": load.stroke_m,

@@ -30,13 +30,15 @@ pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, ModelLine<'c
     Table::of(runs.chain(refused))
         .with("scene", "scene", "", move |_| name)
         .with("model", "model", "", |it| it.model)
-        .with("outcome", "outcome", "", |it| it.run().map_or("refused", |run| run.outcome.word()))
+        .with("outcome", "outcome", "", |it| {
+            it.run().map_or("refused", |run| run.shot_outcome().word())
+        })
         .with("final_penetration_m", "depth", "m", |it| it.run()?.final_penetration_m)
         .shown(|it, _| {
             let is_through = it.run()?.outcome == Outcome::Perforated;
             is_through.then(|| Outcome::Perforated.word().to_owned())
         })
-        .with("first_arrest_penetration_m", "depth at first arrest", "m", |it| {
+        .with("first_arrest_penetration_m", "depth at first stop", "m", |it| {
             Some(it.run()?.first_arrest?.penetration_m)
         })
         .with("percent_of_baseline", "of baseline", "%", |it| it.run()?.percent_of_baseline())

@@ -272,6 +272,7 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
         ("model", word("contact.model")),
         ("interface", word("interface.law")),
         ("outcome", Value::from(run.shot_outcome().word())),
+        ("criterion", word("target.criterion")),
         ("closure", Value::from(run.scene.closure().word())),
         ("end", Value::from(run.end.words())),
         ("complete", Value::from(run.end.is_complete())),
@@ -484,7 +485,7 @@ mod tests {
             (3.0, EventKind::GreatestDisplacement),
         ]
         .map(|(t_s, kind)| Event { t_s, kind });
-        let (first, last) = ("first arrest; nose buried", "greatest displacement");
+        let (first, last) = ("projectile first stops; nose buried", "greatest displacement");
         assert_eq!(placed(&jump(), &events), [(1, first.to_owned()), (3, last.to_owned())]);
     }
 }

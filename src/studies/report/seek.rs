@@ -121,6 +121,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "log": report.axis.spacing() == Spacing::Log,
         "scan_points": report.scan.len(),
         "interface": report.law.word(),
+        "criterion": report.criterion.word(),
         "output": report.measure.name,
         "target": report.target,
         "solutions": list(&[Kind::Solution, Kind::Touch, Kind::Plateau]),

@@ -10,7 +10,7 @@ use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
 use crate::model::contact_kernel::{ContactEnd, contact_end};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::model::scene::{ContactModel, Criterion, InterfaceLaw, Mount, Scene};
 use crate::numerics::larger;
 
 /// Fraction of the scene's tolerance that the contact may use up.
@@ -56,6 +56,12 @@ pub(in crate::study) fn contact(
     tolerance: f64,
 ) -> Option<ContactEnd> {
     decides(scene, wanted).then(|| contact_end(scene, tolerance))?
+}
+
+/// Whether a shot whose first contact ends so has perforated the plate, by the scene's criterion.
+pub(in crate::study) fn is_through(scene: &Scene, end: &ContactEnd) -> bool {
+    let by_protrusion = scene.target.criterion == Criterion::Protrusion;
+    !end.arrested || by_protrusion && end.penetration_m > scene.effective_thickness_m()
 }
 
 /// Whether the first contact alone decides that: what is fused at the first arrest stays. All else takes the simulation.

@@ -3,7 +3,6 @@
 //! Closed form for a plate that is rigid or free; else a scan over the whole range of velocities, which also
 //! finds outcomes that recur, and bisection on the outcome. Must not know files, threads, screens or a clock.
 
-use std::fmt;
 use std::sync::Arc;
 
 use crate::model::closed_form::Passage;
@@ -11,7 +10,7 @@ use crate::model::contact::Geometry;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::Outcome;
 use crate::model::run::envelope::{Breach, oblique_error};
-use crate::model::scene::{ContactModel, Mount, Scene};
+use crate::model::scene::{ContactModel, Criterion, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::context::{Context, to_its_end};
@@ -26,12 +25,11 @@ mod search;
 pub(in crate::study) mod verdict;
 
 pub use closures::Closures;
-pub use verdict::Criterion;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);
 /// How far below a limit the shot is fired that shows what the mechanism bears there, relative.
-pub(in crate::study) const JUST_BELOW: f64 = 1e-6;
+pub(in crate::study) const JUST_BELOW: f64 = 1e-9;
 /// Points of the scan over them, at equal ratios.
 const SCAN: usize = 41;
 /// Shots of the curve below and above the limit, and the range they cover, over the limit.
@@ -172,36 +170,23 @@ pub struct Shot {
     pub residual_m_s: Option<f64>,
 }
 
-/// The request; shown, it is the command that asks the same of a scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Request {
-    /// The criterion of perforation.
-    pub criterion: Criterion,
-}
-
-impl fmt::Display for Request {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("limit")?;
-        if self.criterion != Criterion::default() {
-            write!(f, " --criterion {}", self.criterion.word())?;
-        }
-        Ok(())
-    }
-}
+/// The command that finds the limit of a scene.
+pub const COMMAND: &str = "limit";
 
 /// The limit of a scene and all that goes with it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The scene.
     pub scene: Arc<Scene>,
-    /// The criterion of perforation.
-    pub criterion: Criterion,
     /// The limit.
     pub limit: Limit,
     /// Between which slower velocities shots are not decided, m/s.
     pub undecided_m_s: Option<(f64, f64)>,
     /// A shot just below the limit; `None` without a limit.
     pub at_limit: Option<AtLimit>,
+    /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none; `None` where it holds up to
+    /// the limit.
+    pub interface_holds_m_s: Option<f64>,
     /// The limits by both closures, where the flow strength comes from a yield stress.
     pub closures: Option<Closures>,
     /// Between which limits, m/s, the limit jumps where the closure changes, at h = D, where the plate is about as thick.
@@ -244,14 +229,10 @@ impl Report {
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
-pub fn find(
-    scene: &Arc<Scene>,
-    request: Request,
-    context: &mut Context<'_>,
-) -> Result<Report, VariableError> {
+pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE);
-    let mut range = ShotRunner { scene, criterion: request.criterion, context };
+    let mut range = ShotRunner { scene, context };
     let limit = range.whole_limit();
     let undecided_m_s = range.undecided(limit);
     let shots = range.curve(limit);
@@ -259,14 +240,17 @@ pub fn find(
     let perforated: Vec<(f64, f64)> = perforated.collect();
     let found_m_s = limit.velocity_m_s();
     let at_limit = found_m_s.and_then(|limit_m_s| range.at_limit(limit_m_s));
+    let interface_holds_m_s = at_limit.as_ref().zip(found_m_s);
+    let interface_holds_m_s = interface_holds_m_s
+        .and_then(|(at_limit, limit_m_s)| range.interface_holds(at_limit, limit_m_s));
     let closures = found_m_s.and_then(|_| range.closures());
     let jump_m_s = found_m_s.and_then(|_| range.jump());
     Ok(Report {
         scene: Arc::clone(scene),
-        criterion: request.criterion,
         limit,
         undecided_m_s,
         at_limit,
+        interface_holds_m_s,
         closures,
         jump_m_s,
         shots,
@@ -284,7 +268,7 @@ pub fn find(
 pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len());
-    Ok(ShotRunner { scene, criterion: Criterion::default(), context }.whole_limit())
+    Ok(ShotRunner { scene, context }.whole_limit())
 }
 
 /// The limit velocity of a scene, m/s.
@@ -297,13 +281,15 @@ pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
     limit.velocity_m_s().ok_or_else(|| limit.absence().unwrap_or_default())
 }
 
-/// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts or another
-/// model is requested.
+/// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts, or for another
+/// model or criterion.
 pub fn closed_form(scene: &Scene) -> Option<f64> {
     let mechanism = &scene.mechanism;
     let rigid = scene.plate.mount == Mount::Rigid;
     let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
-    if (acts && !rigid) || scene.is_stack() || scene.contact.model != ContactModel::Hydrodynamic {
+    let by_passage = scene.target.criterion == Criterion::Passage;
+    let is_hydrodynamic = scene.contact.model == ContactModel::Hydrodynamic;
+    if (acts && !rigid) || scene.is_stack() || !is_hydrodynamic || !by_passage {
         return None;
     }
     let geometry = Geometry::of(scene);

@@ -34,6 +34,8 @@ pub struct Quantity {
     pub(in crate::study) from_contact: FromContact,
     /// Its lower bound, if a run ended before it was final.
     lower_bound: Option<fn(&Run) -> Option<f64>>,
+    /// Its name in words where that is not the one in files; empty: that one.
+    title: &'static str,
     /// A word or two for narrow columns; empty: its title.
     short: &'static str,
     /// Why a shot that is stopped may be without it.
@@ -130,6 +132,7 @@ const fn quantity(
             Source::Run(_) | Source::Course(..) | Source::Search(_) => FromContact::No,
         },
         lower_bound: None,
+        title: "",
         short: "",
         absence: "does not exist here",
         is_of_perforation: false,
@@ -151,6 +154,10 @@ impl Quantity {
 
     const fn at_least(self, bound: fn(&Run) -> Option<f64>) -> Self {
         Self { lower_bound: Some(bound), ..self }
+    }
+
+    const fn titled(self, title: &'static str) -> Self {
+        Self { title, ..self }
     }
 
     const fn short(self, short: &'static str) -> Self {
@@ -208,22 +215,22 @@ const GRIPLESS: f64 = 1e6;
 #[rustfmt::skip]
 pub static QUANTITIES: &[Quantity] = &[
     quantity("first_arrest_penetration_m", Length, "depth when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.penetration_m)))
-        .by_contact(End(|it| Some(it.arrest()?.penetration_m))),
-    quantity("first_arrest_time_s", Time, "time of the first arrest", Source::Run(|run| Some(run.first_arrest?.t_s)))
-        .by_contact(End(|it| Some(it.arrest()?.t_s))),
-    quantity("first_arrest_plate_displacement_m", Length, "plate displacement at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_displacement_m)))
-        .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))),
-    quantity("first_arrest_plate_velocity_m_s", Velocity, "common velocity at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_velocity_m_s)))
-        .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))),
+        .by_contact(End(|it| Some(it.arrest()?.penetration_m))).titled("depth at first stop"),
+    quantity("first_arrest_time_s", Time, "time at which projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.t_s)))
+        .by_contact(End(|it| Some(it.arrest()?.t_s))).titled("time at first stop"),
+    quantity("first_arrest_plate_displacement_m", Length, "plate displacement when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.plate_displacement_m)))
+        .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))).titled("plate displacement at first stop"),
+    quantity("first_arrest_plate_velocity_m_s", Velocity, "the first common velocity of projectile and plate", Source::Run(|run| Some(run.first_arrest?.plate_velocity_m_s)))
+        .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))).titled("common velocity at first stop"),
     quantity("final_penetration_m", Length, "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
-        .at_least(|run| run.at_least.penetration_m).short("depth").of_stack().of_hole(),
+        .at_least(|run| run.at_least.penetration_m).titled("final depth").short("depth").of_stack().of_hole(),
     quantity("percent_of_baseline", Number, "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
         .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
         .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.baseline_penetration_m?)))
-        .short("of baseline").absent(NO_BASELINE).of_hole().percent(),
+        .titled("% of rigid-mount depth").short("% of rigid mount").absent(NO_BASELINE).of_hole().percent(),
     quantity("baseline_penetration_m", Length, "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
-        .by_contact(End(|it| it.baseline_m)).absent(NO_BASELINE),
+        .by_contact(End(|it| it.baseline_m)).titled("depth on a rigid mount").absent(NO_BASELINE),
     quantity("peak_contact_force_n", Force, "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
     quantity("max_plate_displacement_m", Length, "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
         .by_contact(Displacement(|it| it.max_displacement_m))
@@ -235,8 +242,8 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("exit_time_s", Time, "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).of_perforation(),
     quantity("separation_time_s", Time, "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
     quantity("separation_velocity_m_s", Velocity, "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
-    quantity("interface_demand_ratio", Number, "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand"),
-    quantity("interface_tension_ratio", Number, "greatest tension the fused interface carried up to the end of the run, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).short("tension"),
+    quantity("interface_demand_ratio", Number, "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).titled("interface push over strength").short("push"),
+    quantity("interface_tension_ratio", Number, "greatest tension the fused interface carried up to the end of the run, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).titled("interface pull over strength").short("pull"),
     quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).of_computation().of_stack(),
     quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation().of_stack().estimate(),
     quantity("stored_energy_j", Energy, "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
@@ -276,8 +283,18 @@ impl Quantity {
 
     /// Its name in words, without the unit: `max plate displacement`.
     pub fn title(&self) -> String {
+        if self.title.is_empty() { self.key_words() } else { self.title.to_owned() }
+    }
+
+    /// The words of its name in files, by which it is found too: `first arrest penetration`.
+    pub fn key_words(&self) -> String {
+        self.bare().replace('_', " ")
+    }
+
+    /// Its name in files without the unit: `max_plate_displacement`.
+    fn bare(&self) -> &'static str {
         let end = format!("_{}", self.kind.unit().to_lowercase().replace(['/', ' '], "_"));
-        self.name.strip_suffix(&end).unwrap_or(self.name).replace('_', " ")
+        self.name.strip_suffix(&end).unwrap_or(self.name)
     }
 
     /// Its name in a word or two.

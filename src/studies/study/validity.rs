@@ -273,7 +273,7 @@ mod tests {
         let axes = [Axis::new("d", (0.0, 0.5), 2, Spacing::Linear).unwrap()];
         let list = of_axes(&Scene::default(), &axes);
         let found: Vec<&String> =
-            list.iter().filter(|text| text.contains("interface must carry 2.875")).collect();
+            list.iter().filter(|text| text.contains("interface push is 2.875")).collect();
         assert!(matches!(found[..], [text] if text.starts_with("at d = 0.5: ")), "{list:?}");
     }
 
@@ -385,7 +385,7 @@ mod tests {
         let has = |list: &[String], words| list.iter().any(|text| text.contains(words));
         assert!(of(0.0).new.is_empty() && has(&of(0.0).known, "h/D"), "{:?}", of(0.0));
         let far = of(0.5);
-        assert!(has(&far.new, "interface must carry 2.875") && has(&far.known, "h/D"), "{far:?}");
+        assert!(has(&far.new, "interface push is 2.875") && has(&far.known, "h/D"), "{far:?}");
         assert!(far.fails.contains(&Check::Interface) && far.fails.contains(&Check::Thickness));
     }
 }

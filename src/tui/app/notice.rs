@@ -18,7 +18,7 @@ enumeration! {
     /// Legal, yet worth a second look.
     Warning { mark: "!", word: "warning" }
     /// It did not work.
-    Error { mark: "x", word: "error" }
+    Error { mark: "error:", word: "error" }
 }
 
 impl Severity {

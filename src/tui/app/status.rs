@@ -11,6 +11,7 @@ use crate::tui::pages::run::editor;
 use crate::tui::pages::run::runs::{RunView, engineering};
 use crate::tui::pages::{self, StatusPart, note, old, part};
 use crate::tui::prelude::*;
+use crate::tui::theme;
 use crate::tui::widgets::text::{clip, fitting, wrap};
 
 const MESSAGE_LINES: usize = 4;
@@ -40,7 +41,8 @@ impl App {
             lines.extend(hint.map(|text| (Severity::Note, text)));
             return lines;
         };
-        let mut lines = wrapped(&text);
+        let room = room.saturating_sub(theme::columns(severity.mark()).saturating_sub(1)).max(10);
+        let mut lines = wrap(&glued(&text), room);
         if lines.len() > MESSAGE_LINES {
             lines.truncate(MESSAGE_LINES);
             let end = self.keymap.shown(" ...: <tab-log>:Log");

@@ -7,7 +7,6 @@ use super::canvas::left_out_of;
 use super::{
     Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale, cell_marker, frame_of, role,
 };
-use crate::report::chart::spaced;
 use crate::report::chart::ticks::{Along, Tick, Ticks};
 use crate::tui::theme::Theme;
 
@@ -230,8 +229,7 @@ fn hidden(count: usize) -> String {
 }
 
 fn title_text(chart: &Chart<'_>, layout: &Layout) -> String {
-    let unit = chart.y.unit_text(layout.y_ticks.exponent);
-    spaced(&chart.title, &unit)
+    chart.y.after(&chart.title, layout.y_ticks.exponent)
 }
 
 /// The marker and the words of each curve that has a label.

@@ -150,7 +150,8 @@ impl Item<'_> {
                 let rank = |name: String| rank(typed, &[&name], quantity.meaning);
                 // The heading of a column is no whole name: `limit` is that of a tab, too.
                 let heading = rank(quantity.heading()).map(|rank| rank.max(2));
-                rank(quantity.title()).into_iter().chain(heading).min()
+                let names = [quantity.title(), quantity.key_words()];
+                names.into_iter().filter_map(rank).chain(heading).min()
             }
             Self::Preset(entry) => rank(typed, &[&entry.name], &entry.scene.title),
         }

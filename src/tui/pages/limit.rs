@@ -5,7 +5,7 @@ pub mod state;
 
 use crate::report::{self, limit};
 use crate::study::compare;
-use crate::study::limit::{Limit, Request};
+use crate::study::limit::{COMMAND, Limit};
 use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
 use crate::study::validity;
@@ -155,14 +155,13 @@ impl Page for LimitTab {
         Some(match app.pane() {
             RESIDUAL => {
                 let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
-                let command = Request { criterion: report.criterion }.to_string();
                 let csv = move |name: &str| {
                     let warnings = limit::warnings(&report);
                     limit::shots(name, &report).with_warnings(&warnings).csv()
                 };
                 let title = "Export the shots to CSV";
                 let table = PageTable::new(title, file("limit"), limit.is_complete, csv);
-                table.of(app, &limit.scene, &command)
+                table.of(app, &limit.scene, COMMAND)
             }
             COMPARISON => {
                 let (found, title) = (found?, "Export the comparison to CSV");
@@ -314,7 +313,7 @@ fn turn(app: &mut App, by: isize) {
 }
 
 fn find(app: &mut App) {
-    jobs::study(app, Tab::Limit, LimitSearch(Request::default()));
+    jobs::study(app, Tab::Limit, LimitSearch);
 }
 
 /// Where a pane stands: the residual velocity and the map above the comparison; the pane that has the keys alone where

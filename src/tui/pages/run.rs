@@ -19,9 +19,11 @@ pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 #[rustfmt::skip]
 pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
-        key(A::Right, "change", "change the value by a step (<far-left> <far-right> ten steps, <fine-less> <fine-more> a tenth)"),
+        key(A::Right, "step", "change the value by a step (<far-left> <far-right> ten steps, <fine-less> <fine-more> a tenth)"),
         key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
+        key(A::Presets, "presets", "load a preset, a threat, a material or an absorber"),
+        key(A::Export, "export", "export this run and the pinned ones"),
         key(A::Window, "chart", "contact or whole in the selected chart; <full-pane> enlarges it"),
         key(A::Down, "", "move to another variable; below the last one More unfolds"),
         key(A::Find, "find", "find a variable by symbol or word"),

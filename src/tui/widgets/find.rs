@@ -59,8 +59,9 @@ pub(crate) fn quantity_called(text: &str) -> Result<&'static Quantity, String> {
     if let Some(found) = titled.or_else(|| named(text).ok()) {
         return Ok(found);
     }
-    let matching =
-        ranked(QUANTITIES.iter(), |column| rank(text, &[&column.title()], column.meaning));
+    let matching = ranked(QUANTITIES.iter(), |column| {
+        rank(text, &[&column.title(), &column.key_words()], column.meaning)
+    });
     let near: Vec<String> = matching.iter().take(NEAR).map(|column| column.title()).collect();
     let hint = if near.is_empty() {
         "<right> steps through all of them".to_owned()

@@ -94,11 +94,10 @@ fn fits(text: &str, width: usize) -> usize {
 /// A result's title with shorter words, still distinguished from every other.
 pub(crate) fn shortened(title: &str) -> String {
     let words = [
-        ("first arrest", "arrest"),
+        ("% of rigid-mount depth", "% rigid mount"),
+        ("at first stop", "at stop"),
+        ("common velocity", "speed"),
         ("plate displacement", "travel"),
-        ("plate velocity", "speed"),
-        ("penetration", "depth"),
-        ("percent of", "% of"),
     ];
     words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word))
 }

@@ -131,13 +131,12 @@ fn measurements_of_an_impossible_scene_are_refused_and_cancelled_ones_are_kept()
 /// A rigid mount has its limit in closed form.
 #[test]
 fn a_limit_is_found_and_a_stopped_one_says_so() {
-    let search = || LimitSearch(limit::Request::default());
     let mut scene = Scene::default();
     scene.plate.mount = Mount::Rigid;
-    let found = made(scene, search()).unwrap();
+    let found = made(scene, LimitSearch).unwrap();
     let limit_m_s =
         limit::Report::of(&found).expect("a limit").limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-    let kept = cancelled(search());
+    let kept = cancelled(LimitSearch);
     assert!(!limit::Report::of(&kept).expect("a limit").is_complete);
 }

@@ -225,7 +225,7 @@ fn the_search_setup_is_undone_and_redone_like_any_edit() {
     assert_eq!(bench.app.history.edits[0].label, "search: is 60 % -> 50 %");
     bench.keys("u");
     assert_eq!(bench.app.pages.search.setup.goal.0, "percent_of_baseline");
-    assert!(bench.message().starts_with("undone: search: percent of baseline ->"));
+    assert!(bench.message().starts_with("undone: search: % of rigid-mount depth ->"));
     bench.keys("u");
     assert_eq!(bench.app.pages.search.setup.goal.1.to_bits(), 60.0_f64.to_bits());
     bench.keys("<C-r><C-r>");

@@ -378,7 +378,7 @@ fn the_crosshair_reads_out_and_goes_to_events() {
     bench.keys("<Tab>n");
     assert_eq!(bench.app.pages.run.charts.cursor_s, Some(55e-6));
     bench.keys("n");
-    assert_eq!(bench.app.event_at_cursor(), Some("first arrest"));
+    assert_eq!(bench.app.event_at_cursor(), Some("projectile first stops"));
     assert!(bench.message().starts_with("t 113.0 us | p 4.565 mm"), "{}", bench.message());
     bench.keys("n");
     let (from, to) = bench.app.time_range_s(0);

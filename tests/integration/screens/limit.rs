@@ -12,7 +12,7 @@ use cmra::model::scene::Scene;
 use cmra::study::compare::{Hardware, compare};
 use cmra::study::context::Context;
 use cmra::study::limit::residual_law::ResidualLaw;
-use cmra::study::limit::{Limit, LimitMethod, Report, Request, Shot};
+use cmra::study::limit::{Limit, LimitMethod, Report, Shot};
 use cmra::study::monte_carlo;
 use cmra::tui::message::ExportOutcome;
 use cmra::tui::theme::GlyphSet;
@@ -34,10 +34,10 @@ fn found(scene: &Arc<Scene>) -> Report {
     };
     Report {
         scene: Arc::clone(scene),
-        criterion: cmra::study::limit::Criterion::Passage,
         limit: Limit::found(V_BL, LimitMethod::Outcome),
         undecided_m_s: None,
         at_limit: None,
+        interface_holds_m_s: None,
         closures: None,
         jump_m_s: None,
         shots: below.chain(above).map(shot).collect(),
@@ -95,8 +95,7 @@ fn the_status_names_what_is_outside_validity_at_the_limit() {
     let mut scene = Scene::default();
     scene.target.thickness_m = 0.003;
     let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
-    let real =
-        cmra::study::limit::find(&Arc::new(scene), Request::default(), &mut Context::new(1, watch));
+    let real = cmra::study::limit::find(&Arc::new(scene), &mut Context::new(1, watch));
     let at_limit = real.unwrap().at_limit;
     let mut bench = Bench::ascii(120, 36);
     bench.keys("3");
@@ -293,9 +292,8 @@ fn the_tab_and_the_commands_give_the_same_digits() {
         for study in bench.studies() {
             let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
             let context = &mut Context::new(1, watch);
-            if let Some(LimitSearch(request)) = LimitSearch::of(&study.asked).map(|it| &**it) {
-                assert_eq!(request.to_string(), "limit");
-                let report = cmra::study::limit::find(&study.scene, *request, context).unwrap();
+            if let Some(LimitSearch) = LimitSearch::of(&study.asked).map(|it| &**it) {
+                let report = cmra::study::limit::find(&study.scene, context).unwrap();
                 let own = read(&cmra::report::limit::json(name, &report).to_string());
                 assert_eq!(own["shots"], json("limit")["shots"], "{name}");
                 asked += 1;

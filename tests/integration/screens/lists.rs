@@ -110,9 +110,9 @@ fn quantities_are_named_as_the_screen_names_them() {
     let mut bench = Bench::ascii(120, 36);
     bench.press("4k<Enter>");
     let typed = bench.app.field().expect("a field").text.value().to_owned();
-    assert_eq!(typed, "percent of baseline");
+    assert_eq!(typed, "% of rigid-mount depth");
     bench.press("penetration<Enter>");
-    assert!(bench.message().contains("final penetration"), "{}", bench.message());
+    assert!(bench.message().contains("final depth"), "{}", bench.message());
     assert!(!bench.message().contains('_'), "{}", bench.message());
 }
 

@@ -17,7 +17,7 @@ use cmra::tui::message::ExportOutcome;
 use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
-use cmra::worker::studies::{Found, PictureSweep};
+use cmra::worker::studies::{AskedFor, Found, PictureSweep, PrintedSweep};
 use cmra::worker::{JobProgress, ReportBody};
 use insta::assert_snapshot;
 use ratatui::buffer::Buffer;
@@ -93,6 +93,28 @@ fn the_sweep_tabs_at_every_size() {
         bench.app.pages.explore.plan.picture = Picture::Surface;
         keys(&mut bench, "12llkkk");
         assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
+    }
+}
+
+/// The listing as printed takes away only the last increment of the plate's motion: depths of a light plate are far greater.
+#[test]
+fn a_figure_has_the_curves_of_the_printed_scheme_beside_its_own() {
+    for figure in ["figure-9.2", "figure-9.10"] {
+        let mut bench = open(figure, 7, GlyphSet::Ascii, (160, 48));
+        bench.keys("2");
+        let printed = bench.tasks(|task| {
+            let plan = Arc::clone(&PrintedSweep::of(&task.asked)?.0);
+            Some(Job { id: task.id, plan })
+        });
+        answer(&mut bench);
+        assert!(!bench.screen().contains("as printed"), "{}", bench.screen());
+        for job in printed {
+            let found = grid(&job, usize::MAX);
+            bench.reply(job.id, ended(found));
+        }
+        let screen = bench.screen();
+        assert!(screen.contains("as printed"), "{figure}\n{screen}");
+        assert!(screen.contains("faint: the "), "{figure}\n{screen}");
     }
 }
 
@@ -261,7 +283,7 @@ fn a_refused_text_stays_with_its_reason() {
         (SetupRow::Axis(0, Part::Name), "k", &["axis k", "swept twice"]),
         (SetupRow::Axis(0, Part::Name), "gama", &["`gama`", "did you mean `gamma`"]),
         (SetupRow::Axis(1, Part::Name), "interface", &["no numbers", "fused or plastic"]),
-        (SetupRow::Output, "depth", &["no quantity is called `depth`", "final penetration"]),
+        (SetupRow::Output, "depth", &["no quantity is called `depth`", "final depth"]),
     ] {
         bench.app.pages.explore.row = to;
         let before = Arc::clone(&bench.app.scene);
@@ -338,7 +360,7 @@ fn a_scene_without_a_sweep_gets_usual_axes() {
     let mut bench = Bench::ascii(80, 24);
     bench.app.pages.explore.plan.picture = Picture::Surface;
     keys(&mut bench, "2");
-    assert!(bench.screen().contains("percent of baseline, up: k"), "{}", bench.screen());
+    assert!(bench.screen().contains("% of rigid-mount depth, up: k"), "{}", bench.screen());
     assert!(!bench.app.is_modified(), "looking changes nothing");
     // The setup chooses curves or a map, and one undo comes back.
     bench.app.pages.explore.row = SetupRow::Picture;

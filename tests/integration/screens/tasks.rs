@@ -1,8 +1,10 @@
-//! Tasks of a new user, with the keys they take from the start: a text that is typed counts as one key.
+//! Tasks of a new user at 80 x 24, with the keys they take from the start and without `:`: a text that is typed counts as one key.
 
 use super::accuracy;
 use super::bench::Bench;
 use super::{limit, search, sweep};
+use cmra::files::library;
+use cmra::model::scene::PlateSize;
 use cmra::study::accuracy::method::Method;
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
@@ -36,10 +38,10 @@ impl Counted {
 }
 
 #[test]
-fn comparing_two_designs_and_exporting_both_takes_13() {
+fn comparing_two_designs_and_exporting_both_takes_11() {
     let mut task = Counted::start();
-    task.key(":").text("gamma").key("<Enter>").text("2").key("<Enter>").key(" ");
-    task.key(":").text("k").key("<Enter>").text("200").key("<Enter>");
+    task.key("<Enter>").text("2").key("<Enter>").key(" ");
+    task.key("j").key("j").key("<Enter>").text("200").key("<Enter>");
     task.key("e").key("<Enter>");
     let request = task.bench.effects.iter().find_map(|effect| match effect {
         Effect::Files(FileTask::Export(_, Content::Runs(request))) => Some(request.clone()),
@@ -48,7 +50,7 @@ fn comparing_two_designs_and_exporting_both_takes_13() {
     let runs: Vec<String> = request.unwrap().runs.iter().map(|(name, _)| name.clone()).collect();
     assert_eq!(runs, ["now", "A"]);
     let pin = &task.bench.app.pins[0].scene;
-    assert_eq!((pin.plate.mass_ratio.to_bits(), task.presses), (2.0_f64.to_bits(), 13));
+    assert_eq!((pin.plate.mass_ratio.to_bits(), task.presses), (2.0_f64.to_bits(), 11));
     let now = task.bench.app.scene.mechanism.spring.coefficient;
     assert_eq!(now.to_bits(), 2e5_f64.to_bits());
 }
@@ -85,7 +87,7 @@ fn opening_figure_9_8_and_loading_a_design_takes_4_and_the_moves() {
         part,
         problem,
     });
-    task.key(":").text("figure 9.8").key("<Enter>");
+    task.key("p").text("9.8").key("<Enter>");
     assert_eq!((task.bench.app.tab, task.bench.app.pane()), (Tab::Explore, explore::RESULTS));
     let before = task.bench.app.scene.plate.mass_ratio;
     let moves = 2;
@@ -147,4 +149,56 @@ fn the_comparison_over_velocity_takes_1() {
     assert!(screen.contains("mass efficiency, up: gamma"), "{screen}");
     assert!(screen.contains("O line of 1"), "{screen}");
     assert_eq!(task.presses, 1);
+}
+
+#[test]
+fn a_bullet_against_a_steel_plate_of_a_given_face_takes_8() {
+    let mut task = Counted::start();
+    let parts = library::list(None).0.into_iter().map(PresetEntry::of_part);
+    task.bench.app.files.presets.extend(parts);
+    task.key("p").text("m80").key("<Enter>").key("p").text("steel-4340").key("<Enter>");
+    task.text("150").key("<Enter>");
+    assert_eq!(task.bench.app.scene.plate.size, PlateSize::Face(0.15), "{}", task.bench.message());
+    assert_eq!(task.presses, 8);
+}
+
+#[test]
+fn what_grip_means_takes_2() {
+    let mut task = Counted::start();
+    task.key("/").text("grip");
+    let screen = task.bench.screen();
+    assert!(screen.contains("a pull of g x hole area x strength; 0.1 is a guess"), "{screen}");
+    assert_eq!(task.presses, 2);
+}
+
+#[test]
+fn undoing_everything_takes_1() {
+    let mut task = Counted::start();
+    let before = task.bench.app.scene.clone();
+    for key in ["l", "j", "l", "l"] {
+        task.key(key);
+    }
+    assert_ne!(task.bench.app.scene, before);
+    let presses = task.presses;
+    task.key("R");
+    assert_eq!((&task.bench.app.scene, task.presses - presses), (&before, 1));
+}
+
+#[test]
+fn starting_and_cancelling_a_search_takes_3() {
+    let mut task = Counted::start();
+    task.key("4").key("4");
+    assert!(!task.bench.has_cancelled());
+    task.key("<Esc>");
+    assert!(task.bench.has_cancelled(), "{}", task.bench.screen());
+    assert_eq!(task.presses, 3);
+}
+
+#[test]
+fn saving_takes_2() {
+    let mut task = Counted::start();
+    task.key("l").key("s").key("<Enter>");
+    let is_saved = |effect: &Effect| matches!(effect, Effect::Files(FileTask::SaveScene { .. }));
+    assert!(task.bench.effects.iter().any(is_saved), "{:?}", task.bench.effects.len());
+    assert_eq!(task.presses - 1, 2);
 }

@@ -200,7 +200,7 @@ fn material(scene: &Scene) -> Option<Breach> {
         return None;
     }
     let text = format!(
-        "rho = {} kg/m^3 with a yield stress of {} MPa is no metal: both the strength and the drag are laws for metal plates",
+        "material is no metal: rho = {} kg/m^3, Y = {} MPa; both the strength and the drag are laws for metal plates",
         significant(density, 4),
         significant(1e-6 * yield_pa, 3)
     );
@@ -212,11 +212,11 @@ fn nose(scene: &Scene) -> Option<Breach> {
         Nose::Hemispherical => return None,
         Nose::Blunt => (
             Direction::Unconservative,
-            "nose = blunt: the law is for a hemispherical nose; a blunt one shears out a plug and its limit comes out about 60 % \
-             too high",
+            "nose is blunt: limits come out about 60 % too high; the law is for a hemispherical nose, and a blunt one shears out a \
+             plug",
         ),
         Nose::Pointed => {
-            (Direction::Unknown, "nose = pointed: the law is for a hemispherical nose")
+            (Direction::Unknown, "nose is pointed: the law is for a hemispherical nose")
         }
     };
     Some(breach(Check::Nose, direction, 1.0, text.to_owned()))
@@ -225,8 +225,8 @@ fn nose(scene: &Scene) -> Option<Breach> {
 fn nose_pressure(scene: &Scene) -> Option<Breach> {
     let pressure = Some(nose_pressure_ratio(scene)).filter(|ratio| *ratio > RIGID_UP_TO)?;
     let text = format!(
-        "the pressure on the nose S + c v^2 is {} times the 2 GPa of hardened steel: above {RIGID_UP_TO} the projectile may \
-         deform or break",
+        "nose pressure S + c v^2 is {} times 2 GPa; that is the strength of hardened steel, and above {RIGID_UP_TO} the \
+         projectile may deform or break",
         significant(pressure, 3)
     );
     Some(breach(Check::NosePressure, Direction::Conservative, pressure, text))
@@ -236,7 +236,7 @@ fn nose_mass(scene: &Scene) -> Option<Breach> {
     let projectile = &scene.projectile;
     let sphere = Some(projectile.nose_sphere_kg()).filter(|kg| *kg > projectile.mass_kg)?;
     let text = format!(
-        "the nose sphere alone weighs {} g, the projectile {} g: radius, density and mass do not fit",
+        "nose mass of a sphere is {} g, the projectile has {} g: radius, density and mass do not fit",
         significant(1e3 * sphere, 3),
         significant(1e3 * projectile.mass_kg, 3)
     );
@@ -246,8 +246,8 @@ fn nose_mass(scene: &Scene) -> Option<Breach> {
 fn face(scene: &Scene) -> Option<Breach> {
     let face = face_ratio(scene).filter(|face| *face < FACE_LEAST)?;
     let text = format!(
-        "the plate's face is {} mm square, {} D: below {FACE_LEAST} D its edges yield and the hole has no room; raise \
-         gamma or set face",
+        "plate face is {} mm square, {} D: below {FACE_LEAST} D its edges yield and the hole has no room; raise gamma or set \
+         face",
         significant(1e3 * scene.plate_face_m(), 3),
         significant(face, 3)
     );
@@ -314,7 +314,7 @@ fn stop(scene: &Scene) -> Option<Breach> {
     if !has_fused_stop(scene) {
         return None;
     }
-    let text = "a rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
+    let text = "rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
                 interface=plastic"
         .to_owned();
     Some(breach(Check::Stop, Direction::Unconservative, 1.0, text))
@@ -364,8 +364,8 @@ fn surge(run: &Run) -> Option<Breach> {
     let sprung = scene.plate.mount == Mount::Sprung;
     let speed = common.filter(|speed| sprung && is_coil && *speed > COIL_END_M_S)?;
     let text = format!(
-        "the spring's end moves at {} m/s: above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static \
-         one, and its coils may close",
+        "spring end moves at {} m/s: above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static one, \
+         and its coils may close",
         significant(speed, 3)
     );
     Some(breach(Check::Spring, Direction::Unconservative, -speed, text))
@@ -388,10 +388,10 @@ fn spring_mass(run: &Run) -> Option<Breach> {
     let cure =
         if is_of_second { "add the second spring's to m_spring" } else { "set own_mass=counted" };
     let text = format!(
-        "the spring's own mass, {}{} g, is omitted: the part of it that moves with the plate is {} times the plate's mass; {cure}",
+        "spring mass moving is {} times the plate's; the spring has {}{} g, which is omitted: {cure}",
+        significant(over_plate, 3),
         if omitted.is_least { "at least " } else { "" },
-        significant(1e3 * omitted.mass_kg, 3),
-        significant(over_plate, 3)
+        significant(1e3 * omitted.mass_kg, 3)
     );
     Some(breach(Check::SpringMass, Direction::Unconservative, over_plate, text))
 }
@@ -500,7 +500,7 @@ mod tests {
         assert!((scene.plate_face_m().powi(2) - 0.21e-4).abs() < 0.005e-4);
         let found = of_scene(&scene);
         let text = found.iter().find(|breach| breach.check == Check::Face).unwrap().to_string();
-        assert!(text.contains("4.63 mm square, 0.364 D"), "{text}");
+        assert!(text.contains("plate face is 4.63 mm square, 0.364 D"), "{text}");
         scene.plate.mount = Mount::Rigid;
         assert!(!checks(&of_scene(&scene)).contains(&Check::Face));
     }
@@ -515,7 +515,7 @@ mod tests {
         light.mechanism.spring.coefficient = 1e5;
         let text =
             of_run(&run(&light)).iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-        assert!(text.contains("end moves at"), "{text}");
+        assert!(text.contains("spring end moves at"), "{text}");
         // One coil that acts beside a beam is enough; one without force is none.
         for (pairs, surges) in [
             ("k=1e5 combine=parallel k_2=0", true),
@@ -523,7 +523,7 @@ mod tests {
             ("spring=prbm-cantilever combine=parallel k_2=0", false),
         ] {
             let found = of_run(&run(&variables::scene_with(pairs)));
-            let is_found = found.iter().any(|it| it.to_string().contains("end moves at"));
+            let is_found = found.iter().any(|it| it.to_string().contains("spring end moves at"));
             assert_eq!(is_found, surges, "{pairs}");
         }
         // A stop that is never reached is not a breach of a run, one that is hit is.
@@ -536,7 +536,7 @@ mod tests {
         light.plate.cocking_m = 0.5;
         let found = of_run(&run(&light));
         let breach = found.iter().find(|breach| breach.check == Check::Interface).unwrap();
-        assert!(breach.to_string().contains("must carry 2.8"), "{breach}");
+        assert!(breach.to_string().contains("interface push is 2.8"), "{breach}");
     }
 
     /// The second element, 30 mm thick on 1e6 N/m, has what it has alone under the shot that meets it, and names itself.
@@ -577,7 +577,7 @@ mod tests {
         let text = text_of("k=1e5").unwrap();
         assert!(
             text.contains("at least 37")
-                && text.contains("is 4.2")
+                && text.contains("spring mass moving is 4.2")
                 && text.contains("(unconservative)"),
             "{text}"
         );
@@ -587,7 +587,7 @@ mod tests {
         // A given mass: a third of 8 g is 0.0904 of the plate's 29.5 g, of 10 g 0.113.
         assert_eq!(text_of("m_spring=8g"), None);
         let text = text_of("m_spring=10g").unwrap();
-        assert!(text.contains("own mass, 10 g,") && text.contains("is 0.113 times"), "{text}");
+        assert!(text.contains("has 10 g,") && text.contains("is 0.113 times"), "{text}");
         let text = text_of("spring=column own_mass=counted").unwrap();
         assert!(text.contains("give m_spring or e_spring"), "{text}");
         // An absorber of 19460 J/kg needs 3.8 g for the same energy.

@@ -83,58 +83,56 @@ fn horizon_not_reached(reason: EndReason, t_s: f64, horizon_s: f64) -> String {
 
 fn overruns(t_s: f64, duration_s: f64) -> String {
     format!(
-        "the half-sine history is that of a fixed plate: here both bodies have the same velocity at {:.4} us, and the \
-         force goes on to t_d = {:.4} us",
+        "equal velocities at {:.4} us, before t_d = {:.4} us: the half-sine history is that of a fixed plate, and the force \
+         goes on to t_d",
         t_s * 1e6,
         duration_s * 1e6
     )
 }
 
-fn demand(ratio: f64) -> String {
+/// The load of the interface over its strength in words.
+fn times(ratio: f64, strength: &str) -> String {
     if ratio.is_finite() {
-        format!("{ratio:.3} times its strength A S_y")
+        format!("is {} times its strength {strength}", units::significant(ratio, 4))
+    } else if strength == PUSH {
+        "is unbounded".to_owned()
     } else {
-        "an unbounded force".to_owned()
+        "has no grip (g = 0) to hold it".to_owned()
     }
 }
+
+/// The strength of the interface against push and against pull.
+const PUSH: &str = "A S_y";
+const PULL: &str = "g A S_y";
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::InterfacePush { ratio, t_s } => write!(
                 f,
-                "the fused interface must carry {} in compression, first at t = {:.4} ms: penetration would resume; try interface = plastic",
-                demand(*ratio),
-                t_s * 1e3
-            ),
-            Self::InterfacePull { ratio, t_s } if !ratio.is_finite() => write!(
-                f,
-                "the fused interface must carry tension, which it cannot without a grip (g = 0), first at t = {:.4} ms: the projectile \
-                 would be pulled out; try interface = plastic",
+                "interface push {}; first at t = {:.4} ms, penetration would resume: try interface = plastic",
+                times(*ratio, PUSH),
                 t_s * 1e3
             ),
             Self::InterfacePull { ratio, t_s } => write!(
                 f,
-                "the fused interface must carry {ratio:.3} times its strength g A S_y in tension (grip g is an assumption), first at \
-                 t = {:.4} ms: the projectile would be pulled out; try interface = plastic",
+                "interface pull {}; first at t = {:.4} ms, the projectile would be pulled out (the grip g is an assumption): try \
+                 interface = plastic",
+                times(*ratio, PULL),
                 t_s * 1e3
-            ),
-            Self::InterfaceRebound { ratio } if !ratio.is_finite() => f.write_str(
-                "after this run the plate comes back and pulls at the fused interface, which has no grip (g = 0): the projectile would \
-                 be pulled out; try interface = plastic",
             ),
             Self::InterfaceRebound { ratio } => write!(
                 f,
-                "the rebound pulls with {ratio:.2} times the interface's strength: after this run the plate comes back, and the strength \
-                 g A S_y of the fused interface (grip g is an assumption) does not hold the projectile, which may strike again; try \
-                 interface = plastic",
+                "rebound pull {}; after this run the plate comes back and the projectile may come loose and strike again (the grip g \
+                 is an assumption): try interface = plastic",
+                times(*ratio, PULL)
             ),
             Self::InterfaceWithoutStrength => {
                 f.write_str("the interface has no strength (S_y = 0): no demand ratio exists")
             }
             Self::PenetrationResumed { t_s } => write!(
                 f,
-                "penetration resumed after the first arrest, at t = {:.4} ms: the final depth is not the first",
+                "penetration resumed at t = {:.4} ms; the projectile had stopped in the plate, and the final depth is greater than that first one",
                 t_s * 1e3
             ),
             Self::EnergyDrift { residual } if !residual.is_finite() => f.write_str(
@@ -161,7 +159,7 @@ impl fmt::Display for Warning {
             ),
             Self::Limit(limit) => write!(
                 f,
-                "a spring is displaced by {} m, beyond {} m, where {}",
+                "spring is displaced by {} m, beyond {} m; there {}",
                 units::significant(limit.required_m, 4),
                 units::significant(limit.limit_m, 4),
                 limit.what

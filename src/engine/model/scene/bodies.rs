@@ -19,7 +19,7 @@ parts! {
             number(Velocity, Positive).also(&["vi"]).from(TABLE_9_1);
         pub obliquity_deg: f64 = 0.0 => "theta", "obliquity", "obliquity, between the projectile's axis and the plate's normal",
             number(Angle, Below(0.0, 90.0)).from("thesis Appendix A.1; 0 throughout chapter 9");
-        pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, for the warnings of ricochet and of a nose sphere that weighs more than the projectile",
+        pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, for the warnings of ricochet (by Tate, of a rod m_p/(rho_p pi R^2) long) and of a nose sphere heavier than m_p",
             number(Density, Positive).called("projectile_density")
             .when(|scene| is_oblique(scene) || scene.projectile.nose_sphere_kg() > scene.projectile.mass_kg)
             .from("assumption: steel");
@@ -64,6 +64,9 @@ parts! {
         pub dishing: bool = true => "dishing", "dishing",
             "the plate's local bulge takes up about one projectile diameter of travel",
             is(DISHING).used_when(|scene| penetrates(scene) && scene.target.closure != Closure::ByThickness).from("thesis section 8.3.1 and Appendix A.2");
+        pub criterion: Criterion = Criterion::Passage => "criterion", "criterion",
+            "when the plate counts as perforated: passage (navy: the nose is clear of the rear face) or protrusion (army: it stands out)",
+            choice().seldom().used_when(penetrates).from("passage: the thesis");
     }
 
     /// The plate as a body.
@@ -108,6 +111,30 @@ worded! {
         Cavity = "cavity",
         /// The first of them for plates thinner than the projectile's diameter, the second from there on.
         ByThickness = "by-thickness",
+    }
+}
+
+worded! {
+    /// When a plate counts as perforated.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Criterion: word {
+        /// The nose is clear of the rear face: complete passage.
+        #[default]
+        Passage = "passage",
+        /// The nose stands out of the rear face.
+        Protrusion = "protrusion",
+    }
+}
+
+impl Criterion {
+    /// What it says, and whose it is.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Passage => {
+                "complete passage: the nose is clear of the rear face (navy criterion)"
+            }
+            Self::Protrusion => "protrusion: the nose stands out of the rear face (army criterion)",
+        }
     }
 }
 

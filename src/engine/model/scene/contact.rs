@@ -55,9 +55,9 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Interface {
         pub law: InterfaceLaw = InterfaceLaw::Fused => "interface", "interface law",
-            "fused: joined for good after the first arrest; plastic: carries forces up to its strength",
+            "fused: joined for good once the projectile stops; plastic: carries forces up to its strength",
             choice().called("interface_law").also(&["law"]).from("fused: the thesis; plastic: a rigid-plastic interface");
-        pub grip: f64 = 0.1 => "g", "grip", "grip: the greatest tension of the interface is g A S_y",
+        pub grip: f64 = 0.1 => "g", "grip", "it lets go above a pull of g x hole area x strength; 0.1 is a guess",
             number(Number, NonNegative).also(&["grip"])
             .used_when(|scene| scene.interface.law == InterfaceLaw::Plastic || is_sprung(scene)).from("assumption: 0.1");
     }

@@ -39,6 +39,9 @@ fn known_outcome(run: &Run) -> String {
     if let Some(stack) = &run.stack {
         return stack.sentence();
     }
+    if let Some(out) = by_protrusion(run) {
+        return format!("perforated by protrusion: nose {} out", short(out, "m"));
+    }
     let word = run.outcome.word();
     let percent = run.percent_of_baseline();
     let percent = percent.map_or_else(String::new, |it| format!(" ({it:.1} % of a rigid mount)"));
@@ -63,7 +66,19 @@ pub fn sentence(run: &Run) -> String {
     known_sentence(run) + &doubt.unwrap_or_default()
 }
 
+/// By how much the nose stands out of the rear face, m, where the scene's criterion makes that a perforation.
+fn by_protrusion(run: &Run) -> Option<f64> {
+    let is_through = run.stack.is_none() && run.shot_outcome() == Outcome::Perforated;
+    run.protrusion_m().filter(|_| is_through)
+}
+
 fn known_sentence(run: &Run) -> String {
+    if let Some(out) = by_protrusion(run) {
+        return format!(
+            "perforated by the army criterion (protrusion): the nose stands {} out of the rear face",
+            short(out, "m")
+        );
+    }
     let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
     match run.outcome {
         Outcome::Arrested => depth.map_or_else(
@@ -127,7 +142,7 @@ pub fn results(run: &Run) -> Vec<String> {
     let is_known = displacement.is_some() || so_far.plate_displacement_m.is_some();
     let displacement =
         displacement.or_else(|| (!is_known).then(|| no_displacement(&run.scene).to_owned()));
-    let demand = if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
+    let push = if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
         Some("unbounded at the rigid stop".to_owned())
     } else {
         rounded(run.interface_demand_ratio, " of its strength A S_y")
@@ -135,8 +150,8 @@ pub fn results(run: &Run) -> Vec<String> {
     let closure = run.scene.closure_by_thickness().map(|it| format!("{}, by thickness", it.word()));
     let mount_force = quantities::find("peak_mount_force_n").and_then(|it| it.value(run));
     let of_run = [
-        ("closure", closure),
-        ("first arrest, depth", known(arrest.map(|it| it.penetration_m), "m")),
+        ("strength rule", closure),
+        ("first stop, depth", known(arrest.map(|it| it.penetration_m), "m")),
         ("  time", known(arrest.map(|it| it.t_s), "s")),
         ("  plate displacement", known(arrest.map(|it| it.plate_displacement_m), "m")),
         ("  common velocity", known(arrest.map(|it| it.plate_velocity_m_s), "m/s")),
@@ -156,7 +171,7 @@ pub fn results(run: &Run) -> Vec<String> {
         ("displacement so far", known(so_far.plate_displacement_m, "m")),
         ("stroke so far", known(stroke_so_far, "m")),
         ("stroke", known(run.stroke_m(), "m")),
-        ("interface demand", demand),
+        ("interface push", push),
     ];
     let margin_words = " (yield strength over the greatest stress)";
     // A single power law stores what the ledger says.

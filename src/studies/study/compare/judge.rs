@@ -72,7 +72,7 @@ impl Judge<'_, '_> {
             None => None,
         };
         // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
-        let is_through = run.outcome == Outcome::Perforated && plate_m_s.is_some();
+        let is_through = run.shot_outcome() == Outcome::Perforated && plate_m_s.is_some();
         let sizing = fastest.as_ref().filter(|_| is_through).unwrap_or(&run);
         let built = Built::of(&scene, self.hardware, &demand(sizing));
         let at_design = built.failure(&scene, &demand(&run)).map(|failure| (design_m_s, failure));
@@ -101,10 +101,10 @@ impl Judge<'_, '_> {
         if !self.context.goes_on() {
             return None;
         }
-        let stays = matches!(run.outcome, Outcome::Arrested | Outcome::Separated);
+        let stays = matches!(run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
         Some(Entry {
             candidate,
-            outcome: run.outcome,
+            outcome: run.shot_outcome(),
             is_held: is_held(&scene),
             areal_kg_m2: built.areal_kg_m2(&scene),
             spring_kg: built.spring_kg,

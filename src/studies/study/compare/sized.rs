@@ -9,7 +9,6 @@ use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware, is_held};
 use crate::study::compare::solid::thickness_of_limit;
 use crate::study::first_contact::{self, Wanted};
-use crate::study::limit::Criterion;
 use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide, digits_apart};
 
 /// Relative width to which the thickness is closed in.
@@ -180,11 +179,12 @@ fn shoot(scene: Scene) -> Option<Shot> {
     let tolerance = first_contact::TOLERANCE_FRACTION * scene.run.tolerance;
     if let Some(end) = first_contact::contact(&scene, Wanted::Displacement, tolerance) {
         let demand = Demand::of(&scene, first_contact::max_displacement_m(&scene, &end));
-        let verdict = if end.arrested { ShotOutcome::Stopped } else { ShotOutcome::Perforated };
+        let is_through = first_contact::is_through(&scene, &end);
+        let verdict = if is_through { ShotOutcome::Perforated } else { ShotOutcome::Stopped };
         return Some(Shot { verdict, demand });
     }
     let go_on = &mut |_: f64| ControlFlow::Continue(());
-    let (run, verdict) = decide(&Arc::new(scene), Criterion::Passage, go_on)?;
+    let (run, verdict) = decide(&Arc::new(scene), go_on)?;
     let demand = Demand::of(&run.scene, run.max_plate_displacement_m);
     Some(Shot { verdict, demand })
 }

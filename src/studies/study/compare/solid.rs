@@ -2,7 +2,7 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
-use crate::model::scene::{ContactModel, Scene, Target};
+use crate::model::scene::{ContactModel, Criterion, Scene, Target};
 use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
 
@@ -31,11 +31,15 @@ fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> 
         let mut own = scene.clone();
         own.target.thickness_m = thickness_m;
         let geometry = Geometry::of(&own);
-        geometry.swept_m3(geometry.exit_m)
+        let through_m = match own.target.criterion {
+            Criterion::Passage => geometry.exit_m,
+            Criterion::Protrusion => geometry.travel_m(own.effective_thickness_m()),
+        };
+        geometry.swept_m3(through_m)
     };
     let geometry = Geometry::of(scene);
     let passage = Passage { velocity_m_s: limit_m_s, ..Passage::unsprung(scene, &geometry, moves) };
-    // At the limit the whole passage takes just the volume that stops the shot, which does not depend on the thickness.
+    // At the limit the perforation takes just the volume that stops the shot, which does not depend on the thickness.
     let volume = passage.stopping_volume_m3()?;
     let (mut thin, mut thick) = (scene.target.thickness_m, scene.target.thickness_m);
     for _ in 0..200 {

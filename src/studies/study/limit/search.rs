@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::run::{EndReason, Outcome, Warning, envelope};
+use crate::model::run::envelope::{self, Check};
+use crate::model::run::{EndReason, Outcome, Warning};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
@@ -12,8 +13,8 @@ use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::closures::jump;
 use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide};
 use crate::study::limit::{
-    ABOVE, AtLimit, BELOW, CURVE, Closures, Criterion, JUST_BELOW, Limit, LimitMethod, RANGE_M_S,
-    SCAN, Shot, closed_form,
+    ABOVE, AtLimit, BELOW, CURVE, Closures, JUST_BELOW, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
+    closed_form,
 };
 use crate::study::load::Load;
 
@@ -24,13 +25,14 @@ const WIDTH: f64 = 1e-10;
 pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
 /// How often a lower limit may be found beside one.
 const LOWER_MAX: usize = 4;
+/// Relative width to which the velocity is closed in up to which an interface holds.
+const HOLDS_WIDTH: f64 = 1e-5;
 /// The runs' tolerance, at most.
 const TOLERANCE: f64 = 1e-10;
 
 /// What every shot at a scene needs. Shots count as pieces of work.
 pub(super) struct ShotRunner<'s, 'c, 'w> {
     pub(super) scene: &'s Arc<Scene>,
-    pub(super) criterion: Criterion,
     pub(super) context: &'c mut Context<'w>,
 }
 
@@ -47,7 +49,7 @@ impl ShotRunner<'_, '_, '_> {
         if !self.goes_on() {
             return None;
         }
-        let shot = shoot(self.scene, self.criterion, impact_m_s, &mut self.context.observer());
+        let shot = shoot(self.scene, impact_m_s, &mut self.context.observer());
         (!self.context.is_stopped()).then_some(shot)
     }
 
@@ -55,10 +57,8 @@ impl ShotRunner<'_, '_, '_> {
     fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
         if let Some(end) = first_contact::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
-            let out = self.criterion == Criterion::Protrusion
-                && end.penetration_m > aimed.effective_thickness_m();
-            let verdict =
-                if out || !end.arrested { ShotOutcome::Perforated } else { ShotOutcome::Stopped };
+            let is_through = first_contact::is_through(&aimed, &end);
+            let verdict = if is_through { ShotOutcome::Perforated } else { ShotOutcome::Stopped };
             return self.goes_on().then_some(verdict);
         }
         Some(self.shoot(impact_m_s)?.1)
@@ -80,6 +80,25 @@ impl ShotRunner<'_, '_, '_> {
         })
     }
 
+    /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none, where it carries more just
+    /// below the limit; `None` where it does not, or when stopped.
+    pub(super) fn interface_holds(&mut self, at_limit: &AtLimit, limit_m_s: f64) -> Option<f64> {
+        let is_overloaded = |it: &AtLimit| {
+            it.breaches.iter().any(|it| matches!(it.check, Check::Interface | Check::Rebound))
+        };
+        if !is_overloaded(at_limit) {
+            return None;
+        }
+        let (mut holds, mut fails) = (0.0, limit_m_s);
+        while fails - holds > HOLDS_WIDTH * fails && fails > RANGE_M_S.0 {
+            let between = 0.5 * (holds + fails);
+            let side =
+                if is_overloaded(&self.at_limit(between)?) { &mut fails } else { &mut holds };
+            *side = between;
+        }
+        Some(holds)
+    }
+
     /// The limits by both closures; `None` where there is but one, or when stopped.
     pub(super) fn closures(&mut self) -> Option<Closures> {
         let scene = self.scene;
@@ -94,8 +113,7 @@ impl ShotRunner<'_, '_, '_> {
 
     /// The limit over all velocities, by closed form or by outcome.
     fn limit(&mut self) -> Limit {
-        let by_passage = self.criterion == Criterion::Passage;
-        if let Some(velocity_m_s) = closed_form(self.scene).filter(|_| by_passage) {
+        if let Some(velocity_m_s) = closed_form(self.scene) {
             return if velocity_m_s < RANGE_M_S.0 {
                 Limit::Always
             } else if velocity_m_s <= RANGE_M_S.1 {
@@ -169,7 +187,7 @@ impl ShotRunner<'_, '_, '_> {
         let mut look = |velocity_m_s: f64| {
             let own = aimed(self.scene, velocity_m_s);
             let run = simulate(&own, &Settings::BARE, &mut self.context.observer()).ok()?;
-            self.goes_on().then(|| ShotOutcome::of(&run, self.criterion))
+            self.goes_on().then(|| ShotOutcome::of(&run))
         };
         match gap.change(&mut look)? {
             Change::Between { from, to } => Some((from, to?)),
@@ -297,12 +315,11 @@ pub(super) fn aimed(scene: &Scene, impact_m_s: f64) -> Arc<Scene> {
 /// A shot at a scene with another impact velocity.
 fn shoot(
     scene: &Scene,
-    criterion: Criterion,
     impact_m_s: f64,
     observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> (Shot, ShotOutcome) {
     // The scene has been found valid, and so is any velocity above zero.
-    decide(&aimed(scene, impact_m_s), criterion, observer).map_or(
+    decide(&aimed(scene, impact_m_s), observer).map_or(
         (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, ShotOutcome::Undecided),
         |(run, verdict)| {
             let (outcome, residual_m_s) = (run.shot_outcome(), run.shot_residual_m_s());

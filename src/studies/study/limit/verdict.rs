@@ -4,26 +4,10 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::Scene;
+use crate::model::scene::{Criterion, Scene};
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::model::units::fixed_significant;
 use crate::numerics::smaller;
-
-enumeration! {
-    /// The criterion of perforation.
-    #[derive(Default)]
-    pub enum Criterion in CriterionRow {
-        /// The word on the command line and in files.
-        word: &'static str,
-        /// A short text.
-        label: &'static str,
-    }
-    /// The nose is clear of the rear face: complete passage, as the navy criterion has it.
-    #[default]
-    Passage { word: "passage", label: "complete passage: the nose is clear of the rear face (navy criterion)" }
-    /// The nose stands out of the rear face: the army criterion.
-    Protrusion { word: "protrusion", label: "protrusion: the nose stands out of the rear face (army criterion)" }
-}
 
 /// Relative width up to which undecided shots are one limit for any purpose, and that to which their edges are closed in.
 pub(in crate::study) const ONE_POINT: f64 = 1e-6;
@@ -43,34 +27,21 @@ pub(in crate::study) enum ShotOutcome {
 
 impl ShotOutcome {
     /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
-    /// In a stack the last plate that is struck decides; what protrudes from one before the base plate does not count.
-    pub(in crate::study) fn of(run: &Run, criterion: Criterion) -> Self {
-        if let Some(stack) = &run.stack {
-            let is_base = stack.behind.len() == stack.elements;
-            let criterion = if is_base { criterion } else { Criterion::Passage };
-            return match stack.behind.last() {
-                _ if stack.outcome == Outcome::Separated => Self::Stopped,
-                Some(last) => Self::of_plate(last, criterion),
-                None => Self::of_plate(run, criterion),
-            };
-        }
-        Self::of_plate(run, criterion)
-    }
-
-    fn of_plate(run: &Run, criterion: Criterion) -> Self {
-        let thickness_m = match criterion {
-            Criterion::Passage => f64::INFINITY,
-            Criterion::Protrusion => run.scene.effective_thickness_m(),
-        };
-        let sure_m = run.final_penetration_m.or(run.at_least.penetration_m);
-        let most_m = run.final_penetration_m.or(run.penetration_at_most_m);
-        if run.outcome == Outcome::Perforated || sure_m.is_some_and(|depth| depth > thickness_m) {
-            return Self::Perforated;
-        }
-        match run.outcome {
-            Outcome::Arrested | Outcome::Separated | Outcome::Perforated => Self::Stopped,
-            Outcome::Moving if most_m.is_some_and(|depth| depth <= thickness_m) => Self::Stopped,
-            Outcome::Moving => Self::Undecided,
+    pub(in crate::study) fn of(run: &Run) -> Self {
+        match run.shot_outcome() {
+            Outcome::Perforated => Self::Perforated,
+            Outcome::Arrested | Outcome::Separated => Self::Stopped,
+            Outcome::Moving => {
+                let behind = run.stack.as_ref().and_then(|stack| stack.behind.last());
+                let plate = behind.map_or(run, |last| last);
+                let most_m = plate.final_penetration_m.or(plate.penetration_at_most_m);
+                let through_m = match run.scene.target.criterion {
+                    Criterion::Passage => f64::INFINITY,
+                    Criterion::Protrusion => plate.scene.effective_thickness_m(),
+                };
+                let is_held = most_m.is_some_and(|depth| depth <= through_m);
+                if is_held { Self::Stopped } else { Self::Undecided }
+            }
         }
     }
 }
@@ -78,14 +49,13 @@ impl ShotOutcome {
 /// A shot and its verdict; one that is left undecided is followed for longer. `None` for a scene that makes no physical sense.
 pub(in crate::study) fn decide(
     scene: &Arc<Scene>,
-    criterion: Criterion,
     observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Option<(Run, ShotOutcome)> {
     let mut run = simulate(scene, &Settings::BARE, observer).ok()?;
-    if run.stack.is_none() && ShotOutcome::of(&run, criterion) == ShotOutcome::Undecided {
+    if run.stack.is_none() && ShotOutcome::of(&run) == ShotOutcome::Undecided {
         run = follow(scene, observer).ok()?;
     }
-    let verdict = ShotOutcome::of(&run, criterion);
+    let verdict = ShotOutcome::of(&run);
     Some((run, verdict))
 }
 

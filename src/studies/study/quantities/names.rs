@@ -18,7 +18,7 @@ pub fn named(name: &str) -> Result<&'static Quantity, SweepError> {
     let written = name.trim();
     let spelled = written.to_lowercase().replace([' ', '-'], "_");
     let bare = || {
-        let mut same = QUANTITIES.iter().filter(|it| it.title().replace(' ', "_") == spelled);
+        let mut same = QUANTITIES.iter().filter(|it| it.bare() == spelled);
         same.next().filter(|_| same.next().is_none())
     };
     find(written).or_else(|| find(&spelled)).or_else(bare).ok_or_else(|| {
@@ -99,7 +99,7 @@ mod tests {
     fn units_and_words_come_from_the_name() {
         let of = |name| find(name).map(|quantity| (quantity.title(), quantity.unit()));
         let expect = |title: &str, unit| Some((title.to_owned(), unit));
-        assert_eq!(of("percent_of_baseline"), expect("percent of baseline", "%"));
+        assert_eq!(of("percent_of_baseline"), expect("% of rigid-mount depth", "%"));
         assert_eq!(of("stroke_m"), expect("stroke", "m"));
         assert_eq!(of("residual_velocity_m_s"), expect("residual velocity", "m/s"));
         assert_eq!(of("steps"), expect("steps", ""));

@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use crate::model::run::envelope::Check;
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::{Criterion, InterfaceLaw, Scene};
 use crate::model::units::shortest;
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
@@ -133,6 +133,8 @@ pub struct Report {
     pub axis: Axis,
     /// The interface law of all runs.
     pub law: InterfaceLaw,
+    /// The criterion of perforation of all runs.
+    pub criterion: Criterion,
     /// The measure.
     pub measure: &'static Quantity,
     /// Its wanted value.
@@ -220,6 +222,7 @@ pub fn seek(
     Ok(Report {
         axis: axis.clone(),
         law: scene.interface.law,
+        criterion: scene.target.criterion,
         measure: goal.measure,
         target: goal.target,
         lines,

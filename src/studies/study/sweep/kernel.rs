@@ -8,7 +8,7 @@ use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
 use crate::model::variables::Group;
 use crate::study::first_contact::{
-    FirstContact, TOLERANCE_FRACTION, Wanted, baseline_m, decides, max_displacement_m,
+    FirstContact, TOLERANCE_FRACTION, Wanted, baseline_m, decides, is_through, max_displacement_m,
 };
 use crate::study::load::holds_still;
 use crate::study::outcome::PointOutcome;
@@ -108,7 +108,7 @@ impl<'p> Kernel<'p> {
         };
         let max_displacement_m =
             if self.displacement { max_displacement_m(scene, &end) } else { None };
-        let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
+        let outcome = if is_through(scene, &end) { Outcome::Perforated } else { Outcome::Arrested };
         (
             PointOutcome::Ended(outcome),
             FirstContact { end, baseline_m, max_displacement_m, start_m: scene.start_m() },

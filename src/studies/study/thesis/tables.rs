@@ -233,7 +233,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let rigid = shots.depth_m("mount=rigid");
             let [first, last] = [first, last].map(|depth| 100.0 * depth / rigid);
             Check {
-                text: format!("{} % at the first arrest, {} % in the end", four(first), four(last)),
+                text: format!("{} % at the first stop, {} % in the end", four(first), four(last)),
                 holds: last > first + 10.0,
             }
         },

@@ -97,8 +97,11 @@ fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mu
         Some(view) => zoomed_axis(&axes[0], view),
         None => axis_of(&axes[0]),
     };
-    let printed = printed.iter();
-    let printed = printed.map(|points| Curve::new('.', "", points).emphasis(Emphasis::Faint));
+    let printed = printed.iter().enumerate().map(|(index, points)| {
+        // The first says what all of them are, in pictures too.
+        let name = if index == 0 { "as printed" } else { "" };
+        Curve::new('.', name, points).emphasis(Emphasis::Faint)
+    });
     let chart = Chart {
         crosshair: Some(grid.coordinate((x, selected), 0)),
         focused: output == app.shown_output(grid).0 && app.has_focus(RESULTS),
