@@ -51,6 +51,7 @@ fn a_csv_has_the_axes_first_then_every_key_of_a_run() {
                 "events",
                 "variables",
                 "version",
+                "criterion",
                 "error_estimates",
                 "lower_bounds",
                 "penetration_at_most_m",
