@@ -104,7 +104,7 @@ impl<'a> Axis<'a> {
 
     /// A title of its values and their unit, unless the title begins with it: `% of rigid-mount depth`.
     pub fn after(&self, title: &str, exponent: i32) -> String {
-        let has_unit = title.starts_with('%') && exponent == 0;
+        let has_unit = self.unit.name == "%" && title.starts_with('%') && exponent == 0;
         let unit = if has_unit { String::new() } else { self.unit_text(exponent) };
         spaced(title, &unit)
     }
