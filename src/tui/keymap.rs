@@ -336,14 +336,6 @@ impl Keymap {
         self.keys.iter().find(|(_, keys)| keys.contains(&pressed)).map(|(action, _)| *action)
     }
 
-    /// The key of the table for the action that a key was given instead: dialogs know the keys of the table.
-    pub fn original(&self, event: KeyEvent) -> KeyEvent {
-        let table = Self::default();
-        let given = self.action(event).filter(|action| table.action(event) != Some(*action));
-        let key = given.and_then(|action| table.keys(action).first().copied());
-        key.map_or(event, |Key(code, modifiers)| KeyEvent::new(code, modifiers))
-    }
-
     pub fn keys(&self, action: Action) -> &[Key] {
         self.keys.get(&action).map_or(&[], Vec::as_slice)
     }
