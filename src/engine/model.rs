@@ -37,7 +37,7 @@
 //!
 //! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the
 //! simulation. [`appendix`] is the scheme of the thesis with equations of its own, and uses [`contact::Geometry`] to name its events;
-//! [`reference`] has stored digits. [`design`] has the formulas that need no simulation.
+//! [`mod@reference`] has stored digits. [`design`] has the formulas that need no simulation.
 
 pub mod appendix;
 pub mod closed_form;
