@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use cmra::model::impact::{Forced, simulate_by};
+use cmra::model::hybrid::Stepping;
+use cmra::model::impact::step_by;
 use cmra::model::run::Run;
 use cmra::model::scene::{InterfaceLaw, Scene};
 use cmra::model::simulate::{Settings, simulate};
@@ -54,7 +55,7 @@ fn compare(words: &[(String, Arc<Scene>)]) {
     for (typed, scene) in words {
         let go_on = &mut |_: f64| std::ops::ControlFlow::Continue(());
         let one = simulate(scene, &Settings::BARE, go_on).unwrap();
-        let Some(other) = simulate_by(Forced::Collocation, scene).unwrap() else { continue };
+        let Some(other) = step_by(Stepping::Collocation(1e-12), scene).unwrap() else { continue };
         if !(one.end.is_complete() && other.end.is_complete()) {
             println!("{:?} and {:?}: {typed}", one.end, other.end);
             continue;

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::model::contact_kernel::Contact;
-use cmra::model::impact::{Forced, simulate_by};
+use cmra::model::impact::by_taylor_steps;
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
@@ -32,7 +32,7 @@ fn of_run(run: &Run) -> Option<Measure> {
 }
 
 fn general(scene: &Arc<Scene>) -> Option<Measure> {
-    of_run(&simulate_by(Forced::Taylor, scene).unwrap()?)
+    of_run(&by_taylor_steps(scene).unwrap()?)
 }
 
 fn ordinary(scene: &Arc<Scene>) -> Option<Measure> {

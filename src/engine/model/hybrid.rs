@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
+use crate::numerics::collocation::{Collocation, NINE, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
 use equations::Setup;
 pub(in crate::model) use run::Extent;
@@ -31,10 +31,8 @@ mod tests;
 pub enum Stepping {
     /// Radau IIA with nine stages, the engine's own, to a tolerance.
     Collocation(f64),
-    /// The same with nothing omitted that a scene does not need: powers of any exponent, the plate followed to its turn.
+    /// The same; the plate is followed to its turn also where its energy says how far it goes.
     CollocationInFull(f64),
-    /// The same with seven stages, which share nothing with the nine but the law.
-    Second(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
     Radau5(f64),
     /// DOP853 to a tolerance.
@@ -55,17 +53,12 @@ pub(in crate::model) fn run(
     if scene.contact.model == ContactModel::Appendix {
         return None;
     }
-    let in_full = matches!(stepping, Stepping::CollocationInFull(_));
     let mut setup = Setup::of(scene);
-    setup.in_full = in_full;
+    setup.in_full = matches!(stepping, Stepping::CollocationInFull(_));
     let setup = &setup;
     Some(match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };
-            run::run(scene, setup, &stepper, extent, observer)
-        }
-        Stepping::Second(tolerance) => {
-            let stepper = Collocation { member: &*SEVEN, tolerance };
             run::run(scene, setup, &stepper, extent, observer)
         }
         Stepping::Radau5(tolerance) => {

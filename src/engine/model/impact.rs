@@ -99,7 +99,12 @@ fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'
 /// compared with itself.
 fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run> {
     if first.cost.steps > 0
-        && let Some(run) = by_collocation(problem, Stepping::Collocation(COLLOCATION), observer)
+        && let Some(run) = hybrid::run(
+            &problem.scene,
+            hybrid::Extent::BARE,
+            Stepping::Collocation(COLLOCATION),
+            observer,
+        )
     {
         if run.end == EndReason::Cancelled {
             return None;
@@ -118,22 +123,6 @@ fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run>
     (end != EndReason::Cancelled).then(|| report::gather(problem, simulation, end))
 }
 
-/// One impact by the other engine.
-fn by_collocation(problem: &Problem, stepping: Stepping, observer: Observer<'_>) -> Option<Run> {
-    hybrid::run(&problem.scene, hybrid::Extent::BARE, stepping, observer)
-}
-
-/// The one method of a simulation for comparison, where [`run`] chooses by itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Forced {
-    /// To Taylor steps, also where a closed form exists.
-    Taylor,
-    /// To the general path: whichever step is right where it is, but neither closed form nor bound in place of one.
-    General,
-    /// By the other engine, that of the error estimate.
-    Collocation,
-}
-
 /// Simulate one impact by this method, without series or error estimate. `None` where the engine does not know the scene.
 ///
 /// # Errors
@@ -141,28 +130,23 @@ pub enum Forced {
 pub fn step_by(stepping: Stepping, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
     let go_on = &mut |_: f64| ControlFlow::Continue(());
-    Ok(by_collocation(&Problem::of(scene), stepping, go_on))
+    Ok(hybrid::run(scene, hybrid::Extent::BARE, stepping, go_on))
 }
 
-/// Simulate one impact in this way, without series or error estimate. `None` when Taylor steps had to be left before the end of
-/// the contact, on a stiff stretch, or the other engine does not know the scene.
+/// Simulate one impact by Taylor steps alone, also where a closed form exists, without series or error estimate. `None` when these had
+/// to be left before the end, on a stiff stretch.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
-pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
+pub fn by_taylor_steps(scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
     let problem = Problem::of(scene);
-    let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
-    if forced == Forced::Collocation {
-        return Ok(by_collocation(&problem, Stepping::Collocation(COLLOCATION), observer));
-    }
     let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
     simulation.control.unit_s = 0.1 * problem.time_scales().contact_s;
     simulation.start();
-    if simulation.control.stiff && forced == Forced::Taylor {
+    if simulation.control.stiff {
         return Ok(None);
     }
-    let end = simulation.run::<TERMS>(observer);
-    let gave_way = forced == Forced::Taylor && simulation.control.stiff_steps > 0;
-    Ok((!gave_way).then(|| report::gather(&problem, simulation, end)))
+    let end = simulation.run::<TERMS>(&mut |_| ControlFlow::Continue(()));
+    Ok((simulation.control.stiff_steps == 0).then(|| report::gather(&problem, simulation, end)))
 }

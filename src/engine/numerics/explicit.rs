@@ -8,7 +8,7 @@ use crate::numerics::larger;
 use crate::numerics::step::{Acceleration, Near, Point, Step, Stepper};
 use tableau::{ERRORS, STAGES};
 
-pub(in crate::numerics) mod tableau;
+mod tableau;
 
 /// Coefficients of a step: its acceleration is a cubic, its speed of degree four.
 pub(crate) const COEFFICIENTS: usize = 5;

@@ -8,6 +8,8 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::hybrid::Stepping;
+use crate::model::impact::step_by;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::{self, VariableError};
@@ -231,20 +233,24 @@ pub fn compare(
 /// The run time of a run as it is shown, and what is saved by leaving out its parts one after the other.
 fn savings(scene: &Arc<Scene>, patience: Patience, clock: Clock<'_>) -> (Option<f64>, Vec<Saving>) {
     let run = |settings: Settings| simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
-    let tolerance = Parameter::Tolerance(scene.run.tolerance);
-    let job = |method| Job::new(method, tolerance, scene);
-    let [full, kernel] = [Method::Full, Method::ContactKernel].map(job);
+    let tolerance = scene.run.tolerance;
+    let kernel = Job::new(Method::ContactKernel, Parameter::Tolerance(tolerance), scene);
     let shown = Settings { series: true, estimate: true };
     let drawn = Settings { series: true, estimate: false };
     let [shown_s, drawn_s, bare_s] = [shown, drawn, Settings::BARE].map(|settings| {
         run(settings).is_ok().then(|| time(clock, patience, || run(settings)).min_s)
     });
-    let [full_s, kernel_s] = [full, kernel]
-        .map(|job| job.run().is_ok().then(|| time(clock, patience, || job.run()).min_s));
+    // The same engine with and without it.
+    let ways = [Stepping::CollocationInFull(tolerance), Stepping::Collocation(tolerance)];
+    let [followed_s, by_energy_s] = ways.map(|way| {
+        let run = || step_by(way, scene);
+        run().is_ok_and(|run| run.is_some()).then(|| time(clock, patience, run).min_s)
+    });
+    let kernel_s = kernel.run().is_ok().then(|| time(clock, patience, || kernel.run()).min_s);
     let savings = [
         ("error estimate", shown_s, drawn_s),
         ("series to draw", drawn_s, bare_s),
-        ("terms the scene has not", full_s, bare_s),
+        ("way to the greatest displacement", followed_s, by_energy_s),
         ("motion after the contact", bare_s, kernel_s),
     ];
     let saving = |(part, with_s, without_s): (&'static str, Option<f64>, Option<f64>)| {

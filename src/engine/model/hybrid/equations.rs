@@ -69,7 +69,7 @@ pub(super) struct Setup {
     pub(super) plastic: bool,
     /// The mount is rigid.
     pub(super) still: bool,
-    /// Nothing is omitted that the scene does not need.
+    /// The plate is followed to its turn also where its energy says how far it goes.
     pub(super) in_full: bool,
 }
 

@@ -5,7 +5,7 @@
 //! check quadrature and row conditions, and the order that is observed.
 
 /// Row i - 1 gives stage i from the stages before it; row 11 (stage 12, the end of the step) holds the weights.
-pub(in crate::numerics) const STAGES: [[f64; 12]; 12] = filled(&[
+pub(super) const STAGES: [[f64; 12]; 12] = filled(&[
     (0, 0, 0.052_600_151_958_767_73),
     (1, 0, 0.019_725_056_984_537_9),
     (1, 1, 0.059_175_170_953_613_7),
@@ -66,7 +66,7 @@ pub(in crate::numerics) const STAGES: [[f64; 12]; 12] = filled(&[
     (11, 11, 0.044_710_615_727_772_59),
 ]);
 /// Weights of the third-order error, those of the step less those of the embedded formula, and of the fifth-order error.
-pub(in crate::numerics) const ERRORS: [[f64; 12]; 2] = filled(&[
+pub(super) const ERRORS: [[f64; 12]; 2] = filled(&[
     (0, 0, -0.189_800_754_072_407_62),
     (0, 5, 4.450_312_892_752_409),
     (0, 6, 1.891_517_899_314_500_3),

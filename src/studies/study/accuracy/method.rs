@@ -25,7 +25,7 @@ pub const RESULTS: [(&str, &str); 5] = [
 ];
 
 /// Depth of the hole, m (of an arrested projectile); time of first arrest or of exit, s; the plate's greatest displacement, m; peak
-/// contact force, N; velocity after a perforation, m/s. `None` of what there is not, or the method does not know.
+/// contact force, N; velocity after a perforation, m/s. `None` of what does not exist, or the method does not know.
 pub type Results = [Option<f64>; RESULTS.len()];
 
 /// Steps of the printed scheme, at most.
@@ -175,7 +175,7 @@ enumeration! {
         letter: 'L', name: "contact kernel", has_own_steps: false, ranges: TIGHT,
         run: |job| contact_kernel(&job.scene, job.parameter.value())
     }
-    /// The simulation with nothing omitted that the scene does not need.
+    /// The second engine with nothing omitted: it follows the plate also where its energy says how far it goes.
     Full {
         letter: 'N', name: "nothing omitted", has_own_steps: true, ranges: TIGHT,
         run: |job| job.by(Stepping::CollocationInFull(job.parameter.value()))
