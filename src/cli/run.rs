@@ -17,7 +17,7 @@ use crate::cli::table::{TableArguments, TableDestination};
 use crate::cli::text::{chart_size, fitted, labelled, width};
 use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
-use crate::files::export::{self, RunTable};
+use crate::files::export::RunTable;
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
@@ -148,15 +148,13 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
             return Ok(exit_code(&computed.run));
         }
         TableDestination::File(to) => {
-            let (to, table) = (to.placed(!was_interrupted()), table());
+            let table = table();
             let mut scenes = table.scenes();
             let dt = arguments.dt.map(|dt_s| format!(" --dt {dt_s}")).unwrap_or_default();
-            let command = format!("run{dt}");
             if let Some(first) = scenes.first_mut() {
-                let outcome = std::mem::replace(&mut first.notes, Box::new(|_| String::new()));
-                first.notes = Box::new(move |own| outcome(own) + &export::again(&command, own));
+                first.command = format!("run{dt}");
             }
-            let written = to.write(table.text()?.as_bytes(), &scenes);
+            let written = to.write(table.text()?.as_bytes(), &scenes, !was_interrupted());
             output::note_written(&written?);
         }
     }
