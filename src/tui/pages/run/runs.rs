@@ -257,7 +257,8 @@ pub(crate) fn models(app: &mut App) {
     let own = app.scene.contact.model;
     let mut refused = None;
     let mut wanted: Vec<(&str, Arc<Scene>)> = Vec::new();
-    for (name, scene) in by_every_model(&app.scene) {
+    for (model, scene) in by_every_model(&app.scene) {
+        let name = model.word();
         match variables::validate(&scene) {
             Ok(()) if scene.contact.model != own => wanted.push((name, Arc::new(scene))),
             Ok(()) => {}
