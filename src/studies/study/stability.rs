@@ -196,7 +196,6 @@ struct Peaks {
     /// Rate at which the contact force's dependence on velocity slows the slip, 1/s.
     drag_per_s: f64,
     speed_m_s: f64,
-    reversals: usize,
 }
 
 impl Peaks {
@@ -226,7 +225,6 @@ impl Peaks {
             peaks.speed_m_s = larger(row.plate_velocity_m_s.abs(), peaks.speed_m_s);
         }
         let mobility = 1.0 / scene.projectile.mass_kg + cos * cos / mass_kg;
-        let mut last_w = 0.0;
         for row in rows {
             let (x, w) = (row.plate_displacement_m.abs(), row.plate_velocity_m_s);
             if x > COUNTS_FROM * far_m {
@@ -243,8 +241,6 @@ impl Peaks {
                 let slope = 2.0 * drag * slip * row.contact_force_n / pressure;
                 peaks.drag_per_s = larger(slope * mobility, peaks.drag_per_s);
             }
-            peaks.reversals += usize::from(w * last_w < 0.0);
-            last_w = w;
         }
         Ok(peaks)
     }
