@@ -301,7 +301,7 @@ impl Target {
 }
 
 fn limit(scene: &Scene, method: FixedStep, peaks: &Peaks) -> Option<f64> {
-    let plate = rk4_limit(peaks.oscillation_per_s, peaks.decay_per_s);
+    let plate = rk4_limit(peaks.oscillation, peaks.decay);
     let force = match method {
         FixedStep::Rk4 => RK4_REAL,
         FixedStep::Thesis => {
@@ -309,7 +309,7 @@ fn limit(scene: &Scene, method: FixedStep, peaks: &Peaks) -> Option<f64> {
             let plate = scene.cos_obliquity().powi(2) / scene.plate_mass_kg();
             2.0 * (own + plate) / larger(own, plate)
         }
-    } / peaks.drag_per_s;
+    } / peaks.drag;
     let least = smaller(plate, force);
     least.is_finite().then_some(least)
 }

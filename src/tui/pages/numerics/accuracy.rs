@@ -4,9 +4,7 @@ pub(crate) mod draw;
 
 use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
-use crate::report::accuracy::{
-    TARGETS, advice, error_over_time, gain, printed_scheme, seconds,
-};
+use crate::report::accuracy::{TARGETS, advice, error_over_time, gain, printed_scheme, seconds};
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::{ComparisonOptions, Measured, MethodReport, RESULTS, Report};
 use crate::tui::chart::{Chart, Mapping};
