@@ -124,7 +124,7 @@ impl Dialog for ExportRuns {
     fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
         let rows = self.choices.shown();
         let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
-        let pane = PaneFrame::new("Export to CSV (charts: .svg, report: .html)");
+        let pane = PaneFrame::new("Export to CSV (charts: .svg)");
         let inner = frame(screen, (100, wanted), pane, canvas);
         let foot = FOOT.min(inner.height.saturating_sub(4));
         let list = Rect { height: inner.height.saturating_sub(foot), ..inner };

@@ -53,7 +53,6 @@ pub(super) const PAGES: &[PageSpec] = &[];
 #[rustfmt::skip]
 pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Explore)), "Explore tab", "sweep surface map family curves parameter study heat map"),
-    Command::new(Call::In(RESULTS, A::Contour), "Contour through the cursor", "level line"),
 ];
 
 pub(crate) struct ExploreTab;
@@ -85,9 +84,6 @@ impl Page for ExploreTab {
         match action {
             Action::Run => compute(app),
             Action::Mark => runs::pin_design(app, app.sweep_design()),
-            Action::Contour => {
-                app.pages.explore.hides_contour = !app.pages.explore.hides_contour;
-            }
             _ if app.pane() == SETUP => return setup::act(app, action),
             Action::View => {
                 let count = sweep_of(&app.scene).outputs.len();

@@ -268,11 +268,9 @@ impl<'a> ChartView<'a> {
         fits.map_or_else(|| format!("up: {name}{old}"), |(title, _)| title.clone())
     }
 
-    /// The value of the contour, which runs through the point under the cursor, where one is drawn.
+    /// The value of the contour, which runs through the point under the cursor.
     fn contour(&self, app: &App) -> Option<f64> {
-        let here = self.value(app.cursor_point(self.grid));
-        let is_shown = !app.pages.explore.hides_contour;
-        (is_shown && here.is_finite()).then_some(here)
+        Some(self.value(app.cursor_point(self.grid))).filter(|here| here.is_finite())
     }
 
     /// The bands from the greatest down, then what the letters and the contour mean.

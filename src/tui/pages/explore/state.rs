@@ -66,8 +66,6 @@ pub struct Sweeping {
     pub zoomed: Option<ViewRange>,
     pub output: usize,
     pub value_scale: Scale,
-    /// The contour through the point under the cursor, of all designs with the same value, is hidden.
-    pub hides_contour: bool,
     /// Curves of a family, and the picture.
     pub plan: PicturePlan,
 }
