@@ -110,10 +110,8 @@ pub struct Search {
     pub bounds: Vec<(String, bool)>,
     /// The objectives of a front.
     pub minimise: Option<Vec<String>>,
-    /// The greatest stroke, m; without one there is no bound.
-    pub stroke_m: Option<f64>,
-    /// Further bounds that designs have to keep.
-    pub subject_to: Vec<String>,
+    /// Bounds that designs have to keep.
+    pub subject_to: Option<Vec<String>>,
     /// Only feasible designs count.
     pub feasible: Option<bool>,
     /// Designs that a front tries.

@@ -306,18 +306,6 @@ mod tests {
         assert_eq!((app.pages.explore.output, app.is_modified()), (1, false));
     }
 
-    #[test]
-    fn a_held_bound_and_an_absorber_come_back() {
-        let mut app = state();
-        press(&mut app, "44/gamma<Enter><Enter>1..5<Enter>l");
-        app.pages.limit.absorber = Some("some foam".to_owned());
-        let kept = app.setups();
-        let mut again = state();
-        again.restore_setups(kept);
-        assert_eq!(again.pages.search.setup, app.pages.search.setup);
-        assert_eq!(again.pages.limit.absorber, app.pages.limit.absorber);
-    }
-
     /// A figure is its sweep, whichever door it comes through.
     #[test]
     fn a_figure_of_the_command_line_opens_on_explore() {
@@ -359,6 +347,7 @@ mod tests {
             "2<Tab>/shown<Enter>l4/is<Enter><Enter>45<Enter>/variable<Enter><Enter>k<Enter>/to<Enter><Enter>9e6<Enter>/from<Enter><Enter>8e6<Enter>",
         );
         press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
+        app.pages.limit.absorber = Some("some foam".to_owned());
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.

@@ -189,7 +189,7 @@ fn look(app: &mut App) {
     }
     app.focus_on(explore::RESULTS);
     app.pages.explore.output = 0;
-    app.pages.explore.cursor = [None; 2];
+    app.pages.explore.cursor = None;
     app.pages.explore.zoomed = None;
     pages::of(Tab::Explore).enter(app);
 }
