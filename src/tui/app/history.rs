@@ -40,6 +40,7 @@ pub enum Change {
 
 impl Change {
     /// The change back.
+    #[must_use]
     pub fn reversed(self) -> Self {
         match self {
             Self::State(states) => Self::State(Box::new((states.1, states.0))),

@@ -41,12 +41,8 @@ pub(super) trait Purpose: Clone + Debug + 'static {
     fn click(&mut self, _row: usize) {}
 
     /// Do what the text was typed for; a file or preset of this name may be replaced. None: something comes first.
-    fn accept(
-        &self,
-        app: &mut App,
-        ask: &mut Ask,
-        overwrite: bool,
-    ) -> Result<Option<FileTask>, String>;
+    fn accept(&self, app: &App, ask: &mut Ask, overwrite: bool)
+    -> Result<Option<FileTask>, String>;
 
     /// How an effect ended, where it is the one that was asked for.
     fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome>;

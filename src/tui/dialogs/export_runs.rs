@@ -113,7 +113,7 @@ impl Purpose for ExportRuns {
 
     fn accept(
         &self,
-        app: &mut App,
+        app: &App,
         ask: &mut Ask,
         overwrite: bool,
     ) -> Result<Option<FileTask>, String> {
@@ -197,7 +197,9 @@ impl ExportRuns {
     fn all_or_none(&mut self) {
         if let Some((ticks, _)) = self.group(self.selected) {
             let all = ticks.iter().any(|tick| !tick.on);
-            ticks.iter_mut().for_each(|tick| tick.on = all);
+            for tick in ticks {
+                tick.on = all;
+            }
         }
     }
 

@@ -41,7 +41,7 @@ impl Purpose for ExportTable {
 
     fn accept(
         &self,
-        app: &mut App,
+        app: &App,
         ask: &mut Ask,
         overwrite: bool,
     ) -> Result<Option<FileTask>, String> {
@@ -62,9 +62,8 @@ impl Purpose for ExportTable {
 
     fn hint(&self, app: &App, ask: &Ask) -> String {
         let path = app.files.directory.join(ask.value());
-        let other = instead_of_table(&path).unwrap_or(
-            "a name that ends in .svg writes the charts on the screen",
-        );
+        let other = instead_of_table(&path)
+            .unwrap_or("a name that ends in .svg writes the charts on the screen");
         format!("to {}\n{other}", path.display())
     }
 }
@@ -85,7 +84,7 @@ pub(super) fn exported(
 
 /// Write to a path the charts on the screen, or the table, by its ending.
 pub(super) fn export(
-    app: &mut App,
+    app: &App,
     path: PathBuf,
     overwrite: bool,
     table: impl FnOnce(&App) -> Result<Content, String>,

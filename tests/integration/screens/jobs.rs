@@ -9,8 +9,8 @@ use cmra::model::run::EndReason;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{AskedFor, Comparison, EqualMass, LimitSearch, SearchRequest};
 use cmra::worker::ReportBody;
+use cmra::worker::studies::{AskedFor, Comparison, EqualMass, LimitSearch, SearchRequest};
 
 /// The search that was submitted last.
 fn searched(bench: &mut Bench) -> (u64, Page) {
