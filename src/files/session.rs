@@ -6,6 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::files::atomic::{self, Existing};
@@ -19,10 +20,6 @@ const RECENT_MAX: usize = 10;
 
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
 const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
-
-/// Edits that can be undone after a restart, and the bytes that their scenes may take.
-pub const UNDO_MAX: usize = 20;
-const UNDO_BYTES_MAX: usize = 1 << 16;
 
 /// The open state of the workbench.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -39,19 +36,6 @@ pub struct Session {
     pub setup: Setup,
     /// Scene files opened or saved, newest first.
     pub recent: Vec<PathBuf>,
-    /// The last edits that can be undone, oldest first.
-    pub undo: Vec<UndoStep>,
-}
-
-/// An edit of the scene that can be undone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct UndoStep {
-    /// What it did: `gamma 1 -> 1.25`.
-    pub label: String,
-    /// The scene before it.
-    pub scene: Scene,
-    /// Name or path of the preset which that came from.
-    pub preset: String,
 }
 
 /// How the workbench was set, as far as a person chose it.
@@ -121,10 +105,8 @@ pub struct Search {
     pub bounds: Vec<(String, bool)>,
     /// The objectives of a front.
     pub minimise: Option<Vec<String>>,
-    /// The greatest stroke, m; without one there is no bound.
-    pub stroke_m: Option<f64>,
-    /// Further bounds that designs have to keep.
-    pub subject_to: Vec<String>,
+    /// Bounds that designs have to keep.
+    pub subject_to: Option<Vec<String>>,
     /// Only feasible designs count.
     pub feasible: Option<bool>,
     /// Designs that a front tries.
@@ -172,28 +154,18 @@ struct SessionFile {
     setup: Setup,
     #[serde(default)]
     pin: Vec<PinRow>,
-    #[serde(default)]
-    undo: Vec<UndoRow>,
 }
 
 /// What a key has, where that means something: it costs nothing else where it does not.
-fn readable<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     file: D,
 ) -> Result<Option<T>, D::Error> {
-    Ok(T::deserialize(toml::Value::deserialize(file)?).ok())
+    Ok(toml::Value::deserialize(file)?.try_into().ok())
 }
 
 #[derive(Serialize, Deserialize)]
 struct PinRow {
     name: String,
-    scene: String,
-}
-
-#[derive(Serialize, Deserialize)]
-struct UndoRow {
-    label: String,
-    preset: String,
-    /// A scene file with what is not as usual.
     scene: String,
 }
 
@@ -240,27 +212,11 @@ fn text(path: &Path, session: &Session) -> Result<String, FileError> {
             .iter()
             .map(|(name, scene)| PinRow { name: name.clone(), scene: write::fresh(scene) })
             .collect(),
-        undo: undo_rows(&session.undo),
     };
     let body = toml::to_string_pretty(&file)
         .map_err(|error| FileError::target(path, &error.to_string()))?;
     let version = env!("CARGO_PKG_VERSION");
     Ok(format!("# the last session of cmra {version}\n{body}"))
-}
-
-/// The newest steps that have room, oldest first.
-fn undo_rows(steps: &[UndoStep]) -> Vec<UndoRow> {
-    let least = format!("format = {}\n", read::FORMAT);
-    let mut room = UNDO_BYTES_MAX;
-    let mut rows = Vec::new();
-    for UndoStep { label, scene, preset } in steps.iter().rev().take(UNDO_MAX) {
-        let Ok(text) = write::updated(&least, "an edit", scene) else { break };
-        let Some(left) = room.checked_sub(text.len()) else { break };
-        room = left;
-        rows.push(UndoRow { label: label.clone(), preset: preset.clone(), scene: text });
-    }
-    rows.reverse();
-    rows
 }
 
 /// Load the last session, if there is one. A file that is damaged is backed up with the ending `.broken`, and what can be read
@@ -315,17 +271,6 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
             Err(error) => problems.push(error.to_string()),
         }
     }
-    let mut undo = Vec::new();
-    for UndoRow { label, preset, scene } in file.undo {
-        match read::scene(&scene, &label) {
-            Ok(scene) => undo.push(UndoStep { label, scene, preset }),
-            Err(error) => {
-                // What was before it cannot be reached.
-                undo.clear();
-                problems.push(error.to_string());
-            }
-        }
-    }
     match read::scene(&file.scene, "scene") {
         Ok(scene) => {
             let session = Session {
@@ -335,7 +280,6 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
                 view: file.view,
                 setup: file.setup,
                 recent: file.recent.into_iter().map(PathBuf::from).collect(),
-                undo,
             };
             (Some(session), problems)
         }
@@ -360,9 +304,6 @@ mod tests {
         session.setup.search =
             Some(Search { goal: "stroke_m=0.6".to_owned(), ..Search::default() });
         note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
-        let scene = Scene { title: "before".to_owned(), ..Scene::default() };
-        let (label, preset) = ("gamma 1 -> 2".to_owned(), "cocked".to_owned());
-        session.undo.push(UndoStep { label, scene, preset });
         session
     }
 
