@@ -271,24 +271,6 @@ fn the_scene_beside_the_rows_makes_them_again() {
 }
 
 #[cfg(unix)]
-#[cfg(unix)]
-#[test]
-fn a_long_sweep_says_how_long_it_takes() {
-    use std::io::BufRead as _;
-    let place = tempfile::tempdir().unwrap();
-    let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --csv x.csv";
-    let mut child = begun(place.path(), what);
-    let mut line = String::new();
-    std::io::BufReader::new(child.stderr.take().unwrap()).read_line(&mut line).unwrap();
-    child.kill().unwrap();
-    child.wait().unwrap();
-    assert!(
-        line.starts_with("10000000 points: about ") && line.contains(" left at this rate"),
-        "{line}"
-    );
-}
-
-#[cfg(unix)]
 #[test]
 fn an_interrupted_sweep_says_so_in_the_file_and_in_json() {
     let place = tempfile::tempdir().unwrap();
