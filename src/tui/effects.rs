@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::Incoming;
+use super::signals::Incoming;
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::Destination;
@@ -27,9 +27,8 @@ use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
 use crate::tui::complete;
-use crate::tui::message::{
-    Content, EffectReport, ExportOutcome, FileTask as Task, Message, PresetEntry,
-};
+use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask as Task, Message};
+use crate::tui::preset::PresetEntry;
 
 /// How long a changed session may stay unsaved.
 pub(super) const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -344,7 +343,6 @@ mod tests {
     use std::fs;
 
     use super::*;
-    use crate::tui::app::App;
     use crate::tui::message::PageTable;
 
     /// A test that waits so long hangs.
@@ -387,7 +385,7 @@ mod tests {
         let table = |scene: Option<Scene>| {
             let table = PageTable::new("", "", true, |_| "a\n1\n".to_owned());
             Content::Page(match scene {
-                Some(scene) => table.of(&App::default(), &Arc::new(scene), "limit --seed 1"),
+                Some(scene) => table.of(String::new(), &Arc::new(scene), "limit --seed 1"),
                 None => table,
             })
         };

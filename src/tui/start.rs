@@ -12,10 +12,11 @@ use crate::files::session::{self, Known, Session, Switch, View};
 use crate::files::{atomic, config, recent};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Base, Settings};
+use crate::tui::app::pins::{LETTERS, Pin};
+use crate::tui::app::{App, Settings};
 use crate::tui::keymap::Keymap;
-use crate::tui::pages::run::runs::{LETTERS, Pin};
 use crate::tui::pages::thesis;
+use crate::tui::preset::Base;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 

@@ -10,11 +10,12 @@ use crate::support::{files_below, in_repository};
 const LAYERS: [&str; 8] = ["numerics", "model", "study", "report", "files", "worker", "tui", "cli"];
 
 /// The layers within the workbench, in the same order; those in one row may name each other.
-const WORKBENCH: [&[&str]; 7] = [
+const WORKBENCH: [&[&str]; 8] = [
     &["theme"],
     &["chart"],
     &["option", "keymap"],
     &["widgets"],
+    &["preset"],
     &["app", "message", "pages"],
     &["dialogs"],
     &[

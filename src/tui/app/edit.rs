@@ -6,14 +6,13 @@ use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
-use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
 use crate::tui::app::jobs;
+use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::pages::explore::state::PicturePlan;
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::pages::run::runs::{self, Pin};
-use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
+use crate::tui::preset::{Base, LabelledScene};
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::steps::{self, Input, Press};
 
@@ -112,8 +111,6 @@ fn follow(app: &mut App) {
         let nearest = app.pages.run.editor.listed(&app.scene).into_iter().min_by_key(away);
         app.pages.run.editor.selected = nearest.unwrap_or_default();
     }
-    jobs::after_edit(app);
-    explore::after_edit(app);
     app.request(Effect::SaveSession);
 }
 
@@ -146,7 +143,6 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     }
     if from.plan != to.plan {
         app.pages.explore.plan = to.plan;
-        explore::after_edit(app);
     }
 }
 
@@ -176,12 +172,46 @@ fn do_again(app: &mut App, change: Change) {
     let before = (Arc::clone(&app.scene), app.base.clone());
     match change {
         Change::State(states) => make(app, &states.0, states.1),
-        Change::Pinned(pin) => runs::put_back(app, pin),
-        Change::Unpinned(pin) => runs::take_away(app, &pin),
+        Change::Pinned(pin) => put_back(app, pin),
+        Change::Unpinned(pin) => take_away(app, &pin),
     }
     if (&app.scene, &app.base) != (&before.0, &before.1) {
         follow(app);
     }
+}
+
+/// Take a pinned scene away. It is known by its scene, not by its letter: that may have become another one's since.
+pub(crate) fn take_away(app: &mut App, gone: &Pin) {
+    app.pins.retain(|pin| pin.scene != gone.scene);
+    app.pages.run.selected = app.pages.run.selected.min(app.pins.len());
+    app.pages.run.charts.difference &= !app.pins.is_empty();
+    app.request(Effect::SaveSession);
+}
+
+/// Put a pin back that had been taken away, under its letter or, if that is taken, the first free one.
+pub(crate) fn put_back(app: &mut App, pin: Pin) {
+    if app.pins.iter().any(|other| *other.scene == *pin.scene) {
+        return;
+    }
+    let letters = std::iter::once(pin.letter).chain(LETTERS);
+    let Some(letter) = free_letter(app, letters) else {
+        return app.refuse("all eight pins A to H are taken: nothing more was put back");
+    };
+    // A job that ran when it was removed has no receiver any more.
+    insert(app, Pin { letter, job: None, ..pin });
+}
+
+/// The first of some letters that no pin has.
+pub(crate) fn free_letter(app: &App, letters: impl IntoIterator<Item = char>) -> Option<char> {
+    letters.into_iter().find(|letter| app.pins.iter().all(|pin| pin.letter != *letter))
+}
+
+/// Among the pins, in the order of their letters.
+pub(crate) fn insert(app: &mut App, pin: Pin) {
+    let at = app.pins.partition_point(|other| other.letter < pin.letter);
+    app.pins.insert(at, pin);
+    jobs::submit_pins(app);
+    app.request(Effect::SaveSession);
 }
 
 /// Reset the selected variable to the preset's value.

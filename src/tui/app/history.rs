@@ -3,11 +3,10 @@
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
-use crate::tui::app::Base;
+use crate::tui::app::pins::Pin;
 use crate::tui::pages::explore::state::PicturePlan;
-use crate::tui::pages::run::runs::Pin;
-use crate::tui::pages::search::setup::{Row, Setup};
-use crate::tui::pages::search::state::Page;
+use crate::tui::pages::search::state::{Page, Row, Setup};
+use crate::tui::preset::Base;
 
 /// All that edits change but for the pins, at one moment.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,10 +9,11 @@ use super::{limit, search, stability, sweep};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::stability::map::{Axis, Cell, FixedStep};
+use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
-use cmra::tui::pages::plot_columns;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
+use cmra::tui::view::target;
 use cmra::worker::studies::Found;
 
 #[test]
@@ -136,7 +137,8 @@ fn the_crosshair_goes_column_by_column() {
         for _ in 0..30 {
             bench.press("H");
         }
-        let columns = plot_columns(&bench.app);
+        let is_plot = |x: &u16| matches!(target(&bench.app, (*x, 3)), Some(Target::Value { .. }));
+        let columns = (0..size.0).filter(is_plot).count();
         let (from, to) = bench.app.time_range_s(0);
         assert_eq!(bench.app.pages.run.charts.cursor_s, Some(from));
         for _ in 1..columns {

@@ -10,9 +10,9 @@ use cmra::model::library::Library;
 use cmra::model::scene::PlateSize;
 use cmra::study::accuracy::method::Method;
 use cmra::study::quantities::named;
-use cmra::tui::message::PresetEntry;
 use cmra::tui::pages::explore;
 use cmra::tui::pages::explore::state::Picture;
+use cmra::tui::preset::PresetEntry;
 use cmra::tui::theme::GlyphSet;
 
 #[test]
@@ -112,7 +112,7 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
     assert_eq!(axes(&bench), ["face", "k"]);
     // Nor by hand.
     keys(&mut bench, &["G", "/variable<Enter>"]);
-    bench.app.pages.explore.row = explore::setup::SetupRow::Axis(1, explore::setup::Part::Name);
+    bench.app.pages.explore.row = explore::state::SetupRow::Axis(1, explore::state::Part::Name);
     keys(&mut bench, &["<Enter>", "gamma<Enter>"]);
     assert!(bench.screen().contains("both set the plate's size"), "{}", bench.screen());
     keys(&mut bench, &["<Esc>"]);

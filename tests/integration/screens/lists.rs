@@ -8,7 +8,8 @@ use super::search::sought;
 use super::{limit, search, stability};
 use cmra::tui::keymap::Keymap;
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::{Message, PresetEntry};
+use cmra::tui::message::Message;
+use cmra::tui::preset::PresetEntry;
 use cmra::tui::theme::GlyphSet;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.

@@ -7,9 +7,10 @@ use cmra::files::library;
 use cmra::model::scene::PlateSize;
 use cmra::study::accuracy::method::Method;
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
+use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::explore;
 use cmra::tui::pages::search::state::Page;
+use cmra::tui::preset::PresetEntry;
 
 /// A bench that counts.
 struct Counted {

@@ -6,7 +6,7 @@ use cmra::study::context::CancelFlag;
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{self, Claim, Row, claims};
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::PresetEntry;
+use cmra::tui::preset::PresetEntry;
 use cmra::worker::studies::{AskedFor, Claims, Found};
 use cmra::worker::study::RowsSoFar;
 use insta::assert_snapshot;

@@ -8,12 +8,69 @@ use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
 use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
-use crate::tui::pages::explore::state::{SweepResult, nearest, no_value};
-use crate::tui::pages::explore::{RESULTS, SweepPanes};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::explore::plan::no_value;
+use crate::tui::pages::explore::state::{Picture, RESULTS, SETUP, SweepResult, nearest};
+use crate::tui::pages::page::prelude::*;
+use crate::tui::widgets::layout::{ROOMY, setup_width};
 use crate::tui::widgets::text::shortened;
 use crate::tui::widgets::text::{put, wrapped};
 use crate::worker::studies::PictureSweep;
+
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct SweepPanes {
+    /// Axes, output, held variables.
+    pub setup: Option<Rect>,
+    /// One chart or two, or the map.
+    pub plots: Vec<Rect>,
+    pub scale: Option<Rect>,
+    /// The slices through the cursor, along and up.
+    pub slices: Vec<Rect>,
+}
+
+/// The setup beside one chart, or two where there is room; or beside the map, with scale and slices at its right. On a narrow
+/// screen the pane beside the map is the one that is of use: the setup while it has the keys, else scale and slices.
+pub(crate) fn panes(app: &App, body: Rect) -> SweepPanes {
+    let on_setup = app.pane() == SETUP;
+    let (left, rest) = match (app.is_full(), on_setup) {
+        (true, true) => return SweepPanes { setup: Some(body), ..SweepPanes::default() },
+        (true, false) => (None, body),
+        (false, _) => {
+            let (left, rest) = split_left(body, setup_width(body.width));
+            (Some(left), rest)
+        }
+    };
+    let is_line = app.picture() == Picture::Line;
+    let plots = if is_line && rest.height >= 26 {
+        let (top, bottom) = split_bottom(rest, rest.height / 2);
+        vec![top, bottom]
+    } else {
+        vec![rest]
+    };
+    match left {
+        Some(left) if !is_line && (body.width >= ROOMY || !on_setup) => surface(body, left, rest),
+        setup => SweepPanes { setup, plots, ..SweepPanes::default() },
+    }
+}
+
+fn surface(body: Rect, left: Rect, rest: Rect) -> SweepPanes {
+    let (setup, map, side) = if body.width < ROOMY {
+        (None, rest, left)
+    } else {
+        let (map, side) = split_left(rest, rest.width - 32.min(rest.width));
+        (Some(left), map, side)
+    };
+    // Ten bands and the marks, within a frame; what is left goes to the slices, one where two would be too low.
+    let (scale, below) = split_bottom(side, side.height - side.height.min(13));
+    let slices = match below.height {
+        0..=5 => Vec::new(),
+        6..=15 => vec![below],
+        _ => {
+            let (top, bottom) = split_bottom(below, below.height / 2);
+            vec![top, bottom]
+        }
+    };
+    SweepPanes { setup, plots: vec![map], scale: Some(scale), slices }
+}
 
 pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));

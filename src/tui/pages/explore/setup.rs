@@ -8,34 +8,17 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
-use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::explore::state::{
+    Picture, SetupRow, Sweeping, completed, has_family, sweep_of,
+};
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run;
 use crate::tui::pages::run::editor::{FIELD_DIGITS, number_in};
-use crate::tui::pages::{explore, run};
-use crate::tui::widgets::axis::{meaning, numeric, over, place, whole};
+use crate::tui::widgets::axis::{Part, meaning, numeric, over, place, whole};
 use crate::tui::widgets::form::{Form, FormRow, VALUE_WIDTH, quantity_after};
 use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::text::fitting;
 use crate::tui::widgets::{around, cycled};
-
-pub use crate::tui::widgets::axis::Part;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SetupRow {
-    Heading(&'static str),
-    Axis(usize, Part),
-    Picture,
-    Curves,
-    Output,
-    /// A held variable, by index into the table.
-    Held(usize),
-}
-
-impl Default for SetupRow {
-    fn default() -> Self {
-        Self::Axis(0, Part::Name)
-    }
-}
 
 impl App {
     /// The rows of the setup, headings included.
@@ -278,7 +261,6 @@ fn tried(app: &mut App, change: impl FnOnce(&mut Sweeping)) -> Result<(), String
         format!("show {word}")
     };
     edit::note(app, state, label, None);
-    explore::after_edit(app);
     Ok(())
 }
 

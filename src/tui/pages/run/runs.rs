@@ -1,7 +1,6 @@
 //! The run on the screen and the pinned ones: their table, their names, pinning and copying.
 
 use std::fmt::Write as _;
-use std::time::Duration;
 
 use crate::model::run::{Outcome, Run, Warning, envelope};
 use crate::model::units;
@@ -10,53 +9,14 @@ use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison};
 use crate::report::table::Table;
 use crate::study::quantities;
+use crate::tui::app::edit::{free_letter, insert, take_away};
+use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::chart::MARKERS;
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::RUNS;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::state::RUNS;
 use crate::tui::widgets::steps::shown_number;
 use crate::tui::widgets::table::Grid;
-
-/// The letters pins get, in order.
-pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
-
-#[derive(Clone, Debug)]
-pub struct Shown {
-    pub run: Arc<Run>,
-    /// Wall-clock time of the computation; `None` for a part kept from a cancelled job.
-    pub took: Option<Duration>,
-}
-
-/// A frozen scene with its result.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pin {
-    pub letter: char,
-    /// A few words: the preset, or what differs from it.
-    pub name: String,
-    pub scene: Arc<Scene>,
-    pub run: Option<Arc<Run>>,
-    pub visible: bool,
-    pub job: Option<u64>,
-}
-
-impl Pin {
-    /// `A: thesis-baseline`.
-    pub(crate) fn label(&self) -> String {
-        format!("{}: {}", self.letter, self.name)
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-pub struct RunView<'a> {
-    /// The pin's letter; `None` for the current run.
-    pub letter: Option<char>,
-    /// Row in the table of runs; 0 is the current run.
-    pub index: usize,
-    pub name: &'a str,
-    pub run: &'a Run,
-    /// It belongs to an older scene than the one on the screen.
-    pub old: bool,
-}
 
 impl App {
     /// The current run and the pinned ones beside each other.
@@ -123,14 +83,6 @@ impl App {
         };
         differing.into_iter().map(shown).collect::<Vec<_>>().join(" ")
     }
-}
-
-/// A value with prefix and unit, four figures: `19.26 kN`; a pure number has no prefix.
-pub fn engineering(value: f64, unit: &'static str) -> String {
-    if unit.is_empty() {
-        return significant(value, 4);
-    }
-    units::engineering(value, unit, 4)
 }
 
 /// Columns of marker, letter and a blank before the name.
@@ -262,40 +214,6 @@ fn unpinned(app: &mut App, pin: Pin) {
     take_away(app, &pin);
     app.tell(format!("unpinned {} (<undo> undoes)", pin.label()));
     edit::note_unpinned(app, pin);
-}
-
-/// Take a pinned scene away. It is known by its scene, not by its letter: that may have become another one's since.
-pub(crate) fn take_away(app: &mut App, gone: &Pin) {
-    app.pins.retain(|pin| pin.scene != gone.scene);
-    app.pages.run.selected = app.pages.run.selected.min(app.pins.len());
-    app.pages.run.charts.difference &= !app.pins.is_empty();
-    app.request(Effect::SaveSession);
-}
-
-/// Put a pin back that had been taken away, under its letter or, if that is taken, the first free one.
-pub(crate) fn put_back(app: &mut App, pin: Pin) {
-    if app.pins.iter().any(|other| *other.scene == *pin.scene) {
-        return;
-    }
-    let letters = std::iter::once(pin.letter).chain(LETTERS);
-    let Some(letter) = free_letter(app, letters) else {
-        return app.refuse("all eight pins A to H are taken: nothing more was put back");
-    };
-    // A job that ran when it was removed has no receiver any more.
-    insert(app, Pin { letter, job: None, ..pin });
-}
-
-/// The first of some letters that no pin has.
-fn free_letter(app: &App, letters: impl IntoIterator<Item = char>) -> Option<char> {
-    letters.into_iter().find(|letter| app.pins.iter().all(|pin| pin.letter != *letter))
-}
-
-/// Among the pins, in the order of their letters.
-fn insert(app: &mut App, pin: Pin) {
-    let at = app.pins.partition_point(|other| other.letter < pin.letter);
-    app.pins.insert(at, pin);
-    jobs::submit_pins(app);
-    app.request(Effect::SaveSession);
 }
 
 pub(crate) fn load(app: &mut App) {
