@@ -294,19 +294,6 @@ mod tests {
         }
     }
 
-    #[test]
-    fn a_setup_that_comes_back_is_no_edit_of_the_scene() {
-        let mut app = state();
-        let kept = |name: &str| {
-            let explore = session::Explore { output: name.to_owned(), ..Default::default() };
-            session::Setup { explore: Some(explore), ..Default::default() }
-        };
-        app.restore_setups(kept("system_mass_kg"));
-        assert!(!app.is_modified());
-        app.restore_setups(kept("max_plate_displacement_m"));
-        assert_eq!((app.pages.explore.output, app.is_modified()), (1, false));
-    }
-
     /// A figure is its sweep, whichever door it comes through.
     #[test]
     fn a_figure_of_the_command_line_opens_on_explore() {

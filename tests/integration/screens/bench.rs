@@ -261,8 +261,7 @@ pub(crate) fn presets() -> Vec<PresetEntry> {
             origin,
             scene,
             comment: comment.to_owned(),
-            part: None,
-            problem: None,
+            ..PresetEntry::default()
         }
     };
     vec![

@@ -72,14 +72,15 @@ pub(super) fn open_map(figure: &str, count: usize, glyphs: GlyphSet, size: (u16,
     bench
 }
 
-/// Press keys and answer what was requested after each.
-fn keys(bench: &mut Bench, keys: &str) {
+/// Press keys, and answer runs, sweeps and searches after each.
+pub(super) fn keys(bench: &mut Bench, keys: &str) {
     let mut rest = keys;
     while let Some(first) = rest.chars().next() {
         let name = rest.find('>').filter(|_| first == '<');
         let (key, tail) = rest.split_at(name.map_or_else(|| first.len_utf8(), |end| end + 1));
         bench.keys(key);
         answer(bench);
+        super::search::answer(bench);
         rest = tail;
     }
 }
