@@ -158,6 +158,7 @@ impl App {
             base: self.base.clone(),
             search: Arc::clone(&self.pages.search.setup),
             plan: self.pages.explore.plan,
+            pins: self.pins.iter().map(|pin| Pin { run: None, job: None, ..pin.clone() }).collect(),
         }
     }
 

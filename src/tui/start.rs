@@ -222,14 +222,7 @@ fn scene_of_session(last: &Session, base: &Base) -> Scene {
 fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     app.scene = Arc::new(scene_of_session(&last, &app.base));
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
-        app.pins.push(Pin {
-            letter,
-            name: app.name_of(&scene),
-            scene: Arc::new(scene),
-            run: None,
-            visible: true,
-            job: None,
-        });
+        app.pins.push(Pin::new(letter, app.name_of(&scene), Arc::new(scene)));
     }
     let View { glyphs: set, colours, auto_run, threads } = last.view;
     if glyphs.is_none()
@@ -317,14 +310,8 @@ mod tests {
     fn a_session_comes_back() {
         let mut app = state();
         Arc::make_mut(&mut app.scene).plate.mass_ratio = 2.5;
-        app.pins.push(Pin {
-            letter: 'A',
-            name: "thesis-baseline".to_owned(),
-            scene: Arc::clone(&app.base.scene),
-            run: None,
-            visible: true,
-            job: None,
-        });
+        let scene = Arc::clone(&app.base.scene);
+        app.pins.push(Pin::new('A', "thesis-baseline".to_owned(), scene));
         app.settings.auto_run = false;
         app.settings.threads = Some(1);
         app.settings.theme.glyphs = app.settings.theme.glyphs.next();

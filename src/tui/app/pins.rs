@@ -29,6 +29,11 @@ pub struct Pin {
 }
 
 impl Pin {
+    /// A scene that is pinned now, and has yet to be computed.
+    pub(crate) fn new(letter: char, name: String, scene: Arc<Scene>) -> Self {
+        Self { letter, name, scene, run: None, visible: true, job: None }
+    }
+
     /// `A: thesis-baseline`.
     pub(crate) fn label(&self) -> String {
         format!("{}: {}", self.letter, self.name)

@@ -8,7 +8,7 @@ use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
 use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
-use crate::tui::pages::explore::plan::no_value;
+use crate::tui::pages::explore::plan::{cells, no_value};
 use crate::tui::pages::explore::state::{Picture, RESULTS, SETUP, SweepResult, nearest};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::{ROOMY, setup_width};
@@ -178,8 +178,8 @@ pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f6
     let Some(found) = found.filter(is_same) else { return Vec::new() };
     let (along, repeats) = grid.counts();
     let value = |grid: &Grid, at: (usize, usize)| number(grid.cell(at.0, at.1, output));
-    let all = (0..along).flat_map(|x| (0..repeats).map(move |y| (x, y)));
-    let size = all.map(|at| value(grid, at).abs()).filter(|it| it.is_finite()).fold(0.0, f64::max);
+    let all = points(grid, output).map(|it| number(it).abs());
+    let size = all.filter(|it| it.is_finite()).fold(0.0, f64::max);
     let curve = |y: usize| {
         let differs = |x: usize| (value(grid, (x, y)) - value(found, (x, y))).abs() > LINE * size;
         let point = |x: usize| (found.coordinate((x, y), 0), value(found, (x, y)));
@@ -240,8 +240,6 @@ struct ChartView<'a> {
     grid: &'a Grid,
     output: usize,
     column: &'static Quantity,
-    /// The value shown at every point; the second axis varies fastest.
-    points: Vec<grid::Cell>,
     scale: Scale,
     levels: Option<Levels>,
     values: chart::Axis<'static>,
@@ -250,33 +248,25 @@ struct ChartView<'a> {
 impl<'a> ChartView<'a> {
     fn of(app: &App, grid: &'a Grid) -> Self {
         let (output, column) = app.shown_output(grid);
-        let (along, up) = grid.counts();
-        let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-        let points = points.map(|(x, y)| grid.cell(x, y, output)).collect::<Vec<grid::Cell>>();
         let scale = app.pages.explore.value_scale;
         let empty = || {
             let unit = Unit::with_prefix(1.0, column.unit());
             chart::Axis::new("", ViewRange::default()).scale(scale).unit(unit)
         };
-        let values = || points.iter().map(|point| number(*point));
+        let values = || points(grid, output).map(number);
         Self {
             levels: Levels::of(scale, values()),
             values: chart::Axis::fitted("", column.unit(), scale, values()).unwrap_or_else(empty),
             grid,
             output,
             column,
-            points,
             scale,
         }
     }
 
-    fn point(&self, (x, y): (usize, usize)) -> grid::Cell {
-        self.points[x * self.grid.counts().1 + y]
-    }
-
     /// The value shown at a point; NaN if there is none.
-    fn value(&self, point: (usize, usize)) -> f64 {
-        number(self.point(point))
+    fn value(&self, (x, y): (usize, usize)) -> f64 {
+        number(self.grid.cell(x, y, self.output))
     }
 
     fn map(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -288,7 +278,7 @@ impl<'a> ChartView<'a> {
             let why = app.keymap.shown(&no_value(self.grid, self.output).join("\n"));
             return nothing_exists(&title, &why, area, canvas);
         };
-        let cell = |x: usize, y: usize| sweeps::cell(self.point((x, y)), self.scale);
+        let cell = |x: usize, y: usize| sweeps::cell(self.grid.cell(x, y, self.output), self.scale);
         let (x, y) = app.cursor_point(self.grid);
         let map = Map {
             contour: self.contour(app).map(|level| (level, self.column.show(level, 4).into())),
@@ -354,7 +344,7 @@ impl<'a> ChartView<'a> {
                 row += 1;
             }
         }
-        let marks = sweeps::marks(self.column, self.points.iter().copied(), self.scale);
+        let marks = sweeps::marks(self.column, points(self.grid, self.output), self.scale);
         for (letter, tone, words) in marks {
             canvas.put(inner, (2, row), &letter.to_string(), role(tone));
             let words = clip(words, usize::from(inner.width.saturating_sub(5)));
@@ -392,4 +382,9 @@ impl<'a> ChartView<'a> {
 /// The number of a point to draw; NaN where there is none.
 fn number(point: grid::Cell) -> f64 {
     point.value().unwrap_or(f64::NAN)
+}
+
+/// An output at every point of a grid.
+fn points(grid: &Grid, output: usize) -> impl Iterator<Item = grid::Cell> {
+    cells(grid).map(move |(x, y)| grid.cell(x, y, output))
 }

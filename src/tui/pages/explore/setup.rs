@@ -1,7 +1,5 @@
 //! The setup of Explore as a list: axes, output, and the variables that are held. No drawing.
 
-use std::ops::RangeInclusive;
-
 use crate::model::scene::Sweep;
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
@@ -9,7 +7,7 @@ use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::tui::pages::explore::state::{
-    Picture, SetupRow, Sweeping, completed, has_family, sweep_of,
+    CURVES, Picture, SetupRow, Sweeping, completed, has_family, sweep_of,
 };
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
@@ -114,9 +112,6 @@ impl App {
         .means(format!("{} (held); {}", meaning(variable), variable.allowed()))
     }
 }
-
-/// How many curves a family may have.
-pub(crate) const CURVES: RangeInclusive<u64> = 2..=7;
 
 /// What an action does to a held variable beside typing a number; `None` where it means nothing of its own.
 pub(crate) fn act(app: &mut App, action: Action) -> bool {

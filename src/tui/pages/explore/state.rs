@@ -4,6 +4,7 @@
 //! none, usual ones stand in until something is changed. The cursor only looks: until it is moved it stands on the grid point nearest
 //! to the scene.
 
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -23,8 +24,10 @@ pub use crate::worker::studies::Picture;
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
 pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
 
+/// How many curves a family may have.
+pub(crate) const CURVES: RangeInclusive<u64> = 2..=7;
 /// Curves of a family unless another number is chosen.
-const CURVES: u64 = 5;
+const USUAL_CURVES: u64 = 5;
 /// The axes that stand in where a scene has none: those of Figure 9.7, 9.10 and 9.11.
 const USUAL_AXES: [(&str, f64, f64, usize); 3] =
     [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
@@ -66,7 +69,7 @@ pub struct PicturePlan {
 
 impl Default for PicturePlan {
     fn default() -> Self {
-        Self { curves: CURVES, picture: Picture::Line }
+        Self { curves: USUAL_CURVES, picture: Picture::Line }
     }
 }
 

@@ -9,7 +9,6 @@ use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison};
 use crate::report::table::Table;
 use crate::study::quantities;
-use crate::tui::app::edit::{free_letter, insert, take_away};
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::page::prelude::*;
@@ -158,7 +157,7 @@ pub(crate) fn difference(app: &App) -> Option<String> {
 /// Pin the scene, or unpin it where it is pinned already.
 pub(crate) fn pin_scene(app: &mut App) {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
-        return unpinned(app, pin);
+        return unpinned(app, &pin);
     }
     let name = app.name_of(&app.scene);
     let scene = Arc::clone(&app.scene);
@@ -179,16 +178,16 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
         let text = format!("this scene is pinned already, as {}", pin.letter);
         return app.tell(text);
     }
-    let Some(letter) = free_letter(app, LETTERS) else {
+    let is_free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
+    let Some(letter) = LETTERS.into_iter().find(is_free) else {
         return app
             .refuse("all eight pins A to H are taken: <mark> on one in the pane Runs unpins it");
     };
     let shown = app.shown.as_ref().filter(|it| *it.run.scene == *scene && it.took.is_some());
     let run = shown.map(|shown| Arc::clone(&shown.run));
-    let pin = Pin { letter, name, scene, run, visible: true, job: None };
+    let pin = Pin { run, ..Pin::new(letter, name, scene) };
     app.tell(format!("pinned as {}", pin.label()));
-    insert(app, pin.clone());
-    edit::note_pinned(app, pin);
+    edit::pin(app, pin);
 }
 
 /// The pin selected in the table of runs, or why there is none.
@@ -206,14 +205,13 @@ fn selected(app: &mut App) -> Option<Pin> {
 
 pub(crate) fn unpin(app: &mut App) {
     if let Some(pin) = selected(app) {
-        unpinned(app, pin);
+        unpinned(app, &pin);
     }
 }
 
-fn unpinned(app: &mut App, pin: Pin) {
-    take_away(app, &pin);
+fn unpinned(app: &mut App, pin: &Pin) {
+    edit::unpin(app, pin);
     app.tell(format!("unpinned {} (<undo> undoes)", pin.label()));
-    edit::note_unpinned(app, pin);
 }
 
 pub(crate) fn load(app: &mut App) {
