@@ -197,7 +197,7 @@ impl FileQueue {
                 EffectReport::Saved(name, saved)
             }
             Task::Export(to, content) => {
-                EffectReport::Exported(to.path.clone(), export(to, &content))
+                EffectReport::Exported(to.path.clone(), export(&to, &content))
             }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
@@ -284,11 +284,10 @@ fn written(written: Result<Vec<PathBuf>, FileError>) -> ExportOutcome {
     }
 }
 
-fn export(to: Destination, content: &Content) -> ExportOutcome {
-    let to = to.placed(content.is_complete());
+fn export(to: &Destination, content: &Content) -> ExportOutcome {
     let written = atomic::ordinary(&to.path)
         .and_then(|()| content.text())
-        .and_then(|text| to.write(text.as_bytes(), &content.scenes()));
+        .and_then(|text| to.write(text.as_bytes(), &content.scenes(), content.is_complete()));
     self::written(written)
 }
 

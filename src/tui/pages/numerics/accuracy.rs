@@ -4,7 +4,7 @@ pub(crate) mod draw;
 
 use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
-use crate::report::accuracy::{TARGETS, advice, gain, percent, printed_scheme, seconds};
+use crate::report::accuracy::{TARGETS, advice, gain, printed_scheme, seconds};
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{ComparisonOptions, RESULTS};
 use crate::tui::pages::page::prelude::*;
@@ -62,12 +62,6 @@ impl App {
             };
             parts.push(part(Severity::Note, ending));
         }
-        let unsteady = report.unsteady();
-        if unsteady > 0 {
-            let timings = if unsteady == 1 { "timing" } else { "timings" };
-            let text = format!("{unsteady} {timings} unsteady: busy machine");
-            parts.push(part(Severity::Warning, text));
-        }
         parts
     }
 
@@ -113,24 +107,12 @@ impl App {
                 .collect();
             add(Role::Text, errors.join(", "));
         }
-        let mut reasons: Vec<(&str, usize)> = Vec::new();
-        for refusal in report.points.iter().filter_map(|point| point.result.err()) {
-            match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
-                Some((_, count)) => *count += 1,
-                None => reasons.push((refusal.words(), 1)),
-            }
-        }
         let total = report.points.len();
-        for (words, count) in reasons {
-            add(Role::Warning, format!("{count} of {total}: {words}"));
+        for (words, points) in report.refusals() {
+            add(Role::Warning, format!("{} of {total}: {words}", points.len()));
         }
         if let Some((_, it)) = tab.example() {
-            let spread = it
-                .timing
-                .spread()
-                .map_or_else(|| "run once".to_owned(), |spread| format!("+-{}", percent(spread)));
-            let steps = it.answer.steps;
-            add(Role::Text, format!("{} {spread}, {steps} steps", seconds(it.timing.min_s)));
+            add(Role::Text, format!("{}, {} steps", seconds(it.min_s), it.answer.steps));
         }
         lines
     }

@@ -92,7 +92,7 @@ impl Accuracy {
 
     pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Parameter, &Measured)> {
         let report = self.of(method)?;
-        let affordable = report.measured().filter(|(_, it)| it.timing.min_s <= time_s);
+        let affordable = report.measured().filter(|(_, it)| it.min_s <= time_s);
         affordable.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
     }
 
@@ -103,7 +103,7 @@ impl Accuracy {
         let time_s = self.cursor_s.unwrap_or(f64::INFINITY);
         self.best_within(method, time_s).or_else(|| {
             let all = self.of(method)?.measured();
-            all.min_by(|a, b| a.1.timing.min_s.total_cmp(&b.1.timing.min_s))
+            all.min_by(|a, b| a.1.min_s.total_cmp(&b.1.min_s))
         })
     }
 }
