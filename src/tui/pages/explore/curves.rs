@@ -8,7 +8,7 @@ use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
 use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
-use crate::tui::pages::explore::plan::{cells, no_value};
+use crate::tui::pages::explore::plan::no_value;
 use crate::tui::pages::explore::state::{Picture, RESULTS, SETUP, SweepResult, nearest};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::{ROOMY, setup_width};
@@ -178,7 +178,7 @@ pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f6
     let Some(found) = found.filter(is_same) else { return Vec::new() };
     let (along, repeats) = grid.counts();
     let value = |grid: &Grid, at: (usize, usize)| number(grid.cell(at.0, at.1, output));
-    let all = points(grid, output).map(|it| number(it).abs());
+    let all = sweeps::points(grid, output).map(|it| number(it).abs());
     let size = all.filter(|it| it.is_finite()).fold(0.0, f64::max);
     let curve = |y: usize| {
         let differs = |x: usize| (value(grid, (x, y)) - value(found, (x, y))).abs() > LINE * size;
@@ -253,7 +253,7 @@ impl<'a> ChartView<'a> {
             let unit = Unit::with_prefix(1.0, column.unit());
             chart::Axis::new("", ViewRange::default()).scale(scale).unit(unit)
         };
-        let values = || points(grid, output).map(number);
+        let values = || sweeps::points(grid, output).map(number);
         Self {
             levels: Levels::of(scale, values()),
             values: chart::Axis::fitted("", column.unit(), scale, values()).unwrap_or_else(empty),
@@ -344,7 +344,7 @@ impl<'a> ChartView<'a> {
                 row += 1;
             }
         }
-        let marks = sweeps::marks(self.column, points(self.grid, self.output), self.scale);
+        let marks = sweeps::marks(self.column, sweeps::points(self.grid, self.output), self.scale);
         for (letter, tone, words) in marks {
             canvas.put(inner, (2, row), &letter.to_string(), role(tone));
             let words = clip(words, usize::from(inner.width.saturating_sub(5)));
@@ -382,9 +382,4 @@ impl<'a> ChartView<'a> {
 /// The number of a point to draw; NaN where there is none.
 fn number(point: grid::Cell) -> f64 {
     point.value().unwrap_or(f64::NAN)
-}
-
-/// An output at every point of a grid.
-fn points(grid: &Grid, output: usize) -> impl Iterator<Item = grid::Cell> {
-    cells(grid).map(move |(x, y)| grid.cell(x, y, output))
 }

@@ -63,7 +63,7 @@ pub fn no_value(grid: &Grid, output: usize) -> [String; 2] {
     [why, cure.to_owned()]
 }
 
-pub(crate) fn cells(grid: &Grid) -> impl Iterator<Item = (usize, usize)> {
+fn cells(grid: &Grid) -> impl Iterator<Item = (usize, usize)> {
     let (along, up) = grid.counts();
     (0..along).flat_map(move |x| (0..up).map(move |y| (x, y)))
 }
