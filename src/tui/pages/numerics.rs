@@ -45,14 +45,15 @@ const COMMANDS: &[Command] = &[
 ];
 
 impl App {
-    /// Whether the tab shows nothing because its study looks at one plate and the scene is a stack.
-    pub fn needs_single_plate(&self) -> bool {
+    /// Why the tab shows nothing where its study looks at one plate and the scene is a stack.
+    pub(crate) fn needs_single_plate(&self) -> Option<String> {
         let is_empty = match self.pane() {
             ACCURACY => self.pages.numerics.accuracy.report.found.is_none(),
             STABILITY => self.pages.numerics.stability.map.found.is_none(),
             _ => false,
         };
-        is_empty && crate::model::variables::require_single(&self.scene).is_err()
+        let single = crate::model::variables::require_single(&self.scene);
+        single.err().filter(|_| is_empty).map(|error| error.to_string())
     }
 }
 
@@ -82,6 +83,9 @@ impl Page for NumericsTab {
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
+        if let Some(why) = app.needs_single_plate() {
+            return Some((Severity::Warning, why));
+        }
         match app.pane() {
             ACCURACY => note(app.accuracy_readout()),
             STABILITY => note(app.map_readout()),

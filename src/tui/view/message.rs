@@ -92,11 +92,6 @@ impl App {
         if self.dialog.is_some() {
             return None;
         }
-        if self.needs_single_plate()
-            && let Err(error) = crate::model::variables::require_single(&self.scene)
-        {
-            return Some((Severity::Warning, error.to_string()));
-        }
         let page = pages::of(self.tab);
         let meaning = page.form(self).and_then(|form| Some(form.line()?.meaning.clone()));
         let (severity, text) = note(meaning).or_else(|| page.readout(self, room))?;

@@ -34,19 +34,15 @@ impl App {
     pub fn accuracy_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.accuracy;
         let count = tab.points();
-        let progress = match (self.jobs.running::<Measurements>(), &tab.report.found) {
-            (Some(measuring), _) => {
-                Progress::Running(format!("measuring{}", measuring.counted("of", " points")))
-            }
-            _ if tab.report.is_old(&self.accuracy_scene()) => Progress::Old("scene"),
-            (None, Some(report)) if report.is_complete => {
-                Progress::Done(format!("measured {count} points"))
-            }
-            (None, Some(_)) => Progress::Cut(format!(" after {count} points")),
-            (None, None) if self.needs_single_plate() => {
+        let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
+        let scene = self.accuracy_scene();
+        let progress = match progress::<Measurements, _>(self, &tab.report, &scene, words) {
+            None => Progress::Done(format!("measured {count} points")),
+            Some(Progress::Cut(_)) => Progress::Cut(format!(" after {count} points")),
+            Some(Progress::Nothing) if self.needs_single_plate().is_some() => {
                 Progress::Done("nothing to measure".to_owned())
             }
-            (None, None) => Progress::Nothing,
+            Some(other) => other,
         };
         let mut parts = vec![progress.part()];
         let Some(report) = &tab.report.found else { return parts };

@@ -183,7 +183,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let pane = PaneFrame::new("Map").right(app.keymap.shown("<next-pane>: stiff scenes"));
         let pane = pane.focused(focused);
         let inner = pane.draw(area, canvas);
-        let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
+        let why = app.needs_single_plate().map(|_| NEEDS_SINGLE);
         return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", why));
     };
     let title = title(found) + old;
