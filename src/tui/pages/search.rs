@@ -64,26 +64,42 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-const BOTH: &[Pane] = &[SETUP, RESULTS];
 /// The pages, in the order of [`state::Page`].
 const PAGES: &[PageSpec] = &{
-    let [seek, front, sensitivity, monte_carlo] = state::Page::TITLES;
-    [
-        PageSpec { name: seek, panes: BOTH },
-        PageSpec { name: front, panes: BOTH },
-        PageSpec { name: sensitivity, panes: BOTH },
-        PageSpec { name: monte_carlo, panes: BOTH },
-    ]
+    let mut pages = [const { PageSpec { name: "", panes: &[SETUP, RESULTS] } }; state::Page::COUNT];
+    let mut at = 0;
+    while at < pages.len() {
+        pages[at].name = state::Page::ALL[at].title();
+        at += 1;
+    }
+    pages
 };
 
-#[rustfmt::skip]
-const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
-    Command::new(Call::Show(RESULTS, Some(0)), "Goal seek", "seek target solve inverse root"),
-    Command::new(Call::Show(RESULTS, Some(1)), "Pareto front", "optimise optimize best designs knee trade-off"),
-    Command::new(Call::Show(RESULTS, Some(2)), "Sensitivity", "sobol tornado importance ranking"),
-    Command::new(Call::Show(RESULTS, Some(3)), "Monte Carlo", "uncertainty scatter spread distribution histogram"),
-];
+/// The tab, then each of its pages.
+const COMMANDS: &[Command] = &{
+    let mut commands =
+        [const { Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design") };
+            state::Page::COUNT + 1];
+    let mut at = 0;
+    while at < state::Page::COUNT {
+        let (page, call) = (state::Page::ALL[at], Call::Show(RESULTS, Some(at)));
+        at += 1;
+        commands[at] = Command::new(call, page.title(), page.synonyms());
+    }
+    commands
+};
+
+/// What a page asks for, and by which rows of the setup.
+struct Study {
+    /// The rows of its setup, headings included.
+    rows: fn(&App) -> Vec<Row>,
+    /// What the setup asks for, over the variables that it varies.
+    request: fn(&App) -> Result<SearchRequest, String>,
+}
+
+/// The studies, in the order of [`state::Page`].
+const STUDIES: [Study; state::Page::COUNT] =
+    [seek::STUDY, front::STUDY, sensitivity::STUDY, monte_carlo::STUDY];
 
 pub(crate) struct SearchTab;
 
