@@ -35,6 +35,11 @@ const SLOW_EXIT: f64 = 0.05;
 /// Time up to which a plate is expanded without its singular laws, as part of the contact's duration.
 const MOMENT_MAX: f64 = 0.1;
 
+/// Exponent below which the plate oscillates on its spring so fast at first that every step must follow it.
+const STEEP_BELOW: f64 = 0.5;
+/// Radians by which a plate may oscillate ahead.
+const RADIANS_MAX: f64 = 2.0 * integration::STEPS_MAX as f64;
+
 /// One contact, prepared: everything that does not change during the contact.
 #[derive(Clone, Debug)]
 pub struct Contact {
@@ -45,6 +50,8 @@ pub struct Contact {
     start_m: f64,
     /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
     scale_s: Option<f64>,
+    /// How far the plate comes at least on a spring that starts steep at zero, m.
+    steep_reach_m: Option<f64>,
     /// A spring that is not a power law, a stop, or another interaction model.
     left_to_others: bool,
 }
@@ -94,11 +101,14 @@ impl Contact {
             constants: Constants::of(scene, cos, moves),
             start_m: if moves { start_m } else { 0.0 },
             scale_s: None,
+            steep_reach_m: None,
             left_to_others: mechanism.spring.curve().is_some()
                 || mechanism.stop.is_some()
                 || scene.contact.model != ContactModel::Hydrodynamic,
         };
         contact.scale_s = contact.scale();
+        let is_steep = contact.is_singular_spring() && contact.spring.exponent < STEEP_BELOW;
+        contact.steep_reach_m = if is_steep { contact.reach_m() } else { None };
         contact
     }
 
@@ -161,6 +171,11 @@ impl Contact {
         })
     }
 
+    /// Whether the spring is singular where the plate starts.
+    fn is_singular_spring(&self) -> bool {
+        self.start_m == 0.0 && !is_linear(self.spring)
+    }
+
     /// The first moment of the contact: first contact itself, or a little later where a law is singular there.
     fn begin(&self, accuracy: Accuracy) -> Option<Progress> {
         let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
@@ -174,7 +189,7 @@ impl Contact {
             max_displacement_m: start_m,
             steps: 0,
         };
-        let singular = (start_m == 0.0 && !is_linear(self.spring), !is_linear(self.damper));
+        let singular = (self.is_singular_spring(), !is_linear(self.damper));
         if singular == (false, false) {
             return Some(begin);
         }
@@ -186,14 +201,16 @@ impl Contact {
             plate_kg: 1.0 / plate_mobility,
             cos,
             start_m,
-            power: if start_m < 0.0 { 1.0 } else { 2.0 },
             tolerance: accuracy.tolerance,
             scale_m_s: larger(plate_m_s, PLATE_PART_MIN * velocity_m_s),
-            scale_s,
+            duration_s: scale_s,
         };
         let trusted = series.trusted(accuracy.tolerance, velocity_m_s, f64::INFINITY);
         let (t_s, state) =
             start.place(&series, unit_s, smaller(trusted, MOMENT_MAX / EVEN_UNIT))?;
+        if singular.0 && self.radians_ahead(t_s, state[2])? > RADIANS_MAX {
+            return None;
+        }
         let s = t_s.cbrt();
         let inside = state[0] < self.geometry.pieces().first()?.to_m && state[1] > 0.0;
         let clock = StepTime::Graded { s, unit: GRADED_UNIT * s };
@@ -211,6 +228,14 @@ impl Contact {
             let spring = Power::of(self.spring);
             self.constants.expand::<false>(spring, damper, begin.state, rates, area)
         })
+    }
+
+    /// By how many radians the plate will oscillate on a spring that starts at zero, if it is at `plate_m` by the time `t_s`: the
+    /// rate grows with the power (n - 1)/(2 n) of time.
+    fn radians_ahead(&self, t_s: f64, plate_m: f64) -> Option<f64> {
+        let rate = (self.spring.tangent(plate_m) * self.constants.plate_mobility).sqrt();
+        let power = 1.5 - 0.5 / self.spring.exponent;
+        Some(rate * t_s * ((self.scale_s? / t_s).powf(power) - 1.0) / power)
     }
 
     /// How far the plate comes at least: where the spring holds a part of the contact force that is reached for certain, m.
@@ -353,15 +378,6 @@ mod tests {
             let errors =
                 [(found.t_s / t_s - 1.0).abs(), (found.penetration_m / depth_m - 1.0).abs()];
             assert!(errors.iter().all(|error| *error < 1e-9), "{}: {errors:?}", row.changes);
-        }
-    }
-}
-impl Contact {
-    #[doc(hidden)]
-    pub fn debug_start(&self, tolerance: f64) {
-        let scale = self.scale_s.unwrap();
-        if let Some(p) = self.begin(Accuracy { tolerance, plate_m: f64::INFINITY }) {
-            println!("start at {:.2e} of the scale, piece end at {:?}", p.t_s / scale, p.state);
         }
     }
 }

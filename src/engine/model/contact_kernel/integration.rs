@@ -11,11 +11,14 @@ use crate::numerics::crossing::{dips, rise, zero};
 use crate::numerics::larger;
 
 /// Steps after which the simulation is the better method.
-const STEPS_MAX: usize = 1500;
+pub(super) const STEPS_MAX: usize = 1000;
 /// Part of its unit below which a step is tried again with a shorter one.
 const SHORT: f64 = 0.02;
 /// The least part of its unit that a step is shortened to at once.
 const SHORTER_MIN: f64 = 1e-3;
+
+/// Part of the tolerance for each of the many steps of a plate that oscillates fast.
+const STEEP_PART: f64 = 0.2;
 
 /// Where a contact is.
 #[derive(Clone, Copy, Debug)]
@@ -35,13 +38,6 @@ pub(super) struct Accuracy {
     pub(super) tolerance: f64,
     /// The plate's displacement matters against this, m; infinite where it matters only against the travel.
     pub(super) plate_m: f64,
-}
-
-/// Which laws are one analytic function on both sides of zero.
-#[derive(Clone, Copy)]
-struct Sides {
-    spring: bool,
-    damper: bool,
 }
 
 impl Contact {
@@ -75,9 +71,8 @@ impl Contact {
         spring: impl Law,
         damper: impl Law,
         mut progress: Progress,
-        Accuracy { tolerance, plate_m }: Accuracy,
+        accuracy: Accuracy,
     ) -> Option<ContactEnd> {
-        let sides = two_sided(spring, damper);
         let velocity_m_s = self.constants.velocity_m_s;
         while progress.steps < STEPS_MAX {
             let area = self.area_law(progress.piece)?;
@@ -85,12 +80,22 @@ impl Contact {
             let Progress { state, clock, .. } = progress;
             let series =
                 self.constants.expand::<GRADED>(spring, damper, state, clock.rates(), area);
-            let trusted = series.trusted(tolerance, velocity_m_s, plate_m);
-            if let ControlFlow::Break(end) = self.advance(&mut progress, sides, trusted, &series) {
+            let plate_m = self.plate_scale_m(state[2], accuracy);
+            let trusted = series.trusted(accuracy.tolerance, velocity_m_s, plate_m);
+            if let ControlFlow::Break(end) = self.advance(&mut progress, trusted, &series) {
                 return end;
             }
         }
         None
+    }
+
+    /// Against what the plate's displacement is measured at `plate_m`, m. On a spring that is steep at zero it oscillates about a place
+    /// that is tiny at first; its oscillations fade more slowly than that grows, and no step may lose the plate.
+    fn plate_scale_m(&self, plate_m: f64, accuracy: Accuracy) -> f64 {
+        match self.steep_reach_m {
+            Some(reach_m) => STEEP_PART * (plate_m * larger(reach_m, plate_m)).sqrt(),
+            None => accuracy.plate_m,
+        }
     }
 
     /// The area on a piece; `None` where it is not a polynomial.
@@ -106,7 +111,6 @@ impl Contact {
     fn advance(
         &self,
         progress: &mut Progress,
-        sides: Sides,
         trusted: f64,
         series: &Series,
     ) -> ControlFlow<Option<ContactEnd>> {
@@ -139,7 +143,7 @@ impl Contact {
             progress.max_displacement_m = larger(progress.max_displacement_m, top[2]);
         }
         progress.max_displacement_m = larger(progress.max_displacement_m, state[2]);
-        if !self.passes(sides, &state) {
+        if !self.passes(&state) {
             return ControlFlow::Break(None);
         }
         if stops && !at_end {
@@ -156,10 +160,11 @@ impl Contact {
         ControlFlow::Continue(())
     }
 
-    /// Whether the plate is still where its laws hold: on the side of zero on which it started, and going forward.
-    fn passes(&self, sides: Sides, state: &State) -> bool {
+    /// Whether the plate is still where its laws hold: on the side of zero on which it started, and going forward. A linear law holds
+    /// on both.
+    fn passes(&self, state: &State) -> bool {
         let on_its_side = if self.start_m < 0.0 { state[2] < 0.0 } else { state[2] > 0.0 };
-        (sides.spring || on_its_side) && (sides.damper || state[3] > 0.0)
+        (is_linear(self.spring) || on_its_side) && (is_linear(self.damper) || state[3] > 0.0)
     }
 
     fn end(&self, arrested: bool, progress: &Progress) -> ContactEnd {
@@ -174,8 +179,4 @@ impl Contact {
             steps: progress.steps,
         }
     }
-}
-
-fn two_sided<K: Law, D: Law>(_spring: K, _damper: D) -> Sides {
-    Sides { spring: K::TWO_SIDED, damper: D::TWO_SIDED }
 }

@@ -5,8 +5,6 @@ use crate::model::contact_kernel::expansion::{Coefficients, TERMS};
 use crate::model::mechanism::PowerLaw;
 
 pub(super) trait Law: Copy {
-    /// Whether it is one analytic function on both sides of zero.
-    const TWO_SIDED: bool;
     /// Coefficient J of the force, given the argument's coefficients up to J.
     fn term<const J: usize>(&mut self, z: &Coefficients) -> f64;
 }
@@ -16,7 +14,6 @@ pub(super) trait Law: Copy {
 pub(super) struct Linear(pub(super) f64);
 
 impl Law for Linear {
-    const TWO_SIDED: bool = true;
     #[inline(always)]
     fn term<const J: usize>(&mut self, z: &Coefficients) -> f64 {
         self.0 * z[J]
@@ -41,7 +38,6 @@ impl Power {
 }
 
 impl Law for Power {
-    const TWO_SIDED: bool = false;
     /// From z f' = exponent f z': j `z[0]` `f[j]` = sum over i of (exponent (i) - (j - i)) `z[i]` `f[j - i]`.
     #[inline(always)]
     fn term<const J: usize>(&mut self, z: &Coefficients) -> f64 {

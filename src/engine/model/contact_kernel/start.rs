@@ -1,46 +1,46 @@
 //! The first moment of a contact whose spring or damper is singular at zero, where the plate is at rest.
 //!
 //! Up to there the contact is expanded without these laws. What they take from the plate follows from its impulse,
-//! m w = integral of (F - D - K): over a moment that begins at rest a force grows with a power of time that hardly changes, so that its
-//! integral is its last value times t/(power + 1). The powers of displacement and velocity, a = t w/x and p = t w'/w, follow from the
-//! balance of forces there. Between inertia alone (a = 3, p = 2 against a force that grows with time) and a law that holds the plate
-//! alone (p by the law's exponent) they relax: both ends are exact.
+//! m w = integral of (F - D - K): from rest on a force grows with a power of time that hardly changes, so that its integral is its
+//! last value times t/(power + 1). The powers of displacement and velocity, a = t w/x and p = t w'/w, follow from the balance of
+//! forces at the end. They relax from those of inertia alone (3 and 2 against a force that grows with time) to those of a law
+//! that holds the plate alone; both limits are exact.
 
 use crate::model::contact_kernel::expansion::{Series, State, slope};
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::larger;
 
-/// What the velocity is wrong by per square of the laws' share of the driving force, relative, at most: for all exponents of both
-/// laws from 0.1 to 3, the plate's equation integrated in steps of a thousandth of the logarithm of time is closer.
-const MISSED: f64 = 0.15;
-/// The same per square of what the contact itself changes the power of the displacement by.
+/// What displacement and velocity are wrong by, relative, in units of e² s²/((1 + e²)(1 + s²)), at most: s is the laws' share of the
+/// driving force, and e the power of time with which that grows.
+const MISSED: f64 = 0.3;
+/// The same per square of the change that the contact itself makes to the power of the displacement.
 const BENT: f64 = 0.1;
+/// What the slip is wrong by in units of (t/duration)⁴, at most, if the plate stays where it would have moved freely: the sixth part
+/// of the product of the bodies' parts of the mobility, which is a quarter at most.
+const HELD: f64 = 1.0 / 24.0;
 /// Part of the tolerance that the start may use up.
 const TOLERANCE_PART: f64 = 0.2;
-/// Share of the driving force up to which a law may be put in that grows faster than that.
-const SHARE_MAX: f64 = 0.3;
-/// Rounds for the length of the moment, and for the balance at its end: both gain two digits or more each.
+/// Rounds for the length of the moment.
 const ROUNDS: usize = 8;
+/// Rounds for the balance at its end, each of which gains two digits or more.
 const BALANCE_ROUNDS: usize = 3;
-/// The least power of time by which a plate is taken to start.
+/// The least power of time with which a plate is taken to start.
 const POWER_MIN: f64 = 0.1;
 
 /// A singular start.
 pub(super) struct Start {
-    /// Coefficient zero where it is not singular.
+    /// The laws that are singular; coefficient zero for one that is not.
     pub(super) spring: PowerLaw,
     pub(super) damper: PowerLaw,
     pub(super) plate_kg: f64,
     pub(super) cos: f64,
     /// Where the plate starts, m.
     pub(super) start_m: f64,
-    /// The power of time with which the plate's velocity starts without these laws.
-    pub(super) power: f64,
     pub(super) tolerance: f64,
-    /// The contact's velocity or, where the plate's own displacement matters, its, m/s.
+    /// The projectile's velocity or, where the plate's own displacement matters, that of the plate, m/s.
     pub(super) scale_m_s: f64,
     /// The contact's duration, s.
-    pub(super) scale_s: f64,
+    pub(super) duration_s: f64,
 }
 
 /// A moment after first contact without the singular laws.
@@ -55,8 +55,8 @@ struct Moment {
 }
 
 impl Start {
-    /// The time, s, and the state a moment after first contact, from its expansion without these laws in units of `unit_s` that is
-    /// trusted up to `span`; `None` where there is none.
+    /// The time, s, and the state a moment after first contact, from the contact's expansion without these laws in units of `unit_s`,
+    /// which is trusted up to `span`; `None` where there is none.
     pub(super) fn place(
         &self,
         series: &Series,
@@ -64,7 +64,10 @@ impl Start {
         mut span: f64,
     ) -> Option<(f64, State)> {
         for _ in 0..ROUNDS {
-            let moment = self.moment(series, unit_s, span)?;
+            let Some(moment) = self.moment(series, unit_s, span) else {
+                span *= 0.5;
+                continue;
+            };
             let (excess, power) = self.excess(&moment);
             if excess <= 1.0 {
                 return Some((moment.t_s, self.with_laws(&moment)));
@@ -74,43 +77,53 @@ impl Start {
         None
     }
 
+    /// The moment at `span`; `None` where the plate does not go forward.
     fn moment(&self, series: &Series, unit_s: f64, span: f64) -> Option<Moment> {
         let (t_s, state) = (unit_s * span, series.state(span));
-        let [_, slip, plate_m, w] = state;
-        let x = plate_m - self.start_m;
+        let (x, w) = (state[2] - self.start_m, state[3]);
         let driving_n = self.plate_kg * slope(&series.speed, span) / unit_s;
-        let moves_on = slip > 0.0 && x > 0.0 && w > 0.0 && driving_n > 0.0;
         let p = t_s * driving_n / (self.plate_kg * w);
-        moves_on.then_some(Moment { t_s, state, driving_n, a: w * t_s / x, p })
+        let goes_on = state[1] > 0.0 && x > 0.0 && w > 0.0 && driving_n > 0.0;
+        goes_on.then_some(Moment { t_s, state, driving_n, a: w * t_s / x, p })
     }
 
-    /// By how many times the error that is left would exceed its part of the tolerance, and with which power of time that falls.
-    fn excess(&self, moment: &Moment) -> (f64, f64) {
-        let [_, _, plate_m, w] = moment.state;
-        let spring = self.spring.force(plate_m - self.start_m) / moment.driving_n;
-        let damper = self.damper.force(w) / moment.driving_n;
-        let (spring_power, damper_power) = self.powers(moment);
-        let (share, power) =
-            if spring > damper { (spring, spring_power) } else { (damper, damper_power) };
-        let (powers, squares) = (power * power, share * share);
-        // A law that begins stronger than the driving force has been so before.
-        let of_one = if power > 0.0 { squares / (1.0 + squares) } else { 1.0 };
-        let bent = moment.a - (self.power + 1.0);
-        let part = share / (1.0 + share);
-        let missed = MISSED * powers / (1.0 + powers) * of_one + BENT * part * bent * bent;
-        let allowed = TOLERANCE_PART * self.tolerance;
-        let by_plate = self.cos * missed * w / (allowed * self.scale_m_s);
-        // What the contact force does to the projectile is known as if these laws were not there.
-        let elapsed = (moment.t_s / self.scale_s).powi(4);
-        let by_projectile = part * elapsed / allowed;
-        let by_share = if power > 0.0 { share / SHARE_MAX } else { 0.0 };
-        (larger(larger(by_plate, by_projectile), by_share), larger(power, 0.0) + 2.0)
+    /// The power of time with which the plate's velocity begins.
+    fn first_power(&self) -> f64 {
+        // A preload pushes at once, the contact in proportion to time.
+        if self.start_m < 0.0 { 1.0 } else { 2.0 }
     }
 
-    /// With which powers of time the laws' shares of the driving force grow.
-    fn powers(&self, moment: &Moment) -> (f64, f64) {
+    /// With which powers of time the laws' shares of the driving force grow, the spring's first.
+    fn growths(&self, moment: &Moment) -> (f64, f64) {
         let driving = moment.p - 1.0;
         (self.spring.exponent * moment.a - driving, self.damper.exponent * moment.p - driving)
+    }
+
+    /// How many times the error that is left is larger than its part of the tolerance, and with which power of time it grows.
+    fn excess(&self, moment: &Moment) -> (f64, f64) {
+        let [_, _, plate_m, w] = moment.state;
+        let n = self.spring.exponent;
+        let held = self.spring.force(plate_m - self.start_m) / moment.driving_n;
+        let damped = self.damper.force(w) / moment.driving_n;
+        let (by_spring, by_damper) = self.growths(moment);
+        let (share, growth) = if held > damped { (held, by_spring) } else { (damped, by_damper) };
+        let part = |x: f64| x / (1.0 + x);
+        // A law whose share falls has been stronger before.
+        let of_share = if growth > 0.0 { part(share * share) } else { 1.0 };
+        let bent = moment.a - (self.first_power() + 1.0);
+        let missed = MISSED * part(growth * growth) * of_share + BENT * part(share) * bent * bent;
+        let elapsed = moment.t_s / self.duration_s;
+        let (plate, power) = if growth < 0.0 && held > damped {
+            // The plate oscillates about the balance. By the action that it keeps, that fades against its displacement.
+            let fades = (3.0 + n) / (4.0 * n);
+            (missed * elapsed.powf(fades), fades)
+        } else {
+            let power = 2.0 + 2.0 * larger(growth, 0.0) / (1.0 + share * share);
+            (self.cos * missed * w / self.scale_m_s, power)
+        };
+        let projectile = HELD * part(share) * elapsed.powi(4);
+        let allowed = TOLERANCE_PART * self.tolerance;
+        if projectile > plate { (projectile / allowed, 4.0) } else { (plate / allowed, power) }
     }
 
     /// The state with what the laws have taken from the plate.
@@ -118,12 +131,11 @@ impl Start {
         let t_s = moment.t_s;
         let [travel, slip, plate_m, free_m_s] = moment.state;
         let (m, n) = (self.damper.exponent, self.spring.exponent);
-        let (spring_power, damper_power) = self.powers(moment);
-        // A force that is bent on its way: its integral feels less of that than its end.
-        let straightened =
-            |start: f64, end: f64| start + (end - start) * (start + 1.0) / (start + 2.0);
-        let spring_free = straightened(n * (self.power + 1.0), n * moment.a);
-        let damper_free = straightened(m * self.power, m * moment.p);
+        let (by_spring, by_damper) = self.growths(moment);
+        // The integral of a force whose power changes on its way feels less of that than its end.
+        let mean = |first: f64, last: f64| first + (last - first) * (first + 1.0) / (first + 2.0);
+        let spring_power = mean(n * (self.first_power() + 1.0), n * moment.a);
+        let damper_power = mean(m * self.first_power(), m * moment.p);
         let (mut w, mut a, mut p) = (free_m_s, moment.a, moment.p);
         for _ in 0..BALANCE_ROUNDS {
             let (held, damped) = (self.spring.force(w * t_s / a), self.damper.force(w));
@@ -132,22 +144,103 @@ impl Start {
             let whole = inertia + held + damped;
             let balanced =
                 (inertia + (moment.p - 1.0) * whole - n * held) / (inertia + m * damped + n * held);
-            let fastest = if held > damped { spring_power } else { damper_power };
-            let relaxing = larger(fastest * inertia / whole, 0.0);
-            p = larger(
-                moment.p + (balanced - moment.p) * moment.p / (moment.p + relaxing),
-                POWER_MIN,
-            );
+            let growth = if held > damped { by_spring } else { by_damper };
+            let relaxing = larger(growth * inertia / whole, 0.0);
+            p = moment.p + (balanced - moment.p) * moment.p / (moment.p + relaxing);
+            p = larger(p, POWER_MIN);
             a = moment.a + (p - moment.p) * moment.a / (moment.a + relaxing);
             // The impulse: a step of Newton's method on the logarithm, where powers are lines.
-            let by_spring = held * t_s / (1.0 + spring_free + n * (a - moment.a));
-            let by_damper = damped * t_s / (1.0 + damper_free + m * (p - moment.p));
-            let sum = self.plate_kg * w + by_spring + by_damper;
-            let slope = (self.plate_kg * w + n * by_spring + m * by_damper) / sum;
+            let to_spring = held * t_s / (1.0 + spring_power + n * (a - moment.a));
+            let to_damper = damped * t_s / (1.0 + damper_power + m * (p - moment.p));
+            let sum = self.plate_kg * w + to_spring + to_damper;
+            let slope = (self.plate_kg * w + n * to_spring + m * to_damper) / sum;
             w *= (self.plate_kg * free_m_s / sum).powf(1.0 / slope);
         }
         let x = self.start_m + w * t_s / a;
-        let travel = travel - self.cos * (x - plate_m);
-        [travel, slip - self.cos * (w - free_m_s), x, w]
+        let (dx, dw) = (x - plate_m, w - free_m_s);
+        [travel - self.cos * dx, slip - self.cos * dw, x, w]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a plate of 1 kg that is pushed by the time alone, a second after.
+    fn moment() -> Moment {
+        Moment { t_s: 1.0, state: [1.0, 1.0, 1.0 / 6.0, 0.5], driving_n: 1.0, a: 3.0, p: 2.0 }
+    }
+
+    fn start(spring: PowerLaw, damper: PowerLaw) -> Start {
+        let (plate_kg, cos, start_m, tolerance) = (1.0, 1.0, 0.0, 1e-9);
+        Start { spring, damper, plate_kg, cos, start_m, tolerance, scale_m_s: 1.0, duration_s: 1.0 }
+    }
+
+    /// Displacement and velocity after a second by w' = t - k x^n - b w^m: steps of the classical Runge-Kutta method in the logarithm of
+    /// time for the logarithms of both, from when inertia or the law was all.
+    fn by_small_steps(start: &Start) -> [f64; 2] {
+        const STEPS: i32 = 12_000;
+        const FROM: f64 = -16.0;
+        let slopes = |s: f64, [x, w]: [f64; 2]| {
+            let (t, x, w) = (s.exp(), x.exp(), w.exp());
+            [w * t / x, t * (t - start.spring.force(x) - start.damper.force(w)) / w]
+        };
+        let early = FROM.exp();
+        let free = Moment {
+            t_s: early,
+            state: [early, 1.0, early.powi(3) / 6.0, early * early / 2.0],
+            driving_n: early,
+            ..moment()
+        };
+        let state = start.with_laws(&free);
+        let (h, mut at) = (-FROM / f64::from(STEPS), [state[2].ln(), state[3].ln()]);
+        for i in 0..STEPS {
+            let s = FROM + h * f64::from(i);
+            let go = |by: f64, k: [f64; 2]| [at[0] + by * k[0], at[1] + by * k[1]];
+            let a = slopes(s, at);
+            let b = slopes(s + 0.5 * h, go(0.5 * h, a));
+            let c = slopes(s + 0.5 * h, go(0.5 * h, b));
+            let d = slopes(s + h, go(h, c));
+            at = [0, 1].map(|i| at[i] + h / 6.0 * (a[i] + 2.0 * (b[i] + c[i]) + d[i]));
+        }
+        at.map(f64::exp)
+    }
+
+    #[test]
+    fn valid_the_plate_is_where_small_steps_bring_it() {
+        for exponent in [0.36, 0.4, 0.5, 0.75, 1.4, 2.5] {
+            for share in [0.03, 0.3, 1.0] {
+                let coefficient = share * 6f64.powf(exponent);
+                let start = start(PowerLaw { coefficient, exponent }, PowerLaw::NONE);
+                check(&start, 3.0 * exponent - 1.0, share);
+            }
+        }
+        for exponent in [0.5, 0.6, 1.5, 2.0] {
+            for share in [0.03, 0.3, 1.0, 10.0] {
+                let coefficient = share * 2f64.powf(exponent);
+                let start = start(PowerLaw::NONE, PowerLaw { coefficient, exponent });
+                check(&start, 2.0 * exponent - 1.0, share);
+            }
+        }
+    }
+
+    fn check(start: &Start, growth: f64, share: f64) {
+        let [x, w] = by_small_steps(start);
+        let state = start.with_laws(&moment());
+        let error = larger((state[2] / x - 1.0).abs(), (state[3] / w - 1.0).abs());
+        let (growth, share) = (growth * growth, share * share);
+        let allowed = MISSED * growth / (1.0 + growth) * share / (1.0 + share) + 1e-6;
+        assert!(error < allowed, "{:?} {:?}: {error:e}", start.spring, start.damper);
+    }
+
+    /// What the plate does not move by, the projectile gains.
+    #[test]
+    fn the_projectiles_own_motion_is_that_without_the_laws() {
+        let start = start(PowerLaw { coefficient: 1.0, exponent: 0.5 }, PowerLaw::NONE);
+        let (free, state) = (moment().state, start.with_laws(&moment()));
+        let own = |state: State| [state[0] + state[2], state[1] + state[3]];
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-15;
+        assert!(near(own(free)[0], own(state)[0]) && near(own(free)[1], own(state)[1]));
+        assert!(state[2] < free[2] && state[3] < free[3]);
     }
 }
