@@ -46,6 +46,9 @@ pub struct Contact {
     geometry: Geometry,
     spring: PowerLaw,
     damper: PowerLaw,
+    /// Or none at all.
+    has_linear_spring: bool,
+    has_linear_damper: bool,
     constants: Constants,
     start_m: f64,
     /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
@@ -94,10 +97,14 @@ impl Contact {
             mechanism.damper = PowerLaw::NONE;
         }
         let moves = scene.plate.mount == Mount::Sprung && !still;
+        let spring = mechanism.spring.power().unwrap_or(PowerLaw::NONE);
+        let damper = mechanism.damper;
         let mut contact = Self {
             geometry,
-            spring: mechanism.spring.power().unwrap_or(PowerLaw::NONE),
-            damper: mechanism.damper,
+            spring,
+            damper,
+            has_linear_spring: is_linear(spring),
+            has_linear_damper: is_linear(damper),
             constants: Constants::of(scene, cos, moves),
             start_m: if moves { start_m } else { 0.0 },
             scale_s: None,
@@ -173,7 +180,7 @@ impl Contact {
 
     /// Whether the spring is singular where the plate starts.
     fn is_singular_spring(&self) -> bool {
-        self.start_m == 0.0 && !is_linear(self.spring)
+        self.start_m == 0.0 && !self.has_linear_spring
     }
 
     /// The first moment of the contact: first contact itself, or a little later where a law is singular there.
@@ -189,7 +196,7 @@ impl Contact {
             max_displacement_m: start_m,
             steps: 0,
         };
-        let singular = (self.is_singular_spring(), !is_linear(self.damper));
+        let singular = (self.is_singular_spring(), !self.has_linear_damper);
         if singular == (false, false) {
             return Some(begin);
         }
@@ -208,7 +215,7 @@ impl Contact {
         let trusted = series.trusted(accuracy.tolerance, velocity_m_s, f64::INFINITY);
         let (t_s, state) =
             start.place(&series, unit_s, smaller(trusted, MOMENT_MAX / EVEN_UNIT))?;
-        if singular.0 && self.radians_ahead(t_s, state[2])? > RADIANS_MAX {
+        if self.steep_reach_m.is_some() && self.radians_ahead(t_s, state[2])? > RADIANS_MAX {
             return None;
         }
         let s = t_s.cbrt();
@@ -221,7 +228,7 @@ impl Contact {
     fn without_singular(&self, begin: &Progress, (spring, damper): (bool, bool)) -> Option<Series> {
         let (rates, area) = (begin.clock.rates(), self.area_law(begin.piece)?);
         let damper = Linear(if damper { 0.0 } else { self.damper.coefficient });
-        Some(if is_linear(self.spring) || spring {
+        Some(if self.has_linear_spring || spring {
             let spring = Linear(if spring { 0.0 } else { self.spring.coefficient });
             self.constants.expand::<false>(spring, damper, begin.state, rates, area)
         } else {

@@ -6,12 +6,12 @@ use std::ops::ControlFlow;
 use crate::model::contact::AreaLaw;
 use crate::model::contact_kernel::expansion::{Area, Series, State, StepTime, slope};
 use crate::model::contact_kernel::law::{Law, Linear, Power};
-use crate::model::contact_kernel::{Contact, ContactEnd, is_linear};
+use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::numerics::crossing::{dips, rise, zero};
 use crate::numerics::larger;
 
 /// Steps after which the simulation is the better method.
-pub(super) const STEPS_MAX: usize = 1000;
+pub(super) const STEPS_MAX: usize = 1500;
 /// Part of its unit below which a step is tried again with a shorter one.
 const SHORT: f64 = 0.02;
 /// The least part of its unit that a step is shortened to at once.
@@ -44,9 +44,9 @@ impl Contact {
     /// Go on by steps to the end; `None` where the simulation must take over.
     pub(super) fn integrate(&self, progress: Progress, accuracy: Accuracy) -> Option<ContactEnd> {
         let spring = Linear(self.spring.coefficient);
-        if is_linear(self.damper) {
+        if self.has_linear_damper {
             let damper = Linear(self.damper.coefficient);
-            match (is_linear(self.spring), progress.clock) {
+            match (self.has_linear_spring, progress.clock) {
                 (true, _) => self.by_laws::<false>(spring, damper, progress, accuracy),
                 (false, StepTime::Even { .. }) => {
                     self.by_laws::<false>(Power::of(self.spring), damper, progress, accuracy)
@@ -58,7 +58,7 @@ impl Contact {
         } else {
             // A singular damper always starts on a graded clock.
             let damper = Power::of(self.damper);
-            if is_linear(self.spring) {
+            if self.has_linear_spring {
                 self.by_laws::<true>(spring, damper, progress, accuracy)
             } else {
                 self.by_laws::<true>(Power::of(self.spring), damper, progress, accuracy)
@@ -164,7 +164,7 @@ impl Contact {
     /// on both.
     fn passes(&self, state: &State) -> bool {
         let on_its_side = if self.start_m < 0.0 { state[2] < 0.0 } else { state[2] > 0.0 };
-        (is_linear(self.spring) || on_its_side) && (is_linear(self.damper) || state[3] > 0.0)
+        (self.has_linear_spring || on_its_side) && (self.has_linear_damper || state[3] > 0.0)
     }
 
     fn end(&self, arrested: bool, progress: &Progress) -> ContactEnd {

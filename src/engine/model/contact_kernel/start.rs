@@ -12,7 +12,7 @@ use crate::numerics::larger;
 
 /// What displacement and velocity are wrong by, relative, in units of e² s²/((1 + e²)(1 + s²)), at most: s is the laws' share of the
 /// driving force, and e the power of time with which that grows.
-const MISSED: f64 = 0.3;
+const MISSED: f64 = 0.2;
 /// The same per square of the change that the contact itself makes to the power of the displacement.
 const BENT: f64 = 0.1;
 /// What the slip is wrong by in units of (t/duration)⁴, at most, if the plate stays where it would have moved freely: the sixth part
@@ -113,17 +113,18 @@ impl Start {
         let bent = moment.a - (self.first_power() + 1.0);
         let missed = MISSED * part(growth * growth) * of_share + BENT * part(share) * bent * bent;
         let elapsed = moment.t_s / self.duration_s;
-        let (plate, power) = if growth < 0.0 && held > damped {
-            // The plate oscillates about the balance. By the action that it keeps, that fades against its displacement.
+        let slip = self.cos * missed * w / self.scale_m_s;
+        let plate = if growth < 0.0 && held > damped {
+            // The plate oscillates about a balance that is much closer. It keeps its action: that fades against its displacement.
             let fades = (3.0 + n) / (4.0 * n);
-            (missed * elapsed.powf(fades), fades)
+            let closer = 1.0 + share.powf(1.0 / n);
+            (larger(slip / closer, missed * elapsed.powf(fades)), fades)
         } else {
-            let power = 2.0 + 2.0 * larger(growth, 0.0) / (1.0 + share * share);
-            (self.cos * missed * w / self.scale_m_s, power)
+            (slip, 2.0 + 2.0 * larger(growth, 0.0) / (1.0 + share * share))
         };
-        let projectile = HELD * part(share) * elapsed.powi(4);
-        let allowed = TOLERANCE_PART * self.tolerance;
-        if projectile > plate { (projectile / allowed, 4.0) } else { (plate / allowed, power) }
+        let projectile = (HELD * part(share) * elapsed.powi(4), 4.0);
+        let (error, power) = if projectile.0 > plate.0 { projectile } else { plate };
+        (error / (TOLERANCE_PART * self.tolerance), power)
     }
 
     /// The state with what the laws have taken from the plate.
