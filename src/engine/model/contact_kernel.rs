@@ -196,15 +196,14 @@ impl Contact {
             max_displacement_m: start_m,
             steps: 0,
         };
-        let singular = (self.is_singular_spring(), !self.has_linear_damper);
-        if singular == (false, false) {
+        if self.has_linear_damper && !self.is_singular_spring() {
             return Some(begin);
         }
-        let series = self.without_singular(&begin, singular)?;
+        let series = self.without_laws(&begin)?;
         let plate_m_s = smaller(accuracy.plate_m / scale_s, velocity_m_s);
         let start = Start {
-            spring: self.spring.only_if(singular.0),
-            damper: self.damper.only_if(singular.1),
+            spring: self.spring.only_if(start_m == 0.0),
+            damper: self.damper,
             plate_kg: 1.0 / plate_mobility,
             cos,
             start_m,
@@ -224,16 +223,17 @@ impl Contact {
         inside.then_some(Progress { t_s, state, clock, steps: 1, ..begin })
     }
 
-    /// The contact from its beginning without the laws that are singular there.
-    fn without_singular(&self, begin: &Progress, (spring, damper): (bool, bool)) -> Option<Series> {
-        let (rates, area) = (begin.clock.rates(), self.area_law(begin.piece)?);
-        let damper = Linear(if damper { 0.0 } else { self.damper.coefficient });
-        Some(if self.has_linear_spring || spring {
-            let spring = Linear(if spring { 0.0 } else { self.spring.coefficient });
-            self.constants.expand::<false>(spring, damper, begin.state, rates, area)
+    /// The contact from its beginning without spring and damper, but with the preload of a cocked spring.
+    fn without_laws(&self, begin: &Progress) -> Option<Series> {
+        let (state, rates, area) = (begin.state, begin.clock.rates(), self.area_law(begin.piece)?);
+        let none = Linear(0.0);
+        Some(if self.start_m == 0.0 {
+            self.constants.expand::<false>(none, none, state, rates, area)
+        } else if self.has_linear_spring {
+            let spring = Linear(self.spring.coefficient);
+            self.constants.expand::<false>(spring, none, state, rates, area)
         } else {
-            let spring = Power::of(self.spring);
-            self.constants.expand::<false>(spring, damper, begin.state, rates, area)
+            self.constants.expand::<false>(Power::of(self.spring), none, state, rates, area)
         })
     }
 
@@ -324,34 +324,28 @@ mod tests {
         }
     }
 
-    /// A plate that stays on its spring's slow manifold, one that is set oscillating where nose meets cylinder, one that leaves
-    /// the manifold, one with a damper, one that is perforated, one that hardly moves.
+    /// A plate that moves freely before its spring holds it, one with a damper, one that is perforated, one that oscillates hundreds of
+    /// times, one in between inertia and spring for all the time.
     #[test]
-    fn a_plate_on_its_springs_slow_manifold_moves_as_far_as_by_the_simulation() {
+    fn a_plate_on_a_spring_below_a_third_moves_as_far_as_by_the_simulation() {
         for pairs in [
-            "k=1e6 n=0.158 v_i=90",
-            "k=5e5 n=0.187",
             "k=1e5 n=0.187 gamma=3",
-            "k=1e5 n=0.15 b=500",
+            "k=5e4 n=0.187 b=500",
             "k=1e5 n=0.2 h=0.004 v_i=300",
-            // It hardly moves: nothing may be lost between its velocity and the projectile's.
-            "k=1e6 n=0.24 v_i=60 gamma=0.8",
-            // It could reach the manifold only so late that it never does.
+            "k=1e6 n=0.303",
             "k=2.25e6 n=0.332",
         ] {
             let mut scene = scene(pairs);
             scene.run.tolerance = 1e-12;
             let (t_s, depth_m) = full(&scene);
-            for tolerance in [1e-6, 1e-8] {
-                let end = Contact::of(&scene).run(tolerance).unwrap();
+            for tolerance in [1e-6, 1e-8, 1e-10] {
+                let end = Contact::of(&scene).run_minding_plate(tolerance).unwrap();
                 let errors = [end.t_s / t_s - 1.0, end.penetration_m / depth_m - 1.0];
-                assert!(
-                    errors.iter().all(|e| e.abs() < tolerance),
-                    "{pairs} {tolerance:e} {errors:?}"
-                );
+                let holds = errors.iter().all(|e| e.abs() < tolerance);
+                assert!(holds, "{pairs} {tolerance:e} {errors:?}");
                 let Some(arrest) = bare_run(&scene).first_arrest else { continue };
                 let error = end.plate_displacement_m / arrest.plate_displacement_m - 1.0;
-                assert!(error.abs() < 30.0 * tolerance + 1e-7, "{pairs} {tolerance:e} {error:e}");
+                assert!(error.abs() < 30.0 * tolerance + 1e-9, "{pairs} {tolerance:e} {error:e}");
             }
         }
     }
@@ -370,9 +364,13 @@ mod tests {
 
     #[test]
     fn scenes_it_is_not_made_for_are_left_to_the_simulation() {
-        for pairs in
-            ["k=1e5 x_stop=0.01", "d=0.001 k=1e6 n=0.5", "theta=30deg k=1e5 v_i=150", "b=1e8 k=1e7"]
-        {
+        for pairs in [
+            "k=1e5 x_stop=0.01",
+            "d=0.001 k=1e6 n=0.5",
+            "theta=30deg k=1e5 v_i=150",
+            "b=1e8 k=1e7",
+            "k=1e6 n=0.158",
+        ] {
             assert_eq!(Contact::of(&scene(pairs)).run(1e-9), None, "{pairs}");
         }
     }

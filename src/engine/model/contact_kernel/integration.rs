@@ -108,6 +108,7 @@ impl Contact {
 
     /// Take a step as far as it is trusted, or to what ends it before. Breaks with the end of the contact, or with nothing where the
     /// simulation must take over.
+    #[inline(always)]
     fn advance(
         &self,
         progress: &mut Progress,

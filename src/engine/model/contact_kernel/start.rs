@@ -12,7 +12,7 @@ use crate::numerics::larger;
 
 /// What displacement and velocity are wrong by, relative, in units of e² s²/((1 + e²)(1 + s²)), at most: s is the laws' share of the
 /// driving force, and e the power of time with which that grows.
-const MISSED: f64 = 0.2;
+const MISSED: f64 = 0.3;
 /// The same per square of the change that the contact itself makes to the power of the displacement.
 const BENT: f64 = 0.1;
 /// What the slip is wrong by in units of (t/duration)⁴, at most, if the plate stays where it would have moved freely: the sixth part
@@ -29,7 +29,7 @@ const POWER_MIN: f64 = 0.1;
 
 /// A singular start.
 pub(super) struct Start {
-    /// The laws that are singular; coefficient zero for one that is not.
+    /// Coefficient zero of a spring that is cocked: it acts from the beginning.
     pub(super) spring: PowerLaw,
     pub(super) damper: PowerLaw,
     pub(super) plate_kg: f64,
@@ -43,7 +43,7 @@ pub(super) struct Start {
     pub(super) duration_s: f64,
 }
 
-/// A moment after first contact without the singular laws.
+/// A moment after first contact without these laws.
 struct Moment {
     t_s: f64,
     state: State,
