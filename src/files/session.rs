@@ -23,10 +23,6 @@ const RECENT_MAX: usize = 10;
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
 const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
 
-/// Edits that can be undone after a restart, and the bytes that their scenes may take.
-pub const UNDO_MAX: usize = 20;
-const UNDO_BYTES_MAX: usize = 1 << 16;
-
 /// The text before the writer's name in the head of the file.
 const WRITER: &str = "written by workbench ";
 
@@ -45,19 +41,6 @@ pub struct Session {
     pub setup: Setup,
     /// Scene files opened or saved, newest first.
     pub recent: Vec<PathBuf>,
-    /// The last edits that can be undone, oldest first.
-    pub undo: Vec<UndoStep>,
-}
-
-/// An edit of the scene that can be undone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct UndoStep {
-    /// What it did: `gamma 1 -> 1.25`.
-    pub label: String,
-    /// The scene before it.
-    pub scene: Scene,
-    /// Name or path of the preset which that came from.
-    pub preset: String,
 }
 
 /// How the workbench was set, as far as a person chose it.
@@ -93,13 +76,13 @@ pub enum Switch {
 #[serde(default)]
 pub struct Setup {
     /// The absorber that the Limit tab compares with.
-    #[serde(alias = "Limit: absorber", deserialize_with = "readable")]
+    #[serde(deserialize_with = "readable")]
     pub absorber: Option<String>,
     /// What Explore shows.
-    #[serde(alias = "Explore", deserialize_with = "readable")]
+    #[serde(deserialize_with = "readable")]
     pub explore: Option<Explore>,
     /// What Search looks for.
-    #[serde(alias = "Search", deserialize_with = "readable")]
+    #[serde(deserialize_with = "readable")]
     pub search: Option<Search>,
 }
 
@@ -127,10 +110,8 @@ pub struct Search {
     pub bounds: Vec<(String, bool)>,
     /// The objectives of a front.
     pub minimise: Option<Vec<String>>,
-    /// The greatest stroke, m; without one there is no bound.
-    pub stroke_m: Option<f64>,
-    /// Further bounds that designs have to keep.
-    pub subject_to: Vec<String>,
+    /// Bounds that designs have to keep.
+    pub subject_to: Option<Vec<String>>,
     /// Only feasible designs count.
     pub feasible: Option<bool>,
     /// Designs that a front tries.
@@ -178,31 +159,18 @@ struct SessionFile {
     setup: Setup,
     #[serde(default)]
     pin: Vec<PinRow>,
-    #[serde(default)]
-    undo: Vec<UndoRow>,
 }
 
-/// What a key has, where that means something: it costs nothing else where it does not. A text may have it as JSON, or as a number, as
-/// older versions wrote it.
+/// What a key has, where that means something: it costs nothing else where it does not.
 fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     file: D,
 ) -> Result<Option<T>, D::Error> {
-    let value = toml::Value::deserialize(file)?;
-    let text = value.as_str().and_then(|text| serde_json::from_str(text).ok());
-    Ok(text.or_else(|| value.try_into().ok()))
+    Ok(toml::Value::deserialize(file)?.try_into().ok())
 }
 
 #[derive(Serialize, Deserialize)]
 struct PinRow {
     name: String,
-    scene: String,
-}
-
-#[derive(Serialize, Deserialize)]
-struct UndoRow {
-    label: String,
-    preset: String,
-    /// A scene file with what is not as usual.
     scene: String,
 }
 
@@ -256,27 +224,11 @@ fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileErro
             .iter()
             .map(|(name, scene)| PinRow { name: name.clone(), scene: write::fresh(scene) })
             .collect(),
-        undo: undo_rows(&session.undo),
     };
     let body = toml::to_string_pretty(&file)
         .map_err(|error| FileError::target(path, &error.to_string()))?;
     let version = env!("CARGO_PKG_VERSION");
     Ok(format!("# the last session of cmra {version}; {WRITER}{writer}\n{body}"))
-}
-
-/// The newest steps that have room, oldest first.
-fn undo_rows(steps: &[UndoStep]) -> Vec<UndoRow> {
-    let least = format!("format = {}\n", read::FORMAT);
-    let mut room = UNDO_BYTES_MAX;
-    let mut rows = Vec::new();
-    for UndoStep { label, scene, preset } in steps.iter().rev().take(UNDO_MAX) {
-        let Ok(text) = write::updated(&least, "an edit", scene) else { break };
-        let Some(left) = room.checked_sub(text.len()) else { break };
-        room = left;
-        rows.push(UndoRow { label: label.clone(), preset: preset.clone(), scene: text });
-    }
-    rows.reverse();
-    rows
 }
 
 /// Load the last session, if there is one. A file that is damaged is backed up with the ending `.broken`, and what can be read
@@ -367,17 +319,6 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
             Err(error) => problems.push(error.to_string()),
         }
     }
-    let mut undo = Vec::new();
-    for UndoRow { label, preset, scene } in file.undo {
-        match read::scene(&scene, &label) {
-            Ok(scene) => undo.push(UndoStep { label, scene, preset }),
-            Err(error) => {
-                // What was before it cannot be reached.
-                undo.clear();
-                problems.push(error.to_string());
-            }
-        }
-    }
     match read::scene(&file.scene, "scene") {
         Ok(scene) => {
             let session = Session {
@@ -387,7 +328,6 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
                 view: file.view,
                 setup: file.setup,
                 recent: file.recent.into_iter().map(PathBuf::from).collect(),
-                undo,
             };
             (Some(session), problems)
         }
@@ -412,9 +352,6 @@ mod tests {
         session.setup.search =
             Some(Search { goal: "stroke_m=0.6".to_owned(), ..Search::default() });
         note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
-        let scene = Scene { title: "before".to_owned(), ..Scene::default() };
-        let (label, preset) = ("gamma 1 -> 2".to_owned(), "cocked".to_owned());
-        session.undo.push(UndoStep { label, scene, preset });
         session
     }
 
@@ -543,27 +480,6 @@ mod tests {
             let loaded = load(&path);
             assert_eq!((loaded.session, loaded.notice), (Some(example()), None), "{wrong}");
         }
-    }
-
-    /// Versions up to 0.2 wrote setups as texts in JSON, and numbers as texts.
-    #[test]
-    fn a_session_of_an_older_version_is_read() {
-        let scene = write::fresh(&Scene::default());
-        let text = format!(
-            "format = 1\nscene = \'\'\'\n{scene}\'\'\'\n[view]\nauto_run = \"off\"\nthreads = \"2\"\n\
-             [setup]\n\"Limit: absorber\" = \"foam\"\nExplore = '{{\"is_map\":true,\"curves\":3,\"output\":\"stroke_m\"}}'\n\
-             Search = '{{\"seek\":\"k=1..2:3\",\"stroke_m\":null,\"bounds\":[[\"gamma=1..5\",false]]}}'\n"
-        );
-        let setup = parse(&text).0.unwrap();
-        let view = View { auto_run: Some(Switch::Off), threads: Some(2), ..View::default() };
-        assert_eq!(setup.view, view);
-        let Setup { absorber, explore, search } = setup.setup;
-        assert_eq!(absorber.as_deref(), Some("foam"));
-        let output = "stroke_m".to_owned();
-        assert_eq!(explore, Some(Explore { is_map: true, curves: Some(3), output }));
-        let search = search.unwrap();
-        assert_eq!((search.seek.as_str(), search.stroke_m), ("k=1..2:3", None));
-        assert_eq!(search.bounds, [("gamma=1..5".to_owned(), false)]);
     }
 
     #[test]

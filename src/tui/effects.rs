@@ -206,10 +206,6 @@ impl FileQueue {
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
-            Task::IsFree(to) if to.path.exists() => {
-                EffectReport::Exported(to.path.clone(), ExportOutcome::Exists(to.path))
-            }
-            Task::IsFree(to) => EffectReport::Free(to),
             Task::ReadCurve(path) => {
                 let points =
                     read_table::curve(&path, Accepts::Ordinary).map_err(|error| error.to_string());

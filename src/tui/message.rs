@@ -40,8 +40,6 @@ pub enum Message {
 pub enum EffectReport {
     /// A scene was saved under this name or path: its file.
     Saved(String, ExportOutcome),
-    /// No file is there yet: the report can be computed that will be.
-    Free(Destination),
     /// An export to this path was written; or the target exists already; or it failed.
     Exported(PathBuf, ExportOutcome),
     /// The presets that can be loaded now.
@@ -169,8 +167,6 @@ pub enum FileTask {
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
-    /// See whether a file is there already.
-    IsFree(Destination),
     /// Read a measured curve for a spring.
     ReadCurve(PathBuf),
     Complete(String),
@@ -183,7 +179,7 @@ pub enum FileTask {
 pub enum Content {
     Runs(RunTable),
     Page(PageTable),
-    /// The charts on the screen as SVG, or a report.
+    /// The charts on the screen as SVG.
     Text(String),
 }
 

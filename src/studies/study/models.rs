@@ -85,11 +85,6 @@ fn simulate(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError
     simulate::simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
 }
 
-/// The same scene by every model.
-pub fn by_every_model(scene: &Scene) -> Vec<(&'static str, Scene)> {
-    in_order().map(|model| (model.word(), by_model(scene, model))).into()
-}
-
 fn by_model(scene: &Scene, model: ContactModel) -> Scene {
     let mut own = scene.clone();
     own.contact.model = model;
