@@ -206,7 +206,7 @@ impl Contact {
             damper: self.damper,
             plate_kg: 1.0 / plate_mobility,
             cos,
-            start_m,
+            from_m: start_m,
             tolerance: accuracy.tolerance,
             scale_m_s: larger(plate_m_s, PLATE_PART_MIN * velocity_m_s),
             duration_s: scale_s,

@@ -35,7 +35,7 @@ pub(super) struct Start {
     pub(super) plate_kg: f64,
     pub(super) cos: f64,
     /// Where the plate starts, m.
-    pub(super) start_m: f64,
+    pub(super) from_m: f64,
     pub(super) tolerance: f64,
     /// The projectile's velocity or, where the plate's own displacement matters, that of the plate, m/s.
     pub(super) scale_m_s: f64,
@@ -80,7 +80,7 @@ impl Start {
     /// The moment at `span`; `None` where the plate does not go forward.
     fn moment(&self, series: &Series, unit_s: f64, span: f64) -> Option<Moment> {
         let (t_s, state) = (unit_s * span, series.state(span));
-        let (x, w) = (state[2] - self.start_m, state[3]);
+        let (x, w) = (state[2] - self.from_m, state[3]);
         let driving_n = self.plate_kg * slope(&series.speed, span) / unit_s;
         let p = t_s * driving_n / (self.plate_kg * w);
         let goes_on = state[1] > 0.0 && x > 0.0 && w > 0.0 && driving_n > 0.0;
@@ -90,7 +90,7 @@ impl Start {
     /// The power of time with which the plate's velocity begins.
     fn first_power(&self) -> f64 {
         // A preload pushes at once, the contact in proportion to time.
-        if self.start_m < 0.0 { 1.0 } else { 2.0 }
+        if self.from_m < 0.0 { 1.0 } else { 2.0 }
     }
 
     /// With which powers of time the laws' shares of the driving force grow, the spring's first.
@@ -103,7 +103,7 @@ impl Start {
     fn excess(&self, moment: &Moment) -> (f64, f64) {
         let [_, _, plate_m, w] = moment.state;
         let n = self.spring.exponent;
-        let held = self.spring.force(plate_m - self.start_m) / moment.driving_n;
+        let held = self.spring.force(plate_m - self.from_m) / moment.driving_n;
         let damped = self.damper.force(w) / moment.driving_n;
         let (by_spring, by_damper) = self.growths(moment);
         let (share, growth) = if held > damped { (held, by_spring) } else { (damped, by_damper) };
@@ -157,7 +157,7 @@ impl Start {
             let slope = (self.plate_kg * w + n * to_spring + m * to_damper) / sum;
             w *= (self.plate_kg * free_m_s / sum).powf(1.0 / slope);
         }
-        let x = self.start_m + w * t_s / a;
+        let x = self.from_m + w * t_s / a;
         let (dx, dw) = (x - plate_m, w - free_m_s);
         [travel - self.cos * dx, slip - self.cos * dw, x, w]
     }
@@ -173,8 +173,8 @@ mod tests {
     }
 
     fn start(spring: PowerLaw, damper: PowerLaw) -> Start {
-        let (plate_kg, cos, start_m, tolerance) = (1.0, 1.0, 0.0, 1e-9);
-        Start { spring, damper, plate_kg, cos, start_m, tolerance, scale_m_s: 1.0, duration_s: 1.0 }
+        let (plate_kg, cos, from_m, tolerance) = (1.0, 1.0, 0.0, 1e-9);
+        Start { spring, damper, plate_kg, cos, from_m, tolerance, scale_m_s: 1.0, duration_s: 1.0 }
     }
 
     /// Displacement and velocity after a second by w' = t - k x^n - b w^m: steps of the classical Runge-Kutta method in the logarithm of
