@@ -157,9 +157,9 @@ impl Start {
             let slope = (self.plate_kg * w + n * to_spring + m * to_damper) / sum;
             w *= (self.plate_kg * free_m_s / sum).powf(1.0 / slope);
         }
-        let x = self.from_m + w * t_s / a;
-        let (dx, dw) = (x - plate_m, w - free_m_s);
-        [travel - self.cos * dx, slip - self.cos * dw, x, w]
+        // Not as a difference of places: beside a cocked plate's own the contact may be tiny.
+        let (dx, dw) = (t_s * (w / a - free_m_s / moment.a), w - free_m_s);
+        [travel - self.cos * dx, slip - self.cos * dw, plate_m + dx, w]
     }
 }
 
