@@ -9,7 +9,7 @@ use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session, Switch, View};
-use crate::files::{atomic, config, recent};
+use crate::files::{config, recent};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Settings};
@@ -27,9 +27,6 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
     let mut loaded =
         paths.map_or_else(session::Loaded::default, |paths| session::load(&paths.session_file()));
     let is_first = paths.is_some_and(|paths| !paths.session_file().exists());
-    if let Some(paths) = paths {
-        atomic::clear_leftovers(&paths.presets);
-    }
     let recent = loaded.session.as_ref().map(|last| last.recent.clone()).unwrap_or_default();
     let kept = match (paths, &loaded.session) {
         (Some(paths), Some(last)) if options.fresh || options.scene.is_some() => {
@@ -128,8 +125,7 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     // The scene last: it is the newest.
     let scenes =
         last.pins.iter().map(|(_, scene)| scene).chain((!untouched).then_some(&last.scene));
-    let kept =
-        scenes.map(|scene| recent::keep(&folder, scene, None)).collect::<Result<Vec<_>, _>>();
+    let kept = scenes.map(|scene| recent::keep(&folder, scene)).collect::<Result<Vec<_>, _>>();
     let pins = counted_pins(last.pins.len());
     Some(match kept {
         Ok(_) => {

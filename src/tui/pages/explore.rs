@@ -9,8 +9,8 @@ use crate::files::sweep as sweep_file;
 use crate::report::figures::axis_of;
 use crate::report::sweep::{self, Columns};
 use crate::study::quantities::{Quantity, named};
+use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Shard};
 use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
 use crate::tui::pages::draw_setup;
@@ -184,12 +184,11 @@ impl Page for ExploreTab {
         let (is_complete, (done, total)) = (found.grid.is_complete(), found.grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
         let own = Arc::clone(plan);
-        let notes =
-            move |name: &str| sweep_file::notes(name, &own, Shard::WHOLE, missing.as_deref());
+        let notes = move || sweep_file::notes(&own, missing.as_deref());
         let grid = Arc::clone(&found.grid);
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.noted(app, &scene, notes))
+        Some(table.noted(app, &scene, "sweep", notes))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

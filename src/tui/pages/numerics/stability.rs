@@ -247,7 +247,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// The legend of shades and marks, as long as there is room.
 fn legend(area: Rect, canvas: &mut Canvas<'_>) {
-    let shades = "blank accurate  . inaccurate  : oscillating  @ diverged";
+    let shades = "blank accurate  . inaccurate  @ diverged";
     let marks =
         ["  # analytic limit  + this scene at the thesis's 1e-6 s", "  # limit  + 1e-6 s", ""];
     let room = area.width.saturating_sub(1);
