@@ -10,8 +10,7 @@ use crate::report::run::{self, NamedRun, Rows};
 use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
 use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
 use crate::tui::dialogs::export_table::{export, exported, instead_of_table};
-use crate::tui::dialogs::frame;
-use crate::tui::dialogs::list::is_text;
+use crate::tui::dialogs::list::{frame, is_text};
 use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask};
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
@@ -41,9 +40,8 @@ pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
 }
 
 /// The kinds of table, with their words.
-const KINDS: [(&str, Rows); 4] = [
+const KINDS: [(&str, Rows); 3] = [
     ("time series: solver steps and points between", Rows::Series),
-    ("time series on a uniform grid of 1001 rows", Rows::Grid(1001)),
     ("results: one row per run", Rows::Results),
     ("events with their times", Rows::Events),
 ];
@@ -163,7 +161,7 @@ const FOOT: u16 = 8;
 
 impl ExportRuns {
     fn is_series(&self) -> bool {
-        matches!(KINDS[self.kind].1, Rows::Series | Rows::Grid(_))
+        KINDS[self.kind].1 == Rows::Series
     }
 
     /// Rows there are now: columns only for a series.
@@ -275,11 +273,7 @@ impl ExportRuns {
     fn preview(&self, app: &App) -> String {
         let Some(shown) = &app.shown else { return String::new() };
         let named = [("now".to_owned(), Arc::clone(&shown.run))];
-        let rows = match KINDS[self.kind].1 {
-            Rows::Grid(_) => Rows::Grid(3),
-            rows => rows,
-        };
-        run::csv(rows, &named, &self.chosen(), 2).unwrap_or_default()
+        run::csv(KINDS[self.kind].1, &named, &self.chosen(), 2).unwrap_or_default()
     }
 }
 
