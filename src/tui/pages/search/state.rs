@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Scene, SweepAxis};
+use crate::model::scene::SweepAxis;
 use crate::study::search::front::{self, Constraint};
 use crate::study::search::seek::SCAN_USUAL;
 use crate::study::sweep::Axis;
+use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
@@ -52,20 +53,13 @@ impl Page {
     }
 }
 
-#[derive(Clone, Debug)]
-pub struct SearchResult {
-    pub scene: Arc<Scene>,
-    pub request: SearchRequest,
-    pub answer: Arc<SearchAnswer>,
-}
-
 #[derive(Clone, Debug, Default)]
 pub struct Searching {
     pub page: Page,
     pub row: Row,
     pub setup: Arc<Setup>,
     /// The results, page by page.
-    pub found: [Option<SearchResult>; 4],
+    pub found: [Kept<SearchAnswer>; 4],
     /// Why a page cannot be computed, page by page.
     pub problem: [Option<String>; 4],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
