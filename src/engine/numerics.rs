@@ -5,8 +5,7 @@
 //! `step` as polynomials and `locate` for the first event on it; `taylor` chooses the step such an expansion is good for; `implicit` is an
 //! L-stable collocation method for what is too stiff for that; `explicit` are the Runge-Kutta methods it is compared with; `graded` starts where non-integer powers are singular; `event` locates what happens on an accepted step of any of them but
 //! the Taylor steps; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
-//! `maximum` and [`minimum`] search extremes; [`linear`] solves small systems; `monotone` interpolates data; [`random`], [`sobol`] and [`statistics`] serve samples; `exponential` has the functions
-//! of closed forms.
+//! `maximum` and [`minimum`] search extremes; [`linear`] solves small systems; `monotone` interpolates data; [`random`], [`sobol`] and [`statistics`] serve samples.
 //! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
 //! is bounded.
 
@@ -14,7 +13,6 @@ pub(crate) mod collocation;
 pub(crate) mod crossing;
 pub(crate) mod event;
 pub(crate) mod explicit;
-pub(crate) mod exponential;
 pub(crate) mod graded;
 pub(crate) mod implicit;
 pub mod linear;

@@ -31,7 +31,7 @@ pub(crate) fn greatest_at(
     close: impl Fn(f64) -> f64,
     exact: impl Fn(f64) -> f64,
 ) -> f64 {
-    greatest_by(from, to, known, &close, |a, b| exact(in_bracket(a, b, LOCATED, &close)))
+    greatest_by(from, to, known, &close, &|a, b| exact(in_bracket(a, b, LOCATED, &close)))
 }
 
 /// The same where the other function is only `rough`: maxima are looked for near its own.
@@ -42,18 +42,18 @@ pub(crate) fn greatest_of(
     rough: impl Fn(f64) -> f64,
     exact: impl Fn(f64) -> f64,
 ) -> f64 {
-    greatest_by(from, to, known, &rough, |a, b| {
+    greatest_by(from, to, known, &rough, &|a, b| {
         refined(a, b, in_bracket(a, b, ROUGHLY, &rough), &exact)
     })
 }
 
-/// The greatest value by samples of `f`; `top` gives the value of a maximum between two places.
+/// The greatest value by samples of `f`; `top` gives the value of a maximum between two places. Compiled once for all functions.
 fn greatest_by(
     from: f64,
     to: f64,
     known: f64,
-    rough: impl Fn(f64) -> f64,
-    top: impl Fn(f64, f64) -> f64,
+    rough: &dyn Fn(f64) -> f64,
+    top: &dyn Fn(f64, f64) -> f64,
 ) -> f64 {
     let cell = (to - from) / CELLS as f64;
     let place = |i: usize| if i == CELLS { to } else { from + cell * i as f64 };
@@ -104,7 +104,7 @@ fn refined(a: f64, b: f64, at: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Where `f` has its maximum between `a` and `b`, to this part of that.
-fn in_bracket(a: f64, b: f64, located: f64, f: impl Fn(f64) -> f64) -> f64 {
+fn in_bracket(a: f64, b: f64, located: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     let (mut a, mut b, tolerance) = (a, b, located * (b - a));
     let mut x = a + GOLDEN * (b - a);
     let (mut w, mut v) = (x, x);

@@ -31,50 +31,10 @@ pub(crate) fn trusted_step<const N: usize>(components: &[(&[f64; N], f64)], tole
     if step < GROWTH_MAX { step } else { GROWTH_MAX }
 }
 
-/// x^(1/order) to within a per cent, which is all a step needs, at a tenth of the price: the digits of a number, read as an
-/// integer, are its logarithm by straight lines, and a parabola makes up for most of that on the way back.
-///
-/// For x >= 0 and order >= 9; infinite for infinite x, NaN for NaN.
-#[inline(always)]
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "orders from 9 on keep the exponent within 120"
-)]
-pub(crate) fn rough_root(x: f64, order: f64) -> f64 {
-    const ONE: u64 = 1.0f64.to_bits();
-    const STEP: f64 = 1.0 / (1u64 << 52) as f64;
-    if !x.is_finite() {
-        return x;
-    }
-    let log = (x.to_bits().wrapping_sub(ONE)).cast_signed() as f64 * STEP / order;
-    // The floor, or one less where nothing is left: then the part is 1.
-    let whole = log as i64 - i64::from(log < 0.0);
-    let part = log - whole as f64;
-    // Exact at both ends of [0, 1] and in between to 3 in 1000.
-    let mantissa = 1.0 + part * (0.6565 + 0.3435 * part);
-    mantissa * f64::from_bits(ONE.wrapping_add_signed(whole << 52))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::numerics::series::evaluate;
-
-    #[test]
-    fn a_rough_root_is_right_to_a_per_cent() {
-        for order in [9.0, 10.0, 11.0, 13.0, 17.0] {
-            let mut x = 1e-300;
-            while x < 1e300 {
-                let error = rough_root(x, order) / f64::powf(x, 1.0 / order) - 1.0;
-                assert!(error.abs() < 0.01, "{x} {order}: {error}");
-                x *= 1.37;
-            }
-            // A zero reads as 2^-1023: its root is small, not zero.
-            assert!(rough_root(0.0, order) < 1e-17);
-            assert!(rough_root(f64::INFINITY, order).is_infinite());
-            assert!(rough_root(f64::NAN, order).is_nan());
-        }
-    }
 
     /// y' = y, expanded with time unit h.
     fn expand<const N: usize>(y: f64, h: f64) -> [f64; N] {
