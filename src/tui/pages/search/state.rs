@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use cmra_studies::enumeration;
 
-use crate::model::scene::{Scene, SweepAxis};
+use crate::model::scene::SweepAxis;
 use crate::study::search::front::{self, Constraint};
 use crate::study::search::seek::SCAN_USUAL;
 use crate::study::sweep::Axis;
+use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
@@ -51,20 +52,13 @@ impl Page {
     }
 }
 
-#[derive(Clone, Debug)]
-pub struct SearchResult {
-    pub scene: Arc<Scene>,
-    pub request: SearchRequest,
-    pub answer: Arc<SearchAnswer>,
-}
-
 #[derive(Clone, Debug, Default)]
 pub struct Searching {
     pub page: Page,
     pub row: Row,
     pub setup: Arc<Setup>,
     /// The results, page by page.
-    pub found: [Option<SearchResult>; Page::COUNT],
+    pub found: [Kept<SearchAnswer>; Page::COUNT],
     /// Why a page cannot be computed, page by page.
     pub problem: [Option<String>; Page::COUNT],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
