@@ -1,13 +1,35 @@
 //! The only place that writes to standard output and standard error.
 
 use std::io::{self, Write};
+use std::os::fd::{AsFd as _, BorrowedFd};
 use std::path::PathBuf;
 use std::process::ExitCode;
+
+use rustix::fs::{OFlags, fcntl_getfl, fstat};
 
 use crate::cli::CliError;
 use crate::files::clean;
 
+/// Whether there is somewhere to write a result to. In place of a closed standard output the runtime opens the null device, to read and
+/// write, where a result would vanish without an error. A shell's `>/dev/null` is opened to write only, and a program that wants to hear
+/// nothing gives the null device as standard error, too.
+///
+/// # Errors
+/// [`CliError::Stdout`] where standard output was closed.
+pub(super) fn open() -> Result<(), CliError> {
+    let null = rustix::fs::stat("/dev/null").map(|found| found.st_rdev);
+    let is_null = |to: BorrowedFd<'_>| {
+        fcntl_getfl(to).is_ok_and(|flags| flags.contains(OFlags::RDWR))
+            && fstat(to).map(|found| found.st_rdev) == null
+    };
+    if is_null(io::stdout().as_fd()) && !is_null(io::stderr().as_fd()) {
+        return Err(CliError::Stdout(io::Error::other("it is closed")));
+    }
+    Ok(())
+}
+
 pub(super) fn print(text: &str) -> Result<(), CliError> {
+    open()?;
     let mut out = io::stdout().lock();
     let text = clean::page(text);
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
@@ -15,6 +37,7 @@ pub(super) fn print(text: &str) -> Result<(), CliError> {
 
 /// Writes a piece of a result.
 pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), CliError> {
+    open()?;
     io::stdout().lock().write_all(bytes).map_err(CliError::Stdout)
 }
 

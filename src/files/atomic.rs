@@ -10,6 +10,8 @@ use std::io::{self, Write};
 use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _};
 use std::path::{Path, PathBuf};
 
+use rustix::event::{Timespec, poll};
+use rustix::fs::{FlockOperation, flock};
 use tempfile::NamedTempFile;
 
 use crate::files::error::FileError;
@@ -76,8 +78,11 @@ fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
     found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
 }
 
-/// Give all files their names. Those after the first belong to it: the old ones go first, so that a program that is killed in between
-/// leaves a file alone, never beside one that belongs to another.
+/// What an old file is called while the one that it belongs to is replaced.
+const PREVIOUS: &str = ".previous";
+
+/// Give all files their names. Those after the first belong to it: the old ones step aside first, so that a program that is killed in
+/// between leaves a file alone, never beside one that belongs to another, and the old one under another name.
 fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
     for Growing { target, place, .. } in &ready {
         if let Place::Beside(file) = place {
@@ -85,14 +90,22 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
             synced.map_err(|source| FileError::write(target, source))?;
         }
     }
+    let mut previous = Vec::new();
     for old in ready.iter().skip(1).filter(|_| existing == Existing::Replace) {
-        // Where there is none, or it cannot be removed, naming the new one tells.
-        let _ = fs::remove_file(&old.target);
+        let aside = with_end(&old.target, PREVIOUS);
+        // Where there is none, or it cannot step aside, naming the new one tells.
+        if matches!(old.place, Place::Beside(_)) && fs::rename(&old.target, &aside).is_ok() {
+            previous.push(aside);
+        }
     }
     let mut named: Vec<PathBuf> = Vec::new();
     for file in ready {
         let path = file.target.clone();
         if let Err(error) = file.name(existing) {
+            // Nothing is in their place yet if it was the first.
+            for path in previous.iter().filter(|_| named.is_empty()) {
+                let _ = fs::rename(path, path.with_extension(""));
+            }
             // Only files that were not there before are taken back: a replaced one cannot be.
             for path in named.iter().filter(|_| existing == Existing::Keep) {
                 let _ = fs::remove_file(path);
@@ -101,11 +114,34 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
         }
         named.push(path);
     }
+    for path in previous {
+        // Where it cannot be taken away it does no harm.
+        let _ = fs::remove_file(path);
+    }
     // Not between two names: a program that is killed while the disk works would leave files that do not belong together.
     for directory in named.iter().map(|path| directory_of(path)).collect::<BTreeSet<_>>() {
         sync_directory(directory);
     }
     Ok(())
+}
+
+/// How often a lock that another program holds is tried again, and how many times.
+const LOCK_EVERY: Timespec = Timespec { tv_sec: 0, tv_nsec: 5_000_000 };
+const LOCK_TRIES: u32 = 1000;
+
+/// Waits for the lock of this file, which one program has at a time: until the result is dropped, or the program ends, however it
+/// ends. Where it cannot be had (the file system has no locks, its holder was stopped), the work goes on without it: what it guards
+/// matters less than the work.
+pub fn wait_for_lock(path: &Path) -> Option<File> {
+    let file = OpenOptions::new().create(true).truncate(false).write(true).open(path).ok()?;
+    for _ in 0..LOCK_TRIES {
+        if flock(&file, FlockOperation::NonBlockingLockExclusive).is_ok() {
+            return Some(file);
+        }
+        // Waits for no event at all: until the time is over.
+        let _ = poll(&mut [], Some(&LOCK_EVERY));
+    }
+    None
 }
 
 /// How the name of a table ends that is not finished.
@@ -240,9 +276,15 @@ impl Growing {
             Existing::Keep => file.persist_noclobber(&target),
             Existing::Replace => file.persist(&target),
         };
-        named.map(drop).map_err(|failed| match failed.error.kind() {
+        let named = named.map(drop).or_else(|failed| match (existing, failed.error.kind()) {
+            (Existing::Keep, io::ErrorKind::AlreadyExists) => Err(failed.error),
+            (Existing::Keep, _) => persist_reserved(failed.file, &target),
+            (_, io::ErrorKind::ResourceBusy) => copy_over(failed.file, &target),
+            _ => Err(failed.error),
+        });
+        named.map_err(|error| match error.kind() {
             io::ErrorKind::AlreadyExists => FileError::Exists(target.clone()),
-            _ => FileError::write(&target, failed.error),
+            _ => FileError::write(&target, error),
         })
     }
 }
@@ -255,11 +297,8 @@ fn hidden(target: &Path) -> io::Result<NamedTempFile> {
 /// A temporary file beside a target, `NAME.partial`, or with a number where there is one.
 fn visible(target: &Path) -> io::Result<NamedTempFile> {
     for number in 1..10_000 {
-        let mut name = target.file_name().unwrap_or_default().to_owned();
-        name.push(PARTIAL);
-        if number > 1 {
-            name.push(format!("-{number}"));
-        }
+        let end = if number > 1 { format!("{PARTIAL}-{number}") } else { PARTIAL.to_owned() };
+        let name = with_end(Path::new(target.file_name().unwrap_or_default()), &end);
         let made = builder().prefix(&name).rand_bytes(0).tempfile_in(directory_of(target));
         if !made.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::AlreadyExists) {
             return made;
@@ -273,6 +312,32 @@ fn builder<'n>() -> tempfile::Builder<'n, 'n> {
     let mut builder = tempfile::Builder::new();
     builder.permissions(fs::Permissions::from_mode(0o666));
     builder
+}
+
+/// Gives a file a name that is free where the file system can neither rename without replacing nor link, as over FUSE and SMB: an
+/// empty file takes the name first, which fails where there is one.
+fn persist_reserved(file: NamedTempFile, target: &Path) -> io::Result<()> {
+    File::create_new(target)?;
+    file.persist(target).map(drop).map_err(|failed| {
+        let _ = fs::remove_file(target);
+        failed.error
+    })
+}
+
+/// Writes into a file that cannot be replaced, such as one that is mounted by itself.
+fn copy_over(mut file: NamedTempFile, target: &Path) -> io::Result<()> {
+    let mut into = OpenOptions::new().write(true).truncate(true).open(target)?;
+    io::copy(&mut file.reopen()?, &mut into)?;
+    into.sync_all()?;
+    file.disable_cleanup(false);
+    Ok(())
+}
+
+/// A path whose name has a further ending.
+fn with_end(path: &Path, end: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(end);
+    PathBuf::from(name)
 }
 
 /// The new name itself reaches the disk only with its directory. Not every file system can do this, and the content is safe
@@ -334,6 +399,56 @@ mod tests {
         assert_eq!(names(place.path()), ["a.csv", "a.csv.partial"]);
         assert_eq!(fs::read(&path).unwrap(), b"2\n");
         assert!(matches!(Growing::begin(&path, Existing::Keep), Err(FileError::Exists(_))));
+    }
+
+    #[test]
+    fn a_file_system_that_lacks_something_costs_no_row() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("a.csv");
+        let made = |content: &[u8]| {
+            let mut file = visible(&path).unwrap();
+            file.write_all(content).unwrap();
+            file.disable_cleanup(true);
+            file
+        };
+        // Neither a rename that replaces nothing nor a link.
+        persist_reserved(made(b"1"), &path).unwrap();
+        let mut file = made(b"2");
+        file.disable_cleanup(false);
+        let taken = persist_reserved(file, &path).unwrap_err();
+        assert_eq!(taken.kind(), io::ErrorKind::AlreadyExists);
+        assert_eq!(fs::read(&path).unwrap(), b"1");
+        // No rename at all over this one.
+        copy_over(made(b"3"), &path).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"3");
+        assert_eq!(names(place.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn an_old_scene_is_there_until_the_new_table_is() {
+        let place = tempfile::tempdir().unwrap();
+        let (table, scene) = (place.path().join("a.csv"), place.path().join("a.toml"));
+        fs::write(&scene, "old").unwrap();
+        // A folder takes the table's name meanwhile: it cannot be named.
+        let file = Growing::begin(&table, Existing::Replace).unwrap();
+        fs::create_dir(&table).unwrap();
+        assert!(file.finish(&[(scene.clone(), b"new")], Existing::Replace).is_err());
+        assert_eq!(names(place.path()), ["a.csv", "a.toml"]);
+        assert_eq!(fs::read(&scene).unwrap(), b"old");
+    }
+
+    #[test]
+    fn one_has_a_lock_at_a_time() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("session.lock");
+        let first = wait_for_lock(&path);
+        let second = File::open(&path).unwrap();
+        let lock = || flock(&second, FlockOperation::NonBlockingLockExclusive);
+        assert!(first.is_some() && lock().is_err());
+        drop(first);
+        assert!(lock().is_ok());
+        // Where there can be none, the work goes on.
+        assert!(wait_for_lock(&place.path().join("absent/session.lock")).is_none());
     }
 
     #[test]

@@ -21,6 +21,8 @@ use crate::study::quantities::of_runs;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
+/// What stands before the checksum of the rest, at the end of its first line.
+const SUM: &str = ", checksum ";
 
 /// Where a table goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -158,6 +160,7 @@ pub fn leave(file: &Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, File
     let mut files = vec![path.clone()];
     for scene in scenes {
         let beside = sidecar_path(&path, scene.run);
+        check_sidecar(&path, &beside).map_err(|problem| kept(file, problem))?;
         atomic::write(&beside, scene.file(&path).as_bytes(), Existing::Replace)?;
         files.push(beside);
     }
@@ -185,8 +188,16 @@ impl Beside<'_> {
             "" => String::new(),
             _ => format!("# again: {} --csv -\n", clean::line(words.trim_end())),
         };
-        format!("{MARK} {version} with {name}\n{notes}{again}\n{}", write::fresh(self.scene))
+        let text = format!("{notes}{again}\n{}", write::fresh(self.scene));
+        format!("{MARK} {version} with {name}{SUM}{:016x}\n{text}", checksum(&text))
     }
+}
+
+/// The 64-bit FNV-1a hash of a text: it tells whether someone edited a sidecar.
+fn checksum(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
+        (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
 }
 
 impl RunTable {
@@ -245,7 +256,7 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
     csv.with_file_name(name)
 }
 
-/// A sidecar may replace an older sidecar, never a scene that someone wrote.
+/// A sidecar may replace an older sidecar, never a scene that someone wrote or edited.
 ///
 /// # Errors
 /// [`FileError::Refused`] when the CSV's name or what lies beside it forbids one.
@@ -257,19 +268,22 @@ fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     match fs::metadata(sidecar) {
         // A link to nothing is in the way, too.
         Err(_) if fs::symlink_metadata(sidecar).is_err() => return Ok(()),
-        Ok(found) if found.is_file() && is_sidecar(sidecar) => return Ok(()),
+        Ok(found) if found.is_file() && is_as_written(sidecar) => return Ok(()),
         _ => {}
     }
     let problem = format!(
-        "the scene goes beside it into `{}`, which is there and was not written by an export; choose another name, or move it away",
+        "the scene goes beside it into `{}`, which is there and was not written by an export, or was edited since; choose another name, or move it away",
         sidecar.display()
     );
     Err(FileError::target(csv, &problem))
 }
 
-fn is_sidecar(path: &Path) -> bool {
-    let text = read::text_file(path, read::BYTES_MAX);
-    text.is_ok_and(|text| text.starts_with(MARK))
+/// Whether a file is a sidecar that nobody edited.
+fn is_as_written(path: &Path) -> bool {
+    let text = read::text_file(path, read::BYTES_MAX).unwrap_or_default();
+    let (first, rest) = text.split_once('\n').unwrap_or_default();
+    let sum = first.rsplit_once(SUM).map(|(_, sum)| sum);
+    first.starts_with(MARK) && sum == Some(&format!("{:016x}", checksum(rest)))
 }
 
 #[cfg(test)]
@@ -319,6 +333,33 @@ mod tests {
         assert!(to.write(b"1\n", &[beside], true).is_err() && !to.path.exists());
         assert_eq!(to.write(b"1\n", &[], true).unwrap(), [to.path]);
         assert_eq!(fs::read_to_string(own).unwrap(), "format = 1");
+    }
+
+    #[test]
+    fn a_sidecar_that_someone_edited_is_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        let to = Destination { path, existing: Existing::Replace, has_scene: true };
+        let scene = Scene::default();
+        for is_complete in [true, false] {
+            let write = || {
+                let (notes, command) = (String::new(), "run".to_owned());
+                let beside = Beside { run: None, scene: &scene, notes, command };
+                to.write(b"1\n", &[beside], is_complete)
+            };
+            let own = write().unwrap().remove(1);
+            let edited = fs::read_to_string(&own).unwrap() + "# mine\n";
+            // Nobody has touched this one; the table of a part may have been taken elsewhere.
+            let _ = fs::remove_file(folder.path().join("a.csv.partial"));
+            write().unwrap();
+            fs::write(&own, &edited).unwrap();
+            let _ = fs::remove_file(folder.path().join("a.csv.partial"));
+            let error = write().unwrap_err().to_string();
+            assert!(error.contains("edited since"), "{error}");
+            assert_eq!(error.contains("is kept in"), !is_complete, "{error}");
+            assert_eq!(fs::read_to_string(&own).unwrap(), edited);
+            fs::remove_file(own).unwrap();
+        }
     }
 
     #[test]

@@ -6,6 +6,7 @@
 use std::fs;
 use std::io::Read;
 use std::ops::Range;
+use std::os::unix::fs::FileTypeExt as _;
 use std::path::Path;
 
 use toml::Spanned;
@@ -32,17 +33,24 @@ pub fn text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let failed = |source| FileError::read(path, source);
     let found = fs::metadata(path).map_err(failed)?;
     // A pipe may never have a writer, and a device no end.
-    if !found.is_file() && !found.is_dir() && !is_handed(path) {
+    let may_wait = !found.is_file() && !found.is_dir() || is_of_system(path);
+    if may_wait && (!is_handed(path) || found.file_type().is_char_device()) {
         return Err(FileError::special(path));
     }
     text_from(fs::File::open(path).map_err(failed)?, path, bytes_max)
 }
 
-/// Whether a shell hands this over: standard input, or `<(...)`.
+/// Whether a shell hands this over: standard input, or `<(...)`. A terminal there waits for what nobody types.
 fn is_handed(path: &Path) -> bool {
     path == Path::new("/dev/stdin")
         || path.starts_with("/dev/fd")
         || path.starts_with("/proc") && path.iter().any(|part| part == "fd")
+}
+
+/// Whether the system itself answers here: such a file has no end, or waits for one.
+fn is_of_system(path: &Path) -> bool {
+    let real = fs::canonicalize(path).unwrap_or_default();
+    real.starts_with("/proc") || real.starts_with("/sys")
 }
 
 /// The text that a source of at most this many bytes gives; `path` is the name used in errors. A device may never end: no more is

@@ -183,6 +183,9 @@ pub fn save(
     session: &Session,
     known: &mut Known,
 ) -> Result<Option<PathBuf>, FileError> {
+    atomic::make_folder_of(path)?;
+    // Another workbench that saves between the reading and the writing below would be overwritten unseen.
+    let _lock = atomic::wait_for_lock(&path.with_extension("lock"));
     let text = text(path, session)?;
     let there = read::text_file(path, BYTES_MAX).ok();
     if known.0.as_ref() == Some(&text) && there.is_some() {
@@ -193,7 +196,6 @@ pub fn save(
         Some(other) => Some(recent::keep(&path.with_file_name("recent"), &other.scene)?),
         None => None,
     };
-    atomic::make_folder_of(path)?;
     atomic::write(path, text.as_bytes(), Existing::Replace)?;
     known.0 = Some(text);
     Ok(aside)
@@ -332,6 +334,33 @@ mod tests {
         fs::remove_file(&path).unwrap();
         assert_eq!(save(&path, &of(3.0), &mut first).unwrap(), None);
         assert_eq!(load(&path).session, Some(of(3.0)));
+    }
+
+    /// Each round, two that began on the same session save at the same moment: one of them is kept aside.
+    #[test]
+    fn two_that_save_at_once_are_both_kept() {
+        for round in 0..40 {
+            let place = tempfile::tempdir().unwrap();
+            let path = place.path().join("session.toml");
+            save(&path, &example(), &mut Known::default()).unwrap();
+            let known = load(&path).known;
+            let barrier = std::sync::Barrier::new(2);
+            std::thread::scope(|scope| {
+                for ratio in [2.0, 3.0] {
+                    let (mut known, barrier, path) = (known.clone(), &barrier, &path);
+                    scope.spawn(move || {
+                        let mut session = example();
+                        session.scene.plate.mass_ratio = ratio;
+                        barrier.wait();
+                        save(path, &session, &mut known).unwrap();
+                    });
+                }
+            });
+            let here = load(&path).session.unwrap().scene.plate.mass_ratio;
+            let aside = fs::read_to_string(place.path().join("recent/unsaved-1.toml")).unwrap();
+            let both = here + read::scene(&aside, "kept").unwrap().plate.mass_ratio;
+            assert!((both - 5.0).abs() < 1e-12, "round {round}: one of them is lost");
+        }
     }
 
     #[test]

@@ -176,6 +176,22 @@ fn valid_formulas_of_a_shot() {
     }
 }
 
+/// A result that nobody can read is no success; one that is thrown away on purpose is.
+#[test]
+fn a_closed_standard_output_is_a_failure() {
+    let status = |arguments: &str, to: &str| {
+        let shell = format!("{} {arguments} {to}", env!("CARGO_BIN_EXE_cmra"));
+        let done = Command::new("sh").args(["-c", &shell]).output().unwrap();
+        (done.status.code(), String::from_utf8_lossy(&done.stderr).contains("standard output"))
+    };
+    for arguments in ["run", "presets", "--help", "run --csv -"] {
+        assert_eq!(status(arguments, ">&-"), (Some(1), true), "{arguments}");
+    }
+    for to in [">/dev/null", "<>/dev/null >&0 2>&0"] {
+        assert_eq!(status("presets", to), (Some(0), false), "{to}");
+    }
+}
+
 #[test]
 fn json_has_every_key_of_the_contract() {
     let place = Place::new();
@@ -393,7 +409,7 @@ fn the_sidecar_runs_again_to_the_same_digits() {
     assert_eq!(done.code, 0, "{}", done.err);
     let sidecar = place.read("out.toml");
     let version = env!("CARGO_PKG_VERSION");
-    assert!(sidecar.starts_with(&format!("# exported by cmra {version} with out.csv\n")));
+    assert!(sidecar.starts_with(&format!("# exported by cmra {version} with out.csv, checksum ")));
     for line in ["# outcome: ", "# run_time_s = "] {
         assert!(sidecar.contains(line), "{sidecar}");
     }
