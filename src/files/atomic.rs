@@ -190,7 +190,8 @@ impl Growing {
             if found.is_dir() {
                 return Err(failed(io::Error::from(io::ErrorKind::IsADirectory)));
             }
-            if is_named_pipe(path, found) {
+            // Nobody reads what is written to a terminal's master.
+            if is_named_pipe(path, found) || !found.is_file() && target.ends_with("ptmx") {
                 return Err(FileError::special(path));
             }
             if !found.is_file() {
