@@ -8,8 +8,8 @@
 use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
-use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::{Collocation, NINE, THREE};
+use crate::model::scene::Scene;
+use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
 use equations::Setup;
 pub(in crate::model) use run::Extent;
@@ -26,6 +26,9 @@ mod run;
 #[cfg(test)]
 mod tests;
 
+/// What steps of a given length are taken to be off by.
+const STEPPED: f64 = 1e-12;
+
 /// A method that the loop can step by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stepping {
@@ -33,6 +36,8 @@ pub enum Stepping {
     Collocation(f64),
     /// The same; the plate is followed to its turn also where its energy says how far it goes.
     CollocationInFull(f64),
+    /// Radau IIA with seven stages, for the estimate of errors, to a tolerance.
+    Second(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
     Radau5(f64),
     /// DOP853 to a tolerance.
@@ -43,22 +48,37 @@ pub enum Stepping {
     Rk4WithoutEvents(f64),
 }
 
-/// One impact on a valid scene by a method; `None` of the listing of the Appendix, a scheme of its own.
+impl Stepping {
+    /// The error of a step relative to what moves; of steps of a given length that of the engine's own.
+    fn tolerance(self) -> f64 {
+        match self {
+            Self::Collocation(tolerance)
+            | Self::CollocationInFull(tolerance)
+            | Self::Second(tolerance)
+            | Self::Radau5(tolerance)
+            | Self::Dop853(tolerance) => tolerance,
+            Self::Rk4(_) | Self::Rk4WithoutEvents(_) => STEPPED,
+        }
+    }
+}
+
+/// One impact on a valid scene by a method.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     extent: Extent<'_>,
     stepping: Stepping,
     observer: Observer<'_>,
-) -> Option<Run> {
-    if scene.contact.model == ContactModel::Appendix {
-        return None;
-    }
-    let mut setup = Setup::of(scene);
+) -> Run {
+    let mut setup = Setup::of(scene, stepping.tolerance());
     setup.in_full = matches!(stepping, Stepping::CollocationInFull(_));
     let setup = &setup;
-    Some(match stepping {
+    match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };
+            run::run(scene, setup, &stepper, extent, observer)
+        }
+        Stepping::Second(tolerance) => {
+            let stepper = Collocation { member: &*SEVEN, tolerance };
             run::run(scene, setup, &stepper, extent, observer)
         }
         Stepping::Radau5(tolerance) => {
@@ -74,5 +94,5 @@ pub(in crate::model) fn run(
         Stepping::Rk4WithoutEvents(step) => {
             run::run(scene, setup, &Rk4 { step, locates: false }, extent, observer)
         }
-    })
+    }
 }

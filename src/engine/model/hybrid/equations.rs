@@ -6,10 +6,10 @@
 
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::contact_models::Law;
-use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};
+use crate::model::hybrid::modes::{Contact, Event, Hold, Mode, Touch};
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
-use crate::numerics::larger;
+use crate::numerics::{larger, smaller};
 
 /// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
 const SLOPE_WIDTH: f64 = 1e-6;
@@ -17,12 +17,18 @@ const SLOPE_WIDTH: f64 = 1e-6;
 /// Length of the first moments in which the contact's force is taken to grow with the time, in passages of a tip radius: they change the
 /// velocities by about the square of this.
 const FIRST_MOMENT: f64 = 1e-6;
-/// Part of the tip radius by which a steep spring, and of the impact velocity by which a steep damper, may yield while it is taken to
-/// hold the plate: the travel is as far off at most.
-const HELD: f64 = 1e-13;
 /// How many times farther, or faster, its inertia alone must let a plate move that is to follow the balance of a law: the square of the
 /// oscillations about that, in radians, which leave a part of one over it.
 const FOLLOWS: f64 = 1e2;
+/// Part of the tip radius by which a steep spring, and of the impact velocity by which a steep damper, may yield while it is taken to
+/// hold the plate: the travel is as far off at most.
+const HELD: f64 = 1e-13;
+/// Part of what a steep law holds at which it takes hold again: it does not let go at once.
+const AGAIN: f64 = 0.5;
+/// How many times what a step may be off by a plate may move that its steep spring has taken hold of again: a fifth of the tolerance of a run.
+const RETURNED: f64 = 2e2;
+/// Part of the way to the zero of a law that is not smooth there that a step goes.
+const APPROACH: f64 = 0.55;
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
 /// Part of a velocity by which the rounding of forces that hold each other is five times below a tolerance of 1e-12: two units of the
@@ -30,13 +36,6 @@ const UNRESOLVED: f64 = 1e-18;
 const KNOWN: f64 = 2e-2;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
-
-/// The law that holds a plate because it is infinitely steep where that stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Steep {
-    Spring,
-    Damper,
-}
 
 /// The constants of an impact.
 #[derive(Clone, Debug)]
@@ -71,6 +70,8 @@ pub(super) struct Setup {
     pub(super) still: bool,
     /// The plate is followed to its turn also where its energy says how far it goes.
     pub(super) in_full: bool,
+    /// Error of a step relative to what moves.
+    pub(super) tolerance: f64,
 }
 
 /// Time, travel, slip, and displacement from the mode's origin and velocity of the plate.
@@ -91,8 +92,8 @@ pub(super) struct Equations<'a> {
 }
 
 impl Setup {
-    /// Of a valid scene.
-    pub(super) fn of(scene: &Scene) -> Self {
+    /// Of a valid scene, for steps to a tolerance.
+    pub(super) fn of(scene: &Scene, tolerance: f64) -> Self {
         let law = Law::of(scene);
         let flows = law == Law::Flow;
         let geometry = Geometry::of(scene);
@@ -123,7 +124,18 @@ impl Setup {
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             still: scene.is_rigid(),
             in_full: false,
+            tolerance,
         }
+    }
+
+    /// Displacement by which a steep spring may yield while it is taken to hold the plate at first.
+    pub(super) fn held_m(&self) -> f64 {
+        HELD * self.geometry.nose.radius_m
+    }
+
+    /// The same once it has taken hold again.
+    pub(super) fn returned_m(&self) -> f64 {
+        RETURNED * self.tolerance * self.geometry.nose.radius_m
     }
 
     /// Spring and elastic stop together, without what damps.
@@ -388,65 +400,124 @@ impl Equations<'_> {
         }
     }
 
-    /// Whether a steep law holds the plate at first: its inertia alone would have let it move much farther by the time the law yields
-    /// noticeably, so that it follows the balance of contact and law from then on.
-    pub(super) fn is_held_by_law(&self) -> bool {
+    /// The steep law that holds the plate at first, if one does.
+    pub(super) fn holds_at_first(&self) -> Option<Hold> {
         let setup = self.setup;
         if !setup.starts_steep() || setup.law != Law::Flow {
-            return false;
+            return None;
         }
-        let rate_n_s =
-            self.contact_slopes(0.0, setup.velocity_m_s).0 * setup.velocity_m_s * setup.cos;
-        let (holding_n, holds) = self.holding();
-        let t_s = holding_n / rate_n_s;
-        let by_inertia_m_s = holding_n * t_s / (2.0 * setup.plate_kg);
-        t_s > self.first_moment_s()
-            && match holds {
-                Steep::Spring => by_inertia_m_s * t_s / 3.0 > FOLLOWS * self.held_m(),
-                Steep::Damper => by_inertia_m_s > FOLLOWS * self.held_m_s(),
-            }
+        let (spring_n, damper_n) = (self.held_n(Hold::Spring), self.held_n(Hold::Damper));
+        let hold = if spring_n > damper_n { Hold::Spring } else { Hold::Damper };
+        let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
+        let held_n = larger(spring_n, damper_n);
+        let t_s = held_n / self.rate_n_s(&state).abs();
+        // Inertia alone would let the plate move much farther by then: it follows the balance of contact and law from there on.
+        let by_inertia_m_s = held_n * t_s / (2.0 * setup.plate_kg);
+        let is_followed = match hold {
+            Hold::Spring => by_inertia_m_s * t_s / 3.0 > FOLLOWS * self.mode.held_m,
+            _ => by_inertia_m_s > FOLLOWS * self.held_m_s(),
+        };
+        (is_followed && t_s > self.first_moment_s()).then_some(hold)
     }
 
-    fn held_m(&self) -> f64 {
-        HELD * self.setup.geometry.nose.radius_m
+    /// How fast the contact's force on a plate at rest grows, N/s.
+    fn rate_n_s(&self, state: &State) -> f64 {
+        let slopes = self.contact_slopes(state.q_m, state.u_m_s);
+        let slows_m_s2 = self.contact_n(state) / self.setup.projectile_kg;
+        (slopes.0 * state.u_m_s - slopes.1 * slows_m_s2) * self.setup.cos
+    }
+
+    /// Whether a steep damper takes hold of the plate: it is as good as at rest, and what drives it does not make the damper yield.
+    fn is_held_by_damper(&self, state: &State) -> bool {
+        let held_n = self.held_n(Hold::Damper);
+        state.w_m_s.abs() < AGAIN * self.held_m_s()
+            && self.net_n(state, Hold::Damper).abs() < AGAIN * held_n
+    }
+
+    /// Whether a steep spring takes hold of the plate again: the force that has displaced it falls, and it can move by no more any more
+    /// than what a step may be off by many times over, and less than it has moved.
+    fn is_held_by_spring(&self, state: &State, farthest_m: f64) -> bool {
+        let Setup { spring, plate_kg, .. } = self.setup;
+        let held_m = AGAIN * self.setup.returned_m();
+        let speed_j = 0.5 * plate_kg * state.w_m_s * state.w_m_s;
+        self.setup.law == Law::Flow
+            && spring.is_steep_at_zero()
+            && held_m < farthest_m
+            && self.net_n(state, Hold::Spring).abs() < spring.force(held_m)
+            && speed_j + spring.energy(self.displacement_m(state.x_m)) < spring.energy(held_m)
+            && self.rate_n_s(state) <= 0.0
+    }
+
+    /// The event of a steep law that takes hold of a plate which has moved this far.
+    pub(super) fn takes_hold(&self, state: &State, farthest_m: f64) -> Option<Event> {
+        if self.mode.hold != Hold::Free || !self.setup.is_steep() {
+            None
+        } else if self.is_held_by_damper(state) {
+            Some(Event::DamperHolds)
+        } else {
+            self.is_held_by_spring(state, farthest_m).then_some(Event::SpringHolds)
+        }
     }
 
     fn held_m_s(&self) -> f64 {
         HELD * self.setup.velocity_m_s
     }
 
-    /// The greater of the forces that a steep spring holds with a displacement, and a steep damper with a velocity, that does not count,
-    /// N.
-    fn holding(&self) -> (f64, Steep) {
+    /// The force that a steep spring holds with a displacement, or a steep damper with a velocity, that does not count, N.
+    fn held_n(&self, hold: Hold) -> f64 {
         let Setup { spring, damper, .. } = self.setup;
-        let by_law = |is_steep: bool, force_n: f64| if is_steep { force_n } else { 0.0 };
-        let spring_n = by_law(spring.is_steep_at_zero(), spring.force(self.held_m()));
-        let damper_n = by_law(damper.is_steep_at_zero(), damper.force(self.held_m_s()));
-        if spring_n > damper_n { (spring_n, Steep::Spring) } else { (damper_n, Steep::Damper) }
+        match hold {
+            Hold::Spring if spring.is_steep_at_zero() => spring.force(self.mode.held_m),
+            Hold::Damper if damper.is_steep_at_zero() => damper.force(self.held_m_s()),
+            _ => 0.0,
+        }
     }
 
-    /// The force that the steep law holds which holds the plate, N.
-    pub(super) fn holding_n(&self) -> f64 {
-        self.holding().0
+    /// The force that a law has to hold: of a damper also that of a spring that is tight.
+    fn net_n(&self, state: &State, hold: Hold) -> f64 {
+        let contact_n = self.contact_n(state) * self.setup.cos;
+        if hold == Hold::Spring { contact_n } else { contact_n - self.mechanism_n(state.x_m, 0.0) }
     }
 
-    /// Displacement and velocity with which a plate that a steep law has held begins to follow the force.
+    /// What the steep law that holds the plate could hold besides, N.
+    pub(super) fn spare_n(&self, state: &State) -> f64 {
+        let hold = self.mode.hold;
+        self.held_n(hold) - self.net_n(state, hold).abs()
+    }
+
+    /// Displacement and velocity of a plate that a steep law has held and that begins to follow the force.
     pub(super) fn balanced(&self, state: &State) -> (f64, f64) {
-        let setup = self.setup;
-        let force_n = self.contact_n(state);
-        match self.holding().1 {
-            Steep::Spring => {
-                let slopes = self.contact_slopes(state.q_m, state.u_m_s);
-                let rate_n_s = slopes.0 * state.u_m_s - slopes.1 * force_n / setup.projectile_kg;
-                let x_m = setup.spring.at_force(force_n * setup.cos);
-                (x_m, rate_n_s / setup.spring.tangent(x_m))
-            }
-            // The force has grown with the time, the velocity with its power 1/m.
-            Steep::Damper => {
-                let w_m_s = setup.damper.at_force(force_n * setup.cos);
-                (w_m_s * state.t_s / (1.0 / setup.damper.exponent + 1.0), w_m_s)
+        let Setup { spring, damper, .. } = self.setup;
+        let net_n = self.net_n(state, self.mode.hold);
+        if self.mode.hold == Hold::Spring {
+            let x_m = spring.at_force(net_n.abs()).copysign(net_n);
+            return (x_m - self.mode.origin_m, self.rate_n_s(state) / spring.tangent(x_m));
+        }
+        // The force has grown with the time, the velocity with its power 1/m.
+        let w_m_s = damper.at_force(net_n.abs()).copysign(net_n);
+        (state.x_m + w_m_s * state.t_s / (1.0 / damper.exponent + 1.0), w_m_s)
+    }
+
+    /// The time in which the plate comes as close to the zero of a law that is not smooth there as a step may take it, s: short of
+    /// that it is as far away as the step is long, where no polynomial is far off. Infinite where so little is left that it may pass.
+    pub(super) fn approach_s(&self, state: &State) -> f64 {
+        let Setup { spring, damper, .. } = self.setup;
+        let (kg, w_m_s) = (self.moving_kg(), state.w_m_s);
+        let mut least_s = f64::INFINITY;
+        if spring.power().is_some_and(|law| !law.is_smooth_at_zero()) {
+            let x_m = self.displacement_m(state.x_m);
+            let way_s = -x_m / w_m_s;
+            if way_s > 0.0 && spring.energy(x_m) > HELD * kg * w_m_s * w_m_s {
+                least_s = way_s;
             }
         }
+        if !damper.is_smooth_at_zero() {
+            let way_s = -w_m_s / self.accelerations(state).1;
+            if way_s > 0.0 && damper.force(w_m_s).abs() * way_s > kg * self.held_m_s() {
+                least_s = smaller(least_s, way_s);
+            }
+        }
+        APPROACH * least_s
     }
 
     /// A velocity of the plate that is lost among errors, m/s.
@@ -466,17 +537,21 @@ impl Equations<'_> {
         (1e-9 * self.setup.geometry.nose.radius_m, 1e-6 * self.setup.velocity_m_s)
     }
 
-    /// The same at a displacement and a velocity. The velocity is not known better than to what the rounding of the mechanism's forces,
-    /// which may hold each other, makes of it against its damping and its inertia: no shorter step has less.
+    /// The same at a displacement and a velocity; no shorter step knows the velocity better than rounding.
     pub(super) fn sizes_of_plate(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
         let (x_least_m, w_least_m_s) = self.least_sizes();
+        let w_m_s = larger(w_m_s.abs(), larger(w_least_m_s, self.rounding_m_s(x_m, w_m_s)));
+        (larger(x_m.abs(), x_least_m), w_m_s)
+    }
+
+    /// What the rounding of the mechanism's forces, which may hold each other, makes of the plate's velocity against its damping and its
+    /// inertia, over a tolerance, m/s.
+    pub(super) fn rounding_m_s(&self, x_m: f64, w_m_s: f64) -> f64 {
         let (by_place, by_speed) = self.mechanism_slopes(x_m, w_m_s);
         let spring_n = self.mode.spring.force_in(self.mode.stretch, self.displacement_m(x_m));
         let forces_n =
             spring_n.abs() + by_speed * w_m_s.abs() + by_place.abs() * self.mode.origin_m.abs();
         let resists = by_speed + (by_place.abs() * self.setup.plate_kg).sqrt();
-        let rounding_m_s = if resists > 0.0 { KNOWN * forces_n / resists } else { 0.0 };
-        let w_m_s = larger(w_m_s.abs(), larger(w_least_m_s, rounding_m_s));
-        (larger(x_m.abs(), x_least_m), w_m_s)
+        if resists > 0.0 { KNOWN * forces_n / resists } else { 0.0 }
     }
 }

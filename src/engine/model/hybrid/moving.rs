@@ -4,7 +4,7 @@
 use crate::model::contact_models::History;
 use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::modes::Contact;
-use crate::numerics::smaller;
+use crate::numerics::{larger, smaller};
 use crate::numerics::step::{Acceleration, Point, Slopes};
 
 /// Part of the way to the zero of a steep law that an iteration may go at once.
@@ -115,6 +115,8 @@ impl Acceleration<2> for Both<'_> {
     fn sizes(&self, ([q, x], [u, w]): &Point<2>) -> Point<2> {
         let (travel, slip) = self.0.sizes_of_travel(*q, *u);
         let (place, speed) = self.0.sizes_of_plate(*x, *w);
+        // The plate's velocity is a part of the slip.
+        let slip = larger(slip, self.0.rounding_m_s(*x, *w) * self.0.setup.cos);
         ([travel, place], [slip, speed])
     }
 }

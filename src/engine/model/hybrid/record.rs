@@ -146,7 +146,7 @@ impl Record<'_> {
         match equations.mode.hold {
             Hold::Mount => {}
             // What a plate that is held does not take, the mount does.
-            Hold::OnStop | Hold::Law => {
+            Hold::OnStop | Hold::Spring | Hold::Damper => {
                 let push_n = |theta: f64| contact_n(theta) * equations.setup.cos;
                 let known_n = self.loads.mount_n;
                 self.loads.mount_n = larger(greatest(0.0, 1.0, known_n, push_n), known_n);
@@ -336,7 +336,7 @@ impl Record<'_> {
             // A prescribed history goes on.
             modes::Event::SlipZero if !flows && old.contact == Contact::PullingOut => {}
             modes::Event::SlipZero | modes::Event::HistoryEnd => {
-                self.arrest(after, to, old.hold == Hold::Law);
+                self.arrest(after, to, old.hold.is_by_law());
             }
             modes::Event::PieceEnd if new.contact == Contact::Gone => {
                 self.exit = Some(departure);
@@ -440,7 +440,7 @@ fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
         _ => equations.contact_n(state),
     };
     let (x_m, w_m_s) = match mode.hold {
-        Hold::Law => equations.balanced(state),
+        Hold::Spring | Hold::Damper => equations.balanced(state),
         _ => (equations.displacement_m(state.x_m), state.w_m_s),
     };
     let spring_n = mode.spring.force(x_m);

@@ -18,7 +18,7 @@ use crate::numerics::smaller;
 use crate::numerics::step::{Near, Step, Stepper};
 
 /// Evaluations of the equations after which a run ends undecided: about 0.1 s.
-const EVALUATIONS_MAX: usize = 400_000;
+const EVALUATIONS_MAX: usize = 1_000_000;
 /// Length of the first step in passages of a tip radius.
 const FIRST_STEP: f64 = 0.2;
 /// Part of a step that is tried where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
@@ -216,6 +216,10 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     /// An event that rounding, or another event, has put behind the state.
     fn missed(&self) -> Option<Event> {
         let equations = self.course.equations();
+        let held = equations.takes_hold(&self.course.state, self.course.record.farthest_m);
+        if held.is_some() {
+            return held;
+        }
         let events = Events::of(self.course.setup, &self.course.mode);
         let is_behind = |event: &Event| gap(&equations, *event, &self.course.state) < 0.0;
         events.list().iter().copied().find(|event| is_behind(event) && !self.is_undone_by(*event))
@@ -283,7 +287,8 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     fn advance_by<const D: usize>(&mut self, law: &impl Moving<D>) -> Option<EndReason> {
         let equations = law.equations();
         let events = Events::of(self.course.setup, equations.mode);
-        let h_s = smaller(self.h_s, self.course.horizon_s - self.course.state.t_s);
+        let left_s = self.course.horizon_s - self.course.state.t_s;
+        let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
         let no_time_s =
             NO_TIME * self.course.setup.geometry.nose.radius_m / self.course.setup.velocity_m_s;
         if h_s < NO_TIME * no_time_s {
