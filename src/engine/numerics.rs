@@ -12,11 +12,8 @@
 
 pub(crate) mod collocation;
 pub(crate) mod crossing;
-pub(crate) mod event;
 pub(crate) mod explicit;
 pub(crate) mod exponential;
-pub(crate) mod graded;
-pub(crate) mod implicit;
 pub mod linear;
 pub(crate) mod locate;
 pub(crate) mod maximum;

@@ -511,11 +511,22 @@ fn a_map_is_read_back_from_its_table() {
 #[test]
 #[ignore = "temporary"]
 fn zz_print() {
-    for index in [8_468u64, 8_626, 4_581, 6_024, 22_183, 20_677, 9_218, 7_584, 4_524, 2_018, 2_226, 2_642, 5_018, 7_930, 9_106, 6_240, 8_297, 9_720, 2_445, 460] {
+    for index in [
+        8_468u64, 8_626, 4_581, 6_024, 22_183, 20_677, 9_218, 7_584, 4_524, 2_018, 2_226, 2_642,
+        5_018, 7_930, 9_106, 6_240, 8_297, 9_720, 2_445, 460,
+    ] {
         let c = draw::changes(index);
         println!("ZZ{}", draw::typed(&c));
         let (course, class) = numbered(index);
-        println!("YY {index} {class:?} {} {:?} steps {}+{} turns {} ev {}", course.run.outcome, course.run.end, course.run.cost.steps, course.run.cost.rejected, course.run.cost.turns, course.run.cost.rhs_evaluations);
+        println!(
+            "YY {index} {class:?} {} {:?} steps {}+{} turns {} ev {}",
+            course.run.outcome,
+            course.run.end,
+            course.run.cost.steps,
+            course.run.cost.rejected,
+            course.run.cost.turns,
+            course.run.cost.rhs_evaluations
+        );
     }
     for index in [8_297u64] {
         let c = draw::changes_inside(index);

@@ -1,18 +1,36 @@
-//! One impact from first contact to its end, by any contact model, with the estimates of its errors.
+//! One impact from first contact to its end, by one loop, one integrator and one locator: a pure function without clock, file or thread.
 //!
-//! A pure function: no clock, no file, no thread.
+//! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
+//! `moving` is what the integrator sees of it, `hold` when a steep law holds the plate; `run` is the loop, and `stepping` the methods it
+//! can step by; `outcome` decides by energy when it is over, `horizon` when it is at the latest; `record` keeps rows, work and greatest
+//! forces, and `report` makes the [`Run`] of them.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
-use crate::model::hybrid::{self, Stepping};
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
+use run::Extent;
+pub use stepping::Stepping;
+use stepping::run_by;
 use window::Window;
 
+mod equations;
+mod events;
+mod hold;
+mod horizon;
+mod modes;
+mod moving;
+mod outcome;
+mod record;
+mod report;
+mod run;
+mod stepping;
+#[cfg(test)]
+mod tests;
 pub mod window;
 
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
@@ -26,10 +44,9 @@ const FOLLOWED_HORIZONS: f64 = 50.0;
 
 /// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
-    let extent =
-        hybrid::Extent { keep_series: settings.series, window: Some(window), horizons: 1.0 };
+    let extent = Extent { keep_series: settings.series, window: Some(window), horizons: 1.0 };
     let stepping = Stepping::Collocation(local_tolerance(scene));
-    let run = hybrid::run(scene, extent, stepping, observer);
+    let run = run_by(scene, extent, stepping, observer);
     if settings.estimate && run.end.is_complete() {
         with_estimate(run, observer, window)
     } else {
@@ -40,8 +57,8 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
 /// As [`run`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
 /// long. The scene has no horizon.
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
-    let extent = hybrid::Extent { horizons: FOLLOWED_HORIZONS, ..hybrid::Extent::BARE };
-    hybrid::run(scene, extent, Stepping::Collocation(local_tolerance(scene)), observer)
+    let extent = Extent { horizons: FOLLOWED_HORIZONS, ..Extent::BARE };
+    run_by(scene, extent, Stepping::Collocation(local_tolerance(scene)), observer)
 }
 
 /// Error of each step for the tolerance of a scene.
@@ -58,7 +75,7 @@ fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
     };
     let tolerance = local_tolerance(&scene);
     let stepping = Stepping::Second(LOOSER * tolerance);
-    let second = hybrid::run(&scene, hybrid::Extent::BARE, stepping, &mut show);
+    let second = run_by(&scene, Extent::BARE, stepping, &mut show);
     if second.end != EndReason::Cancelled {
         let floor = larger(ROUNDING, FLOOR * tolerance);
         estimate::set(&mut run, &second, EstimateBasis::SecondComputation, floor);
@@ -74,5 +91,5 @@ pub fn step_by(stepping: Stepping, scene: &Arc<Scene>) -> Result<Option<Run>, Va
     variables::validate(scene)?;
     let go_on = &mut |_: f64| ControlFlow::Continue(());
     let is_stepped = scene.contact.model != ContactModel::Appendix;
-    Ok(is_stepped.then(|| hybrid::run(scene, hybrid::Extent::BARE, stepping, go_on)))
+    Ok(is_stepped.then(|| run_by(scene, Extent::BARE, stepping, go_on)))
 }

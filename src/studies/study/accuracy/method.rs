@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::appendix;
 use crate::model::contact_kernel::Contact;
-use crate::model::hybrid::Stepping;
+use crate::model::impact::Stepping;
 use crate::model::impact::step_by;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::{InterfaceLaw, Reading, Scene};

@@ -1,7 +1,7 @@
 //! Whether a run is decided: bounds by the energy that is left, as pure functions of mode and state.
 
-use crate::model::hybrid::equations::{Equations, State};
-use crate::model::hybrid::modes::{Contact, Hold, Touch, limits_n};
+use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::modes::{Contact, Hold, Touch, limits_n};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::model::scene::StopKind;
@@ -314,8 +314,8 @@ fn coasting_m(damper: PowerLaw, kg: f64, w_m_s: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::hybrid::equations::Setup;
-    use crate::model::hybrid::modes::{Mode, first};
+    use crate::model::impact::equations::Setup;
+    use crate::model::impact::modes::{Mode, first};
     use crate::model::variables::scene_with;
 
     /// Looks at a state (q, u, x, w) in a hole of 5 mm of travel.

@@ -2,10 +2,10 @@
 //! plate that rests.
 
 use crate::model::contact_models::History;
-use crate::model::hybrid::equations::{Equations, Setup, State};
-use crate::model::hybrid::modes::Contact;
-use crate::numerics::{larger, smaller};
+use crate::model::impact::equations::{Equations, Setup, State};
+use crate::model::impact::modes::Contact;
 use crate::numerics::step::{Acceleration, Point, Slopes};
+use crate::numerics::{larger, smaller};
 
 /// Part of the way to the zero of a steep law that an iteration may go at once.
 const OF_THE_WAY: f64 = 0.8;

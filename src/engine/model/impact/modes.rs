@@ -6,7 +6,7 @@
 
 use crate::model::contact::AreaPiece;
 use crate::model::contact_models::Law;
-use crate::model::hybrid::equations::{Equations, Setup, State};
+use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::mechanism::{Spring, sign};
 use crate::model::scene::StopKind;
 use crate::numerics::larger;

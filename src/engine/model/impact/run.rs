@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use crate::model::contact_models::Law;
-use crate::model::hybrid::equations::{Equations, Setup, State};
-use crate::model::hybrid::events::{Events, gap};
-use crate::model::hybrid::horizon;
-use crate::model::hybrid::modes::{self, Contact, Event, Hold};
-use crate::model::hybrid::moving::{Both, Driven, Moving, Plate, Projectile};
-use crate::model::hybrid::record::{Loads, Record};
-use crate::model::hybrid::report::{self, Course};
+use crate::model::impact::equations::{Equations, Setup, State};
+use crate::model::impact::events::{Events, gap};
+use crate::model::impact::horizon;
+use crate::model::impact::modes::{self, Contact, Event, Hold};
+use crate::model::impact::moving::{Both, Driven, Moving, Plate, Projectile};
+use crate::model::impact::record::{Loads, Record};
+use crate::model::impact::report::{self, Course};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Observer, Run};
 use crate::model::scene::Scene;

@@ -1,6 +1,6 @@
 //! How long a run goes that was given no horizon.
 
-use crate::model::hybrid::equations::Setup;
+use crate::model::impact::equations::Setup;
 use crate::numerics::{larger, smaller};
 
 /// Passages of the projectile at its impact velocity for the contact.

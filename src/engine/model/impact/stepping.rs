@@ -1,30 +1,13 @@
-//! One impact by one loop, one integrator and one locator: the second computation that the error estimate of a run rests on.
-//!
-//! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
-//! `moving` is what the integrator sees of it; `run` is the loop; `outcome` decides by energy when it is over, `horizon` when it is
-//! at the latest; `record` keeps rows, work and greatest forces, and `report` makes the run of them. It shares the law with the first
-//! computation (area, springs, dampers) and nothing of its method or its rules.
+//! The methods that the loop can step by.
 
 use std::sync::Arc;
 
+use crate::model::impact::equations::Setup;
+use crate::model::impact::run::{Extent, run};
 use crate::model::run::{Observer, Run};
 use crate::model::scene::Scene;
 use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
-use equations::Setup;
-pub(in crate::model) use run::Extent;
-
-mod equations;
-mod events;
-mod horizon;
-mod modes;
-mod moving;
-mod outcome;
-mod record;
-mod report;
-mod run;
-#[cfg(test)]
-mod tests;
 
 /// What steps of a given length are taken to be off by.
 const STEPPED: f64 = 1e-12;
@@ -62,8 +45,8 @@ impl Stepping {
     }
 }
 
-/// One impact on a valid scene by a method.
-pub(in crate::model) fn run(
+/// One impact on a valid scene by a method, whatever its contact model but the listing of the Appendix.
+pub(super) fn run_by(
     scene: &Arc<Scene>,
     extent: Extent<'_>,
     stepping: Stepping,
@@ -75,24 +58,20 @@ pub(in crate::model) fn run(
     match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };
-            run::run(scene, setup, &stepper, extent, observer)
+            run(scene, setup, &stepper, extent, observer)
         }
         Stepping::Second(tolerance) => {
             let stepper = Collocation { member: &*SEVEN, tolerance };
-            run::run(scene, setup, &stepper, extent, observer)
+            run(scene, setup, &stepper, extent, observer)
         }
         Stepping::Radau5(tolerance) => {
             let stepper = Collocation { member: &*THREE, tolerance };
-            run::run(scene, setup, &stepper, extent, observer)
+            run(scene, setup, &stepper, extent, observer)
         }
-        Stepping::Dop853(tolerance) => {
-            run::run(scene, setup, &Dop853 { tolerance }, extent, observer)
-        }
-        Stepping::Rk4(step) => {
-            run::run(scene, setup, &Rk4 { step, locates: true }, extent, observer)
-        }
+        Stepping::Dop853(tolerance) => run(scene, setup, &Dop853 { tolerance }, extent, observer),
+        Stepping::Rk4(step) => run(scene, setup, &Rk4 { step, locates: true }, extent, observer),
         Stepping::Rk4WithoutEvents(step) => {
-            run::run(scene, setup, &Rk4 { step, locates: false }, extent, observer)
+            run(scene, setup, &Rk4 { step, locates: false }, extent, observer)
         }
     }
 }
