@@ -14,7 +14,6 @@ pub(crate) mod collocation;
 pub(crate) mod crossing;
 pub(crate) mod explicit;
 pub(crate) mod exponential;
-pub mod linear;
 pub(crate) mod locate;
 pub(crate) mod maximum;
 pub mod minimum;
