@@ -1,6 +1,6 @@
 //! Plates that oscillate through the zero of a power law that is not smooth there, against closed forms.
 
-use cmra::model::run::{EndReason, Mode, Outcome, Run};
+use cmra::model::run::{EndReason, Mode, Outcome, Run, Warning};
 
 use crate::support::{assert_near, run, says, scene};
 
@@ -66,10 +66,10 @@ fn a_swing_takes_few_steps() {
     }
 }
 
-/// A plate that is thrown off, oscillates for ever and never meets the slow projectile again within five hundred oscillations.
+/// A plate that is thrown off oscillates for ever, and does not meet the slow projectile again within five hundred oscillations.
 #[test]
 fn an_undecided_oscillation_ends_as_moving_unless_a_horizon_is_set() {
-    let pairs = "n=0.776547 m=1 k=4.36516e7 b=4.40647 d=0.565023 gamma=1.50492e-4 v_i=166.74 S_y=0 C_d=0 interface=plastic";
+    let pairs = "k=7.5e6 d=0.5 gamma=1e-3 v_i=1 S_y=0 C_d=0 h=1 interface=plastic";
     let found = run(scene(pairs));
     assert_eq!((found.outcome, found.end), (Outcome::Moving, EndReason::Oscillates));
     assert!(found.final_penetration_m.is_none() && found.end.is_complete());
@@ -78,27 +78,25 @@ fn an_undecided_oscillation_ends_as_moving_unless_a_horizon_is_set() {
     assert_near(asked.series.last().unwrap().t_s, 1e-4, 1e-12);
 }
 
-/// On a spring with n < 1 a damped plate oscillates ever faster while it dies down: without end in a finite time. It rests once its energy
-/// is below the rounding of all others, so that a horizon far beyond is reached, and the energies still balance.
+/// On a spring with n < 1 a damped plate oscillates ever faster while it dies down: what is left after some hundred oscillations is not
+/// followed to a horizon far beyond; everything else is known by then, and the energies balance.
 #[test]
-fn a_plate_that_decays_in_ever_faster_oscillations_reaches_its_horizon() {
-    const HORIZON_S: f64 = 0.01;
+fn a_plate_that_decays_in_ever_faster_oscillations_is_decided_before_its_horizon() {
     let told = "n=0.5 k=4.88e5 b=246 d=0.00944 gamma=0.313 v_i=226 interface=plastic g=0.12 \
         run.horizon_s=0.01";
     for (thickness, outcome) in [("h=0.00645", Outcome::Perforated), ("h=0.05", Outcome::Arrested)]
     {
         let found = run(scene(&format!("{told} {thickness}")));
-        assert_eq!((found.outcome, found.end), (outcome, EndReason::Decided), "{thickness}");
-        let last = found.series.last().unwrap();
-        assert_near(last.t_s, HORIZON_S, 1e-12);
-        assert!(last.plate_displacement_m == 0.0 && last.plate_velocity_m_s == 0.0);
+        assert_eq!((found.outcome, found.end), (outcome, EndReason::StepBudget), "{thickness}");
+        let told = |it: &Warning| matches!(it, Warning::HorizonNotReached { .. });
+        assert!(found.warnings.iter().any(told), "{thickness}: {:?}", found.warnings);
         assert!(found.ledger.residual().abs() < 1e-12, "{:e}", found.ledger.residual());
-        assert!(found.cost.steps < 100_000, "{} steps", found.cost.steps);
-        // It has swung until nothing was left: both ways, with ever smaller greatest displacements.
+        // It has swung both ways, with ever smaller greatest displacements.
         let farthest = found.max_plate_displacement_m.unwrap();
-        let late = found.series.iter().filter(|row| row.t_s > 0.1 * HORIZON_S);
+        let last_s = found.series.last().unwrap().t_s;
+        let late = found.series.iter().filter(|row| row.t_s > 0.9 * last_s);
         let most = late.map(|row| row.plate_displacement_m.abs()).fold(0.0, f64::max);
-        assert!(most > 0.0 && most < 0.1 * farthest, "{most:e} {farthest:e}");
+        assert!(most > 0.0 && most < 1e-6 * farthest, "{most:e} {farthest:e}");
     }
 }
 

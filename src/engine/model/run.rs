@@ -386,11 +386,11 @@ pub struct Cost {
     pub steps: usize,
     /// Rejected steps.
     pub rejected: usize,
-    /// Times the force on the plate changed its sign, twice an oscillation: each takes steps.
+    /// Times the plate turned, twice an oscillation: each takes steps.
     pub turns: usize,
     /// Events that changed what the bodies do: contact, interface and stop.
     pub events: usize,
-    /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
+    /// Evaluations of the equations of motion.
     pub rhs_evaluations: usize,
     /// The wall-clock time it took with its error estimate, as whoever ran it measured, s; `None` where nobody did.
     pub took_s: Option<f64>,

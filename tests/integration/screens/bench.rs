@@ -458,8 +458,8 @@ fn cost(rigid: bool) -> Cost {
             steps: 10,
             rejected: 0,
             rhs_evaluations: 10,
-            method: "Taylor 16",
-            reason: "smooth and not stiff",
+            method: "Radau IIA 17",
+            reason: "one implicit method of high order: smooth, stiff and steep alike",
             ..Cost::default()
         }
     }

@@ -1,5 +1,4 @@
-//! Values that the engine misses today, each from a source of its own: closed forms, momentum, energy, or the oracle's tiny steps. The
-//! engine that gets one right takes its `ignore` away.
+//! Values of runs, each from a source of its own: closed forms, momentum, energy, or the oracle's tiny steps.
 
 use cmra::model::run::{EndReason, Mode, Outcome, Sample};
 use cmra::study::quantities;
