@@ -16,6 +16,8 @@ const FOLLOWS: f64 = 1e2;
 const HELD: f64 = 1e-13;
 /// Part of what a steep law holds at which it takes hold again: it does not let go at once.
 const AGAIN: f64 = 0.5;
+/// Passages of a tip radius for which a damper that takes hold of the plate does not let go: to hold for less saves no steps.
+const SOON: f64 = 1e-3;
 /// How many times what a step may be off by a plate may move that its steep spring has taken hold of again: a fifth of the tolerance of a run.
 const RETURNED: f64 = 2e2;
 /// Part of the way to the zero of a law that is not smooth there that a step goes.
@@ -34,8 +36,13 @@ impl Setup {
 }
 
 impl Equations<'_> {
+    /// Passage of a tip radius at the impact velocity, s.
+    fn passage_s(&self) -> f64 {
+        self.setup.geometry.nose.radius_m / self.setup.velocity_m_s
+    }
+
     fn first_moment_s(&self) -> f64 {
-        FIRST_MOMENT * self.setup.geometry.nose.radius_m / self.setup.velocity_m_s
+        FIRST_MOMENT * self.passage_s()
     }
 
     /// The first moments of a contact with an uncocked plate whose spring or damper is steep at zero, by the balance of forces: the
@@ -97,11 +104,11 @@ impl Equations<'_> {
         (slopes.0 * state.u_m_s - slopes.1 * slows_m_s2) * self.setup.cos
     }
 
-    /// Whether a steep damper takes hold of the plate: it is as good as at rest, and what drives it does not make the damper yield.
+    /// Whether a steep damper takes hold of the plate: it is as good as at rest, and what drives it does not make the damper yield soon.
     fn is_held_by_damper(&self, state: &State) -> bool {
-        let held_n = self.held_n(Hold::Damper);
+        let soon_n = self.rate_n_s(state).abs() * SOON * self.passage_s();
         state.w_m_s.abs() < AGAIN * self.held_m_s()
-            && self.net_n(state, Hold::Damper).abs() < AGAIN * held_n
+            && self.net_n(state, Hold::Damper).abs() + soon_n < AGAIN * self.held_n(Hold::Damper)
     }
 
     /// Whether a steep spring takes hold of the plate again: the force that has displaced it falls, and it can move by no more any more

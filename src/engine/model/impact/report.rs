@@ -19,7 +19,7 @@ use crate::numerics::root::in_bracket;
 
 /// The end of what is drawn after everything is decided, relative to the end of the contact.
 const TAIL_END: f64 = 1.25;
-/// A plate slowed by its damper alone to this part of its speed has arrived, to be drawn.
+/// A plate slowed by a damper to this part of its speed has arrived, to be drawn.
 const ARRIVED_SPEED: f64 = 1e-2;
 /// Part of a load by which it may grow without being followed.
 const GROWTH: f64 = 1e-9;
@@ -103,7 +103,8 @@ impl Course<'_> {
             return false;
         }
         let in_tail = self.state.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON);
-        in_tail || self.goes_farther() && self.state.w_m_s > ARRIVED_SPEED * self.record.fastest_m_s
+        let is_slow = self.state.w_m_s <= ARRIVED_SPEED * self.record.fastest_m_s;
+        in_tail || self.goes_farther() && (equations.is_undamped() || !is_slow)
     }
 
     fn flows(&self) -> bool {

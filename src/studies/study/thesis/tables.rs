@@ -329,7 +329,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: NotReproduced,
         preset: Some("thesis-baseline"),
         check: |shots| {
-            let turn_s = turns_at_s(&shots.run(""));
+            let turn_s = turns_at_s(&shots.run_with_series(""));
             let text = format!("the plate turns at {}", engineering(turn_s, "s", 4));
             Check { text, holds: turn_s > 2e-4 }
         },
