@@ -72,8 +72,6 @@ pub enum TuiError {
 enum Incoming {
     Message(Message),
     Mouse(MouseEvent),
-    /// The last frame has arrived at the terminal.
-    Arrived,
     Signal(Signal),
 }
 

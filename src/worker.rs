@@ -22,7 +22,6 @@ use std::time::Duration;
 
 use clock::Clock;
 use quiet::Quiet;
-use runs::Cache;
 use studies::{Asked, Finding, Found};
 use study::{Lane, Reporter};
 
@@ -129,8 +128,6 @@ pub struct Worker {
 struct Shared {
     lanes: [Queue; Lane::ALL.len()],
     quiet: Quiet,
-    /// The last few runs.
-    runs: Mutex<Cache>,
     clock: Clock,
     make: Make,
     sink: Box<Sink>,
@@ -201,9 +198,9 @@ impl Worker {
         make: Make,
         sink: impl Fn(Report) + Send + Sync + 'static,
     ) -> std::io::Result<Self> {
-        let (quiet, runs, sink) = (Quiet::default(), Mutex::default(), Box::new(sink));
+        let (quiet, sink) = (Quiet::default(), Box::new(sink));
         let lanes = Default::default();
-        let shared = Arc::new(Shared { lanes, quiet, runs, clock, make, sink });
+        let shared = Arc::new(Shared { lanes, quiet, clock, make, sink });
         for (lane, name) in Lane::ALL {
             let shared = Arc::clone(&shared);
             let serve = move || shared.serve(lane);

@@ -125,22 +125,7 @@ fn page_of(name: &str, report: &Report) -> String {
     answers(&mut page, report);
     references(&mut page, report);
     refusals(&mut page, report);
-    counts(&mut page, report);
     page
-}
-
-fn counts(page: &mut String, report: &Report) {
-    let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
-    let measured: usize = report.methods.iter().map(|method| method.measured().count()).sum();
-    let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
-    let (answered, asked) = auto.fold((0, 0), |(answered, asked), method| {
-        (answered + method.measured().count(), asked + method.points.len())
-    });
-    let (methods, lost) = (report.methods.len(), points - measured);
-    let _ = writeln!(
-        page,
-        "\n{methods} methods, {points} runs: {measured} compared, {lost} without result; auto answers {answered} of {asked}"
-    );
 }
 
 fn chart(report: &Report) -> String {
@@ -171,10 +156,6 @@ fn answers(page: &mut String, report: &Report) {
         let keys = ["part", "with_s", "without_s", "gain"];
         let _ = write!(page, "\n{}", savings(&report.savings).page(&keys, width()));
     }
-    let unsteady = report.unsteady();
-    if unsteady > 0 {
-        let _ = writeln!(page, "timings that spread by more than 20 %: {unsteady} (busy machine)");
-    }
 }
 
 fn references(page: &mut String, report: &Report) {
@@ -204,25 +185,14 @@ fn references(page: &mut String, report: &Report) {
 }
 
 fn refusals(page: &mut String, report: &Report) {
-    let mut is_first = true;
+    let mut heading = "\nwithout result\n";
     for method in &report.methods {
-        let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
-        for point in &method.points {
-            let Err(refusal) = point.result else { continue };
-            let parameter = point.parameter.to_string();
-            match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
-                Some((_, parameters)) => parameters.push(parameter),
-                None => reasons.push((refusal.words(), vec![parameter])),
-            }
-        }
-        for (words, parameters) in reasons {
-            if std::mem::take(&mut is_first) {
-                page.push_str("\nwithout result\n");
-            }
-            let which = match parameters.as_slice() {
-                [first, .., last] => format!("{} points, {first} to {last}", parameters.len()),
-                one => one.concat(),
+        for (words, points) in method.refusals() {
+            let which = match points.as_slice() {
+                [first, .., last] => format!("{} points, {first} to {last}", points.len()),
+                one => one.iter().map(ToString::to_string).collect(),
             };
+            page.push_str(std::mem::take(&mut heading));
             let _ = writeln!(page, "  {} {which}: {words}", method.method.letter());
         }
     }

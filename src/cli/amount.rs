@@ -18,13 +18,6 @@ pub(super) fn above_zero(
     }
 }
 
-/// Reads a mass, which may be zero, kg.
-pub(super) fn mass(text: &str) -> Result<f64, String> {
-    let value = finite(text, Dimension::Mass)?;
-    let problem = || "a mass is 0 kg or more, for example 20g".to_owned();
-    (value >= 0.0).then_some(value).ok_or_else(problem)
-}
-
 fn finite(text: &str, quantity: Dimension) -> Result<f64, String> {
     let value = units::parse(text, quantity, Bare::Si).map_err(|problem| problem.to_string())?;
     value.is_finite().then_some(value).ok_or_else(|| "must be a finite number".to_owned())

@@ -6,14 +6,13 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::amount::{above_zero, mass};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::{Criterion, Scene};
-use crate::model::units::{Dimension, fixed_significant, significant};
+use crate::model::units::{fixed_significant, significant};
 use crate::report::compare as tables;
 use crate::report::compare::beside;
 use crate::report::figures::axis_of;
@@ -40,12 +39,6 @@ pub(super) struct CompareArguments {
     /// Give a spring of unknown mass just the mass that the design shot needs: it holds no faster one
     #[arg(long)]
     size: bool,
-    /// Mass of damper, stop and mount together, kg or with a unit
-    #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true, value_parser = mass)]
-    mount_mass: f64,
-    /// Available stroke, m or with a unit [default: unlimited]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = above_zero(Dimension::Length, "20mm"))]
-    stroke: Option<f64>,
     /// Draw a map of the mass efficiency over two variables, each `NAME` or `NAME=LO..HI:COUNT[:log]`
     #[arg(long, value_name = "X,Y")]
     map: Option<String>,
@@ -83,8 +76,7 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
 
 impl CompareArguments {
     fn request(&self, scene: &Scene) -> Result<Request, CliError> {
-        let hardware =
-            Hardware { is_sized: self.size, mount_kg: self.mount_mass, stroke_m: self.stroke };
+        let hardware = if self.size { Hardware::Sized } else { Hardware::Own };
         let map = self.map.as_ref().map(|text| axes(scene, text)).transpose()?;
         Ok(Request { hardware, map })
     }
@@ -167,7 +159,7 @@ fn masses(page: &mut String, report: &Report) {
     let spring = match known {
         Some(kg) if report.spring_is_own => format!("{} g, the scene's own", gram(kg)),
         Some(kg) => {
-            let holds = if report.hardware.is_sized {
+            let holds = if report.hardware == Hardware::Sized {
                 "it holds no faster shot (--size)"
             } else {
                 "taken to hold faster shots, too; --size: it does not"
@@ -184,12 +176,11 @@ fn masses(page: &mut String, report: &Report) {
     };
     let _ = writeln!(
         page,
-        "areal mass: over the plate's face of {} cm^2, its mass over rho h\nspring: {spring}\nmount: {} g (--mount-mass)",
-        fixed_significant(1e4 * report.face_m2, 3),
-        gram(report.hardware.mount_kg)
+        "areal mass: over the plate's face of {} cm^2, its mass over rho h\nspring: {spring}",
+        fixed_significant(1e4 * report.face_m2, 3)
     );
     for part in &report.uncounted {
-        let text = "takes up energy, and its mass is not known; add it to --mount-mass";
+        let text = "takes up energy, and its mass is not counted";
         let _ = writeln!(page, "{part}: {text}");
     }
 }

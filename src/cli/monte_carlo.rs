@@ -16,8 +16,8 @@ use crate::study::quantities::{Quantity, named};
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "DISTRIBUTION is normal:WIDTH (a standard deviation), lognormal:WIDTH, uniform:WIDTH (a half width) or uniform:LO..HI, \
-    triangular:LO..HI, about the scene's own value; WIDTH is a percentage of it or a value with a unit: normal:2%, uniform:0.1mm. \
+    after_help = "DISTRIBUTION is normal:WIDTH or lognormal:WIDTH, a standard deviation about the scene's own value, or uniform:LO..HI; WIDTH \
+    is a percentage of that value, or has a unit: normal:2%, normal:0.1mm. \
     A draw outside the allowed range is repeated, which truncates the distribution; the page reports how often.\n\
     Memory: eight bytes for each sample and result; at most 10 million samples."
 )]
@@ -110,13 +110,11 @@ fn page(name: &str, report: &Report) -> String {
     let early = if report.is_complete { "" } else { ", stopped early" };
     let mut page = format!("{name}: {} samples, seed {}{early}\n\n", report.samples, report.seed);
     for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
-        let unit = tolerance.variable().unit();
         let again = match redrawn {
             0 => String::new(),
             count => format!("   truncated: {count} impossible samples drawn again"),
         };
-        let words = format!("{} {unit}", tolerance.distribution.words());
-        let _ = writeln!(page, "  {:8} {}{again}", tolerance.symbol(), words.trim_end());
+        let _ = writeln!(page, "  {tolerance}{again}");
     }
     let _ = writeln!(page, "\n{}", report.outcomes);
     if let Some(perforation) = perforation(report) {

@@ -14,10 +14,10 @@ use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, TableDestination};
-use crate::cli::text::{chart_size, fitted, labelled, width};
+use crate::cli::text::{chart_size, fitted, hanging, width};
 use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
-use crate::files::export::{self, RunTable};
+use crate::files::export::RunTable;
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
@@ -26,14 +26,12 @@ use crate::model::simulate::{self, Settings};
 use crate::model::units::{Dimension, engineering};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
-use crate::report::models as tables;
 use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
-use crate::report::run::{self as report, NamedRun, Rows};
+use crate::report::run::{self as report, Compared, NamedRun, Rows};
 use crate::report::svg::Picture;
-use crate::study::models::{Comparison, compare};
+use crate::study::models::by_every_model;
 use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
-use crate::worker::clock;
 
 #[derive(Debug, Args)]
 #[command(
@@ -129,12 +127,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;
     if arguments.compare.is_some() {
-        let preset = arguments.scene.load()?;
-        let found = compare(&preset.scene, &mut clock::processor_s)?;
-        let (name, page) = (preset.name.as_str(), models_page(&preset.name, &found));
-        let command = "run --compare models".to_owned();
-        let table = arguments.table.of(&arguments.scene, &preset.scene, command);
-        return table.deliver(&page, tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
+        return compare_models(arguments);
     }
     let computed = match arguments.dt {
         None => compute(arguments.scene.load()?)?,
@@ -148,15 +141,13 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
             return Ok(exit_code(&computed.run));
         }
         TableDestination::File(to) => {
-            let (to, table) = (to.placed(!was_interrupted()), table());
+            let table = table();
             let mut scenes = table.scenes();
             let dt = arguments.dt.map(|dt_s| format!(" --dt {dt_s}")).unwrap_or_default();
-            let command = format!("run{dt}");
             if let Some(first) = scenes.first_mut() {
-                let outcome = std::mem::replace(&mut first.notes, Box::new(|_| String::new()));
-                first.notes = Box::new(move |own| outcome(own) + &export::again(&command, own));
+                first.command = format!("run{dt}");
             }
-            let written = to.write(table.text()?.as_bytes(), &scenes);
+            let written = to.write(table.text()?.as_bytes(), &scenes, !was_interrupted());
             output::note_written(&written?);
         }
     }
@@ -270,37 +261,48 @@ fn summary(computed: &Computed, table: &TableArguments) -> String {
     page
 }
 
-fn models_page(name: &str, found: &Comparison) -> String {
-    let mut page = format!("{name}: the interaction models of Table 8.1\n\n");
-    let mut table = tables::table(name, found);
-    table.rows.truncate(found.rows.len());
-    page += &table.page(
-        &[
-            "model",
-            "final_penetration_m",
-            "penetration_deviation",
-            "max_plate_displacement_m",
-            "displacement_deviation",
-            "peak_contact_force_n",
-            "force_deviation",
-            "run_time_s",
-        ],
-        width(),
-    );
-    page.push_str(
-        "\nagainst: deviation from hydrodynamic; -: does not exist; travel: greatest displacement of the plate\n\
-         time: shortest of several, without series and error estimate\n",
-    );
-    for (name, reason) in &found.refused {
-        labelled(&mut page, "refused", &format!("{name}: {reason}"));
+/// The scene by every model. What a model cannot run has no row.
+fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
+    let preset = arguments.scene.load()?;
+    variables::require_single(&preset.scene)?;
+    let (mut runs, mut remarks) = (Vec::new(), Vec::new());
+    for (model, scene) in by_every_model(&preset.scene) {
+        let (word, about) = (model.word(), model.about());
+        let parameters = (about.parameters)(&scene);
+        match compute(Preset { scene, ..preset.clone() }) {
+            Ok(found) => {
+                runs.push((word.to_owned(), found.run));
+                remarks.push(
+                    format!("{}; {}", about.strength, about.limit)
+                        + &match &*parameters {
+                            "" => String::new(),
+                            parameters => format!("; {parameters}"),
+                        },
+                );
+            }
+            // Without the first there is nothing to compare with.
+            Err(problem) if runs.is_empty() => return Err(problem.into()),
+            Err(problem) => output::note(&format!("not run: {word}: {problem}")),
+        }
     }
-    for row in found.rows.iter().filter(|row| !row.with.is_empty()) {
-        let _ = writeln!(page, "{}: {}", row.name, row.with);
-    }
-    page.push('\n');
-    for row in &found.rows {
-        let _ = writeln!(page, "{:<18}{}; {}", row.name, row.judged.0, row.judged.1);
+    let rows = runs.iter().map(|(name, run)| Compared { name: name.clone(), run: Some(run) });
+    let keys = [
+        "name",
+        "outcome",
+        "final_penetration_m",
+        "percent_of_baseline",
+        "max_plate_displacement_m",
+        "peak_contact_force_n",
+    ];
+    let mut page = format!(
+        "{}: the interaction models of Table 8.1\n\n{}\n",
+        preset.name,
+        report::comparison(rows).page(&keys, width())
+    );
+    for ((name, _), remark) in runs.iter().zip(remarks) {
+        page += &hanging(&format!("{name:<18}"), &remark, 18);
     }
     page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
-    page
+    let table = arguments.table.of(&arguments.scene, &preset.scene, "run --compare models");
+    table.deliver(&page, report::results(&runs)).map(|()| ExitCode::SUCCESS)
 }

@@ -20,8 +20,7 @@ use crate::cli::table::{TableArguments, TableDestination};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
-use crate::files::error::FileError;
-use crate::files::export::Beside;
+use crate::files::export::{self, Beside};
 use crate::files::preset::Preset;
 use crate::files::sweep::notes;
 use crate::model::scene::Scene;
@@ -205,29 +204,27 @@ impl Job<'_> {
             }
             write(piece.csv.as_bytes(), &piece.json)
         });
-        let summary = match (streamed, &target) {
-            (Err(CliError::File(problem)), TableDestination::File(to)) => {
-                return Err(to.kept(file, problem).into());
+        let summary = match (streamed, &file) {
+            (Err(CliError::File(problem)), Some(file)) => {
+                return Err(export::kept(file, problem).into());
             }
             (streamed, _) => streamed?,
         };
         let missing = self.missing(&summary);
-        if has_json {
-            write(b"", &json_tail(summary.points(), missing.is_none()))?;
-        }
-        output::print("")?;
+        let tail = json_tail(summary.points(), missing.is_none());
+        output::print(if has_json { &tail } else { "" })?;
         if let (Some(file), TableDestination::File(to)) = (file, target) {
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
-            let notes = |own: &str| notes(own, self.plan, self.shard, missing.as_deref());
-            let beside = Beside { run: None, scene: &scene, notes: Box::new(notes) };
-            // Another program may have taken the name meanwhile.
-            let taken = if missing.is_none() { to.check().err() } else { None };
-            let placed = to.placed(missing.is_none() && taken.is_none());
-            output::note_written(&placed.finish(file, &[beside])?);
-            if let Some(problem) = taken.map(Box::new) {
-                return Err(FileError::Kept { path: placed.path, problem }.into());
-            }
+            let notes = notes(self.plan, missing.as_deref());
+            let is_part = self.shard != Shard::WHOLE;
+            let part = if is_part { format!(" --shard {}", self.shard) } else { String::new() };
+            let command = format!("sweep{part}");
+            let scenes = [Beside { run: None, scene: &scene, notes, command }];
+            output::note_written(&match missing {
+                None => to.finish(file, &scenes)?,
+                Some(_) => export::leave(&file, &scenes)?,
+            });
         }
         Ok(summary)
     }

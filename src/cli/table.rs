@@ -13,7 +13,7 @@ use crate::cli::scene::{Changes, SceneArguments};
 use crate::cli::{CliError, output, text};
 use crate::files::atomic::Existing;
 use crate::files::error::FileError;
-use crate::files::export::{self, Beside, Destination};
+use crate::files::export::{Beside, Destination};
 use crate::model::run::envelope::OUTSIDE;
 use crate::model::scene::Scene;
 use crate::report::table::{Table, pretty};
@@ -197,7 +197,7 @@ impl Delivery<'_> {
         let written = match table.target() {
             TableDestination::None => Ok(()),
             TableDestination::Stdout => return output::print(&csv()),
-            TableDestination::File(to) => self.write(to, &csv()),
+            TableDestination::File(to) => self.write(&to, &csv()),
         };
         // A file that cannot be written must not cost what was computed.
         let changed =
@@ -208,24 +208,14 @@ impl Delivery<'_> {
         Ok(written?)
     }
 
-    /// The name of an incomplete table after an interrupt.
-    fn write(&self, to: Destination, text: &str) -> Result<(), FileError> {
-        let missing = missing_line();
-        let source = self.source.as_ref().and_then(|it| Some((it.scene?, &it.command)));
-        let beside = source.map(|(scene, command)| Beside {
-            run: None,
-            scene,
-            notes: Box::new(|own| missing.clone() + &export::again(command, own)),
-        });
-        let to = to.placed(missing.is_empty());
-        output::note_written(&to.write(text.as_bytes(), beside.as_slice())?);
+    fn write(&self, to: &Destination, text: &str) -> Result<(), FileError> {
+        let notes = not_complete().map_or_else(String::new, |missing| format!("# {missing}\n"));
+        let is_complete = notes.is_empty();
+        let source = self.source.as_ref().and_then(|it| Some((it.scene?, it.command.clone())));
+        let beside = source.map(|(scene, command)| Beside { run: None, scene, notes, command });
+        output::note_written(&to.write(text.as_bytes(), beside.as_slice(), is_complete)?);
         Ok(())
     }
-}
-
-/// The comment line of an incomplete table; empty for a complete one.
-pub(super) fn missing_line() -> String {
-    not_complete().map_or_else(String::new, |missing| format!("# {missing}\n"))
 }
 
 /// The rows of an incomplete table say so.

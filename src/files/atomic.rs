@@ -9,20 +9,10 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
-use rustix::event::{Timespec, poll};
-use rustix::fs::{FlockOperation, flock};
 use tempfile::NamedTempFile;
 
 use crate::files::error::FileError;
-
-/// How the names of temporary files begin and end.
-const PREFIX: &str = ".cmra-";
-const SUFFIX: &str = ".tmp";
-
-/// A temporary file so old is locked by the program that writes it, or that program was killed.
-const LEFTOVER: Duration = Duration::from_secs(60);
 
 /// The handling of an existing file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,9 +35,9 @@ impl Existing {
 /// # Errors
 /// [`FileError::Exists`] or [`FileError::Write`]; nothing is left behind then.
 pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), FileError> {
-    let mut file = Growing::begin(path, existing)?;
+    let mut file = Growing::prepare(path, existing, hidden)?;
     file.add(content)?;
-    file.finish(path, &[], existing)
+    name_all(vec![file], existing)
 }
 
 /// Make the folder of a file, where it is missing.
@@ -82,15 +72,12 @@ pub fn ordinary(path: &Path) -> Result<(), FileError> {
 
 /// Whether this is a pipe in a folder: opening it waits for another program, which may never come. Those that a shell hands over
 /// (`<(...)`, `/dev/stdout`) have their other end already.
-pub fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
+fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
     found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
 }
 
-/// What an old file is called while the one that it belongs to is replaced.
-const PREVIOUS: &str = ".previous";
-
-/// Give all files their names. Those after the first belong to it: the old ones step aside first, so that a program that is killed in
-/// between leaves a file alone, never beside one that belongs to another, and the old one under another name.
+/// Give all files their names. Those after the first belong to it: the old ones go first, so that a program that is killed in between
+/// leaves a file alone, never beside one that belongs to another.
 fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
     for Growing { target, place, .. } in &ready {
         if let Place::Beside(file) = place {
@@ -98,37 +85,21 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
             synced.map_err(|source| FileError::write(target, source))?;
         }
     }
-    let mut previous = Vec::new();
-    if existing == Existing::Replace {
-        for file in ready.iter().skip(1).filter(|file| matches!(file.place, Place::Beside(_))) {
-            let aside = with_end(&file.target, PREVIOUS);
-            // Where there is none, or it cannot step aside, naming the new one tells.
-            if fs::rename(&file.target, &aside).is_ok() {
-                previous.push(aside);
-            }
-        }
+    for old in ready.iter().skip(1).filter(|_| existing == Existing::Replace) {
+        // Where there is none, or it cannot be removed, naming the new one tells.
+        let _ = fs::remove_file(&old.target);
     }
     let mut named: Vec<PathBuf> = Vec::new();
     for file in ready {
         let path = file.target.clone();
         if let Err(error) = file.name(existing) {
-            // Nothing is in their place yet if it was the first.
-            for path in previous.iter().filter(|_| named.is_empty()) {
-                let _ = fs::rename(path, path.with_extension(""));
-            }
             // Only files that were not there before are taken back: a replaced one cannot be.
-            if existing == Existing::Keep {
-                for path in &named {
-                    let _ = fs::remove_file(path);
-                }
+            for path in named.iter().filter(|_| existing == Existing::Keep) {
+                let _ = fs::remove_file(path);
             }
             return Err(error);
         }
         named.push(path);
-    }
-    for path in previous {
-        // Where it cannot be taken away it does no harm.
-        let _ = fs::remove_file(path);
     }
     // Not between two names: a program that is killed while the disk works would leave files that do not belong together.
     for directory in named.iter().map(|path| directory_of(path)).collect::<BTreeSet<_>>() {
@@ -137,58 +108,11 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
     Ok(())
 }
 
-/// Take away the temporary files that a program killed in the middle of writing has left in a directory.
-pub fn clear_leftovers(directory: &Path) {
-    clear_older(directory, LEFTOVER);
-}
-
-fn clear_older(directory: &Path, least: Duration) {
-    let Ok(entries) = fs::read_dir(directory) else { return };
-    for entry in entries.flatten() {
-        let name = entry.file_name();
-        let name = name.to_string_lossy();
-        if !(name.starts_with(PREFIX) && name.ends_with(SUFFIX)) {
-            continue;
-        }
-        let modified = entry.metadata().ok().filter(fs::Metadata::is_file);
-        let age = modified.and_then(|found| found.modified().ok()?.elapsed().ok());
-        // A program that is still writing has it locked.
-        if age.is_some_and(|age| age >= least) && File::open(entry.path()).is_ok_and(|it| lock(&it))
-        {
-            // Where it cannot be taken away it does no harm.
-            let _ = fs::remove_file(entry.path());
-        }
-    }
-}
-
-/// Lock a file until it is closed; false where another program has it locked, or the file system cannot lock.
-fn lock(file: &File) -> bool {
-    flock(file, FlockOperation::NonBlockingLockExclusive).is_ok()
-}
-
-/// How often a lock that another program holds is tried again, and for how long.
-const LOCK_EVERY: Timespec = Timespec { tv_sec: 0, tv_nsec: 5_000_000 };
-const LOCK_TRIES: u32 = 1000;
-
-/// Waits for the lock of this file, which one program has at a time: until the result is dropped, or the program ends, however it
-/// ends. Where it cannot be had (the file system has no locks, its holder was stopped), the work goes on without it: what it guards
-/// matters less than the work.
-pub fn wait_for_lock(path: &Path) -> Option<File> {
-    let file = OpenOptions::new().create(true).truncate(false).write(true).open(path).ok()?;
-    for _ in 0..LOCK_TRIES {
-        if lock(&file) {
-            return Some(file);
-        }
-        // Waits for no event at all: until the time is over.
-        let _ = poll(&mut [], Some(&LOCK_EVERY));
-    }
-    None
-}
-
 /// How the name of a table ends that is not finished.
 const PARTIAL: &str = ".partial";
 
-/// A file that grows piece by piece and takes its name when it is finished; until then it is a temporary one beside it.
+/// A table that grows piece by piece in `NAME.partial` and takes its name when it is finished. From its first piece on the file stays,
+/// however the program ends.
 pub struct Growing {
     /// Its name as it was given.
     path: PathBuf,
@@ -211,18 +135,6 @@ impl Growing {
     /// # Errors
     /// [`FileError::Exists`] or [`FileError::Write`].
     pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
-        clear_leftovers(directory_of(path));
-        let mut file = Self::prepare(path, existing, hidden)?;
-        file.add(b"")?;
-        Ok(file)
-    }
-
-    /// Begin a table, whose making takes long. Until it is finished its rows are in `NAME.partial`, which stays there with what it has
-    /// if the program is killed, and which no other program takes away.
-    ///
-    /// # Errors
-    /// As [`Growing::begin`].
-    pub fn begin_table(path: &Path, existing: Existing) -> Result<Self, FileError> {
         let mut file = Self::prepare(path, existing, visible)?;
         file.add(b"")?;
         Ok(file)
@@ -236,6 +148,7 @@ impl Growing {
         // A link stays a link: what it points to is replaced.
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let failed = |source| FileError::write(path, source);
+        let placed = |target, place| Self { path: path.to_owned(), target, place, length: 0 };
         let found = fs::metadata(&target).ok();
         if let Some(found) = &found {
             if found.is_dir() {
@@ -245,18 +158,14 @@ impl Growing {
                 return Err(FileError::special(path));
             }
             if !found.is_file() {
-                return Ok(Self {
-                    path: path.to_owned(),
-                    target,
-                    place: Place::Direct(None),
-                    length: 0,
-                });
+                return Ok(placed(target, Place::Direct(None)));
             }
         }
-        if existing == Existing::Keep && fs::symlink_metadata(&target).is_ok() {
+        let is_there = fs::symlink_metadata(&target).is_ok();
+        if existing == Existing::Keep && is_there {
             return Err(FileError::Exists(path.to_owned()));
         }
-        if found.is_none() && fs::symlink_metadata(&target).is_ok() {
+        if found.is_none() && is_there {
             let problem =
                 "it is a link to a file that is not there: remove the link, or choose another name";
             return Err(FileError::target(path, problem));
@@ -266,13 +175,11 @@ impl Growing {
             return Err(FileError::target(path, problem));
         }
         let file = temporary(&target).map_err(failed)?;
-        // So that no other program takes it for one that was left behind.
-        let _ = lock(file.as_file());
         if let Some(found) = found {
             // Not by the builder: the user's mask would be taken off once more.
             file.as_file().set_permissions(found.permissions()).map_err(failed)?;
         }
-        Ok(Self { path: path.to_owned(), target, place: Place::Beside(file), length: 0 })
+        Ok(placed(target, Place::Beside(file)))
     }
 
     /// Add a piece.
@@ -281,12 +188,7 @@ impl Growing {
     /// [`FileError::Write`].
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
         let written = match &mut self.place {
-            Place::Beside(file) => {
-                // From its first row on a table is worth keeping, however the program ends.
-                let is_visible = file.path().extension().is_none_or(|end| end != "tmp");
-                file.disable_cleanup(is_visible && !content.is_empty());
-                file.as_file_mut().write_all(content)
-            }
+            Place::Beside(file) => file.as_file_mut().write_all(content),
             Place::Direct(Some(device)) => device.write_all(content),
             Place::Direct(device) => {
                 let opened = OpenOptions::new().write(true).open(&self.target);
@@ -295,37 +197,33 @@ impl Growing {
         };
         written.map_err(|source| FileError::write(&self.path, source))?;
         self.length += content.len() as u64;
+        if let Place::Beside(file) = &mut self.place {
+            let is_table = file.path().extension().is_none_or(|end| end != "tmp");
+            file.disable_cleanup(is_table && self.length > 0);
+        }
         Ok(())
     }
 
-    /// Keep the pieces that were added whole under another, free name in the same folder: they need no more room on the disk.
-    ///
-    /// # Errors
-    /// Whatever forbids it.
-    pub fn keep(self, path: &Path) -> io::Result<()> {
-        let (Place::Beside(file), 1..) = (self.place, self.length) else {
-            return Err(io::ErrorKind::Unsupported.into());
-        };
-        file.as_file().set_len(self.length)?;
-        let target = self.target.with_file_name(path.file_name().unwrap_or_default());
-        persist_free(file, &target)
+    /// Where the pieces that were added whole are if it is not finished: they need no more room on the disk. `None` of a device, and
+    /// of a table without a piece.
+    pub fn partial(&self) -> Option<PathBuf> {
+        match &self.place {
+            Place::Beside(file) if self.length > 0 => {
+                // Where a broken last piece cannot be cut off, it can be seen.
+                let _ = file.as_file().set_len(self.length);
+                let is_link = fs::read_link(&self.path).is_ok();
+                let given = if is_link { &self.target } else { &self.path };
+                Some(given.with_file_name(file.path().file_name().unwrap_or_default()))
+            }
+            Place::Beside(_) | Place::Direct(_) => None,
+        }
     }
 
-    /// Give it its name, or another one in the same folder, and write the files that belong to it.
+    /// Give it its name, and write the files that belong to it.
     ///
     /// # Errors
     /// [`FileError::Exists`] when another file has taken a name meanwhile, or [`FileError::Write`].
-    pub fn finish(
-        mut self,
-        path: &Path,
-        beside: &[(PathBuf, &[u8])],
-        existing: Existing,
-    ) -> Result<(), FileError> {
-        // Only for another name: what a link points to keeps its own.
-        if path != self.path && matches!(self.place, Place::Beside(_)) {
-            let name = path.file_name().unwrap_or_default();
-            self.target = self.target.with_file_name(name);
-        }
+    pub fn finish(self, beside: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), FileError> {
         let mut ready = vec![self];
         for (path, content) in beside {
             let mut file = Self::prepare(path, existing, hidden)?;
@@ -339,31 +237,30 @@ impl Growing {
     fn name(self, existing: Existing) -> Result<(), FileError> {
         let (target, Place::Beside(file)) = (self.target, self.place) else { return Ok(()) };
         let named = match existing {
-            Existing::Keep => persist_free(file, &target),
-            Existing::Replace => persist_over(file, &target),
+            Existing::Keep => file.persist_noclobber(&target),
+            Existing::Replace => file.persist(&target),
         };
-        named.map_err(|error| match error.kind() {
+        named.map(drop).map_err(|failed| match failed.error.kind() {
             io::ErrorKind::AlreadyExists => FileError::Exists(target.clone()),
-            _ => FileError::write(&target, error),
+            _ => FileError::write(&target, failed.error),
         })
     }
 }
 
 /// A temporary file beside a target, which is small and soon gone.
 fn hidden(target: &Path) -> io::Result<NamedTempFile> {
-    builder().prefix(PREFIX).suffix(SUFFIX).tempfile_in(directory_of(target))
+    builder().prefix(".cmra-").suffix(".tmp").tempfile_in(directory_of(target))
 }
 
 /// A temporary file beside a target, `NAME.partial`, or with a number where there is one.
 fn visible(target: &Path) -> io::Result<NamedTempFile> {
-    let name = target.file_name().unwrap_or_default();
-    let ends = (1..10_000).map(|number| match number {
-        1 => PARTIAL.to_owned(),
-        _ => format!("{PARTIAL}-{number}"),
-    });
-    for end in ends {
-        let path = with_end(Path::new(name), &end);
-        let made = builder().prefix(&path).rand_bytes(0).tempfile_in(directory_of(target));
+    for number in 1..10_000 {
+        let mut name = target.file_name().unwrap_or_default().to_owned();
+        name.push(PARTIAL);
+        if number > 1 {
+            name.push(format!("-{number}"));
+        }
+        let made = builder().prefix(&name).rand_bytes(0).tempfile_in(directory_of(target));
         if !made.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::AlreadyExists) {
             return made;
         }
@@ -376,51 +273,6 @@ fn builder<'n>() -> tempfile::Builder<'n, 'n> {
     let mut builder = tempfile::Builder::new();
     builder.permissions(fs::Permissions::from_mode(0o666));
     builder
-}
-
-/// Gives a file a name that is free.
-fn persist_free(file: NamedTempFile, target: &Path) -> io::Result<()> {
-    match file.persist_noclobber(target) {
-        Ok(_) => Ok(()),
-        Err(failed) if failed.error.kind() == io::ErrorKind::AlreadyExists => Err(failed.error),
-        Err(failed) => persist_reserved(failed.file, target),
-    }
-}
-
-/// The same where the file system can neither rename without replacing nor link, as over FUSE and SMB: an empty file takes the name
-/// first, which fails where there is one.
-fn persist_reserved(file: NamedTempFile, target: &Path) -> io::Result<()> {
-    File::create_new(target)?;
-    file.persist(target).map(drop).map_err(|failed| {
-        let _ = fs::remove_file(target);
-        failed.error
-    })
-}
-
-/// Gives a file the name of another one.
-fn persist_over(file: NamedTempFile, target: &Path) -> io::Result<()> {
-    match file.persist(target) {
-        Ok(_) => Ok(()),
-        Err(failed) if failed.error.kind() == io::ErrorKind::ResourceBusy => {
-            copy_over(failed.file, target)
-        }
-        Err(failed) => Err(failed.error),
-    }
-}
-
-/// Writes into a file that cannot be replaced, such as one that is mounted by itself.
-fn copy_over(mut file: NamedTempFile, target: &Path) -> io::Result<()> {
-    let mut into = OpenOptions::new().write(true).truncate(true).open(target)?;
-    io::copy(&mut file.reopen()?, &mut into)?;
-    file.disable_cleanup(false);
-    into.sync_all()
-}
-
-/// A path whose name has a further ending.
-fn with_end(path: &Path, end: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(end);
-    PathBuf::from(name)
 }
 
 /// The new name itself reaches the disk only with its directory. Not every file system can do this, and the content is safe
@@ -456,116 +308,46 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let (first, second) = (place.path().join("a.csv"), place.path().join("a.toml"));
         fs::write(&second, "mine").unwrap();
-        let mut file = Growing::begin(&first, Existing::Keep).unwrap();
-        file.add(b"1").unwrap();
-        assert!(file.finish(&first, &[(second.clone(), b"2")], Existing::Keep).is_err());
+        let file = Growing::begin(&first, Existing::Keep).unwrap();
+        assert!(file.finish(&[(second.clone(), b"2")], Existing::Keep).is_err());
         assert_eq!(names(place.path()), ["a.toml"]);
         assert_eq!(fs::read(&second).unwrap(), b"mine");
-    }
-
-    #[test]
-    fn a_growing_file_has_its_name_only_when_it_is_finished() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("a.csv");
-        let mut file = Growing::begin(&path, Existing::Keep).unwrap();
-        file.add(b"one ").unwrap();
-        assert!(!path.exists());
-        file.add(b"two").unwrap();
-        file.finish(&path, &[], Existing::Keep).unwrap();
-        assert_eq!(fs::read(&path).unwrap(), b"one two");
-        assert!(matches!(Growing::begin(&path, Existing::Keep), Err(FileError::Exists(_))));
-        drop(Growing::begin(&path, Existing::Replace).unwrap());
-        assert_eq!(fs::read(&path).unwrap(), b"one two");
-        assert_eq!(names(place.path()), ["a.csv"]);
     }
 
     #[test]
     fn a_growing_table_can_be_seen_and_is_left_alone() {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("a.csv");
-        let begin = || Growing::begin_table(&path, Existing::Keep).unwrap();
+        let begin = || Growing::begin(&path, Existing::Keep).unwrap();
         let mut first = begin();
         first.add(b"1\n").unwrap();
         let mut second = begin();
         second.add(b"2\n").unwrap();
         // One without a row is nothing to keep.
         drop(begin());
-        clear_older(place.path(), Duration::ZERO);
         assert_eq!(names(place.path()), ["a.csv.partial", "a.csv.partial-2"]);
+        assert_eq!(first.partial(), Some(place.path().join("a.csv.partial")));
         // As if it had been killed.
         drop(first);
         assert_eq!(fs::read(place.path().join("a.csv.partial")).unwrap(), b"1\n");
-        second.finish(&path, &[], Existing::Keep).unwrap();
+        second.finish(&[], Existing::Keep).unwrap();
         assert_eq!(names(place.path()), ["a.csv", "a.csv.partial"]);
         assert_eq!(fs::read(&path).unwrap(), b"2\n");
+        assert!(matches!(Growing::begin(&path, Existing::Keep), Err(FileError::Exists(_))));
     }
 
     #[test]
-    fn a_file_system_that_lacks_something_costs_no_row() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("a.csv");
-        let made = |content: &[u8]| {
-            let mut file = hidden(&path).unwrap();
-            file.write_all(content).unwrap();
-            file
-        };
-        // Neither a rename that replaces nothing nor a link.
-        persist_reserved(made(b"1"), &path).unwrap();
-        let taken = persist_reserved(made(b"2"), &path).unwrap_err();
-        assert_eq!(taken.kind(), io::ErrorKind::AlreadyExists);
-        assert_eq!(fs::read(&path).unwrap(), b"1");
-        // No rename at all over this one.
-        copy_over(made(b"3"), &path).unwrap();
-        assert_eq!(fs::read(&path).unwrap(), b"3");
-        assert_eq!(names(place.path()), ["a.csv"]);
-    }
-
-    #[test]
-    fn an_old_scene_is_there_until_the_new_table_is() {
-        let place = tempfile::tempdir().unwrap();
-        let (table, scene) = (place.path().join("a.csv"), place.path().join("a.toml"));
-        fs::write(&scene, "old").unwrap();
-        // A folder takes the table's name meanwhile: it cannot be named.
-        let file = Growing::begin(&table, Existing::Replace).unwrap();
-        fs::create_dir(&table).unwrap();
-        assert!(file.finish(&table, &[(scene, b"new")], Existing::Replace).is_err());
-        assert_eq!(names(place.path()), ["a.csv", "a.toml"]);
-    }
-
-    #[test]
-    fn a_link_to_nothing_is_not_replaced() {
+    fn neither_a_link_to_nothing_nor_a_directory_is_replaced() {
         let place = tempfile::tempdir().unwrap();
         let link = place.path().join("a.csv");
         std::os::unix::fs::symlink(place.path().join("absent"), &link).unwrap();
-        let error = write(&link, b"1", Existing::Replace).unwrap_err().to_string();
-        assert!(error.contains("a link to a file that is not there"), "{error}");
+        for (path, words) in
+            [(&*link, "a link to a file that is not there"), (place.path(), "directory")]
+        {
+            let error = write(path, b"1", Existing::Replace).unwrap_err().to_string();
+            assert!(error.contains(words), "{error}");
+        }
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
-    }
-
-    #[test]
-    fn leftovers_of_a_killed_program_are_removed_and_nothing_else() {
-        let place = tempfile::tempdir().unwrap();
-        let (left, mine) = (place.path().join(".cmra-Ab12.tmp"), place.path().join("mine.tmp"));
-        fs::write(&left, "half a sess").unwrap();
-        fs::write(&mine, "1").unwrap();
-        fs::create_dir(place.path().join(".cmra-folder.tmp")).unwrap();
-        // Another program may be about to name it.
-        clear_leftovers(place.path());
-        assert_eq!(names(place.path()), [".cmra-Ab12.tmp", ".cmra-folder.tmp", "mine.tmp"]);
-        // One that is being written is left alone, however old it is.
-        let growing = Growing::begin(&place.path().join("a.csv"), Existing::Keep).unwrap();
-        clear_older(place.path(), Duration::ZERO);
-        assert_eq!(names(place.path()).len(), 3);
-        drop(growing);
-        assert_eq!(names(place.path()), [".cmra-folder.tmp", "mine.tmp"]);
-        clear_older(&place.path().join("absent"), Duration::ZERO);
-    }
-
-    #[test]
-    fn a_directory_is_not_a_target() {
-        let place = tempfile::tempdir().unwrap();
-        let error = write(place.path(), b"1", Existing::Replace).unwrap_err();
-        assert!(error.to_string().contains("directory"), "{error}");
     }
 
     #[test]
@@ -574,47 +356,17 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let (real, link) = (place.path().join("real"), place.path().join("link"));
         fs::write(&real, "old").unwrap();
-        fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
         symlink(&real, &link).unwrap();
-        write(&link, b"new", Existing::Replace).unwrap();
-        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
-        assert_eq!(fs::read(&real).unwrap(), b"new");
-        let mode = || fs::metadata(&real).unwrap().permissions().mode() & 0o777;
-        assert_eq!(mode(), 0o640);
         // One that the user's mask would not allow.
         fs::set_permissions(&real, fs::Permissions::from_mode(0o666)).unwrap();
-        write(&link, b"newer", Existing::Replace).unwrap();
-        assert_eq!(mode(), 0o666);
+        write(&link, b"new", Existing::Replace).unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        let mode = || fs::metadata(&real).unwrap().permissions().mode() & 0o777;
+        assert_eq!((fs::read(&real).unwrap().as_slice(), mode()), (&b"new"[..], 0o666));
         // A read-only file is not replaced, though its folder would allow it.
         fs::set_permissions(&real, fs::Permissions::from_mode(0o444)).unwrap();
         let refused = write(&link, b"newest", Existing::Replace).unwrap_err().to_string();
         assert!(refused.contains("read-only"), "{refused}");
-        assert_eq!((fs::read(&real).unwrap().as_slice(), mode()), (&b"newer"[..], 0o444));
-    }
-
-    #[test]
-    fn a_partial_table_takes_another_name_and_replaces_nothing() {
-        let place = tempfile::tempdir().unwrap();
-        let (path, scene) = (place.path().join("a.csv"), place.path().join("a.partial.toml"));
-        fs::write(&path, "complete").unwrap();
-        let mut file = Growing::begin(&path, Existing::Replace).unwrap();
-        file.add(b"part").unwrap();
-        let partial = place.path().join("a.partial.csv");
-        file.finish(&partial, &[(scene, b"scene")], Existing::Keep).unwrap();
-        assert_eq!(fs::read(&path).unwrap(), b"complete");
-        assert_eq!(fs::read(&partial).unwrap(), b"part");
-        assert_eq!(names(place.path()), ["a.csv", "a.partial.csv", "a.partial.toml"]);
-    }
-
-    #[test]
-    fn one_has_a_lock_at_a_time() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("session.lock");
-        let first = wait_for_lock(&path);
-        assert!(first.is_some() && wait_for_lock(&path).is_none());
-        drop(first);
-        assert!(wait_for_lock(&path).is_some());
-        // Where there can be none, the work goes on.
-        assert!(wait_for_lock(&place.path().join("absent/session.lock")).is_none());
+        assert_eq!((fs::read(&real).unwrap().as_slice(), mode()), (&b"new"[..], 0o444));
     }
 }

@@ -21,8 +21,6 @@ use crate::study::quantities::of_runs;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
-/// What stands before the checksum of the rest, at the end of its first line.
-const SUM: &str = ", checksum ";
 
 /// Where a table goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,8 +39,10 @@ pub struct Beside<'a> {
     pub run: Option<&'a str>,
     /// The scene.
     pub scene: &'a Scene,
-    /// Makes the comment lines above it from the name of its file.
-    pub notes: Box<dyn Fn(&str) -> String + 'a>,
+    /// Comment lines above it.
+    pub notes: String,
+    /// The command that makes the table again of the scene: its name and options.
+    pub command: String,
 }
 
 /// A table of runs.
@@ -87,27 +87,24 @@ impl Destination {
         self.has_scene && is_ordinary()
     }
 
-    /// Where a table goes that may be incomplete: such a table has a name of its own, and takes the place of no other.
-    #[must_use]
-    pub fn placed(self, is_complete: bool) -> Self {
-        // A device is refused by its own name.
-        if is_complete || atomic::ordinary(&self.path).is_err() {
-            return self;
-        }
-        Self { path: partial_path(&self.path), existing: Existing::Keep, ..self }
-    }
-
     /// Write the table and the scenes beside it, and give the files written, the table first.
     ///
     /// # Errors
     /// [`FileError`]; no file is new or changed then.
-    pub fn write(&self, table: &[u8], scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
+    pub fn write(
+        &self,
+        table: &[u8],
+        scenes: &[Beside<'_>],
+        is_complete: bool,
+    ) -> Result<Vec<PathBuf>, FileError> {
         if !scenes.is_empty() {
             self.check_beside()?;
         }
-        let mut file = Growing::begin(&self.path, self.existing)?;
+        // A part of a table takes the place of none.
+        let existing = if is_complete { self.existing } else { Existing::Replace };
+        let mut file = Growing::begin(&self.path, existing)?;
         file.add(table)?;
-        self.finish(file, scenes)
+        if is_complete { self.finish(file, scenes) } else { leave(&file, scenes) }
     }
 
     /// Begin a table that is written as it is made, and whose scene goes beside it.
@@ -116,16 +113,7 @@ impl Destination {
     /// [`FileError`].
     pub fn begin(&self) -> Result<Growing, FileError> {
         self.check()?;
-        Growing::begin_table(&self.path, self.existing)
-    }
-
-    /// The error of a table that cannot be written further; its whole rows are kept under the name of an incomplete one.
-    pub fn kept(&self, file: Option<Growing>, problem: FileError) -> FileError {
-        let path = partial_path(&self.path);
-        match file.map(|file| file.keep(&path)) {
-            Some(Ok(())) => FileError::Kept { path, problem: Box::new(problem) },
-            Some(Err(_)) | None => problem,
-        }
+        Growing::begin(&self.path, self.existing)
     }
 
     /// Whether this file is the table or the scene beside it.
@@ -135,11 +123,18 @@ impl Destination {
         is_own(&self.path) || self.has_beside() && is_own(&sidecar_path(&self.path, None))
     }
 
-    /// Give such a table its name; as [`Destination::write`].
+    /// Give such a table its name; as [`Destination::write`]. What cannot have its name any more is left where it is.
     ///
     /// # Errors
     /// [`FileError`]; no file is new or changed then.
     pub fn finish(&self, file: Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
+        // Another program may have taken the name meanwhile.
+        let taken = atomic::check(&self.path, self.existing);
+        let taken =
+            taken.and_then(|()| if scenes.is_empty() { Ok(()) } else { self.check_beside() });
+        if let Err(problem) = taken {
+            return Err(kept(&file, problem));
+        }
         let mut beside: Vec<(PathBuf, String)> = Vec::new();
         for scene in scenes.iter().filter(|_| self.has_beside()) {
             let path = sidecar_path(&self.path, scene.run);
@@ -148,9 +143,32 @@ impl Destination {
         }
         let texts: Vec<(PathBuf, &[u8])> =
             beside.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
-        file.finish(&self.path, &texts, self.existing)?;
+        file.finish(&texts, self.existing)?;
         let beside = beside.into_iter().map(|(path, _)| path);
         Ok(std::iter::once(self.path.clone()).chain(beside).collect())
+    }
+}
+
+/// Leave a table that is not complete under its name of one that grows, with the scenes beside it; as [`Destination::write`].
+///
+/// # Errors
+/// [`FileError`] of a scene.
+pub fn leave(file: &Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
+    let Some(path) = file.partial() else { return Ok(Vec::new()) };
+    let mut files = vec![path.clone()];
+    for scene in scenes {
+        let beside = sidecar_path(&path, scene.run);
+        atomic::write(&beside, scene.file(&path).as_bytes(), Existing::Replace)?;
+        files.push(beside);
+    }
+    Ok(files)
+}
+
+/// The error of a table that cannot be written further, and where its whole rows are.
+pub fn kept(file: &Growing, problem: FileError) -> FileError {
+    match file.partial() {
+        Some(path) => FileError::Kept { path, problem: Box::new(problem) },
+        None => problem,
     }
 }
 
@@ -160,25 +178,15 @@ impl Beside<'_> {
         let own = sidecar_path(csv, self.run);
         let own = format!("./{}", own.file_name().unwrap_or_default().to_string_lossy());
         let name = csv.file_name().unwrap_or(csv.as_os_str()).to_string_lossy();
-        let (version, name, notes) =
-            (env!("CARGO_PKG_VERSION"), clean::line(&name), (self.notes)(&own));
-        let text = format!("{notes}\n{}", write::fresh(self.scene));
-        format!("{MARK} {version} with {name}{SUM}{:016x}\n{text}", checksum(&text))
+        let (version, name, notes) = (env!("CARGO_PKG_VERSION"), clean::line(&name), &self.notes);
+        let (command, options) = self.command.split_once(' ').unwrap_or((&self.command, ""));
+        let words = format!("cmra {command} {} {options}", clean::shell_word(&own));
+        let again = match command {
+            "" => String::new(),
+            _ => format!("# again: {} --csv -\n", clean::line(words.trim_end())),
+        };
+        format!("{MARK} {version} with {name}\n{notes}{again}\n{}", write::fresh(self.scene))
     }
-}
-
-/// The 64-bit FNV-1a hash of a text: it tells whether someone edited a sidecar.
-fn checksum(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
-        (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
-}
-
-/// The comment line with the command that makes a table again: its name and options, between them the scene beside the table.
-pub fn again(command: &str, own: &str) -> String {
-    let (name, options) = command.split_once(' ').unwrap_or((command, ""));
-    let words = format!("cmra {name} {} {options}", clean::shell_word(own));
-    format!("# again: {} --csv -\n", clean::line(words.trim_end()))
 }
 
 impl RunTable {
@@ -197,7 +205,8 @@ impl RunTable {
             scenes.push(Beside {
                 run: (index > 0).then_some(name.as_str()),
                 scene: &run.scene,
-                notes: Box::new(|_| outcome(run)),
+                notes: outcome(run),
+                command: String::new(),
             });
         }
         scenes
@@ -236,30 +245,7 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
     csv.with_file_name(name)
 }
 
-/// Where a table goes that is not complete: `NAME.partial.csv`, with a number where that or its sidecar's name is taken. It
-/// takes the place of no other table, whatever may be replaced.
-fn partial_path(csv: &Path) -> PathBuf {
-    let stem = csv.file_stem().unwrap_or_else(|| OsStr::new("export"));
-    let named = |number: usize| {
-        let mut name = stem.to_owned();
-        name.push(".partial");
-        if number > 1 {
-            name.push(format!("-{number}"));
-        }
-        if let Some(ending) = csv.extension() {
-            name.push(".");
-            name.push(ending);
-        }
-        csv.with_file_name(name)
-    };
-    let is_taken = |path: &Path| fs::symlink_metadata(path).is_ok();
-    (1..10_000)
-        .map(named)
-        .find(|path| !is_taken(path) && !is_taken(&sidecar_path(path, None)))
-        .unwrap_or_else(|| named(1))
-}
-
-/// A sidecar may replace an older sidecar, never a scene that someone wrote or edited.
+/// A sidecar may replace an older sidecar, never a scene that someone wrote.
 ///
 /// # Errors
 /// [`FileError::Refused`] when the CSV's name or what lies beside it forbids one.
@@ -271,22 +257,19 @@ fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     match fs::metadata(sidecar) {
         // A link to nothing is in the way, too.
         Err(_) if fs::symlink_metadata(sidecar).is_err() => return Ok(()),
-        Ok(found) if found.is_file() && is_as_written(sidecar) => return Ok(()),
+        Ok(found) if found.is_file() && is_sidecar(sidecar) => return Ok(()),
         _ => {}
     }
     let problem = format!(
-        "the scene goes beside it into `{}`, which is there and was not written by an export, or was edited since; choose another name, or move it away",
+        "the scene goes beside it into `{}`, which is there and was not written by an export; choose another name, or move it away",
         sidecar.display()
     );
     Err(FileError::target(csv, &problem))
 }
 
-/// Whether a file is a sidecar that nobody edited.
-fn is_as_written(path: &Path) -> bool {
-    let text = read::text_file(path, Accepts::Ordinary, read::BYTES_MAX).unwrap_or_default();
-    let (first, rest) = text.split_once('\n').unwrap_or_default();
-    let sum = first.rsplit_once(SUM).map(|(_, sum)| sum);
-    first.starts_with(MARK) && sum == Some(&format!("{:016x}", checksum(rest)))
+fn is_sidecar(path: &Path) -> bool {
+    let text = read::text_file(path, Accepts::Ordinary, read::BYTES_MAX);
+    text.is_ok_and(|text| text.starts_with(MARK))
 }
 
 #[cfg(test)]
@@ -294,38 +277,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_partial_table_has_a_name_that_is_free() {
-        let place = tempfile::tempdir().unwrap();
-        let at = |name: &str| place.path().join(name);
-        assert_eq!(partial_path(&at("a.csv")), at("a.partial.csv"));
-        fs::write(at("a.partial.csv"), "").unwrap();
-        fs::write(at("a.partial-2.toml"), "").unwrap();
-        assert_eq!(partial_path(&at("a.csv")), at("a.partial-3.csv"));
-        assert_eq!(partial_path(&at("table")), at("table.partial"));
-    }
-
-    #[test]
     fn a_table_that_is_not_complete_replaces_none() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.csv");
-        let whole = Destination { path, existing: Existing::Replace, has_scene: true };
-        assert_eq!(whole.clone().placed(true), whole);
-        let partial = whole.placed(false);
-        assert_eq!(partial.path, folder.path().join("a.partial.csv"));
-        assert_eq!(partial.existing, Existing::Keep);
-    }
-
-    #[test]
-    fn whole_rows_of_a_table_that_cannot_grow_are_kept() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.csv");
-        let to = Destination { path, existing: Existing::Keep, has_scene: true };
+        let at = |name: &str| folder.path().join(name);
+        let to = Destination { path: at("a.csv"), existing: Existing::Keep, has_scene: true };
+        fs::write(&to.path, "whole").unwrap();
+        for partial in ["a.csv.partial", "a.csv.partial-2"] {
+            assert_eq!(to.write(b"1\n", &[], false).unwrap(), [at(partial)]);
+        }
+        fs::remove_file(&to.path).unwrap();
         let mut file = to.begin().unwrap();
         file.add(b"1\n2\n").unwrap();
-        let error = to.kept(Some(file), FileError::NoHome).to_string();
-        assert!(error.ends_with("a.partial.csv`"), "{error}");
-        assert_eq!(fs::read(folder.path().join("a.partial.csv")).unwrap(), b"1\n2\n");
-        assert!(!to.path.exists());
+        fs::write(&to.path, "whole").unwrap();
+        let error = to.finish(file, &[]).unwrap_err().to_string();
+        assert!(error.ends_with("a.csv.partial-3`"), "{error}");
+        assert_eq!(fs::read(at("a.csv.partial-3")).unwrap(), b"1\n2\n");
+        assert_eq!(fs::read(&to.path).unwrap(), b"whole");
     }
 
     #[test]
@@ -347,27 +314,11 @@ mod tests {
         fs::write(&own, "format = 1").unwrap();
         let to = Destination { path, existing: Existing::Replace, has_scene: true };
         let scene = Scene::default();
-        let beside = Beside { run: None, scene: &scene, notes: Box::new(|own| again("run", own)) };
-        assert!(to.write(b"1\n", &[beside]).is_err() && !to.path.exists());
-        assert_eq!(to.write(b"1\n", &[]).unwrap(), [to.path]);
+        let (notes, command) = (String::new(), "run".to_owned());
+        let beside = Beside { run: None, scene: &scene, notes, command };
+        assert!(to.write(b"1\n", &[beside], true).is_err() && !to.path.exists());
+        assert_eq!(to.write(b"1\n", &[], true).unwrap(), [to.path]);
         assert_eq!(fs::read_to_string(own).unwrap(), "format = 1");
-    }
-
-    #[test]
-    fn a_sidecar_that_someone_edited_is_not_replaced() {
-        let folder = tempfile::tempdir().unwrap();
-        let (path, own) = (folder.path().join("a.csv"), folder.path().join("a.toml"));
-        let to = Destination { path, existing: Existing::Replace, has_scene: true };
-        let scene = Scene::default();
-        let notes = || -> Box<dyn Fn(&str) -> String> { Box::new(|own| again("run", own)) };
-        let write = || to.write(b"1\n", &[Beside { run: None, scene: &scene, notes: notes() }]);
-        write().unwrap();
-        write().unwrap();
-        let edited = fs::read_to_string(&own).unwrap() + "# mine\n";
-        fs::write(&own, &edited).unwrap();
-        let error = write().unwrap_err().to_string();
-        assert!(error.contains("edited since") && to.check().is_err(), "{error}");
-        assert_eq!(fs::read_to_string(&own).unwrap(), edited);
     }
 
     #[test]

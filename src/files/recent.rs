@@ -13,26 +13,23 @@ use crate::model::scene::Scene;
 /// How many scenes are kept.
 const KEPT: u32 = 5;
 
-/// Keep a scene of a workbench, and give its file: over an older one of the same scene or owner, else where there is none, else over
-/// the oldest. Without an owner every other scene is kept by itself.
+/// Keep a scene, and give its file: over an older one of the same scene, else where there is none, else over the oldest.
 ///
 /// # Errors
 /// [`FileError`].
-pub fn keep(folder: &Path, scene: &Scene, owner: Option<&str>) -> Result<PathBuf, FileError> {
-    let text = write::fresh(scene);
-    let head = format!("# left unsaved by workbench {}\n", owner.unwrap_or("of the last session"));
+pub fn keep(folder: &Path, scene: &Scene) -> Result<PathBuf, FileError> {
+    let text = format!("# left unsaved\n{}", write::fresh(scene));
     let files = (1..=KEPT).map(|number| folder.join(format!("unsaved-{number}.toml")));
     let files: Vec<PathBuf> = files.collect();
-    let is_outdated = |path: &&PathBuf| {
-        let there = read::text_file(path, Accepts::Ordinary, read::BYTES_MAX).unwrap_or_default();
-        owner.is_some() && there.starts_with(&head) || there.ends_with(&text)
+    let is_same = |path: &&PathBuf| {
+        read::text_file(path, Accepts::Ordinary, read::BYTES_MAX).is_ok_and(|there| there == text)
     };
     let free = || files.iter().find(|path| fs::symlink_metadata(path).is_err());
     let oldest = || files.iter().min_by_key(|path| modified(path));
-    let chosen = files.iter().find(is_outdated).or_else(free).or_else(oldest);
+    let chosen = files.iter().find(is_same).or_else(free).or_else(oldest);
     let path = chosen.cloned().unwrap_or_else(|| folder.join("unsaved-1.toml"));
     atomic::make_folder_of(&path)?;
-    atomic::write(&path, (head + &text).as_bytes(), Existing::Replace)?;
+    atomic::write(&path, text.as_bytes(), Existing::Replace)?;
     Ok(path)
 }
 
@@ -67,22 +64,11 @@ mod tests {
         };
         let scene_in = |path: &Path| preset::from_file(path, Accepts::Ordinary).unwrap().scene;
         for ratio in [1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 6.0] {
-            let path = keep(&folder, &of(ratio), None).unwrap();
+            let path = keep(&folder, &of(ratio)).unwrap();
             assert_eq!(scene_in(&path), of(ratio));
         }
         assert_eq!(list(&folder).len(), 5);
         let kept: Vec<Scene> = list(&folder).iter().map(|path| scene_in(path)).collect();
         assert!((2..=6).all(|ratio| kept.contains(&of(f64::from(ratio)))), "{kept:?}");
-    }
-
-    #[test]
-    fn a_workbench_that_goes_on_has_one_of_them() {
-        let place = tempfile::tempdir().unwrap();
-        for tolerance in [1e-6, 1e-7, 1e-8] {
-            let mut scene = Scene::default();
-            scene.run.tolerance = tolerance;
-            keep(place.path(), &scene, Some("A")).unwrap();
-        }
-        assert_eq!(list(place.path()).len(), 1);
     }
 }

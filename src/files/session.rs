@@ -5,8 +5,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -23,13 +21,6 @@ const RECENT_MAX: usize = 10;
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
 const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
 
-/// Edits that can be undone after a restart, and the bytes that their scenes may take.
-pub const UNDO_MAX: usize = 20;
-const UNDO_BYTES_MAX: usize = 1 << 16;
-
-/// The text before the writer's name in the head of the file.
-const WRITER: &str = "written by workbench ";
-
 /// The open state of the workbench.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Session {
@@ -45,19 +36,6 @@ pub struct Session {
     pub setup: Setup,
     /// Scene files opened or saved, newest first.
     pub recent: Vec<PathBuf>,
-    /// The last edits that can be undone, oldest first.
-    pub undo: Vec<UndoStep>,
-}
-
-/// An edit of the scene that can be undone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct UndoStep {
-    /// What it did: `gamma 1 -> 1.25`.
-    pub label: String,
-    /// The scene before it.
-    pub scene: Scene,
-    /// Name or path of the preset which that came from.
-    pub preset: String,
 }
 
 /// How the workbench was set, as far as a person chose it.
@@ -93,13 +71,13 @@ pub enum Switch {
 #[serde(default)]
 pub struct Setup {
     /// The absorber that the Limit tab compares with.
-    #[serde(alias = "Limit: absorber", deserialize_with = "readable")]
+    #[serde(deserialize_with = "readable")]
     pub absorber: Option<String>,
     /// What Explore shows.
-    #[serde(alias = "Explore", deserialize_with = "readable")]
+    #[serde(deserialize_with = "readable")]
     pub explore: Option<Explore>,
     /// What Search looks for.
-    #[serde(alias = "Search", deserialize_with = "readable")]
+    #[serde(deserialize_with = "readable")]
     pub search: Option<Search>,
 }
 
@@ -127,10 +105,8 @@ pub struct Search {
     pub bounds: Vec<(String, bool)>,
     /// The objectives of a front.
     pub minimise: Option<Vec<String>>,
-    /// The greatest stroke, m; without one there is no bound.
-    pub stroke_m: Option<f64>,
-    /// Further bounds that designs have to keep.
-    pub subject_to: Vec<String>,
+    /// Bounds that designs have to keep.
+    pub subject_to: Option<Vec<String>>,
     /// Only feasible designs count.
     pub feasible: Option<bool>,
     /// Designs that a front tries.
@@ -178,18 +154,13 @@ struct SessionFile {
     setup: Setup,
     #[serde(default)]
     pin: Vec<PinRow>,
-    #[serde(default)]
-    undo: Vec<UndoRow>,
 }
 
-/// What a key has, where that means something: it costs nothing else where it does not. A text may have it as JSON, or as a number, as
-/// older versions wrote it.
+/// What a key has, where that means something: it costs nothing else where it does not.
 fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     file: D,
 ) -> Result<Option<T>, D::Error> {
-    let value = toml::Value::deserialize(file)?;
-    let text = value.as_str().and_then(|text| serde_json::from_str(text).ok());
-    Ok(text.or_else(|| value.try_into().ok()))
+    Ok(toml::Value::deserialize(file)?.try_into().ok())
 }
 
 #[derive(Serialize, Deserialize)]
@@ -198,23 +169,12 @@ struct PinRow {
     scene: String,
 }
 
-#[derive(Serialize, Deserialize)]
-struct UndoRow {
-    label: String,
-    preset: String,
-    /// A scene file with what is not as usual.
-    scene: String,
-}
-
-/// The content that this workbench last read or wrote there, by which it notices another writer of the same file, and its own name there.
+/// The content that this workbench last read or wrote there, by which it notices another writer of the same file.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct Known {
-    text: Option<String>,
-    writer: Option<String>,
-}
+pub struct Known(Option<String>);
 
-/// Save the session, whole or not at all. What another workbench has written there since `known` is backed up first, and where
-/// to is returned; a session that was saved like this before does not replace it.
+/// Save the session, whole or not at all. The scene of another workbench that has written there since `known` is kept among the recent
+/// ones first, and where is returned; a session that was saved like this before does not replace it.
 ///
 /// # Errors
 /// [`FileError`].
@@ -223,27 +183,23 @@ pub fn save(
     session: &Session,
     known: &mut Known,
 ) -> Result<Option<PathBuf>, FileError> {
-    atomic::make_folder_of(path)?;
-    // Another workbench that saves between the reading and the writing below would be overwritten unseen.
-    let _lock = atomic::wait_for_lock(&path.with_extension("lock"));
-    let writer = known.writer.get_or_insert_with(new_writer).clone();
-    let text = text(path, session, &writer)?;
+    let text = text(path, session)?;
     let there = read::text_file(path, Accepts::Ordinary, BYTES_MAX).ok();
-    // Only the head tells who wrote it.
-    let is_saved = known.text.as_deref().map(body) == Some(body(&text));
-    if is_saved && there.is_some() {
+    if known.0.as_ref() == Some(&text) && there.is_some() {
         return Ok(None);
     }
-    let aside = match there {
-        Some(there) if known.text.as_ref() != Some(&there) => Some(aside(path, &there)?),
-        Some(_) | None => None,
+    let other = there.filter(|there| known.0.as_ref() != Some(there));
+    let aside = match other.and_then(|there| parse(&there).0) {
+        Some(other) => Some(recent::keep(&path.with_file_name("recent"), &other.scene)?),
+        None => None,
     };
+    atomic::make_folder_of(path)?;
     atomic::write(path, text.as_bytes(), Existing::Replace)?;
-    known.text = Some(text);
+    known.0 = Some(text);
     Ok(aside)
 }
 
-fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileError> {
+fn text(path: &Path, session: &Session) -> Result<String, FileError> {
     let file = SessionFile {
         format: read::FORMAT,
         preset: session.preset.clone(),
@@ -256,35 +212,16 @@ fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileErro
             .iter()
             .map(|(name, scene)| PinRow { name: name.clone(), scene: write::fresh(scene) })
             .collect(),
-        undo: undo_rows(&session.undo),
     };
     let body = toml::to_string_pretty(&file)
         .map_err(|error| FileError::target(path, &error.to_string()))?;
     let version = env!("CARGO_PKG_VERSION");
-    Ok(format!("# the last session of cmra {version}; {WRITER}{writer}\n{body}"))
-}
-
-/// The newest steps that have room, oldest first.
-fn undo_rows(steps: &[UndoStep]) -> Vec<UndoRow> {
-    let least = format!("format = {}\n", read::FORMAT);
-    let mut room = UNDO_BYTES_MAX;
-    let mut rows = Vec::new();
-    for UndoStep { label, scene, preset } in steps.iter().rev().take(UNDO_MAX) {
-        let Ok(text) = write::updated(&least, "an edit", scene) else { break };
-        let Some(left) = room.checked_sub(text.len()) else { break };
-        room = left;
-        rows.push(UndoRow { label: label.clone(), preset: preset.clone(), scene: text });
-    }
-    rows.reverse();
-    rows
+    Ok(format!("# the last session of cmra {version}\n{body}"))
 }
 
 /// Load the last session, if there is one. A file that is damaged is backed up with the ending `.broken`, and what can be read
 /// of it is kept.
 pub fn load(path: &Path) -> Loaded {
-    if let Some(directory) = path.parent() {
-        atomic::clear_leftovers(directory);
-    }
     if fs::symlink_metadata(path).is_err() {
         return Loaded::default();
     }
@@ -296,7 +233,9 @@ pub fn load(path: &Path) -> Loaded {
         Err(error) => (None, (None, vec![error.to_string()])),
     };
     let notice = (!problems.is_empty()).then(|| {
-        let aside = broken_name(path);
+        let mut aside = path.as_os_str().to_owned();
+        aside.push(".broken");
+        let aside = PathBuf::from(aside);
         let kept = match fs::rename(path, &aside) {
             Ok(()) => format!("it was kept as `{}`", aside.display()),
             Err(error) => format!("and it could not be backed up: {error}"),
@@ -309,43 +248,8 @@ pub fn load(path: &Path) -> Loaded {
         format!("{lost}; {kept}: {}", problems.join("; "))
     });
     // A session that was backed up is gone.
-    let known = Known { text: text.filter(|_| notice.is_none()), writer: None };
+    let known = Known(text.filter(|_| notice.is_none()));
     Loaded { session, notice, known }
-}
-
-/// A name that no other workbench has: by the process, the time, and the number of those of this process.
-fn new_writer() -> String {
-    static NUMBER: AtomicUsize = AtomicUsize::new(1);
-    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-    format!("{}-{}-{number}", std::process::id(), since.as_micros())
-}
-
-fn writer_of(text: &str) -> Option<&str> {
-    Some(text.lines().next()?.split_once(WRITER)?.1)
-}
-
-/// All but the head.
-fn body(text: &str) -> &str {
-    text.split_once('\n').map_or(text, |(_, body)| body)
-}
-
-/// Keep the scene of another workbench's session; one that cannot be read is kept as it is.
-fn aside(path: &Path, there: &str) -> Result<PathBuf, FileError> {
-    if let Some(session) = parse(there).0 {
-        let owner = writer_of(there).unwrap_or("another");
-        return recent::keep(&path.with_file_name("recent"), &session.scene, Some(owner));
-    }
-    let broken = broken_name(path);
-    atomic::write(&broken, there.as_bytes(), Existing::Replace)?;
-    Ok(broken)
-}
-
-/// Where a damaged session goes.
-fn broken_name(path: &Path) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(".broken");
-    PathBuf::from(name)
 }
 
 /// The readable part of a session, and the errors.
@@ -367,17 +271,6 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
             Err(error) => problems.push(error.to_string()),
         }
     }
-    let mut undo = Vec::new();
-    for UndoRow { label, preset, scene } in file.undo {
-        match read::scene(&scene, &label) {
-            Ok(scene) => undo.push(UndoStep { label, scene, preset }),
-            Err(error) => {
-                // What was before it cannot be reached.
-                undo.clear();
-                problems.push(error.to_string());
-            }
-        }
-    }
     match read::scene(&file.scene, "scene") {
         Ok(scene) => {
             let session = Session {
@@ -387,7 +280,6 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
                 view: file.view,
                 setup: file.setup,
                 recent: file.recent.into_iter().map(PathBuf::from).collect(),
-                undo,
             };
             (Some(session), problems)
         }
@@ -412,9 +304,6 @@ mod tests {
         session.setup.search =
             Some(Search { goal: "stroke_m=0.6".to_owned(), ..Search::default() });
         note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
-        let scene = Scene { title: "before".to_owned(), ..Scene::default() };
-        let (label, preset) = ("gamma 1 -> 2".to_owned(), "cocked".to_owned());
-        session.undo.push(UndoStep { label, scene, preset });
         session
     }
 
@@ -427,60 +316,22 @@ mod tests {
             session.scene.plate.mass_ratio = ratio;
             session
         };
-        let kept = || -> Vec<f64> {
-            let files = recent::list(&place.path().join("recent"));
-            let scene =
-                |path: &PathBuf| read::text_file(path, Accepts::Ordinary, BYTES_MAX).unwrap();
-            let scenes = files.iter().map(|path| read::scene(&scene(path), "kept").unwrap());
-            let mut ratios: Vec<f64> = scenes.map(|scene| scene.plate.mass_ratio).collect();
-            ratios.sort_by(f64::total_cmp);
-            ratios
-        };
+        let kept = || recent::list(&place.path().join("recent")).len();
         save(&path, &of(1.0), &mut Known::default()).unwrap();
         let (mut first, mut second) = (load(&path).known, load(&path).known);
         // The second one saves; the first one has done nothing since and leaves.
         assert_eq!(save(&path, &of(2.0), &mut second).unwrap(), None);
         assert_eq!(save(&path, &of(1.0), &mut first).unwrap(), None);
-        assert_eq!(load(&path).session, Some(of(2.0)));
-        assert!(kept().is_empty());
-        // Both go on working: each has one scene among those that are kept.
-        assert!(save(&path, &of(3.0), &mut first).unwrap().is_some());
-        assert_eq!(kept(), [2.0]);
-        save(&path, &of(4.0), &mut second).unwrap();
-        save(&path, &of(5.0), &mut first).unwrap();
-        assert_eq!(kept(), [3.0, 4.0]);
-        assert_eq!(load(&path).session, Some(of(5.0)));
+        assert_eq!((load(&path).session, kept()), (Some(of(2.0)), 0));
+        // It goes on working.
+        let aside = save(&path, &of(3.0), &mut first).unwrap().unwrap();
+        let text = fs::read_to_string(aside).unwrap();
+        assert_eq!(read::scene(&text, "kept").unwrap(), of(2.0).scene);
+        assert_eq!((load(&path).session, kept()), (Some(of(3.0)), 1));
         // Someone took the file away: it is written again.
         fs::remove_file(&path).unwrap();
-        assert_eq!(save(&path, &of(5.0), &mut first).unwrap(), None);
-        assert_eq!(load(&path).session, Some(of(5.0)));
-    }
-
-    /// Each round, two that began on the same session save at the same moment: one of them is backed up.
-    #[test]
-    fn two_that_save_at_once_are_both_kept() {
-        for round in 0..40 {
-            let place = tempfile::tempdir().unwrap();
-            let path = place.path().join("session.toml");
-            save(&path, &example(), &mut Known::default()).unwrap();
-            let known = load(&path).known;
-            let barrier = std::sync::Barrier::new(2);
-            std::thread::scope(|scope| {
-                for ratio in [2.0, 3.0] {
-                    let (mut known, barrier, path) = (known.clone(), &barrier, &path);
-                    scope.spawn(move || {
-                        let mut session = example();
-                        session.scene.plate.mass_ratio = ratio;
-                        barrier.wait();
-                        save(path, &session, &mut known).unwrap();
-                    });
-                }
-            });
-            let here = load(&path).session.unwrap().scene.plate.mass_ratio;
-            let aside = fs::read_to_string(place.path().join("recent/unsaved-1.toml")).unwrap();
-            let both = here + read::scene(&aside, "kept").unwrap().plate.mass_ratio;
-            assert!((both - 5.0).abs() < 1e-12, "round {round}: one of them is lost");
-        }
+        assert_eq!(save(&path, &of(3.0), &mut first).unwrap(), None);
+        assert_eq!(load(&path).session, Some(of(3.0)));
     }
 
     #[test]
@@ -543,27 +394,6 @@ mod tests {
             let loaded = load(&path);
             assert_eq!((loaded.session, loaded.notice), (Some(example()), None), "{wrong}");
         }
-    }
-
-    /// Versions up to 0.2 wrote setups as texts in JSON, and numbers as texts.
-    #[test]
-    fn a_session_of_an_older_version_is_read() {
-        let scene = write::fresh(&Scene::default());
-        let text = format!(
-            "format = 1\nscene = \'\'\'\n{scene}\'\'\'\n[view]\nauto_run = \"off\"\nthreads = \"2\"\n\
-             [setup]\n\"Limit: absorber\" = \"foam\"\nExplore = '{{\"is_map\":true,\"curves\":3,\"output\":\"stroke_m\"}}'\n\
-             Search = '{{\"seek\":\"k=1..2:3\",\"stroke_m\":null,\"bounds\":[[\"gamma=1..5\",false]]}}'\n"
-        );
-        let setup = parse(&text).0.unwrap();
-        let view = View { auto_run: Some(Switch::Off), threads: Some(2), ..View::default() };
-        assert_eq!(setup.view, view);
-        let Setup { absorber, explore, search } = setup.setup;
-        assert_eq!(absorber.as_deref(), Some("foam"));
-        let output = "stroke_m".to_owned();
-        assert_eq!(explore, Some(Explore { is_map: true, curves: Some(3), output }));
-        let search = search.unwrap();
-        assert_eq!((search.seek.as_str(), search.stroke_m), ("k=1..2:3", None));
-        assert_eq!(search.bounds, [("gamma=1..5".to_owned(), false)]);
     }
 
     #[test]

@@ -12,7 +12,6 @@ pub mod front;
 pub mod law;
 pub mod limit;
 pub mod map;
-pub mod models;
 pub mod monte_carlo;
 pub mod run;
 pub mod seek;

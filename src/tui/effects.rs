@@ -198,7 +198,7 @@ impl FileQueue {
                 EffectReport::Saved(name, saved)
             }
             Task::Export(to, content) => {
-                EffectReport::Exported(to.path.clone(), export(to, &content))
+                EffectReport::Exported(to.path.clone(), export(&to, &content))
             }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
@@ -206,10 +206,6 @@ impl FileQueue {
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
-            Task::IsFree(to) if to.path.exists() => {
-                EffectReport::Exported(to.path.clone(), ExportOutcome::Exists(to.path))
-            }
-            Task::IsFree(to) => EffectReport::Free(to),
             Task::ReadCurve(path) => {
                 let points =
                     read_table::curve(&path, Accepts::Ordinary).map_err(|error| error.to_string());
@@ -289,11 +285,10 @@ fn written(written: Result<Vec<PathBuf>, FileError>) -> ExportOutcome {
     }
 }
 
-fn export(to: Destination, content: &Content) -> ExportOutcome {
-    let to = to.placed(content.is_complete());
+fn export(to: &Destination, content: &Content) -> ExportOutcome {
     let written = atomic::ordinary(&to.path)
         .and_then(|()| content.text())
-        .and_then(|text| to.write(text.as_bytes(), &content.scenes()));
+        .and_then(|text| to.write(text.as_bytes(), &content.scenes(), content.is_complete()));
     self::written(written)
 }
 
@@ -397,15 +392,13 @@ mod tests {
         };
         let content = table(Some(scene.clone()));
         let beside = place.path().join("shots.toml");
-        let ExportOutcome::Written(files) = export(to.clone(), &content) else {
-            panic!("not written")
-        };
+        let ExportOutcome::Written(files) = export(&to, &content) else { panic!("not written") };
         assert_eq!(files, [path, beside.clone()]);
         assert_eq!(preset::from_file(&beside, Accepts::Ordinary).unwrap().scene, scene);
         let again = "\n# again: cmra limit ./shots.toml --seed 1 --csv -\n";
         assert!(fs::read_to_string(&beside).unwrap().contains(again));
         let alone = Destination { path: place.path().join("claims.csv"), ..to };
-        let ExportOutcome::Written(files) = export(alone, &table(None)) else {
+        let ExportOutcome::Written(files) = export(&alone, &table(None)) else {
             panic!("not written")
         };
         assert_eq!(files.len(), 1);

@@ -132,7 +132,7 @@ pub enum Part {
     Form,
     /// A chart that can be zoomed.
     Chart,
-    /// A table that can be sorted.
+    /// A table whose rows a text filters.
     Table,
 }
 
@@ -205,9 +205,7 @@ pub enum Action {
     ShowHide,
     Sort,
     ResetAll,
-    Models,
     Switch(OptionRow),
-    Contour,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -480,7 +478,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Listed, &[(A::Window, "window", "c")], "show the contact only, or the whole response"),
     line(Listed, &[(A::Difference, "difference", "D")], "show curves as differences to the first pinned run"),
     line(Listed, &[(A::ShowHide, "show-hide", "V")], "show or hide this curve"),
-    line(With(Part::Table), &[(A::Sort, "sort", "S")], "sort by the next column"),
+    line(Listed, &[(A::Sort, "sort", "S")], "sort by the next column"),
 ];
 
 #[cfg(test)]

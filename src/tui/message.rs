@@ -8,7 +8,7 @@ use std::time::Duration;
 use crossterm::event::KeyEvent;
 
 use crate::files::error::FileError;
-use crate::files::export::{self, Beside, Destination, RunTable};
+use crate::files::export::{Beside, Destination, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
@@ -40,8 +40,6 @@ pub enum Message {
 pub enum EffectReport {
     /// A scene was saved under this name or path: its file.
     Saved(String, ExportOutcome),
-    /// No file is there yet: the report can be computed that will be.
-    Free(Destination),
     /// An export to this path was written; or the target exists already; or it failed.
     Exported(PathBuf, ExportOutcome),
     /// The presets that can be loaded now.
@@ -169,8 +167,6 @@ pub enum FileTask {
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
-    /// See whether a file is there already.
-    IsFree(Destination),
     /// Read a measured curve for a spring.
     ReadCurve(PathBuf),
     Complete(String),
@@ -183,7 +179,7 @@ pub enum FileTask {
 pub enum Content {
     Runs(RunTable),
     Page(PageTable),
-    /// The charts on the screen as SVG, or a report.
+    /// The charts on the screen as SVG.
     Text(String),
 }
 
@@ -203,17 +199,19 @@ pub struct PageTable {
 /// Makes a text from a name.
 type Text = Arc<dyn Fn(&str) -> String + Send + Sync>;
 
-/// The scene of a table, its name, and the comment lines above it in the file beside the table, from the name of that.
+/// The scene of a table, its name, the comment lines above it in the file beside the table, and the command that makes the table again.
 #[derive(Clone)]
 struct Source {
     scene: Arc<Scene>,
     name: String,
-    notes: Text,
+    notes: Arc<dyn Fn() -> String + Send + Sync>,
+    command: String,
 }
 
 impl Source {
     fn beside(&self) -> Beside<'_> {
-        Beside { run: None, scene: &self.scene, notes: Box::new(|own| (self.notes)(own)) }
+        let (notes, command) = ((self.notes)(), self.command.clone());
+        Beside { run: None, scene: &self.scene, notes, command }
     }
 }
 
@@ -230,12 +228,8 @@ impl PageTable {
 
     /// The same as a table of a scene, which a command makes again: `sweep --over k=1..2`.
     pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: &str) -> Self {
-        let (command, is_complete) = (command.to_owned(), self.is_complete);
-        let again = move |own: &str| {
-            let missing = if is_complete { "" } else { "# not complete\n" };
-            missing.to_owned() + &export::again(&command, own)
-        };
-        self.noted(app, scene, again)
+        let missing = if self.is_complete { "" } else { "# not complete\n" };
+        self.noted(app, scene, command, move || missing.to_owned())
     }
 
     /// The same with other comment lines above the scene.
@@ -243,10 +237,12 @@ impl PageTable {
         self,
         app: &App,
         scene: &Arc<Scene>,
-        notes: impl Fn(&str) -> String + Send + Sync + 'static,
+        command: &str,
+        notes: impl Fn() -> String + Send + Sync + 'static,
     ) -> Self {
         let (scene, name) = (Arc::clone(scene), app.name_of(scene));
-        Self { source: Some(Source { scene, name, notes: Arc::new(notes) }), ..self }
+        let source = Source { scene, name, notes: Arc::new(notes), command: command.to_owned() };
+        Self { source: Some(source), ..self }
     }
 }
 

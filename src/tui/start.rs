@@ -8,10 +8,9 @@ use crate::files::bundled::BASELINE;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Known, Session, Switch, UNDO_MAX, UndoStep, View};
-use crate::files::{atomic, config, recent};
+use crate::files::session::{self, Known, Session, Switch, View};
+use crate::files::{config, recent};
 use crate::model::scene::Scene;
-use crate::tui::app::history::{Change, Edit, History, Snapshot};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Settings};
 use crate::tui::keymap::Keymap;
@@ -28,9 +27,6 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
     let mut loaded =
         paths.map_or_else(session::Loaded::default, |paths| session::load(&paths.session_file()));
     let is_first = paths.is_some_and(|paths| !paths.session_file().exists());
-    if let Some(paths) = paths {
-        atomic::clear_leftovers(&paths.presets);
-    }
     let recent = loaded.session.as_ref().map(|last| last.recent.clone()).unwrap_or_default();
     let kept = match (paths, &loaded.session) {
         (Some(paths), Some(last)) if options.fresh || options.scene.is_some() => {
@@ -54,7 +50,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         (None, Some(last)) => {
             let base = base_of_session(&last, paths);
             let mut app = App::new(base, theme, directory);
-            restore(&mut app, last, options.glyphs, paths);
+            restore(&mut app, last, options.glyphs);
             app
         }
         (None, None) => App::new(baseline(), theme, directory),
@@ -129,8 +125,7 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     // The scene last: it is the newest.
     let scenes =
         last.pins.iter().map(|(_, scene)| scene).chain((!untouched).then_some(&last.scene));
-    let kept =
-        scenes.map(|scene| recent::keep(&folder, scene, None)).collect::<Result<Vec<_>, _>>();
+    let kept = scenes.map(|scene| recent::keep(&folder, scene)).collect::<Result<Vec<_>, _>>();
     let pins = counted_pins(last.pins.len());
     Some(match kept {
         Ok(_) => {
@@ -162,42 +157,7 @@ pub(super) fn session(app: &App) -> Session {
         view,
         setup: app.setups(),
         recent: app.files.recent.clone(),
-        undo: undo_steps(app),
     }
-}
-
-/// The last edits of the scene that can be undone, oldest first.
-fn undo_steps(app: &App) -> Vec<UndoStep> {
-    let edits = app.history.edits[..app.history.done].iter().rev();
-    let step = |edit: &Edit| {
-        let Change::State(states) = &edit.change else { return None };
-        let (before, after) = &**states;
-        (before.scene != after.scene).then(|| UndoStep {
-            label: edit.label.clone(),
-            scene: (*before.scene).clone(),
-            preset: kept_name(app, &before.base),
-        })
-    };
-    let mut steps: Vec<UndoStep> = edits.filter_map(step).take(UNDO_MAX).collect();
-    steps.reverse();
-    steps
-}
-
-/// The edits that can be undone, from the scenes before them.
-fn undoable(app: &App, steps: Vec<UndoStep>, paths: Option<&Paths>) -> History {
-    let mut after = app.snapshot();
-    let mut edits = Vec::new();
-    for UndoStep { label, scene, preset } in steps.into_iter().rev() {
-        let is_same = preset == kept_name(app, &after.base);
-        let base =
-            if is_same { after.base.clone() } else { base_named(Some(&preset), &scene, paths) };
-        let before = Snapshot { scene: Arc::new(scene), base, ..after.clone() };
-        let change = Change::State(Box::new((before.clone(), after)));
-        edits.push(Edit { label, change, stepping: None });
-        after = before;
-    }
-    edits.reverse();
-    History { done: edits.len(), edits }
 }
 
 /// The name of what the scene came from. A path is kept whole: the next start may be in another directory, where a file of the
@@ -254,7 +214,7 @@ fn scene_of_session(last: &Session, base: &Base) -> Scene {
 }
 
 /// Take over what the session has, and say so.
-fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option<&Paths>) {
+fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     app.scene = Arc::new(scene_of_session(&last, &app.base));
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
         app.pins.push(Pin {
@@ -278,7 +238,6 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     app.settings.auto_run = auto_run != Some(Switch::Off);
     app.settings.threads = threads.filter(|count| *count > 0);
     app.restore_setups(last.setup);
-    app.history = undoable(app, last.undo, paths);
     app.tell(greeting(app));
 }
 
@@ -305,10 +264,8 @@ mod tests {
     use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
     use super::*;
-    use crate::tui::app::edit;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
-    use crate::tui::pages::explore::state::PicturePlan;
     use crate::tui::update;
     use crate::worker::studies::Asked;
 
@@ -343,18 +300,6 @@ mod tests {
         assert!(!app.is_modified());
         app.restore_setups(kept("max_plate_displacement_m"));
         assert_eq!((app.pages.explore.output, app.is_modified()), (1, false));
-    }
-
-    #[test]
-    fn a_held_bound_and_an_absorber_come_back() {
-        let mut app = state();
-        press(&mut app, "44/gamma<Enter><Enter>1..5<Enter>l");
-        app.pages.limit.absorber = Some("some foam".to_owned());
-        let kept = app.setups();
-        let mut again = state();
-        again.restore_setups(kept);
-        assert_eq!(again.pages.search.setup, app.pages.search.setup);
-        assert_eq!(again.pages.limit.absorber, app.pages.limit.absorber);
     }
 
     /// A figure is its sweep, whichever door it comes through.
@@ -398,6 +343,7 @@ mod tests {
             "2<Tab>/shown<Enter>l4/is<Enter><Enter>45<Enter>/variable<Enter><Enter>k<Enter>/to<Enter><Enter>9e6<Enter>/from<Enter><Enter>8e6<Enter>",
         );
         press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
+        app.pages.limit.absorber = Some("some foam".to_owned());
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.
@@ -406,7 +352,7 @@ mod tests {
         let bounds: Vec<&str> = search.bounds.iter().map(|it| &*it.0).collect();
         assert!(bounds.contains(&"gamma=1..5:2") && bounds.contains(&"k=0..7.5e6:2"), "{search:?}");
         let mut again = state();
-        restore(&mut again, kept.clone(), None, None);
+        restore(&mut again, kept.clone(), None);
         assert_eq!(again.scene, app.scene);
         assert_eq!((again.settings.theme, again.settings.threads), (app.settings.theme, Some(1)));
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
@@ -418,28 +364,8 @@ mod tests {
         assert!(text.contains("modified, 1 pinned run"), "{text}");
         // What the command line requests goes before what the session has.
         let mut fixed = state();
-        restore(&mut fixed, kept, Some(GlyphSet::Ascii), None);
+        restore(&mut fixed, kept, Some(GlyphSet::Ascii));
         assert_eq!(fixed.settings.theme.glyphs, state().settings.theme.glyphs);
-    }
-
-    /// Three edits, one of them another preset: after a restart each is undone, and done again.
-    #[test]
-    fn edits_are_undone_after_a_restart() {
-        let mut app = state();
-        press(&mut app, "l");
-        let cocked = base_of(preset::resolve("cocked", None).unwrap());
-        edit::load(&mut app, cocked.clone(), PicturePlan::default());
-        press(&mut app, "l");
-        let mut again = App::new(cocked, app.settings.theme, PathBuf::new());
-        restore(&mut again, session(&app), None, None);
-        let steps: [fn(&mut App); 5] = [edit::undo, edit::undo, edit::undo, edit::undo, edit::redo];
-        for step in steps {
-            assert_eq!((&again.scene, &again.base), (&app.scene, &app.base));
-            step(&mut app);
-            step(&mut again);
-        }
-        assert_eq!(app.history.done, 1);
-        assert_eq!((&again.scene, &again.base), (&app.scene, &app.base));
     }
 
     #[test]

@@ -12,15 +12,13 @@ use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::notice::Notice;
 use crate::tui::app::{Base, Typing, edit, jobs};
 use crate::tui::dialogs;
-use crate::tui::keymap::{Key, PaneSpec, Part};
+use crate::tui::keymap::{Key, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
-use crate::tui::pages::run::report;
 use crate::tui::prelude::*;
 use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
 use crate::tui::widgets::steps::Input;
-use crate::tui::widgets::zoom::is_zoom;
 
 /// The first requests: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
@@ -152,7 +150,7 @@ fn close_top(app: &mut App) -> bool {
 }
 
 impl App {
-    /// Say that a key does nothing here, where a person may have expected something.
+    /// Say that a key does nothing here.
     fn hint(&mut self, key: KeyEvent) {
         let is_key = matches!(
             key.code,
@@ -166,26 +164,7 @@ impl App {
             return;
         }
         let label = Key::of(key).label();
-        let action = self.keymap.action(key);
-        let here = pages::spec(self.pane());
-        let works = |pane: &&PaneSpec| action.is_some_and(|action| pane.knows(action));
-        let shown = pages::of(self.tab).shown_panes(self).into_iter().map(pages::spec);
-        let elsewhere = shown.filter(|pane| pane.pane != here.pane).find(works);
-        let text = match (key.code, elsewhere) {
-            (KeyCode::Char(c), _) if c.is_ascii_digit() && here.has.contains(&Part::Form) => {
-                format!("no tab has the number {c}: <enter> opens the value to type it")
-            }
-            (_, None) if action.is_some_and(is_zoom) => {
-                "only charts of Run and Explore zoom".to_owned()
-            }
-            (_, Some(pane)) => {
-                format!(
-                    "`{label}` does nothing here, but in {}: <next-pane> goes there",
-                    pane.label
-                )
-            }
-            (_, _) => format!("`{label}` does nothing here: <help> lists the keys"),
-        };
+        let text = format!("`{label}` does nothing here: <help> lists the keys");
         self.notice = Some(Notice { severity: Severity::Note, text: self.keymap.shown(&text) });
     }
 }
@@ -406,11 +385,6 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
             app.refuse(outcome.words());
         }
         EffectReport::Curve(_, Err(text)) if !is_heard => app.refuse(text),
-        EffectReport::Free(to) => {
-            if let Err(why) = report::write(app, to) {
-                app.refuse(why);
-            }
-        }
         EffectReport::Presets(list) => app.files.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));

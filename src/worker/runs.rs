@@ -1,16 +1,15 @@
-//! Runs of scenes: what has been computed lately is kept, and the run of the screen shows its curve while it grows.
+//! Runs of scenes: the run of the screen shows its curve while it grows.
 
-use std::collections::VecDeque;
 use std::error::Error;
 use std::ops::ControlFlow;
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::studies::Found;
 use super::study::{BETWEEN, Lane, Reporter, Study};
 use super::{JobProgress, ReportBody, Slot};
 use crate::model::impact::window::Window;
-use crate::model::run::{EndReason, Run};
+use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
 
@@ -48,7 +47,7 @@ impl Study for SceneRun {
     }
 }
 
-/// Run a scene, unless its result is kept. The computation calls the observer after every step, which
+/// Run a scene. The computation calls the observer after every step, which
 /// may end it, and shows the results so far in the window.
 pub(super) fn run(
     slot: Slot,
@@ -56,12 +55,6 @@ pub(super) fn run(
     reporter: &Reporter<'_>,
     compute: impl FnOnce(&Settings, simulate::Observer<'_>, &Window) -> Result<Run, String>,
 ) -> Result<Found, Box<dyn Error>> {
-    // No code that can panic runs under this lock, so a poisoned one is still sound.
-    let runs = || reporter.runs.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((run, took)) = runs().find(scene) {
-        reporter.took.set(Some(took));
-        return Ok(run.into());
-    }
     let (mut pulse, window) = (Pulse { pause: SLOW, ..Pulse::default() }, Window::default());
     let mut observer = |t_s: f64| {
         reporter.goes_on()?;
@@ -90,11 +83,6 @@ pub(super) fn run(
             if left == 0 { ControlFlow::Break(()) } else { reporter.goes_on() }
         };
         run.plastic = simulate::plastic_beside(scene, &mut observer).map(Arc::new);
-    }
-    let run = Arc::new(run);
-    // One that was stopped while its error was estimated is not worth keeping.
-    if run.end != EndReason::Cancelled && reporter.goes_on().is_continue() {
-        runs().keep(Arc::clone(&run), took);
     }
     Ok(run.into())
 }
@@ -144,79 +132,5 @@ impl Pulse {
             }
             _ => None,
         }
-    }
-}
-
-/// Results kept. A result is some 100 kB, most of it its series.
-const KEPT: usize = 8;
-
-/// Rows of series that the results kept have together, but for the newest one, at some 100 bytes each: a run of millions of steps has
-/// hundreds of megabytes of them.
-const ROWS_KEPT: usize = 40_000;
-
-/// The last few results, newest first.
-#[derive(Default)]
-pub(super) struct Cache {
-    kept: VecDeque<(Arc<Run>, Duration)>,
-}
-
-impl Cache {
-    /// The result of this scene and the time it took, s, if it is still kept. It then counts as the newest.
-    fn find(&mut self, scene: &Scene) -> Option<(Arc<Run>, Duration)> {
-        let at = self.kept.iter().position(|(run, _)| *run.scene == *scene)?;
-        let found = self.kept.remove(at)?;
-        self.kept.push_front(found.clone());
-        Some(found)
-    }
-
-    /// Keep a complete result; the one unused for longest goes.
-    fn keep(&mut self, run: Arc<Run>, took: Duration) {
-        self.kept.push_front((run, took));
-        let mut rows = 0;
-        let few = self.kept.iter().take_while(|(run, _)| {
-            rows += run.series.len();
-            rows <= ROWS_KEPT
-        });
-        let few = few.count().clamp(1, KEPT);
-        self.kept.truncate(few);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::ops::ControlFlow;
-
-    use super::*;
-    use crate::model::simulate::{Settings, simulate};
-
-    /// A run with a given number of rows.
-    fn run(rows: usize) -> Arc<Run> {
-        let settings = Settings { series: true, ..Settings::default() };
-        let scene = Arc::new(Scene::default());
-        let go_on = &mut |_| ControlFlow::Continue(());
-        let mut run = simulate(&scene, &settings, go_on).unwrap();
-        let row = run.series[0];
-        run.series.resize(rows, row);
-        Arc::new(run)
-    }
-
-    #[test]
-    fn few_results_are_kept_and_of_great_ones_fewer() {
-        let mut cache = Cache::default();
-        let small = run(1000);
-        for _ in 0..20 {
-            cache.keep(Arc::clone(&small), Duration::ZERO);
-        }
-        assert_eq!(Arc::strong_count(&small), 1 + KEPT);
-        let great = run(ROWS_KEPT / 2);
-        for _ in 0..3 {
-            cache.keep(Arc::clone(&great), Duration::ZERO);
-        }
-        assert_eq!((Arc::strong_count(&great), Arc::strong_count(&small)), (3, 1));
-        // The newest one stays, however great.
-        let greater = run(2 * ROWS_KEPT);
-        cache.keep(Arc::clone(&greater), Duration::ZERO);
-        assert_eq!((Arc::strong_count(&greater), Arc::strong_count(&great)), (2, 1));
-        assert!(cache.find(&greater.scene).is_some());
     }
 }

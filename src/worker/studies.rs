@@ -8,8 +8,6 @@ use std::time::Duration;
 use super::clock;
 use super::runs::SceneRun;
 use super::study::{Lane, Reporter, RowsSoFar, Study, Tempo};
-use crate::files::export::Destination;
-use crate::files::report::Subject;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, ComparisonOptions};
@@ -75,7 +73,6 @@ one_of! {
     StiffScenes(StiffScenes),
     Claims(Claims),
     Search(SearchRequest),
-    Report(ReportFile),
 }
 
 one_of! {
@@ -93,7 +90,6 @@ one_of! {
     StiffScenes(RowsSoFar<stability::Row>),
     Claims(RowsSoFar<thesis::Row>),
     Search(SearchAnswer),
-    Report(String),
 }
 
 impl Asked {
@@ -110,7 +106,6 @@ impl Asked {
             Self::StiffScenes(it) => &**it,
             Self::Claims(it) => &**it,
             Self::Search(it) => &**it,
-            Self::Report(it) => &**it,
         }
     }
 }
@@ -170,13 +165,9 @@ impl Study for PrintedSweep {
 
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
         let grid = Grid::new(Arc::clone(&self.0)).ok_or("a chart has one axis")?;
-        Ok(filled(grid, reporter).into())
+        let watch = &mut reporter.watch(Grid::clone);
+        Ok(grid.fill(grid::PIECE, &mut Context::new(reporter.threads(), watch)).into())
     }
-}
-
-fn filled(grid: Grid, reporter: &Reporter<'_>) -> Grid {
-    let watch = &mut reporter.watch(Grid::clone);
-    grid.fill(grid::PIECE, &mut Context::new(reporter.threads(), watch))
 }
 
 /// Finds the ballistic limit.
@@ -368,38 +359,6 @@ impl Study for SearchRequest {
         };
         Ok(answer.into())
     }
-}
-
-/// Makes the text of a report of the scene: its limit and its sweep are computed first.
-#[derive(Clone, Debug)]
-pub struct ReportFile {
-    /// The scene's name.
-    pub name: String,
-    pub run: Arc<Run>,
-    /// Where it will be written.
-    pub to: Destination,
-}
-
-impl Study for ReportFile {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let watch = &mut reporter.progress();
-        let context = &mut Context::new(reporter.threads(), watch);
-        let limit = limit::find(scene, context)?;
-        let sweep = if scene.sweep.is_some() { own_sweep(scene, reporter)? } else { None };
-        if !limit.is_complete || sweep.as_ref().is_some_and(|grid| !grid.is_complete()) {
-            return Err("cancelled: no report was written".into());
-        }
-        let Self { name, run, .. } = self;
-        let subject = Subject { name, scene, run, limit: &limit, sweep: sweep.as_ref() };
-        Ok(subject.html().into())
-    }
-}
-
-/// The sweep that is kept with the scene, where a picture can show it.
-fn own_sweep(scene: &Scene, reporter: &Reporter<'_>) -> Result<Option<Grid>, Box<dyn Error>> {
-    let plan = Arc::new(Plan::of(scene)?);
-    let grid = Grid::new(Arc::clone(&plan)).filter(|_| grid::fits(&plan).is_ok());
-    Ok(grid.map(|grid| filled(grid, reporter)))
 }
 
 #[cfg(test)]

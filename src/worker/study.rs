@@ -6,13 +6,12 @@ use std::cell::Cell;
 use std::error::Error;
 use std::ops::ControlFlow;
 use std::panic::{self, AssertUnwindSafe};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use super::clock::Clock;
 use super::quiet::Quiet;
-use super::runs::Cache;
 use super::studies::Found;
 use super::{JobProgress, ReportBody, Shared, Task};
 use crate::model::scene::Scene;
@@ -95,8 +94,6 @@ pub struct Reporter<'a> {
     tempo: Tempo,
     /// Where run times are measured: between two points others have their turn.
     measured: Option<&'a Quiet>,
-    /// The last few runs.
-    pub(super) runs: &'a Mutex<Cache>,
     clock: &'a Clock,
     started: Duration,
     /// How long the computation took, where that is not the time since the start.
@@ -120,7 +117,6 @@ impl<'a> Reporter<'a> {
             threads: task.threads,
             tempo: task.asked.study().tempo(),
             measured: task.asked.study().measures().then_some(&shared.quiet),
-            runs: &shared.runs,
             clock: &shared.clock,
             started: (shared.clock)(),
             took: Cell::new(None),

@@ -259,10 +259,10 @@ fn a_limit_on_the_size_of_files_is_an_error() {
     let error = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{error}");
     assert!(
-        error.contains("file too large; what was computed is kept in `a.partial.csv`"),
+        error.contains("file too large; what was computed is kept in `a.csv.partial`"),
         "{error}"
     );
-    let rows = fs::read_to_string(place.path().join("a.partial.csv")).unwrap();
+    let rows = fs::read_to_string(place.path().join("a.csv.partial")).unwrap();
     assert!(rows.lines().count() > 1000 && rows.ends_with('\n'));
     assert!(rows.lines().all(|row| row.matches(',').count() == 3), "{rows}");
 }
@@ -389,11 +389,11 @@ fn an_interrupted_sweep_keeps_its_finished_points() {
         let mut names = names();
         names.sort();
         // An incomplete table does not get the requested name.
-        assert_eq!(names, ["a.csv", "a.partial.csv", "a.partial.toml"]);
+        assert_eq!(names, ["a.csv", "a.csv.partial", "a.csv.partial.toml"]);
         assert_eq!(fs::read_to_string(place.path().join("a.csv")).unwrap(), "complete");
-        let rows = fs::read_to_string(place.path().join("a.partial.csv")).unwrap();
+        let rows = fs::read_to_string(place.path().join("a.csv.partial")).unwrap();
         assert!(rows.lines().count() > 10 && rows.ends_with('\n'));
-        let scene = fs::read_to_string(place.path().join("a.partial.toml")).unwrap();
+        let scene = fs::read_to_string(place.path().join("a.csv.partial.toml")).unwrap();
         assert!(scene.contains("# not complete: ") && scene.contains("of 1000000000 points"));
     }
 }

@@ -57,7 +57,7 @@ fn writes_until_it_is_killed() {
         let scene = scene(STATES[state]);
         let exported = table_of(Arc::clone(&runs[state]));
         let text = exported.text().unwrap();
-        destination(place, "run.csv").write(text.as_bytes(), &exported.scenes()).unwrap();
+        destination(place, "run.csv").write(text.as_bytes(), &exported.scenes(), true).unwrap();
         preset::save(&paths, "mine", &scene, Existing::Replace).unwrap();
         session::save(&paths.session_file(), &session_of(scene), &mut known).unwrap();
         let (rows, beside) = table(state);
@@ -66,7 +66,7 @@ fn writes_until_it_is_killed() {
             growing.add(piece).unwrap();
         }
         let beside = [(place.join("sweep.toml"), beside.as_slice())];
-        growing.finish(&place.join("sweep.csv"), &beside, Existing::Replace).unwrap();
+        growing.finish(&beside, Existing::Replace).unwrap();
     }
 }
 

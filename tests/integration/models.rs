@@ -19,12 +19,15 @@ fn the_models_stand_in_one_table_and_as_rows() {
     assert_eq!(status, 0);
     let rows: Vec<serde_json::Value> = serde_json::from_str(&json).unwrap();
     assert_eq!(rows.len(), 5);
-    assert_eq!(rows[0]["penetration_deviation"], 0.0);
-    let at_once = rows.iter().find(|row| row["model"] == "initial-velocity").unwrap();
+    // The printed coupling: 82.4 instead of 64.4 % of the depth on a rigid mount.
+    let row = |name: &str| rows.iter().find(|row| row["run"] == name).unwrap();
+    let depth = |name: &str| row(name)["final_penetration_m"].as_f64().unwrap();
+    assert!((depth("appendix") / depth("hydrodynamic") - 1.28).abs() < 0.01, "{json}");
+    let at_once = row("initial-velocity");
     assert!(at_once["final_penetration_m"].is_null() && at_once["peak_contact_force_n"].is_null());
     let (csv, _) = cmra(&["run", "--compare", "models", "--csv", "-"]);
     assert_eq!(csv.lines().count(), 6);
-    assert!(csv.starts_with("scene,model,outcome,final_penetration_m,"));
+    assert!(csv.starts_with("run,scene,outcome,"));
 }
 
 #[test]
@@ -36,22 +39,10 @@ fn who_cannot_run_a_spring_says_so_and_the_others_stand() {
         "lumped  ",
         "half-sine  ",
         "initial-velocity  ",
-        "    refused     appendix: model",
+        "not run: appendix: model",
     ] {
         assert!(page.lines().any(|own| own.starts_with(line)), "{line}: {page}");
     }
-    let (json, _) = cmra(&["run", "concept-buckling-tube", "--compare", "models", "--json"]);
-    let rows: Vec<serde_json::Value> = serde_json::from_str(&json).unwrap();
-    assert_eq!(rows.len(), 5);
-    assert_eq!(rows[0]["outcome"], "arrested");
-    let outcome = |model: &str| {
-        let row = rows.iter().find(|row| row["model"] == model).unwrap();
-        (row["outcome"].as_str().unwrap().to_owned(), row["weakness"].as_str().unwrap().to_owned())
-    };
-    let (refused, reason) = outcome("appendix");
-    assert!(refused == "refused" && reason.contains("power law"), "{json}");
-    assert_eq!(outcome("half-sine").0, "arrested");
-    assert_eq!(outcome("lumped").0, "separated");
     let (text, status) = cmra(&["run", "--set", "closure=cavity", "--compare", "models"]);
     assert_eq!(status, 2);
     assert!(text.contains("corrects twice"), "{text}");

@@ -69,7 +69,7 @@ fn a_long_run_reports_the_time_it_has_reached() {
     let words = "run --set k=1e9 --set n=1.5 --set run.horizon_s=1000 --csv long.csv";
     let (page, terminal) = interrupted(words, " after 4.0 s, 64 steps");
     assert!(page.contains("the run is incomplete: cancelled: what was finished is kept"), "{page}");
-    let rows = std::fs::read_to_string(terminal.file("long.partial.csv")).unwrap();
+    let rows = std::fs::read_to_string(terminal.file("long.csv.partial")).unwrap();
     assert!(rows.lines().count() > 10 && rows.ends_with('\n'));
 }
 
@@ -91,7 +91,7 @@ fn what_is_cut_short_says_so_and_draws_no_conclusion() {
         assert!(page.contains(marked), "{words}: {page}");
         assert!(!page.contains(conclusion), "{words}: {page}");
         if words.ends_with("a.csv") {
-            let rows = std::fs::read_to_string(terminal.file("a.partial.csv")).unwrap();
+            let rows = std::fs::read_to_string(terminal.file("a.csv.partial")).unwrap();
             let mut ends = rows.lines().map(|line| line.rsplit(',').next().unwrap());
             assert_eq!(ends.next(), Some("complete"), "{words}");
             assert!(ends.all(|end| end == "false"), "{words}: {rows}");

@@ -124,10 +124,9 @@ const SETTINGS: [&str; 10] = [
     "g\u{e4}mma=2\n",
 ];
 
-const TOLERANCES: [&str; 8] = [
+const TOLERANCES: [&str; 7] = [
     "v_i=normal:2%",
     "h=uniform:24mm..27mm",
-    "gamma=triangular:1..2..3",
     "k=lognormal:10%",
     "v_i=normal:-1%",
     "v_i=uniform:2..1",

@@ -304,9 +304,9 @@ fn an_interrupted_sweep_says_so_in_the_file_and_in_json() {
     let value: Value = serde_json::from_slice(&json).unwrap();
     let rows = value["rows"].as_array().unwrap().len();
     assert_eq!((&value["complete"], &value["points_done"]), (&false.into(), &rows.into()));
-    let table = fs::read_to_string(place.path().join("x.partial.csv")).unwrap();
+    let table = fs::read_to_string(place.path().join("x.csv.partial")).unwrap();
     assert_eq!(table.lines().count(), 1 + rows);
-    let beside = fs::read_to_string(place.path().join("x.partial.toml")).unwrap();
+    let beside = fs::read_to_string(place.path().join("x.csv.partial.toml")).unwrap();
     let missing = format!("# not complete: {rows} of 10000000 points");
     assert_eq!(beside.lines().nth(1), Some(missing.as_str()));
 }
@@ -321,12 +321,12 @@ fn a_name_that_is_taken_meanwhile_costs_no_row() {
     let err = String::from_utf8(done.stderr).unwrap();
     assert_eq!(done.status.code(), Some(1), "{err}");
     assert!(
-        err.contains("`x.csv` already exists") && err.contains("is kept in `x.partial.csv`"),
+        err.contains("`x.csv` already exists") && err.contains("is kept in `x.csv.partial`"),
         "{err}"
     );
     assert_eq!(fs::read_to_string(place.path().join("x.csv")).unwrap(), "mine");
     assert_eq!(
-        rows(&fs::read_to_string(place.path().join("x.partial.csv")).unwrap()).len(),
+        rows(&fs::read_to_string(place.path().join("x.csv.partial")).unwrap()).len(),
         40_001
     );
 }
@@ -388,7 +388,7 @@ fn a_signal_that_comes_twice_keeps_the_finished_rows() {
         send(&child, rustix::process::Signal::TERM);
     }
     assert_eq!(child.wait().unwrap().code(), Some(1));
-    assert!(rows(&fs::read_to_string(place.path().join("x.partial.csv")).unwrap()).len() > 10);
+    assert!(rows(&fs::read_to_string(place.path().join("x.csv.partial")).unwrap()).len() > 10);
 }
 
 /// What a killed sweep has made can be found, and the next one leaves it alone.

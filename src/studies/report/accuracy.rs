@@ -68,10 +68,7 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with("steps", "steps", "", |row| Some(row.answer()?.steps))
         .with("rejected", "rejected", "", |row| Some(row.answer()?.rejected))
         .with("rhs_evaluations", "evaluations", "", |row| Some(row.answer()?.evaluations))
-        .with("run_time_s_min", "run time", "s", |row| Some(row.measured()?.timing.min_s))
-        .with("run_time_s_median", "median", "s", |row| Some(row.measured()?.timing.median_s))
-        .with("run_time_s_mad", "deviation", "s", |row| row.measured()?.timing.mad_s)
-        .with("repeats", "repeats", "", |row| Some(row.measured()?.timing.repeats))
+        .with("run_time_s_min", "run time", "s", |row| Some(row.measured()?.min_s))
         .with("observed_order", "order", "", |row| row.method.observed_order())
         .with("refused", "refused", "", |row| Some(row.point.result.err()?.words()))
         .with("reference", "reference", "", |row| Some(row.method.reference?.basis.words()))
@@ -213,8 +210,7 @@ fn scene(named: &Named) -> Value {
 
 /// The error of a method over its run time, s.
 fn curve(of: &MethodReport) -> Curve<'static> {
-    let points: Vec<(f64, f64)> =
-        of.measured().map(|(_, it)| (it.timing.min_s, it.error())).collect();
+    let points: Vec<(f64, f64)> = of.measured().map(|(_, it)| (it.min_s, it.error())).collect();
     Curve::new(of.method.letter(), of.method.name(), points).colour(of.method as usize)
 }
 

@@ -13,7 +13,7 @@ use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::study::compare::map::Map;
-use crate::study::compare::{Candidate, Entry, Profitability, Report, Sized, THINNEST_M};
+use crate::study::compare::{Candidate, Entry, Hardware, Profitability, Report, Sized, THINNEST_M};
 use crate::study::limit::RANGE_M_S;
 
 /// The meaning of the contour on a map.
@@ -139,9 +139,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "spring_energy_j": own.and_then(|own| own.load.stored_j),
         "spring_mass_kg": own.and_then(|own| own.spring_kg),
         "criterion": report.scene.target.criterion.word(),
-        "mount_mass_kg": report.hardware.mount_kg,
-        "stroke_available_m": report.hardware.stroke_m,
-        "spring_is_sized": report.hardware.is_sized,
+        "spring_is_sized": report.hardware == Hardware::Sized,
         "penetration_over_solid": report.depth_over_solid(),
         "caution": report.caution(),
         "candidates": candidates.collect::<Object<_, _>>(),

@@ -12,8 +12,6 @@ pub enum Tone {
     Faint,
     /// As other text.
     Plain,
-    /// In a colour of its own.
-    Notable,
     /// As a warning.
     Warning,
     /// As an error.

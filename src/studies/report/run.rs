@@ -146,7 +146,8 @@ fn course<'c>(courses: &'c [Course<'c>], several: bool) -> Table<'c, (usize, usi
     table.with("event", "event", "", |at| courses[at.0].event(at.1))
 }
 
-fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
+/// The results of some runs, a row each.
+pub fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
     let table = named(runs, true, |it: &&NamedRun| it.0.as_str())
         .with("scene", "scene", "", |it| it.1.scene.title.as_str())
         .with("outcome", "outcome", "", |it| it.1.shot_outcome().word())

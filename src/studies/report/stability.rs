@@ -164,7 +164,6 @@ pub fn tone(cell: Cell) -> Tone {
     match cell {
         Cell::Accurate => Tone::Plain,
         Cell::Inaccurate => Tone::Warning,
-        Cell::Oscillating => Tone::Notable,
         Cell::BlownUp => Tone::Error,
         Cell::TooManySteps | Cell::Unknown | Cell::Waiting => Tone::Faint,
     }

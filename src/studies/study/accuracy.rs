@@ -24,7 +24,7 @@ pub mod timing;
 pub use method::RESULTS;
 use method::{Answer, Job, Ladder, Method, Parameter, Refusal, Results};
 use reference::{Reference, References, printed_limit};
-use timing::{Clock, Patience, Timing, time};
+use timing::{Clock, Patience, time};
 
 /// The observed order is fitted through this many of the finest points (never fewer than the second number)...
 const FIT_POINTS: usize = 5;
@@ -39,8 +39,6 @@ const FIT_FLOOR: f64 = 10.0;
 const PRINTED_OFF_FROM: f64 = 1e-3;
 /// Run times up to this factor apart count as alike.
 const ALIKE: f64 = 1.05;
-
-const UNSTEADY: f64 = 0.2;
 
 /// How thorough a comparison is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,8 +83,8 @@ pub struct Measured {
     pub errors: Results,
     /// The uncertainty of the reference.
     pub floor: f64,
-    /// How long it took.
-    pub timing: Timing,
+    /// Least run time, s.
+    pub min_s: f64,
 }
 
 impl Measured {
@@ -212,7 +210,7 @@ pub fn compare(
                     let start = clock();
                     let result = measure(scene, &job, &reference, effort.patience, clock);
                     is_slow = match &result {
-                        Ok(measured) => measured.timing.mad_s.is_none(),
+                        Ok(measured) => effort.patience.is_slow(measured.min_s),
                         Err(_) => clock() - start > effort.patience.slow_s,
                     };
                     result
@@ -237,16 +235,15 @@ fn savings(scene: &Arc<Scene>, patience: Patience, clock: Clock<'_>) -> (Option<
     let kernel = Job::new(Method::ContactKernel, Parameter::Tolerance(tolerance), scene);
     let shown = Settings { series: true, estimate: true };
     let drawn = Settings { series: true, estimate: false };
-    let [shown_s, drawn_s, bare_s] = [shown, drawn, Settings::BARE].map(|settings| {
-        run(settings).is_ok().then(|| time(clock, patience, || run(settings)).min_s)
-    });
+    let [shown_s, drawn_s, bare_s] = [shown, drawn, Settings::BARE]
+        .map(|settings| run(settings).is_ok().then(|| time(clock, patience, || run(settings))));
     // The same engine with and without it.
     let ways = [Stepping::CollocationInFull(tolerance), Stepping::Collocation(tolerance)];
     let [followed_s, by_energy_s] = ways.map(|way| {
         let run = || step_by(way, scene);
-        run().is_ok_and(|run| run.is_some()).then(|| time(clock, patience, run).min_s)
+        run().is_ok_and(|run| run.is_some()).then(|| time(clock, patience, run))
     });
-    let kernel_s = kernel.run().is_ok().then(|| time(clock, patience, || kernel.run()).min_s);
+    let kernel_s = kernel.run().is_ok().then(|| time(clock, patience, || kernel.run()));
     let savings = [
         ("error estimate", shown_s, drawn_s),
         ("series to draw", drawn_s, bare_s),
@@ -274,9 +271,9 @@ fn measure(
     if errors.iter().flatten().any(|error| !error.is_finite()) {
         return Err(Refusal::NonFinite);
     }
-    let timing = time(clock, patience, || job.run());
+    let min_s = time(clock, patience, || job.run());
     let floor = reference.uncertainty.unwrap_or(f64::EPSILON);
-    Ok(Measured { answer, errors, floor, timing })
+    Ok(Measured { answer, errors, floor, min_s })
 }
 
 impl MethodReport {
@@ -285,6 +282,19 @@ impl MethodReport {
         self.points.iter().filter_map(|point| {
             point.result.as_ref().ok().map(|measured| (point.parameter, measured))
         })
+    }
+
+    /// Why points have no result, each reason with its points.
+    pub fn refusals(&self) -> Vec<(&'static str, Vec<Parameter>)> {
+        let mut reasons: Vec<(&str, Vec<Parameter>)> = Vec::new();
+        for Point { parameter, result } in &self.points {
+            let Err(refusal) = result else { continue };
+            match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
+                Some((_, parameters)) => parameters.push(*parameter),
+                None => reasons.push((refusal.words(), vec![*parameter])),
+            }
+        }
+        reasons
     }
 
     /// The order that is observed: how fast log error falls with log steps, by least squares through the finest points that
@@ -323,7 +333,7 @@ impl MethodReport {
             .map(|(parameter, measured)| Cheapest {
                 method: self.method,
                 parameter,
-                min_s: measured.timing.min_s,
+                min_s: measured.min_s,
             })
             .collect();
         let least_s = meeting.iter().map(|found| found.min_s).min_by(f64::total_cmp)?;
@@ -336,14 +346,6 @@ impl Report {
     /// The cheapest way to an accuracy that a scene can be run by: that of `auto`.
     pub fn usable(&self, target: f64) -> Option<Cheapest> {
         self.methods.iter().find(|it| it.method == Method::Auto)?.cheapest(target)
-    }
-
-    /// How many points have timings that spread by more than a fifth: the machine is busy.
-    pub fn unsteady(&self) -> usize {
-        let measured = self.methods.iter().flat_map(MethodReport::measured);
-        measured
-            .filter(|(_, it)| it.timing.spread().is_some_and(|spread| spread > UNSTEADY))
-            .count()
     }
 
     /// The cheapest way of all to an accuracy; the printed scheme is no way to one.

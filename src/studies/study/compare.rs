@@ -2,13 +2,12 @@
 //!
 //! One design velocity holds for the whole comparison: the impact velocity v of the scene.
 //!
-//! - Areal mass: the plate is a block of its material, so its face is `m_2`/(rho h). Plate, spring and mount together are divided
-//!   by that face: rho h (1 + (spring + mount)/`m_2`).
+//! - Areal mass: the plate is a block of its material, so its face is `m_2`/(rho h). Plate and spring together are divided by that
+//!   face: rho h (1 + spring/`m_2`). A damper, a stop and the mount are not counted.
 //! - Spring: the one that the scene has. Where its mass is not known it weighs the greatest energy that it stores under the shot at v,
 //!   over its energy per mass; where that shot perforates, under the fastest shot that is stopped.
 //! - Limit if the spring must survive: the least impact velocity at which the plate is perforated or the hardware fails: the spring
-//!   would have to store more than its known mass can, leaves the range of its law (a beam yields, a table ends), or needs more than
-//!   the stroke there is. A spring whose mass is not known holds whatever it stores, unless it is to be sized: then it has just the
+//!   would have to store more than its known mass can, or leaves the range of its law (a beam yields, a table ends). A spring whose mass is not known holds whatever it stores, unless it is to be sized: then it has just the
 //!   mass that the shot at v needs, and holds no faster one.
 //! - Mass efficiency: areal mass of the thinnest solid plate on a rigid mount that stops the shot at v, over the areal mass of
 //!   the thinnest armour of the scene's kind that does. That armour has the scene's mass ratio and mechanism, and a thickness of its
@@ -25,7 +24,6 @@ use std::sync::Arc;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
-use crate::model::units::shortest;
 use crate::model::variables::{self, VariableError};
 use crate::study::context::Context;
 use crate::study::limit::Limit;
@@ -181,7 +179,7 @@ impl Profitability {
 pub struct Report {
     /// The scene; its impact velocity is the design velocity.
     pub scene: Arc<Scene>,
-    /// The hardware besides the plates.
+    /// Whose spring is judged.
     pub hardware: Hardware,
     /// The first plate's face, m².
     pub face_m2: f64,
@@ -263,7 +261,7 @@ impl Report {
 /// The request; shown, it is the command that asks the same of a scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Request {
-    /// The hardware besides the plate.
+    /// Whose spring is judged.
     pub hardware: Hardware,
     /// The axes of a map of the mass efficiency; `None`: the candidates of the scene alone.
     pub map: Option<[Axis; 2]>,
@@ -271,14 +269,8 @@ pub struct Request {
 
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Hardware { is_sized, mount_kg, stroke_m } = self.hardware;
+        let is_sized = self.hardware == Hardware::Sized;
         f.write_str(if is_sized { "compare --size" } else { "compare" })?;
-        if mount_kg > 0.0 {
-            write!(f, " --mount-mass {}", shortest(mount_kg))?;
-        }
-        if let Some(stroke_m) = stroke_m {
-            write!(f, " --stroke {}", shortest(stroke_m))?;
-        }
         if let Some([x, y]) = &self.map {
             write!(f, " --map {x},{y}")?;
         }
@@ -302,7 +294,7 @@ pub fn compare(
         hardware,
         face_m2: face_m2(scene),
         spring_is_own: hardware::is_own(scene),
-        uncounted: uncounted(scene, hardware),
+        uncounted: uncounted(scene),
         entries: Vec::new(),
         is_complete: false,
     };
@@ -323,9 +315,9 @@ pub fn compare(
     Ok(report)
 }
 
-/// The parts of a scene that take up energy and whose mass is not counted, unless the mass of the mount is given.
-fn uncounted(scene: &Scene, hardware: Hardware) -> Vec<&'static str> {
-    if scene.is_rigid() || hardware.mount_kg > 0.0 {
+/// The parts of a scene that take up energy and whose mass is not counted.
+fn uncounted(scene: &Scene) -> Vec<&'static str> {
+    if scene.is_rigid() {
         return Vec::new();
     }
     let mechanism = Mechanism::of(scene);

@@ -92,6 +92,14 @@ impl Limit {
         self
     }
 
+    /// The same with a faster shot that is stopped again, m/s, where there is one.
+    fn stopped_again(mut self, velocity_m_s: Option<f64>) -> Self {
+        if let Self::Found { stopped_at_m_s, .. } = &mut self {
+            *stopped_at_m_s = velocity_m_s;
+        }
+        self
+    }
+
     /// The limit velocity, m/s, where there is one.
     pub fn velocity_m_s(self) -> Option<f64> {
         match self {
@@ -180,8 +188,6 @@ pub struct Report {
     pub scene: Arc<Scene>,
     /// The limit.
     pub limit: Limit,
-    /// Between which slower velocities shots are not decided, m/s.
-    pub undecided_m_s: Option<(f64, f64)>,
     /// A shot just below the limit; `None` without a limit.
     pub at_limit: Option<AtLimit>,
     /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none; `None` where it holds up to
@@ -208,14 +214,20 @@ impl Report {
         Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
     }
 
+    /// A slower shot that is not decided, m/s.
+    pub fn undecided_at_m_s(&self) -> Option<f64> {
+        match self.limit {
+            Limit::Found { undecided_at_m_s, .. } => undecided_at_m_s,
+            Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => None,
+        }
+    }
+
     /// That shots below the limit are not decided, in a sentence.
     pub fn undecided(&self) -> Option<String> {
-        let (low, high) = self.undecided_m_s?;
-        let digits = digits_apart(low, high);
-        let [low, high] = [low, high].map(|it| fixed_significant(it, digits));
+        let velocity_m_s = self.undecided_at_m_s()?;
         Some(format!(
-            "shots from {low} to {high} m/s end before their outcome is known; none is known to perforate, and the lowest that \
-             is gives the limit"
+            "a shot at {} m/s ends before its outcome is known: it is not known to perforate",
+            fixed_significant(velocity_m_s, 4)
         ))
     }
 
@@ -234,7 +246,6 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE);
     let mut range = ShotRunner { scene, context };
     let limit = range.whole_limit();
-    let undecided_m_s = range.undecided(limit);
     let shots = range.curve(limit);
     let perforated = shots.iter().filter_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
     let perforated: Vec<(f64, f64)> = perforated.collect();
@@ -248,7 +259,6 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
     Ok(Report {
         scene: Arc::clone(scene),
         limit,
-        undecided_m_s,
         at_limit,
         interface_holds_m_s,
         closures,

@@ -183,21 +183,20 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
 fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
     let peaks = Peaks::of(scene, run).unwrap_or_default();
     Stiffness {
-        swings_rad: peaks.oscillation_per_s * peaks.contact_s,
-        decays: peaks.decay_per_s * peaks.contact_s,
+        swings_rad: peaks.oscillation * peaks.contact_s,
+        decays: peaks.decay * peaks.contact_s,
     }
 }
 
-/// The maxima of the contact.
+/// The maxima of the contact; rates in 1/s.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 struct Peaks {
     contact_s: f64,
-    oscillation_per_s: f64,
-    decay_per_s: f64,
-    /// Rate at which the contact force's dependence on velocity slows the slip, 1/s.
-    drag_per_s: f64,
+    oscillation: f64,
+    decay: f64,
+    /// At which the contact force's dependence on velocity slows the slip.
+    drag: f64,
     speed_m_s: f64,
-    reversals: usize,
 }
 
 impl Peaks {
@@ -227,25 +226,22 @@ impl Peaks {
             peaks.speed_m_s = larger(row.plate_velocity_m_s.abs(), peaks.speed_m_s);
         }
         let mobility = 1.0 / scene.projectile.mass_kg + cos * cos / mass_kg;
-        let mut last_w = 0.0;
         for row in rows {
             let (x, w) = (row.plate_displacement_m.abs(), row.plate_velocity_m_s);
             if x > COUNTS_FROM * far_m {
                 let swing = (mechanism.spring.tangent(x).abs() / mass_kg).sqrt();
-                peaks.oscillation_per_s = larger(swing, peaks.oscillation_per_s);
+                peaks.oscillation = larger(swing, peaks.oscillation);
             }
             if w.abs() > COUNTS_FROM * peaks.speed_m_s {
                 let decay = mechanism.damper.tangent(w) / mass_kg;
-                peaks.decay_per_s = larger(decay, peaks.decay_per_s);
+                peaks.decay = larger(decay, peaks.decay);
             }
             let slip = row.projectile_velocity_m_s - w * cos;
             let pressure = scene.flow_strength_pa() + drag * slip * slip;
             if pressure > 0.0 {
                 let slope = 2.0 * drag * slip * row.contact_force_n / pressure;
-                peaks.drag_per_s = larger(slope * mobility, peaks.drag_per_s);
+                peaks.drag = larger(slope * mobility, peaks.drag);
             }
-            peaks.reversals += usize::from(w * last_w < 0.0);
-            last_w = w;
         }
         Ok(peaks)
     }

@@ -117,22 +117,16 @@ fn follow(app: &mut App) {
     app.request(Effect::SaveSession);
 }
 
-/// Note that runs were pinned, as one edit.
-pub(crate) fn note_pinned(app: &mut App, pins: Vec<Pin>) {
-    let label = format!("pin {}", named(&pins));
-    app.history.push(Edit { label, change: Change::Pinned(pins), stepping: None });
+/// Note that a run was pinned.
+pub(crate) fn note_pinned(app: &mut App, pin: Pin) {
+    let label = format!("pin {}", pin.label());
+    app.history.push(Edit { label, change: Change::Pinned(pin), stepping: None });
 }
 
-/// Note that pins were taken away, as one edit.
-pub(crate) fn note_unpinned(app: &mut App, pins: Vec<Pin>) {
-    let label = format!("unpin {}", named(&pins));
-    app.history.push(Edit { label, change: Change::Unpinned(pins), stepping: None });
-}
-
-/// Letters and names of pins: `A: thesis-baseline`.
-pub(crate) fn named(pins: &[Pin]) -> String {
-    let names = pins.iter().map(|pin| format!("{}: {}", pin.letter, pin.name));
-    names.collect::<Vec<_>>().join(", ")
+/// Note that a pin was taken away.
+pub(crate) fn note_unpinned(app: &mut App, pin: Pin) {
+    let label = format!("unpin {}", pin.label());
+    app.history.push(Edit { label, change: Change::Unpinned(pin), stepping: None });
 }
 
 /// Note what was changed since a moment, as one edit; `stepping` joins it with the steps just before.
@@ -161,18 +155,10 @@ pub(crate) fn undo(app: &mut App) {
     let Some(at) = app.history.done.checked_sub(1) else {
         return app.tell("nothing to undo");
     };
+    app.history.done = at;
     let Edit { label, change, .. } = app.history.edits[at].clone();
     app.tell(format!("undone: {label} (<redo> redoes)"));
-    app.history.done = at;
-    let (scene, base) = (Arc::clone(&app.scene), app.base.clone());
-    match change {
-        Change::State(states) => make(app, &states.1, states.0),
-        Change::Unpinned(pins) => runs::put_back(app, pins),
-        Change::Pinned(pins) => runs::take_away(app, &pins),
-    }
-    if (&app.scene, &app.base) != (&scene, &base) {
-        follow(app);
-    }
+    do_again(app, change.reversed());
 }
 
 /// Do the last undone edit again.
@@ -181,15 +167,19 @@ pub(crate) fn redo(app: &mut App) {
     let Some(Edit { label, change, .. }) = app.history.edits.get(at).cloned() else {
         return app.tell("nothing to redo");
     };
-    app.tell(format!("redone: {label}"));
     app.history.done = at + 1;
-    let (scene, base) = (Arc::clone(&app.scene), app.base.clone());
+    app.tell(format!("redone: {label}"));
+    do_again(app, change);
+}
+
+fn do_again(app: &mut App, change: Change) {
+    let before = (Arc::clone(&app.scene), app.base.clone());
     match change {
         Change::State(states) => make(app, &states.0, states.1),
-        Change::Pinned(pins) => runs::put_back(app, pins),
-        Change::Unpinned(pins) => runs::take_away(app, &pins),
+        Change::Pinned(pin) => runs::put_back(app, pin),
+        Change::Unpinned(pin) => runs::take_away(app, &pin),
     }
-    if (&app.scene, &app.base) != (&scene, &base) {
+    if (&app.scene, &app.base) != (&before.0, &before.1) {
         follow(app);
     }
 }

@@ -34,8 +34,20 @@ const ROWS_MAX: usize = 10_000;
 pub enum Change {
     /// From one state to another.
     State(Box<(Snapshot, Snapshot)>),
-    Pinned(Vec<Pin>),
-    Unpinned(Vec<Pin>),
+    Pinned(Pin),
+    Unpinned(Pin),
+}
+
+impl Change {
+    /// The change back.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        match self {
+            Self::State(states) => Self::State(Box::new((states.1, states.0))),
+            Self::Pinned(pin) => Self::Unpinned(pin),
+            Self::Unpinned(pin) => Self::Pinned(pin),
+        }
+    }
 }
 
 /// A value that arrow keys step.
@@ -57,10 +69,10 @@ pub struct Edit {
 }
 
 impl Edit {
-    fn pins(&mut self) -> &mut [Pin] {
+    fn pin(&mut self) -> Option<&mut Pin> {
         match &mut self.change {
-            Change::Pinned(pins) | Change::Unpinned(pins) => pins,
-            Change::State(_) => &mut [],
+            Change::Pinned(pin) | Change::Unpinned(pin) => Some(pin),
+            Change::State(_) => None,
         }
     }
 }
@@ -76,7 +88,7 @@ pub struct History {
 impl History {
     /// Add an edit; what had been undone is forgotten. A further step of the same variable extends the last edit.
     pub fn push(&mut self, mut edit: Edit) {
-        for pin in edit.pins() {
+        if let Some(pin) = edit.pin() {
             pin.run.take_if(|run| run.series.len() > ROWS_MAX);
         }
         self.edits.truncate(self.done);
@@ -94,7 +106,7 @@ impl History {
         self.edits.push(edit);
         self.edits.drain(..self.edits.len().saturating_sub(EDITS_MAX));
         self.done = self.edits.len();
-        let pins = self.edits.iter_mut().rev().flat_map(Edit::pins);
+        let pins = self.edits.iter_mut().rev().filter_map(Edit::pin);
         for pin in pins.skip(RESULTS_KEPT) {
             pin.run = None;
         }
@@ -151,15 +163,12 @@ mod tests {
                 visible: true,
                 job: None,
             };
-            history.push(Edit {
-                label: String::new(),
-                change: Change::Unpinned(vec![pin]),
-                stepping: None,
-            });
+            let change = Change::Unpinned(pin);
+            history.push(Edit { label: String::new(), change, stepping: None });
         }
         // The hundred edits are all there, and the pins; of the results the newest.
-        assert_eq!(history.edits.iter_mut().flat_map(Edit::pins).count(), 100);
+        assert_eq!(history.edits.iter_mut().filter_map(Edit::pin).count(), 100);
         assert_eq!(Arc::strong_count(&run), 1 + RESULTS_KEPT);
-        assert!(history.edits.last_mut().unwrap().pins()[0].run.is_some());
+        assert!(history.edits.last_mut().unwrap().pin().unwrap().run.is_some());
     }
 }

@@ -185,7 +185,6 @@ pub fn role(tone: Tone) -> Role {
     match tone {
         Tone::Faint => Role::Dim,
         Tone::Plain => Role::Text,
-        Tone::Notable => Role::Curve(1),
         Tone::Warning => Role::Warning,
         Tone::Error => Role::Error,
     }

@@ -20,20 +20,29 @@ pub(super) struct Ask {
     /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
     pub question: bool,
     /// Names that complete the path.
-    pub completions: Vec<String>,
+    completions: Vec<String>,
 }
 
 /// What a text is asked for.
 pub(super) trait Purpose: Clone + Debug + 'static {
     fn footer(&self) -> Footer;
 
+    /// What a key does to the choices beside the field; `None` where it is for the field.
+    fn press(&mut self, _action: Option<Action>, _key: KeyEvent) -> Option<Outcome> {
+        None
+    }
+
+    /// Whether characters go into the field.
+    fn types(&self) -> bool {
+        true
+    }
+
+    /// A click on a row of the choices.
+    fn click(&mut self, _row: usize) {}
+
     /// Do what the text was typed for; a file or preset of this name may be replaced. None: something comes first.
-    fn accept(
-        &self,
-        app: &mut App,
-        ask: &mut Ask,
-        overwrite: bool,
-    ) -> Result<Option<FileTask>, String>;
+    fn accept(&self, app: &App, ask: &mut Ask, overwrite: bool)
+    -> Result<Option<FileTask>, String>;
 
     /// How an effect ended, where it is the one that was asked for.
     fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome>;
@@ -48,18 +57,38 @@ pub(super) trait Purpose: Clone + Debug + 'static {
     fn there(&self, app: &App, ask: &Ask) -> String {
         app.files.directory.join(ask.value()).display().to_string()
     }
+
+    fn draw(&self, app: &App, ask: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
+        let (title, label) = self.title();
+        let inner = frame(screen, (76, 9), PaneFrame::new(title), canvas);
+        let start = canvas.put(inner, (0, 1), label, Role::Title);
+        let width = inner.width.saturating_sub(start + 1);
+        ask.draw_field(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
+        let lines = ask.found(app, &self.there(app, ask), inner.width);
+        let hint = || wrapped(&self.hint(app, ask), inner.width, Role::Dim).collect();
+        canvas.put_lines(inner, 3, lines.unwrap_or_else(hint));
+    }
 }
 
 /// A dialog that asks for a text.
 #[derive(Clone, Debug)]
 pub(super) struct Asking<P> {
-    pub ask: Ask,
-    pub purpose: P,
+    ask: Ask,
+    purpose: P,
 }
 
 impl<P: Purpose> Asking<P> {
     pub(super) fn open(purpose: P, text: TextField) -> Box<dyn Dialog> {
         Box::new(Self { ask: Ask { text, ..Ask::default() }, purpose })
+    }
+
+    /// Do it; why it cannot be done stands in the dialog.
+    fn accept(&mut self, app: &mut App, overwrite: bool) {
+        self.ask.text.error = None;
+        match self.purpose.accept(app, &mut self.ask, overwrite) {
+            Ok(task) => app.effects.extend(task.map(Effect::Files)),
+            Err(error) => self.ask.text.error = Some(error),
+        }
     }
 }
 
@@ -69,23 +98,47 @@ impl<P: Purpose> Dialog for Asking<P> {
     }
 
     fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
-        match self.ask.press(app, key) {
-            Step::Accept { overwrite } => {
-                let task = self.purpose.accept(app, &mut self.ask, overwrite);
-                self.ask.begun(app, task);
+        let ask = &mut self.ask;
+        let typed = self.purpose.types() && is_text(key);
+        let action = app.keymap.action(key).filter(|_| !typed);
+        let chosen = if ask.question { None } else { self.purpose.press(action, key) };
+        if let Some(outcome) = chosen {
+            ask.text.error = None;
+            return outcome;
+        }
+        match (ask.question, key.code) {
+            (true, KeyCode::Char('y' | 'o')) => self.accept(app, true),
+            (true, KeyCode::Char('n')) => ask.question = false,
+            (true, KeyCode::Char('r')) => {
+                ask.text = TextField::new(next_name(ask.text.value()));
+                ask.question = false;
             }
-            Step::Closes => return Outcome::Closes,
-            Step::Stays => {}
+            _ => match action {
+                Some(Action::Back) if ask.question => ask.question = false,
+                Some(Action::Back) => return Outcome::Closes,
+                Some(Action::Enter) if ask.question => {}
+                Some(Action::Enter) => {
+                    ask.text.all_selected = false;
+                    self.accept(app, false);
+                }
+                Some(Action::FocusNext) => {
+                    let typed = ask.text.value().to_owned();
+                    app.request(Effect::Files(FileTask::Complete(typed)));
+                }
+                _ if ask.text.press(key) => ask.forget(),
+                _ => {}
+            },
         }
         Outcome::Stays
     }
 
-    fn click(&mut self, _: &mut App, _: usize) -> Outcome {
+    fn click(&mut self, _: &mut App, row: usize) -> Outcome {
+        self.purpose.click(row);
         Outcome::Stays
     }
 
     fn field_mut(&mut self) -> Option<&mut TextField> {
-        Some(&mut self.ask.text)
+        self.purpose.types().then_some(&mut self.ask.text)
     }
 
     fn pasted(&mut self) {
@@ -94,37 +147,20 @@ impl<P: Purpose> Dialog for Asking<P> {
 
     fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
         if let EffectReport::Completions(names) = report {
-            return Some(self.ask.complete(names));
+            self.ask.complete(names);
+            return Some(Outcome::Stays);
         }
         let ended = self.purpose.ended(&self.ask, directory, report)?;
-        Some(self.ask.ended(&ended))
+        Some(self.ask.ended(ended))
     }
 
     fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
-        let (title, label) = self.purpose.title();
-        let inner = frame(screen, (76, 9), PaneFrame::new(title), canvas);
-        let start = canvas.put(inner, (0, 1), label, Role::Title);
-        let width = inner.width.saturating_sub(start + 1);
-        let field = TextField { error: None, ..self.ask.text.clone() };
-        field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
-        let lines = self.ask.found(app, &self.purpose.there(app, &self.ask), inner.width);
-        let hint = || wrapped(&self.purpose.hint(app, &self.ask), inner.width, Role::Dim).collect();
-        canvas.put_lines(inner, 3, lines.unwrap_or_else(hint));
+        self.purpose.draw(app, &self.ask, screen, canvas);
     }
 }
 
-/// What a key in the field comes to.
-pub(super) enum Step {
-    /// The text is taken; a file or preset of this name may be replaced.
-    Accept {
-        overwrite: bool,
-    },
-    Closes,
-    Stays,
-}
-
 /// The keys while the question is open.
-pub(super) const REPLACE: Footer = &[
+const REPLACE: Footer = &[
     (FootKey::As("o"), "overwrite"),
     (FootKey::As("r"), "rename"),
     (FootKey::Of(Action::Back), "back"),
@@ -135,69 +171,28 @@ impl Ask {
         self.text.value().trim()
     }
 
-    pub(super) fn press(&mut self, app: &mut App, key: KeyEvent) -> Step {
-        match (self.question, key.code) {
-            (true, KeyCode::Char('y' | 'o')) => return Step::Accept { overwrite: true },
-            (true, KeyCode::Char('n')) => self.question = false,
-            (true, KeyCode::Char('r')) => {
-                self.text = TextField::new(next_name(self.text.value()));
-                self.question = false;
-            }
-            _ => match app.keymap.action(key).filter(|_| !is_text(key)) {
-                Some(Action::Back) if self.question => self.question = false,
-                Some(Action::Back) => return Step::Closes,
-                Some(Action::Enter) if self.question => {}
-                Some(Action::Enter) => {
-                    self.text.all_selected = false;
-                    return Step::Accept { overwrite: false };
-                }
-                Some(Action::FocusNext) => {
-                    let typed = self.text.value().to_owned();
-                    app.request(Effect::Files(FileTask::Complete(typed)));
-                }
-                _ => {
-                    if self.text.press(key) {
-                        self.forget();
-                    }
-                }
-            },
-        }
-        Step::Stays
-    }
-
     /// Another text: what was said about the old one is removed.
-    pub(super) fn forget(&mut self) {
+    fn forget(&mut self) {
         self.question = false;
         self.text.error = None;
         self.completions.clear();
     }
 
-    /// What the text was taken for has begun, or cannot be done: that stands in the dialog.
-    pub(super) fn begun(&mut self, app: &mut App, task: Result<Option<FileTask>, String>) {
-        match task {
-            Ok(task) => {
-                self.text.error = None;
-                app.effects.extend(task.map(Effect::Files));
-            }
-            Err(error) => self.text.error = Some(error),
-        }
-    }
-
     /// It has ended: the dialog closes, or what stands in the way stands in it.
-    pub(super) fn ended(&mut self, outcome: &ExportOutcome) -> Outcome {
+    fn ended(&mut self, outcome: ExportOutcome) -> Outcome {
         match outcome {
             ExportOutcome::Written(_) => return Outcome::Closes,
             ExportOutcome::Exists(_) => self.question = true,
             ExportOutcome::Failed(text) => {
                 self.question = false;
-                self.text.error = Some(text.clone());
+                self.text.error = Some(text);
             }
         }
         Outcome::Stays
     }
 
     /// Names that complete a path: of one it is taken, of several what they have in common, and the list.
-    pub(super) fn complete(&mut self, names: &[String]) -> Outcome {
+    fn complete(&mut self, names: &[String]) {
         match common_start(names) {
             None => self.text.error = Some("no file or directory begins like this".to_owned()),
             Some(common) => {
@@ -205,7 +200,11 @@ impl Ask {
                 self.completions = if names.len() > 1 { names.to_vec() } else { Vec::new() };
             }
         }
-        Outcome::Stays
+    }
+
+    /// Draw the field as it is while it is typed into: why its text is refused stands below.
+    pub(super) fn draw_field(&self, canvas: &mut Canvas<'_>, area: Rect) {
+        TextField { error: None, ..self.text.clone() }.draw(canvas, area);
     }
 
     /// The path that was typed.

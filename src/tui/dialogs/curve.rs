@@ -32,7 +32,7 @@ impl Purpose for Curve {
         ]
     }
 
-    fn accept(&self, app: &mut App, ask: &mut Ask, _: bool) -> Result<Option<FileTask>, String> {
+    fn accept(&self, app: &App, ask: &mut Ask, _: bool) -> Result<Option<FileTask>, String> {
         Ok(Some(FileTask::ReadCurve(ask.path(app, "curve.csv")?)))
     }
 

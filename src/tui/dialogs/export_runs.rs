@@ -8,11 +8,11 @@ use crossterm::event::{KeyCode, KeyEvent};
 use crate::files::export::RunTable;
 use crate::report::run::{self, NamedRun, Rows};
 use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::dialogs::ask::{Ask, REPLACE, Step};
+use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
 use crate::tui::dialogs::export_table::{export, exported, instead_of_table};
 use crate::tui::dialogs::frame;
 use crate::tui::dialogs::list::is_text;
-use crate::tui::message::{Content, EffectReport};
+use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask};
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{clip, columns};
@@ -27,134 +27,17 @@ pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
         app.refuse("nothing to export yet: <run> runs the scene");
         return None;
     }
+    let tick = |name: String, about: String| Tick { name, about, on: true };
     let about = |name: &str| {
         let pin = app.pins.iter().find(|pin| pin.letter.to_string() == name);
         pin.map_or_else(String::new, |pin| pin.name.clone())
     };
-    let line = |part, value| Line { part, value };
-    let tick = |name: String, about, on| Value::Tick { name, about, on };
-    let mut lines = vec![
-        line(FILE, Value::Path),
-        line(WHAT, Value::Choice(0, KINDS.map(|kind| kind.0).to_vec())),
-    ];
-    let runs = runs.into_iter().map(|(name, _)| (about(&name), name));
-    lines.extend(runs.map(|(about, name)| line(RUNS, tick(name, about, true))));
-    let names = run::columns(Rows::Series, false).into_iter();
-    lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new(), true))));
-    let ask = Ask { text: TextField::new(format!("{}.csv", app.base_stem())), ..Ask::default() };
-    Some(Box::new(ExportRuns { ask, choices: Choices { lines, selected: 0 } }))
-}
-
-#[derive(Clone, Debug)]
-struct ExportRuns {
-    ask: Ask,
-    /// What is chosen beside the file.
-    choices: Choices,
-}
-
-impl Dialog for ExportRuns {
-    fn footer(&self) -> Footer {
-        if self.ask.question {
-            return REPLACE;
-        }
-        &[
-            (FootKey::Of(Action::Enter), "write"),
-            (FootKey::As("Up/Down"), "move"),
-            (FootKey::Of(Action::Mark), "tick"),
-            (FootKey::As("a"), "all or none"),
-            (FootKey::Of(Action::FocusNext), "complete path"),
-            (FootKey::Of(Action::Back), "close"),
-        ]
-    }
-
-    fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
-        let on_path = self.choices.selected == 0;
-        let action = app.keymap.action(key).filter(|_| !(on_path && is_text(key)));
-        match action {
-            _ if self.ask.question => {}
-            Some(Action::Down) => return self.moved(1),
-            Some(Action::Up | Action::FocusPrevious) => return self.moved(-1),
-            Some(Action::FocusNext) if !on_path => return self.moved(1),
-            Some(Action::Left) if !on_path => return self.changed(-1),
-            Some(Action::Right | Action::Mark) if !on_path => return self.changed(1),
-            Some(Action::Quit) if !on_path => return Outcome::Closes,
-            _ if !on_path && is_text(key) => {
-                if key.code == KeyCode::Char('a') {
-                    self.choices.all_or_none();
-                }
-                return Outcome::Stays;
-            }
-            _ => {}
-        }
-        match self.ask.press(app, key) {
-            Step::Accept { overwrite } => {
-                let choices = &self.choices;
-                let table = |app: &App| table(app, choices).map(Content::Runs);
-                let path = self.ask.path(app, "run.csv");
-                let task = path.and_then(|path| export(app, path, overwrite, table));
-                self.ask.begun(app, task);
-            }
-            Step::Closes => return Outcome::Closes,
-            Step::Stays => {}
-        }
-        Outcome::Stays
-    }
-
-    fn click(&mut self, _: &mut App, row: usize) -> Outcome {
-        self.choices.click(row);
-        Outcome::Stays
-    }
-
-    fn field_mut(&mut self) -> Option<&mut TextField> {
-        (self.choices.selected == 0).then_some(&mut self.ask.text)
-    }
-
-    fn pasted(&mut self) {
-        self.ask.forget();
-    }
-
-    fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
-        if let EffectReport::Completions(names) = report {
-            return Some(self.ask.complete(names));
-        }
-        let ended = exported(&self.ask, directory, report)?;
-        Some(self.ask.ended(&ended))
-    }
-
-    fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
-        let rows = self.choices.shown();
-        let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
-        let pane = PaneFrame::new("Export to CSV (charts: .svg, report: .html)");
-        let inner = frame(screen, (100, wanted), pane, canvas);
-        let foot = FOOT.min(inner.height.saturating_sub(4));
-        let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
-        let selected = rows.iter().position(|at| *at == self.choices.selected).unwrap_or(0);
-        let shown = RowList { count: rows.len(), selected, painted: false };
-        let first = shown.first(list.height);
-        let target = |row| Some(Target::DialogRow(row));
-        shown.render(canvas, list, target, |canvas, line, at| one(self, rows[at], line, canvas));
-        let hidden = rows.len().saturating_sub(first + usize::from(list.height));
-        if hidden > 0 {
-            let more = format!("({hidden} more below)");
-            let column = list.width.saturating_sub(columns(&more));
-            canvas.put(list, (column, list.height.saturating_sub(1)), &more, Role::Dim);
-        }
-        let lower = Rect { y: list.bottom(), height: foot, ..inner };
-        below(app, self, lower, canvas);
-    }
-}
-
-impl ExportRuns {
-    fn moved(&mut self, by: isize) -> Outcome {
-        self.choices.move_by(by);
-        Outcome::Stays
-    }
-
-    fn changed(&mut self, by: isize) -> Outcome {
-        self.choices.change(by);
-        self.ask.text.error = None;
-        Outcome::Stays
-    }
+    let runs = runs.into_iter().map(|(name, _)| tick(name.clone(), about(&name)));
+    let columns = run::columns(Rows::Series, false).into_iter();
+    let columns = columns.map(|name| tick(name.to_owned(), String::new()));
+    let (runs, columns) = (runs.collect(), columns.collect());
+    let text = TextField::new(format!("{}.csv", app.base_stem()));
+    Some(Asking::open(ExportRuns { kind: 0, runs, columns, selected: 0 }, text))
 }
 
 /// The kinds of table, with their words.
@@ -165,115 +48,245 @@ const KINDS: [(&str, Rows); 4] = [
     ("events with their times", Rows::Events),
 ];
 
-/// The part that a line belongs to, which stands at the left of its first line; lines of one part stand together.
-type Part = &'static str;
-const FILE: Part = "file";
-const WHAT: Part = "what";
-const RUNS: Part = "runs";
-const COLUMNS: Part = "columns";
+/// Rows above the runs and columns: the path, and the kind of table.
+const ABOVE: usize = 2;
 
+/// What is chosen beside the file.
 #[derive(Clone, Debug)]
-enum Value {
-    /// What the dialog asks for.
-    Path,
-    /// One of some words.
-    Choice(usize, Vec<&'static str>),
-    /// Whether a run or a column goes along.
-    Tick {
-        name: String,
-        /// The text after its name; may be empty.
-        about: String,
-        on: bool,
-    },
-}
-
-#[derive(Clone, Debug)]
-struct Line {
-    part: Part,
-    value: Value,
-}
-
-/// What is chosen beside the file; nothing for other files.
-#[derive(Clone, Debug, Default)]
-struct Choices {
-    lines: Vec<Line>,
-    /// The selected line; the first one is the path.
+struct ExportRuns {
+    kind: usize,
+    runs: Vec<Tick>,
+    /// Those of a series.
+    columns: Vec<Tick>,
+    /// The selected row; the first one is the path.
     selected: usize,
 }
 
-impl Choices {
-    /// The lines there are now: columns only for a series.
-    fn shown(&self) -> Vec<usize> {
-        let is_shown = |at: &usize| match self.lines[*at].part {
-            COLUMNS => self.is_series(),
-            _ => true,
-        };
-        (0..self.lines.len()).filter(is_shown).collect()
+/// Whether a run or a column goes along.
+#[derive(Clone, Debug)]
+struct Tick {
+    name: String,
+    /// The text after its name; may be empty.
+    about: String,
+    on: bool,
+}
+
+impl Purpose for ExportRuns {
+    fn footer(&self) -> Footer {
+        &[
+            (FootKey::Of(Action::Enter), "write"),
+            (FootKey::As("Up/Down"), "move"),
+            (FootKey::Of(Action::Mark), "tick"),
+            (FootKey::As("a"), "all or none"),
+            (FootKey::Of(Action::FocusNext), "complete path"),
+            (FootKey::Of(Action::Back), "close"),
+        ]
     }
 
-    fn of(&self, part: Part) -> impl Iterator<Item = &Value> {
-        self.lines.iter().filter(move |line| line.part == part).map(|line| &line.value)
-    }
-
-    fn choice(&self, part: Part) -> usize {
-        self.of(part)
-            .find_map(|it| if let Value::Choice(at, _) = it { Some(*at) } else { None })
-            .unwrap_or(0)
-    }
-
-    fn ticked(&self, part: Part) -> Vec<&str> {
-        self.of(part)
-            .filter_map(|it| {
-                if let Value::Tick { name, on: true, .. } = it { Some(&**name) } else { None }
-            })
-            .collect()
-    }
-
-    fn is_series(&self) -> bool {
-        matches!(KINDS[self.choice(WHAT)].1, Rows::Series | Rows::Grid(_))
-    }
-
-    /// The columns that are chosen of a series; none of another table.
-    fn columns(&self) -> Vec<String> {
-        let chosen = if self.is_series() { self.ticked(COLUMNS) } else { Vec::new() };
-        chosen.into_iter().map(str::to_owned).collect()
-    }
-
-    /// Change what the selected line chooses, round and round, or tick it.
-    fn change(&mut self, by: isize) {
-        match &mut self.lines[self.selected].value {
-            Value::Choice(at, words) => *at = cycled(*at, by, words.len()),
-            Value::Tick { on, .. } => *on = !*on,
-            Value::Path => {}
+    fn press(&mut self, action: Option<Action>, key: KeyEvent) -> Option<Outcome> {
+        match action {
+            Some(Action::Down) => self.move_by(1),
+            Some(Action::Up | Action::FocusPrevious) => self.move_by(-1),
+            _ if self.types() => return None,
+            Some(Action::FocusNext) => self.move_by(1),
+            Some(Action::Left) => self.change(-1),
+            Some(Action::Right | Action::Mark) => self.change(1),
+            Some(Action::Quit) => return Some(Outcome::Closes),
+            _ if !is_text(key) => return None,
+            _ if key.code == KeyCode::Char('a') => self.all_or_none(),
+            _ => {}
         }
+        Some(Outcome::Stays)
     }
 
-    /// All lines like the selected one when one is missing, else none.
-    fn all_or_none(&mut self) {
-        let part = self.lines[self.selected].part;
-        let all = self.of(part).any(|it| matches!(it, Value::Tick { on: false, .. }));
-        for line in self.lines.iter_mut().filter(|line| line.part == part) {
-            if let Value::Tick { on, .. } = &mut line.value {
-                *on = all;
-            }
-        }
+    fn types(&self) -> bool {
+        self.selected == 0
     }
 
-    /// Move the selection, stopping at the ends.
-    fn move_by(&mut self, by: isize) {
-        let shown = self.shown();
-        let here = shown.iter().position(|at| *at == self.selected).unwrap_or(0);
-        let next = here.saturating_add_signed(by).min(shown.len().saturating_sub(1));
-        self.selected = shown.get(next).copied().unwrap_or(0);
-    }
-
-    /// A click on a row: it selects, and ticks or changes what was selected.
+    /// A click selects a row, and ticks or changes what was selected.
     fn click(&mut self, row: usize) {
-        let Some(row) = self.shown().get(row).copied() else { return };
         if self.selected == row {
             self.change(1);
         }
         self.selected = row;
+    }
+
+    fn accept(
+        &self,
+        app: &App,
+        ask: &mut Ask,
+        overwrite: bool,
+    ) -> Result<Option<FileTask>, String> {
+        let path = ask.path(app, "run.csv")?;
+        export(app, path, overwrite, |app| self.table(app).map(Content::Runs))
+    }
+
+    fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome> {
+        exported(ask, directory, report)
+    }
+
+    fn title(&self) -> (&'static str, &'static str) {
+        ("Export to CSV (charts: .svg)", "file")
+    }
+
+    fn hint(&self, _: &App, ask: &Ask) -> String {
+        let other = instead_of_table(Path::new(ask.value()));
+        other.map_or_else(
+            || "with a .toml file beside it that reproduces the same digits".to_owned(),
+            |what| format!("{what}; choices are for tables"),
+        )
+    }
+
+    fn draw(&self, app: &App, ask: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
+        let count = self.count();
+        let wanted = u16::try_from(count).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
+        let inner = frame(screen, (100, wanted), PaneFrame::new(self.title().0), canvas);
+        let foot = FOOT.min(inner.height.saturating_sub(4));
+        let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
+        let rows = RowList { count, selected: self.selected, painted: false };
+        let target = |row| Some(Target::DialogRow(row));
+        rows.render(canvas, list, target, |canvas, line, at| self.row(ask, at, line, canvas));
+        let hidden = count.saturating_sub(rows.first(list.height) + usize::from(list.height));
+        if hidden > 0 {
+            let more = format!("({hidden} more below)");
+            let column = list.width.saturating_sub(columns(&more));
+            canvas.put(list, (column, list.height.saturating_sub(1)), &more, Role::Dim);
+        }
+        self.below(app, ask, Rect { y: list.bottom(), height: foot, ..inner }, canvas);
+    }
+}
+
+/// Column the values begin in.
+const VALUE: u16 = 11;
+/// Rows below the list: absolute path, note or question, preview.
+const FOOT: u16 = 8;
+
+impl ExportRuns {
+    fn is_series(&self) -> bool {
+        matches!(KINDS[self.kind].1, Rows::Series | Rows::Grid(_))
+    }
+
+    /// Rows there are now: columns only for a series.
+    fn count(&self) -> usize {
+        ABOVE + self.runs.len() + if self.is_series() { self.columns.len() } else { 0 }
+    }
+
+    /// The runs or the columns, whichever have a row, and its place among them.
+    fn group(&mut self, row: usize) -> Option<(&mut [Tick], usize)> {
+        let (at, runs) = (row.checked_sub(ABOVE)?, self.runs.len());
+        Some(match at.checked_sub(runs) {
+            None => (&mut self.runs, at),
+            Some(at) => (&mut self.columns, at),
+        })
+    }
+
+    fn move_by(&mut self, by: isize) {
+        self.selected = self.selected.saturating_add_signed(by).min(self.count() - 1);
+    }
+
+    /// Another kind of table, round and round, or another tick.
+    fn change(&mut self, by: isize) {
+        if self.selected == 1 {
+            self.kind = cycled(self.kind, by, KINDS.len());
+        } else if let Some((ticks, at)) = self.group(self.selected) {
+            ticks[at].on = !ticks[at].on;
+        }
+    }
+
+    /// All like the selected one when one is missing, else none.
+    fn all_or_none(&mut self) {
+        if let Some((ticks, _)) = self.group(self.selected) {
+            let all = ticks.iter().any(|tick| !tick.on);
+            for tick in ticks {
+                tick.on = all;
+            }
+        }
+    }
+
+    /// The columns that are chosen of a series; none of another table.
+    fn chosen(&self) -> Vec<String> {
+        let chosen = self.columns.iter().filter(|tick| tick.on && self.is_series());
+        chosen.map(|tick| tick.name.clone()).collect()
+    }
+
+    /// The table of what is chosen.
+    fn table(&self, app: &App) -> Result<RunTable, String> {
+        let is_chosen = |name: &str| self.runs.iter().any(|tick| tick.on && tick.name == name);
+        let runs = available(app).into_iter().filter(|(name, _)| is_chosen(name));
+        let runs: Vec<NamedRun> = runs.collect();
+        if runs.is_empty() {
+            return Err("no run is chosen: Space on a run ticks it".to_owned());
+        }
+        let mut columns = self.chosen();
+        if self.is_series() && columns.is_empty() {
+            return Err("no column is chosen: Space on a column ticks it".to_owned());
+        }
+        if columns.len() == self.columns.len() {
+            columns.clear();
+        }
+        Ok(RunTable { rows: KINDS[self.kind].1, runs, columns })
+    }
+
+    fn row(&self, ask: &Ask, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
+        let columns = ABOVE + self.runs.len();
+        let parts = [(0, "file"), (1, "what"), (ABOVE, "runs"), (columns, "columns")];
+        if let Some((_, part)) = parts.iter().find(|(first, _)| *first == at) {
+            canvas.put(line, (2, 0), part, Role::Title);
+        }
+        let here = self.selected == at;
+        if here {
+            canvas.put(line, (0, 0), ">", Role::Title);
+        }
+        let role = if here { Role::Selection } else { Role::Text };
+        let ticks = self.runs.iter().chain(&self.columns);
+        let text = match at {
+            0 => {
+                let width = line.width.saturating_sub(VALUE + 1);
+                let area = Rect { x: line.x + VALUE, width, ..line };
+                if here {
+                    ask.draw_field(canvas, area);
+                } else {
+                    ask.text.put(canvas, area, role);
+                }
+                return;
+            }
+            1 => format!("< {} >", KINDS[self.kind].0),
+            _ => ticks.skip(at - ABOVE).take(1).map(Tick::shown).collect(),
+        };
+        canvas.put(line, (VALUE, 0), &text, role);
+    }
+
+    /// The absolute path, then the question, error or completions, else the first lines.
+    fn below(&self, app: &App, ask: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
+        let width = usize::from(area.width);
+        let path = self.there(app, ask);
+        canvas.put(area, (0, 1), &clip(&format!("to {path}"), width), Role::Text);
+        canvas.put(area, (0, 2), &clip(&self.hint(app, ask), width), Role::Dim);
+        let lines = ask.found(app, &path, area.width).unwrap_or_else(|| {
+            let is_table = instead_of_table(Path::new(ask.value())).is_none();
+            let preview = if is_table { self.preview(app) } else { String::new() };
+            preview.lines().take(3).map(|line| (line.to_owned(), Role::Dim)).collect()
+        });
+        let lines = lines.into_iter().map(|(line, role)| (clip(&line, width), role));
+        canvas.put_lines(area, 4, lines);
+    }
+
+    /// The first lines as they would be written.
+    fn preview(&self, app: &App) -> String {
+        let Some(shown) = &app.shown else { return String::new() };
+        let named = [("now".to_owned(), Arc::clone(&shown.run))];
+        let rows = match KINDS[self.kind].1 {
+            Rows::Grid(_) => Rows::Grid(3),
+            rows => rows,
+        };
+        run::csv(rows, &named, &self.chosen(), 2).unwrap_or_default()
+    }
+}
+
+impl Tick {
+    fn shown(&self) -> String {
+        let tick = if self.on { "[x]" } else { "[ ]" };
+        format!("{tick} {} {}", self.name, self.about).trim_end().to_owned()
     }
 }
 
@@ -282,87 +295,4 @@ fn available(app: &App) -> Vec<NamedRun> {
     let now = app.shown.iter().map(|shown| ("now".to_owned(), Arc::clone(&shown.run)));
     let pins = app.pins.iter();
     now.chain(pins.filter_map(|pin| Some((pin.letter.to_string(), pin.run.clone()?)))).collect()
-}
-
-/// The table of what is chosen.
-fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
-    let chosen = choices.ticked(RUNS);
-    let runs = available(app).into_iter().filter(|(name, _)| chosen.contains(&&**name));
-    let runs: Vec<NamedRun> = runs.collect();
-    if runs.is_empty() {
-        return Err("no run is chosen: Space on a run ticks it".to_owned());
-    }
-    let mut columns = choices.columns();
-    if choices.is_series() && columns.is_empty() {
-        return Err("no column is chosen: Space on a column ticks it".to_owned());
-    }
-    if columns.len() == choices.of(COLUMNS).count() {
-        columns.clear();
-    }
-    let rows = KINDS[choices.choice(WHAT)].1;
-    Ok(RunTable { rows, runs, columns })
-}
-
-/// Column the values begin in.
-const VALUE: u16 = 11;
-/// Rows below the list: absolute path, note or question, preview.
-const FOOT: u16 = 8;
-
-fn one(state: &ExportRuns, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
-    let lines = &state.choices.lines;
-    let (here, shown) = (state.choices.selected == at, &lines[at]);
-    if at == 0 || lines[at - 1].part != shown.part {
-        canvas.put(line, (2, 0), shown.part, Role::Title);
-    }
-    if here {
-        canvas.put(line, (0, 0), ">", Role::Title);
-    }
-    let room = line.width.saturating_sub(VALUE + 1);
-    let role = if here { Role::Selection } else { Role::Text };
-    let text = match &shown.value {
-        Value::Path => {
-            let area = Rect { x: line.x + VALUE, width: room, ..line };
-            if here {
-                TextField { error: None, ..state.ask.text.clone() }.draw(canvas, area);
-            } else {
-                state.ask.text.put(canvas, area, role);
-            }
-            return;
-        }
-        Value::Choice(at, words) => format!("< {} >", words[*at]),
-        Value::Tick { name, about, on } => {
-            let tick = if *on { "[x]" } else { "[ ]" };
-            format!("{tick} {name} {about}").trim_end().to_owned()
-        }
-    };
-    canvas.put(line, (VALUE, 0), &text, role);
-}
-
-/// The absolute path, then the question, error or completions, else the first lines.
-fn below(app: &App, state: &ExportRuns, area: Rect, canvas: &mut Canvas<'_>) {
-    let width = usize::from(area.width);
-    let path = app.files.directory.join(state.ask.value()).display().to_string();
-    canvas.put(area, (0, 1), &clip(&format!("to {path}"), width), Role::Text);
-    let other = instead_of_table(Path::new(state.ask.value()));
-    let of_tables = other.map(|what| format!("{what}; choices are for tables"));
-    let beside = "with a .toml file beside it that reproduces the same digits";
-    canvas.put(area, (0, 2), &clip(of_tables.as_deref().unwrap_or(beside), width), Role::Dim);
-    let lines = state.ask.found(app, &path, area.width).unwrap_or_else(|| match other {
-        Some(_) => Vec::new(),
-        None => preview(app, &state.choices).into_iter().map(|line| (line, Role::Dim)).collect(),
-    });
-    let lines = lines.into_iter().map(|(line, role)| (clip(&line, width), role));
-    canvas.put_lines(area, 4, lines);
-}
-
-/// The first three lines as they would be written.
-fn preview(app: &App, choices: &Choices) -> Vec<String> {
-    let Some(shown) = &app.shown else { return Vec::new() };
-    let named = [("now".to_owned(), Arc::clone(&shown.run))];
-    let rows = match KINDS[choices.choice(WHAT)].1 {
-        Rows::Grid(_) => Rows::Grid(3),
-        rows => rows,
-    };
-    let text = run::csv(rows, &named, &choices.columns(), 2).unwrap_or_default();
-    text.lines().take(3).map(str::to_owned).collect()
 }

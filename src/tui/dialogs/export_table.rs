@@ -4,13 +4,11 @@ use std::path::{Path, PathBuf};
 
 use crate::files::atomic::Existing;
 use crate::files::export::Destination;
-use crate::files::report::is_report;
 use crate::report::svg;
 use crate::tui::app::dialog::{Dialog, FootKey, Footer};
 use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
 use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask};
 use crate::tui::pages;
-use crate::tui::pages::run::report;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 
@@ -43,7 +41,7 @@ impl Purpose for ExportTable {
 
     fn accept(
         &self,
-        app: &mut App,
+        app: &App,
         ask: &mut Ask,
         overwrite: bool,
     ) -> Result<Option<FileTask>, String> {
@@ -64,9 +62,8 @@ impl Purpose for ExportTable {
 
     fn hint(&self, app: &App, ask: &Ask) -> String {
         let path = app.files.directory.join(ask.value());
-        let other = instead_of_table(&path).unwrap_or(
-            "a name that ends in .svg writes the charts on the screen, .html the report of the scene",
-        );
+        let other = instead_of_table(&path)
+            .unwrap_or("a name that ends in .svg writes the charts on the screen");
         format!("to {}\n{other}", path.display())
     }
 }
@@ -85,22 +82,14 @@ pub(super) fn exported(
     }
 }
 
-/// Write a path: the report of the scene, which is computed first, the charts on the screen, or the table, by its ending.
+/// Write to a path the charts on the screen, or the table, by its ending.
 pub(super) fn export(
-    app: &mut App,
+    app: &App,
     path: PathBuf,
     overwrite: bool,
     table: impl FnOnce(&App) -> Result<Content, String>,
 ) -> Result<Option<FileTask>, String> {
     let existing = Existing::replaced(overwrite);
-    if is_report(&path) {
-        let to = Destination { path, existing, has_scene: false };
-        // It is asked before the report is computed, and not only when it is written.
-        if overwrite {
-            return report::write(app, to).map(|()| None);
-        }
-        return Ok(Some(FileTask::IsFree(to)));
-    }
     let content = if is_svg(&path) {
         let drawn = pages::pictures(app);
         if drawn.is_empty() {
@@ -118,10 +107,7 @@ pub(super) fn export(
 
 /// What is written to a path instead of the table, by its ending.
 pub(super) fn instead_of_table(path: &Path) -> Option<&'static str> {
-    if is_svg(path) {
-        return Some("the charts on the screen, as SVG");
-    }
-    is_report(path).then_some("the report: inputs, results, charts, limit, sweep")
+    is_svg(path).then_some("the charts on the screen, as SVG")
 }
 
 fn is_svg(path: &Path) -> bool {

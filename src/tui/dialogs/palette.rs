@@ -1,18 +1,14 @@
-//! What `:` finds: pages and actions, variables, quantities, presets and parts of libraries, by name or synonym, and what Enter does
+//! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym, and what Enter does
 //! with each.
 
 use crate::model::variables::{VARIABLES, Variable, is_offered};
-use crate::report::series::Channel as Curve;
-use crate::study::quantities::{QUANTITIES, Quantity};
 use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
 use crate::tui::dialogs::list::{List, Listed, Picker};
 use crate::tui::dialogs::{frame, presets, words};
 use crate::tui::keymap::{Call, Command};
 use crate::tui::message::PresetEntry;
-use crate::tui::pages::explore::setup;
-use crate::tui::pages::run::charts;
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::pages::{self, commands, explore, run};
+use crate::tui::pages::{commands, run};
 use crate::tui::prelude::*;
 use crate::tui::widgets::find::{rank, rank_variable, ranked};
 use crate::tui::widgets::text::{clip, wrapped};
@@ -60,15 +56,6 @@ impl List for Palette {
                     run::open(app);
                 }
             }
-            Some(Item::Curve(curve)) => {
-                app.focus_on(run::CHARTS);
-                charts::show(app, curve);
-            }
-            Some(Item::Quantity(quantity)) => {
-                app.focus_on(explore::RESULTS);
-                setup::choose_output(app, quantity.name);
-                pages::of(Tab::Explore).enter(app);
-            }
             Some(Item::Preset(entry)) => {
                 let entry = entry.clone();
                 presets::take(app, entry);
@@ -78,7 +65,7 @@ impl List for Palette {
     }
 
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-        let pane = PaneFrame::new("Find an action, variable, quantity, preset or page");
+        let pane = PaneFrame::new("Find an action, variable, preset or page");
         let inner = frame(screen, (76, 20), pane, canvas);
         picker.draw_filter(app, inner, canvas);
         let (list, foot) = split_bottom(split_top(inner, 1).1, DOES);
@@ -106,9 +93,6 @@ pub enum Item<'a> {
     Command(&'static Command),
     /// A variable, by index into the table.
     Variable(usize),
-    /// What a curve of a run shows.
-    Curve(Curve),
-    Quantity(&'static Quantity),
     Preset(&'a PresetEntry),
 }
 
@@ -120,8 +104,6 @@ impl Item<'_> {
                 let Variable { symbol, label, .. } = &VARIABLES[*index];
                 if symbol == label { label.to_string() } else { format!("{symbol}  {label}") }
             }
-            Self::Curve(curve) => curve.title().to_owned(),
-            Self::Quantity(quantity) => quantity.title(),
             Self::Preset(entry) => entry.name.clone(),
         }
     }
@@ -131,8 +113,6 @@ impl Item<'_> {
         match self {
             Self::Command(_) => "action",
             Self::Variable(_) => "variable",
-            Self::Curve(_) => "curve",
-            Self::Quantity(_) => "quantity",
             Self::Preset(entry) if entry.problem.is_some() => "broken",
             Self::Preset(entry) => match (&entry.part, entry.origin) {
                 (Some(_), origin) => origin,
@@ -145,14 +125,6 @@ impl Item<'_> {
         match self {
             Self::Command(command) => rank(typed, &[command.name], command.synonyms),
             Self::Variable(index) => rank_variable(typed, &VARIABLES[*index]),
-            Self::Curve(curve) => rank(typed, &[curve.title(), curve.symbol()], ""),
-            Self::Quantity(quantity) => {
-                let rank = |name: String| rank(typed, &[&name], quantity.meaning);
-                // The heading of a column is no whole name: `limit` is that of a tab, too.
-                let heading = rank(quantity.heading()).map(|rank| rank.max(2));
-                let names = [quantity.title(), quantity.key_words()];
-                names.into_iter().filter_map(rank).chain(heading).min()
-            }
             Self::Preset(entry) => rank(typed, &[&entry.name], &entry.scene.title),
         }
     }
@@ -169,11 +141,8 @@ impl App {
         let variables = offered
             .filter(|(_, variable)| is_offered(variable, &self.scene))
             .map(|(index, _)| Item::Variable(index));
-        let curves = Curve::ALL.into_iter().map(Item::Curve);
-        let quantities = QUANTITIES.iter().map(Item::Quantity);
         let presets = self.files.presets.iter().map(Item::Preset);
-        let all = commands.chain(variables).chain(quantities).chain(curves).chain(presets);
-        ranked(all, |item| item.rank(typed))
+        ranked(commands.chain(variables).chain(presets), |item| item.rank(typed))
     }
 
     pub fn palette_does(&self, item: &Item<'_>) -> String {
@@ -192,10 +161,6 @@ impl App {
                 let (symbol, now) = (variable.symbol, shown_value(variable, &self.scene));
                 format!("Enter: {verb} {symbol}, now {now}: {}", variable.meaning)
             }
-            Item::Curve(curve) => {
-                format!("Enter: draw {} in the selected chart of Run", curve.title().to_lowercase())
-            }
-            Item::Quantity(quantity) => format!("Enter: show it in Explore: {}", quantity.meaning),
             Item::Preset(entry) => match (&entry.problem, &entry.part) {
                 (Some(problem), _) => format!("cannot be loaded: {problem}"),
                 (None, Some(part)) => {

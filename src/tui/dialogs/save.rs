@@ -25,7 +25,7 @@ impl Purpose for Save {
     /// A file or one of the person's own presets is replaced only when asked.
     fn accept(
         &self,
-        app: &mut App,
+        app: &App,
         ask: &mut Ask,
         overwrite: bool,
     ) -> Result<Option<FileTask>, String> {

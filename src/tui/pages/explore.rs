@@ -9,8 +9,8 @@ use crate::files::sweep as sweep_file;
 use crate::report::figures::axis_of;
 use crate::report::sweep::{self, Columns};
 use crate::study::quantities::{Quantity, named};
+use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Shard};
 use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
 use crate::tui::pages::draw_setup;
@@ -53,30 +53,24 @@ pub(super) const PAGES: &[PageSpec] = &[];
 #[rustfmt::skip]
 pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Explore)), "Explore tab", "sweep surface map family curves parameter study heat map"),
-    Command::new(Call::In(RESULTS, A::Contour), "Contour through the cursor", "level line"),
 ];
 
 pub(crate) struct ExploreTab;
 
 impl Page for ExploreTab {
     fn enter(&self, app: &mut App) {
-        let picture = app.picture();
-        let plan = app.sweep_plan(picture);
+        let plan = app.sweep_plan();
         let wanted = plan.as_ref().ok();
         let coming = app.jobs.study::<PictureSweep>().map(|(_, sweep)| sweep);
-        if coming.is_some_and(|it| it.picture == picture && Some(&*it.plan) == wanted) {
+        if coming.is_some_and(|it| it.picture == app.picture() && Some(&*it.plan) == wanted) {
             return;
         }
         // What a person stopped waits for the key that runs it again.
-        let found = app.pages.explore.found(picture).filter(|found| found.took.is_some());
-        let there = found.is_some_and(|found| Some(&**found.grid.plan()) == wanted);
-        if !there {
+        let found = app.pages.explore.found().filter(|found| found.took.is_some());
+        if !found.is_some_and(|found| Some(&**found.grid.plan()) == wanted) {
             return compute(app);
         }
         app.pages.explore.problem = None;
-        if coming.is_none_or(|it| it.picture != picture) {
-            return;
-        }
         // The setup is again what is shown: what was requested meanwhile would replace it.
         stop(app);
     }
@@ -85,9 +79,6 @@ impl Page for ExploreTab {
         match action {
             Action::Run => compute(app),
             Action::Mark => runs::pin_design(app, app.sweep_design()),
-            Action::Contour => {
-                app.pages.explore.hides_contour = !app.pages.explore.hides_contour;
-            }
             _ if app.pane() == SETUP => return setup::act(app, action),
             Action::View => {
                 let count = sweep_of(&app.scene).outputs.len();
@@ -115,12 +106,10 @@ impl Page for ExploreTab {
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
-        let picture = app.picture();
-        let found = app.pages.explore.found(picture);
-        let computing = app.jobs.study::<PictureSweep>();
-        let computing = computing.filter(|(_, sweep)| sweep.picture == picture);
+        let found = app.pages.explore.found();
+        let computing = app.jobs.running::<PictureSweep>();
         let mut parts = vec![match (computing, &app.pages.explore.problem, found) {
-            (Some((computing, _)), ..) => {
+            (Some(computing), ..) => {
                 let points = computing.counted("of", " points");
                 let left = computing.left().filter(|left| left.as_secs() > 0);
                 let left =
@@ -128,7 +117,7 @@ impl Page for ExploreTab {
                 Progress::Running(format!("sweeping{points}{left}")).part()
             }
             (None, Some(problem), _) => part(Severity::Error, problem.clone()),
-            _ if app.sweep_is_old(picture) => Progress::Old("scene").part(),
+            _ if app.sweep_is_old() => Progress::Old("scene").part(),
             (None, None, None) => Progress::Nothing.part(),
             (None, None, Some(found)) => {
                 let (done, total) = found.grid.progress();
@@ -166,8 +155,8 @@ impl Page for ExploreTab {
         }
         let Some(sweep) = PictureSweep::of(&running.asked) else { return };
         let show = |app: &mut App, grid, took| {
-            let scene = Arc::clone(&running.scene);
-            app.pages.explore.show(sweep.picture, SweepResult { scene, grid, took });
+            let (scene, picture) = (Arc::clone(&running.scene), sweep.picture);
+            app.pages.explore.show(SweepResult { picture, scene, grid, took });
         };
         match (news, news.found::<Grid>()) {
             (ReportBody::Failed(_), _) => {
@@ -186,7 +175,7 @@ impl Page for ExploreTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let found = app.pages.explore.found(app.picture())?;
+        let found = app.pages.explore.found()?;
         let plan = found.grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         let file = format!("{}-{}.csv", app.base_stem(), names.join("-"));
@@ -195,12 +184,11 @@ impl Page for ExploreTab {
         let (is_complete, (done, total)) = (found.grid.is_complete(), found.grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
         let own = Arc::clone(plan);
-        let notes =
-            move |name: &str| sweep_file::notes(name, &own, Shard::WHOLE, missing.as_deref());
+        let notes = move || sweep_file::notes(&own, missing.as_deref());
         let grid = Arc::clone(&found.grid);
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.noted(app, &scene, notes))
+        Some(table.noted(app, &scene, "sweep", notes))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
@@ -233,11 +221,11 @@ impl Page for ExploreTab {
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
-        app.pages.explore.cursor[app.picture() as usize] = Some(cell);
+        app.pages.explore.cursor = Some(cell);
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        let grid = &app.pages.explore.found(Picture::Line)?.grid;
+        let grid = &app.pages.explore.found()?.grid;
         if app.pane() != RESULTS || app.picture() != Picture::Line {
             return None;
         }
@@ -277,7 +265,6 @@ fn stop(app: &mut App) {
 }
 
 pub(crate) fn compute(app: &mut App) {
-    let picture = app.picture();
     if let Some(horizon_s) = app.scene.run.horizon_s {
         let horizon = engineering(horizon_s, "s");
         app.say(
@@ -285,7 +272,7 @@ pub(crate) fn compute(app: &mut App) {
             format!("horizon is set by hand: every point is simulated to {horizon}, which takes long; `auto` stops at the result"),
         );
     }
-    match app.sweep_plan(picture) {
+    match app.sweep_plan() {
         Err(error) => {
             stop(app);
             app.pages.explore.problem =
@@ -294,7 +281,7 @@ pub(crate) fn compute(app: &mut App) {
         }
         Ok(plan) => {
             app.pages.explore.problem = None;
-            let sweep = PictureSweep { picture, plan: Arc::new(plan) };
+            let sweep = PictureSweep { picture: app.picture(), plan: Arc::new(plan) };
             jobs::study(app, Tab::Explore, sweep);
             app.pages.explore.printed = None;
             if let Some(plan) = app.printed_plan() {
@@ -306,8 +293,7 @@ pub(crate) fn compute(app: &mut App) {
 
 /// Move the cursor by points; the scene stays as it is.
 fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
-    let picture = app.picture();
-    let Some(found) = app.pages.explore.found(picture) else {
+    let Some(found) = app.pages.explore.found() else {
         return app.tell(no_sweep(app));
     };
     let grid = Arc::clone(&found.grid);
@@ -318,7 +304,7 @@ fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     };
     let axes = grid.plan().axes();
     let next = moved(at, (upward(x, axes.first()), upward(y, axes.get(1))), grid.counts());
-    app.pages.explore.cursor[picture as usize] = Some(next);
+    app.pages.explore.cursor = Some(next);
 }
 
 fn warn_if_long(app: &mut App, running: &Running) {

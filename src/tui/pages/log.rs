@@ -109,7 +109,7 @@ impl App {
             Some(shown) => of_run(&mut lines, shown, self.is_stale()),
             None => section(&mut lines, "Run", [("no run yet".to_owned(), Role::Dim)]),
         }
-        let explore = self.pages.explore.found(self.picture());
+        let explore = self.pages.explore.found();
         let explore = explore.map_or(&[][..], |found| &found.grid.outside_at_ends);
         let search = self.pages.search.shown();
         let search = search.map_or(&[][..], |found| found.answer.answer().outside_at_ends());

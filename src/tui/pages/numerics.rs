@@ -6,7 +6,6 @@ pub mod stability;
 use crate::model::library;
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
-use crate::study::stability::Row;
 use crate::tui::pages::prelude::*;
 
 /// Error against run time.
@@ -34,10 +33,9 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
         key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
     ] },
-    PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[Part::Table], keys: &[
+    PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[], keys: &[
         key(A::Down, "scene", "select another scene"),
         key(A::View, "columns", "show the next columns of the table"),
-        key(A::Sort, "sort", "sort the table by the next column"),
         key(A::Find, "find", "find a scene"),
     ] },
 ];
@@ -113,10 +111,9 @@ impl Page for NumericsTab {
             }
             STIFF_SCENES => {
                 let kept = &app.pages.numerics.stability.battery;
-                let rows: Vec<Row> =
-                    app.pages.numerics.stability.listed().into_iter().cloned().collect();
-                let is_complete = (!rows.is_empty()).then_some(kept.is_complete)?;
-                let csv = move |_: &str| stability_table::table(&rows).csv();
+                let found = kept.found.clone().filter(|found| !found.rows.is_empty())?;
+                let is_complete = kept.is_complete;
+                let csv = move |_: &str| stability_table::table(&found.rows).csv();
                 PageTable::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
             }
             _ => {
@@ -144,7 +141,7 @@ impl Page for NumericsTab {
             }
             STIFF_SCENES => {
                 let tab = &app.pages.numerics.stability;
-                let (count, selected) = (tab.order().len(), tab.selected_row());
+                let (count, selected) = (tab.rows().len(), tab.selected);
                 Some(Rows { count, selected, shown: app.list_rows() })
             }
             _ => None,
@@ -155,8 +152,7 @@ impl Page for NumericsTab {
         if app.pane() == ACCURACY {
             app.pages.numerics.accuracy.selected = Some(row);
         } else {
-            let tab = &mut app.pages.numerics.stability;
-            tab.selected = tab.order().get(row).copied().unwrap_or(tab.selected);
+            app.pages.numerics.stability.selected = row;
         }
     }
 
@@ -164,8 +160,8 @@ impl Page for NumericsTab {
         match app.pane() {
             ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
             STIFF_SCENES => {
-                let tab = &app.pages.numerics.stability;
-                Some(tab.rows()[*tab.order().get(row)?].case.name.to_string())
+                let rows = app.pages.numerics.stability.rows();
+                Some(rows.get(row)?.case.name.to_string())
             }
             _ => None,
         }

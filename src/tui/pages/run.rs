@@ -2,7 +2,6 @@
 
 pub mod charts;
 pub mod editor;
-pub(crate) mod report;
 pub mod runs;
 
 use crate::model::variables::Kind;
@@ -10,7 +9,6 @@ use crate::tui::pages::prelude::*;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::steps::{Input, Press};
-use crate::tui::widgets::table::Sorting;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
@@ -40,13 +38,12 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
         key(A::Difference, "", "show curves as differences to the first pinned run"),
     ] },
-    PaneSpec { pane: RUNS, label: "Runs", has: &[Part::Table], keys: &[
+    PaneSpec { pane: RUNS, label: "Runs", has: &[], keys: &[
         key(A::Enter, "load", "load this pinned run's scene"),
         key(A::Mark, "pin/unpin", "pin the current run, or unpin the selected one"),
         key(A::ShowHide, "show/hide", "show or hide this run"),
         key(A::Difference, "difference", "show curves as differences to the first pinned run"),
         key(A::Down, "move", "select another run"),
-        key(A::Sort, "sort", "sort the table by the next column"),
         key(A::Find, "find", "find a run by its name"),
     ] },
 ];
@@ -71,9 +68,7 @@ pub(super) const COMMANDS: &[Command] = &[
 pub struct RunPage {
     pub editor: editor::Editor,
     pub charts: charts::Charts,
-    /// How the table of runs is sorted.
-    pub sorting: Sorting,
-    /// The row selected in it: 0 is the current run.
+    /// The row selected in the table of runs: 0 is the current run.
     pub selected: usize,
     /// The current run is drawn.
     pub shows_current: bool,
@@ -81,8 +76,8 @@ pub struct RunPage {
 
 impl Default for RunPage {
     fn default() -> Self {
-        let (editor, charts, sorting, selected) = Default::default();
-        Self { editor, charts, sorting, selected, shows_current: true }
+        let (editor, charts, selected) = Default::default();
+        Self { editor, charts, selected, shows_current: true }
     }
 }
 
@@ -106,10 +101,6 @@ impl Page for RunTab {
             (Action::Mark, _) => runs::pin_scene(app),
             (Action::Enter, RUNS) => runs::load(app),
             (Action::ShowHide, RUNS) => runs::show_or_hide(app),
-            (Action::Sort, RUNS) => {
-                let sorting = app.pages.run.sorting.next(&app.compared_runs().keys());
-                app.pages.run.sorting = sorting;
-            }
             (_, VARIABLES) if edits(action) && !app.pages.run.editor.shows(&app.scene) => {
                 app.tell("no variable is selected: <back> shows all of them");
             }
@@ -141,11 +132,7 @@ impl Page for RunTab {
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
-        report::status(app).into_iter().chain(app.run_status()).collect()
-    }
-
-    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        report::made(app, running, news);
+        app.run_status()
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -159,10 +146,8 @@ impl Page for RunTab {
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
             RUNS => {
-                let order = app.run_order();
-                let selected =
-                    order.iter().position(|run| *run == app.pages.run.selected).unwrap_or(0);
-                Some(Rows { count: order.len(), selected, shown: 8 })
+                let (count, selected) = (app.pins.len() + 1, app.pages.run.selected);
+                Some(Rows { count, selected, shown: 8 })
             }
             _ => Some(Rows {
                 count: app.pages.run.charts.quantities.len(),
@@ -179,18 +164,17 @@ impl Page for RunTab {
                     app.pages.run.editor.selected = *index;
                 }
             }
-            RUNS => {
-                app.pages.run.selected =
-                    app.run_order().get(row).copied().unwrap_or(app.pages.run.selected);
-            }
+            RUNS => app.pages.run.selected = row,
             _ => app.pages.run.charts.selected = row,
         }
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let run = *app.run_order().get(row).filter(|_| app.pane() == RUNS)?;
-        let name = run.checked_sub(1).map_or("", |at| app.pins[at].name.as_str());
-        Some(format!("{} {name}", app.run_label(run)))
+        if app.pane() != RUNS || row > app.pins.len() {
+            return None;
+        }
+        let name = row.checked_sub(1).map_or("", |at| app.pins[at].name.as_str());
+        Some(format!("{} {name}", app.run_label(row)))
     }
 
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {

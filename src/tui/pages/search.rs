@@ -60,7 +60,6 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Enter, "load", "load this design into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin this design"),
         key(A::Sort, "sort", "sort the table by the next column"),
-        key(A::View, "axes", "show the next pair of objectives in the chart"),
         key(A::Find, "", "find a design or a solution"),
     ] },
 ];
@@ -113,7 +112,6 @@ impl Page for SearchTab {
             _ if app.pane() == SETUP => return false,
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),
-            Action::View => view(app),
             Action::Sort if self.is_idle(app, action) => app.tell("no table to sort on this page"),
             Action::Sort => app.pages.search.sort_next(),
             _ => match along(action, FAR) {
@@ -202,10 +200,7 @@ impl Page for SearchTab {
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
         let on_rows = matches!(action, Action::Down | Action::Enter | Action::Mark | Action::Sort);
-        let is_front = app.pages.search.page == state::Page::Front;
-        let idle =
-            (on_rows && app.pages.search.choices() == 0) || (action == Action::View && !is_front);
-        app.pane() == RESULTS && idle
+        app.pane() == RESULTS && on_rows && app.pages.search.choices() == 0
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -260,22 +255,6 @@ impl Page for SearchTab {
 const FAR: i16 = 10;
 /// Steps of numbers that are not typed.
 const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000];
-
-/// The next pair of objectives on the axes of a front.
-fn view(app: &mut App) {
-    if app.pages.search.page != state::Page::Front {
-        return app.tell("only one view here: the Pareto front has a choice of axes");
-    }
-    let count = app.chosen_objectives().len();
-    let before = app.snapshot();
-    let setup = Arc::make_mut(&mut app.pages.search.setup);
-    let (across, up) = setup.axes;
-    setup.axes = if up + 1 < count { (across, up + 1) } else { (across + 1, across + 2) };
-    if setup.axes.1 >= count {
-        setup.axes = (0, 1.min(count.saturating_sub(1)));
-    }
-    note_change(app, Row::Up, before, false);
-}
 
 /// Lines of the words that have no room; none where the chart stands alone.
 pub(crate) fn hidden_lines(app: &App) -> usize {
@@ -392,7 +371,6 @@ fn first_goal(app: &App, name: &str) -> f64 {
 
 fn step_number(setup: &mut Setup, row: Row, press: Press) {
     match row {
-        Row::Stroke => setup.stroke_m = press.up.then(|| setup.stroke_m.unwrap_or(1.0)),
         Row::Designs => {
             let tried = if press.up { 2 * setup.designs } else { setup.designs / 2 };
             setup.designs = tried.clamp(*DESIGNS.start(), *DESIGNS.end());
@@ -411,15 +389,6 @@ fn step_number(setup: &mut Setup, row: Row, press: Press) {
 
 fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
     match row {
-        Row::Stroke if text == "none" => setup.stroke_m = None,
-        Row::Stroke => {
-            let column = named("stroke_m").map_err(|error| error.to_string())?;
-            let value = column.parse(text)?;
-            if value <= 0.0 {
-                return Err(format!("`{text}` must be greater than 0, or none"));
-            }
-            setup.stroke_m = Some(value);
-        }
         Row::Bounds => {
             let bounds = text.split(',').filter(|_| text != "none").map(str::parse);
             setup.subject_to = bounds.collect::<Result<_, _>>()?;

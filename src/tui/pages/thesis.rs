@@ -9,7 +9,6 @@ use crate::tui::pages::explore::state::{Picture, PicturePlan};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::pages::{self, explore};
-use crate::tui::widgets::around;
 use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::text::fitting;
 use crate::worker::studies::Claims;
@@ -24,9 +23,7 @@ pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: CLAIMS, label: "Claims", has: &[Part::Table], keys: &[
         key(A::Down, "claim", "select another claim"),
         key(A::Enter, "open", "load the preset that shows the claim"),
-        key(A::View, "verdict", "show only the rows with the next verdict, or all"),
         key(A::Find, "find", "find a claim"),
-        key(A::Sort, "sort", "sort the table by the next column"),
     ] },
     PaneSpec { pane: PRINCIPLES, label: "Principles", has: &[], keys: &[] },
     PaneSpec { pane: CONCEPTS, label: "Concepts", has: &[], keys: &[] },
@@ -63,8 +60,6 @@ impl Page for ThesisTab {
         match action {
             Action::Run => check(app),
             Action::Enter => open(app),
-            Action::View => app.pages.thesis.next_filter(),
-            Action::Sort => app.pages.thesis.by_verdict = !app.pages.thesis.by_verdict,
             _ => return false,
         }
         true
@@ -194,7 +189,7 @@ fn look(app: &mut App) {
     }
     app.focus_on(explore::RESULTS);
     app.pages.explore.output = 0;
-    app.pages.explore.cursor = [None; 2];
+    app.pages.explore.cursor = None;
     app.pages.explore.zoomed = None;
     pages::of(Tab::Explore).enter(app);
 }
@@ -202,10 +197,8 @@ fn look(app: &mut App) {
 #[derive(Clone, Debug, Default)]
 pub struct Thesis {
     pub report: Kept<RowsSoFar<Row>>,
-    pub filter: Option<ClaimVerdict>,
     /// The claims shown match this.
     pub find: String,
-    pub by_verdict: bool,
     pub selected: usize,
 }
 
@@ -213,28 +206,16 @@ impl Thesis {
     pub fn rows(&self) -> &[Row] {
         self.report.found.as_ref().map_or(&[], |report| &report.rows)
     }
-
-    /// The next verdict to filter by; after the last one, all rows.
-    pub fn next_filter(&mut self) {
-        let all: Vec<Option<ClaimVerdict>> =
-            std::iter::once(None).chain(ClaimVerdict::ALL.into_iter().map(Some)).collect();
-        (self.filter, self.selected) = (around(&all, self.filter, 1), 0);
-    }
 }
 
 impl App {
-    /// The claims shown: of the wanted verdict, and those that match what is looked for, best first.
+    /// The claims shown: those that match what is looked for, best first.
     pub fn claims(&self) -> Vec<&Row> {
         let tab = &self.pages.thesis;
-        let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.claim.verdict == wanted);
-        let mut rows = ranked(tab.rows().iter().filter(passes), |row| {
+        ranked(tab.rows().iter(), |row| {
             let claim = &row.claim;
             rank(&tab.find, &[claim.id, claim.place], claim.says)
-        });
-        if tab.by_verdict {
-            rows.sort_by_key(|row| row.claim.verdict);
-        }
-        rows
+        })
     }
 
     pub fn claim(&self) -> Option<&Row> {

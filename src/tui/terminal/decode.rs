@@ -26,8 +26,6 @@ pub(in crate::tui) enum Input {
     Key(KeyEvent),
     Paste(String),
     Mouse(MouseEvent),
-    /// The answer to a request for a status report: all that was sent before the request has arrived.
-    Arrived,
 }
 
 /// Where in a key or a sequence the bytes are.
@@ -46,8 +44,6 @@ enum State {
     /// After an escape in a string: its end, or the beginning of something else.
     TextEscape,
     Paste(Vec<u8>),
-    /// These bytes of an old mouse report, of three.
-    Click(Vec<u8>),
     /// After `ESC [ [`: a function key of the Linux console.
     Console,
 }
@@ -127,17 +123,6 @@ impl Decoder {
                     None => self.state = State::Paste(text),
                 }
             }
-            State::Click(mut bytes) => {
-                bytes.push(byte);
-                match bytes[..] {
-                    [button, column, row] => {
-                        let place = |byte: u8| u16::from(byte).checked_sub(0x20);
-                        let button = button.wrapping_sub(0x20).into();
-                        out.extend(click(button, place(column), place(row), true));
-                    }
-                    _ => self.state = State::Click(bytes),
-                }
-            }
             State::Console => {
                 if let number @ b'A'..=b'E' = byte {
                     out.push(key(KeyCode::F(number - b'A' + 1)));
@@ -212,11 +197,6 @@ impl Decoder {
         match byte {
             0x1b => self.state = State::Escape,
             b'[' if rest.is_empty() => self.state = State::Console,
-            b'M' if rest.is_empty() => self.state = State::Click(Vec::new()),
-            // With Shift urxvt ends the number of a key in a `$`.
-            b'$' if !rest.is_empty() && rest.iter().all(u8::is_ascii_digit) => {
-                out.extend(numbered(&rest).map(|code| with(code, KeyModifiers::SHIFT)));
-            }
             b' '..=b'?' => {
                 // What is too long to be a key is swallowed all the same.
                 if rest.len() < LONGEST {
@@ -249,7 +229,7 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
     if let Some(report) = rest.strip_prefix(b"<") {
         let [button, column, row] = numbers(report)?[..] else { return None };
         return match last {
-            b'M' | b'm' => click(button, Some(column), Some(row), last == b'M'),
+            b'M' | b'm' => click(button, column, row, last == b'M'),
             _ => None,
         };
     }
@@ -257,21 +237,11 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
     let modifiers = modifiers(numbers.get(1).copied().unwrap_or(1));
     let first = numbers.first().copied().unwrap_or(0);
     match last {
-        b'~' | b'^' | b'@' => {
-            let shift = if last == b'@' { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
-            let control = if last == b'~' { KeyModifiers::NONE } else { KeyModifiers::CONTROL };
-            numbered(first.to_string().as_bytes())
-                .map(|code| with(code, modifiers | shift | control))
-        }
-        b'n' => (numbers == [0]).then_some(Input::Arrived),
+        b'~' => numbered(first).map(|code| with(code, modifiers)),
         b'u' => Some(with(spelled(char::from_u32(first.into())?)?, modifiers)),
         b'Z' => Some(key(KeyCode::BackTab)),
         // With other numbers it is the place of the cursor.
         b'P' | b'Q' | b'S' if first <= 1 => Some(with(KeyCode::F(last - b'P' + 1), modifiers)),
-        // With Shift urxvt has small letters.
-        b'a'..=b'd' if numbers.is_empty() => {
-            named(last.to_ascii_uppercase()).map(|code| with(code, KeyModifiers::SHIFT))
-        }
         _ => named(last).map(|code| with(code, modifiers)),
     }
 }
@@ -325,8 +295,8 @@ fn named(letter: u8) -> Option<KeyCode> {
 }
 
 /// The keys that have a number.
-fn numbered(digits: &[u8]) -> Option<KeyCode> {
-    let number: u8 = std::str::from_utf8(digits).ok()?.parse().ok()?;
+fn numbered(number: u16) -> Option<KeyCode> {
+    let number = u8::try_from(number).ok()?;
     Some(match number {
         1 | 7 => KeyCode::Home,
         2 => KeyCode::Insert,
@@ -362,7 +332,7 @@ fn paste(text: &[u8]) -> Input {
 
 /// The left button and the wheel: other buttons are left to the terminal's own menus, and the wheel turned sideways would step values
 /// by mistake when a touchpad is brushed. A terminal counts from one; one that sends a zero has clicked nowhere.
-fn click(button: u16, column: Option<u16>, row: Option<u16>, is_press: bool) -> Option<Input> {
+fn click(button: u16, column: u16, row: u16, is_press: bool) -> Option<Input> {
     // Bits 2 to 4 are Shift, Alt and Control, bit 5 a movement.
     let kind = match button & !0b1_1100 {
         0 if is_press => MouseEventKind::Down(MouseButton::Left),
@@ -370,7 +340,7 @@ fn click(button: u16, column: Option<u16>, row: Option<u16>, is_press: bool) -> 
         65 => MouseEventKind::ScrollDown,
         _ => return None,
     };
-    let (column, row) = (column?.checked_sub(1)?, row?.checked_sub(1)?);
+    let (column, row) = (column.checked_sub(1)?, row.checked_sub(1)?);
     Some(Input::Mouse(MouseEvent { kind, column, row, modifiers: KeyModifiers::NONE }))
 }
 
@@ -400,7 +370,7 @@ mod tests {
         character(c, KeyModifiers::NONE)
     }
 
-    /// The sequences of xterm, the Linux console and urxvt, by their manuals.
+    /// The sequences of xterm and the Linux console, by their manuals.
     #[test]
     fn keys_are_what_terminals_send_for_them() {
         use KeyCode as K;
@@ -423,9 +393,6 @@ mod tests {
             (b"\x1b[4~", K::End, plain),
             (b"\x1b[5~", K::PageUp, plain),
             (b"\x1b[3;5~", K::Delete, CONTROL),
-            (b"\x1b[3$", K::Delete, SHIFT),
-            (b"\x1b[3^", K::Delete, CONTROL),
-            (b"\x1b[a", K::Up, SHIFT),
             (b"\x1b[Z", K::BackTab, plain),
             (b"\x1b\t", K::BackTab, plain),
             (b"\x1b[[A", K::F(1), plain),
@@ -466,6 +433,7 @@ mod tests {
             b"\x1b[999999999999999999~",
             b"\x1b[ q",
             b"\x1bOz",
+            b"\x1b[0n",
             b"\xff\xfe\x80",
         ] {
             let with_key = [bytes, b"j"].concat();
@@ -480,7 +448,6 @@ mod tests {
         assert_eq!(one(b"\x1b]j"), [alt(']'), code('j')]);
         assert_eq!(one(b"\x1bXj\x1bPj"), [alt('X'), code('j'), alt('P'), code('j')]);
         assert_eq!(one(b"\x1b[1;5"), []);
-        assert_eq!(inputs(&[b"\x1b[0n"]), [Input::Arrived]);
     }
 
     #[test]
@@ -502,7 +469,6 @@ mod tests {
         };
         let press = MouseEventKind::Down(MouseButton::Left);
         assert_eq!(one(b"\x1b[<0;5;8M"), mouse(press));
-        assert_eq!(one(b"\x1b[M\x20\x25\x28"), mouse(press));
         assert_eq!(one(b"\x1b[<64;5;8M"), mouse(MouseEventKind::ScrollUp));
         assert_eq!(one(b"\x1b[<65;5;8M"), mouse(MouseEventKind::ScrollDown));
         for none in ["0;5;8m", "2;5;8M", "35;5;8M", "66;5;8M", "0;0;8M", "0;5M", "0;5;8;9M"] {
@@ -516,8 +482,8 @@ mod tests {
         fn packets_make_no_difference(
             pieces in proptest::collection::vec(
                 proptest::sample::select(vec![
-                    &b"\x1b[H"[..], b"\x1b[3~", b"j", b"\x1bOA", b"\x1b\x1b[D", b"\xc3\xb6", b"\x1b[3$", b"\x1b[<0;5;8M",
-                    b"\x1b[200~a\x1b[Bb\x1b[201~", b"\x1b]11;rgb:1/2/3\x1b\\", b"\x1b[>41;380;0c", b"\x1b\t", b"\x1b[M\x20\x25\x28",
+                    &b"\x1b[H"[..], b"\x1b[3~", b"j", b"\x1bOA", b"\x1b\x1b[D", b"\xc3\xb6", b"\x1b[<0;5;8M",
+                    b"\x1b[200~a\x1b[Bb\x1b[201~", b"\x1b]11;rgb:1/2/3\x1b\\", b"\x1b[>41;380;0c", b"\x1b\t",
                     b"\xff", b"\r",
                 ]),
                 1..8,

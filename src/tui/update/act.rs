@@ -94,7 +94,6 @@ fn anywhere(app: &mut App, action: Action) {
         A::ResetAll => edit::reset_all(app),
         A::Copy if app.shows_runs() => runs::copy(app),
         A::Copy => copy(app),
-        A::Models => runs::models(app),
         A::Switch(option) => dialogs::switch(app, option),
         A::Cancel | A::Back | A::Quit | A::QuitWithSummary => leave(app, action),
         A::FullPane => {

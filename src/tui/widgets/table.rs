@@ -1,12 +1,8 @@
-//! Tables on the screen: the first column always, beside it as many of the others as have room, the next ones at a key; sorted by
-//! a column.
+//! Tables on the screen: the first column always, beside it as many of the others as have room, the next ones at a key.
 
-use std::cmp::Ordering;
 use std::ops::Range;
 
-use serde_json::Value;
-
-use crate::report::table::{Cells, Table};
+use crate::report::table::Cells;
 use crate::tui::widgets::text::fitted;
 
 /// Least columns of the names of a table's rows.
@@ -97,62 +93,12 @@ fn gap(width: u16) -> &'static str {
     if width < WIDE { " " } else { "  " }
 }
 
-/// How a table is sorted: by which of its columns; `None`: as it is listed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Sorting(pub Option<&'static str>);
-
-impl Sorting {
-    /// By the next of some columns, after the last one as listed.
-    #[must_use]
-    pub fn next(self, keys: &[&'static str]) -> Self {
-        let after =
-            self.0.and_then(|key| keys.iter().position(|one| *one == key)).map_or(0, |at| at + 1);
-        Self(keys.get(after).copied())
-    }
-
-    /// The places of the rows of a table in this order; what has no value stands last.
-    pub(crate) fn order<R>(self, table: &Table<'_, R>) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..table.rows.len()).collect();
-        let column = self.0.and_then(|key| table.columns.iter().find(|column| column.key == key));
-        if let Some(column) = column {
-            let values: Vec<Value> = table.rows.iter().map(|row| (column.get)(row)).collect();
-            sort(&mut order, &values);
-        }
-        order
-    }
-
-    /// Mark the heading of the column that a table is sorted by.
-    pub(crate) fn mark(self, keys: &[&str], cells: &mut [Cells]) {
-        for (_, cells) in keys.iter().zip(cells).filter(|(key, _)| self.0 == Some(key)) {
-            cells.head.insert(0, '*');
-        }
-    }
-}
-
 /// The words of a table without a row that matches.
 pub(crate) const NO_MATCH: &str = "no row matches: <back> shows all of them";
 
 /// A title with the text that the rows below it match.
 pub(crate) fn filtered(title: &str, filter: &str) -> String {
     if filter.is_empty() { title.to_owned() } else { format!("{title} /{filter}") }
-}
-
-/// Compiled once, whatever the rows of the table are.
-fn sort(places: &mut [usize], values: &[Value]) {
-    places.sort_by(|a, b| compared(&values[*a], &values[*b]));
-}
-
-fn compared(a: &Value, b: &Value) -> Ordering {
-    match (a, b) {
-        (Value::Null, Value::Null) => Ordering::Equal,
-        (Value::Null, _) => Ordering::Greater,
-        (_, Value::Null) => Ordering::Less,
-        (Value::Number(a), Value::Number(b)) => {
-            let number = |it: &serde_json::Number| it.as_f64().unwrap_or(f64::NAN);
-            number(a).total_cmp(&number(b))
-        }
-        _ => a.as_str().cmp(&b.as_str()),
-    }
 }
 
 #[cfg(test)]
@@ -178,20 +124,5 @@ mod tests {
         assert_eq!(shown(13, 2), ("abcd".to_owned(), hint(1)));
         let pages: Vec<String> = (0..4).map(|turns| shown(2, turns).0).collect();
         assert_eq!(pages, ["ab", "ac", "ad", "ae"]);
-    }
-
-    #[test]
-    fn a_table_is_sorted_by_each_of_its_columns_in_turn() {
-        let table = Table::of([("b", Some(2.0)), ("a", None), ("c", Some(-1.0))])
-            .with("name", "name", "", |row| row.0)
-            .with("value", "value", "", |row| row.1);
-        let keys = ["name", "value"];
-        let mut sorting = Sorting::default();
-        let mut orders = Vec::new();
-        for _ in 0..4 {
-            orders.push(sorting.order(&table));
-            sorting = sorting.next(&keys);
-        }
-        assert_eq!(orders, [[0, 1, 2], [1, 0, 2], [2, 0, 1], [0, 1, 2]]);
     }
 }

@@ -189,7 +189,6 @@ impl Bench {
     /// Answer every job with a made-up run, as the worker would.
     pub(crate) fn answer(&mut self) {
         loop {
-            self.look_for_files();
             let jobs = self.jobs();
             if jobs.is_empty() {
                 return;
@@ -197,21 +196,6 @@ impl Bench {
             for job in jobs {
                 self.reply(job.id, done(made(&job.scene)));
             }
-        }
-    }
-
-    /// Answer what was asked of files: whether they are there.
-    fn look_for_files(&mut self) {
-        let is_asked = |effect: &mut Effect| matches!(effect, Effect::Files(FileTask::IsFree(_)));
-        let asked: Vec<Effect> = self.effects.extract_if(.., is_asked).collect();
-        for effect in asked {
-            let Effect::Files(FileTask::IsFree(to)) = effect else { continue };
-            let path = to.path.clone();
-            self.send(Message::Done(if path.exists() {
-                EffectReport::Exported(path.clone(), ExportOutcome::Exists(path))
-            } else {
-                EffectReport::Free(to)
-            }));
         }
     }
 

@@ -157,45 +157,6 @@ fn the_charts_of_the_limit_tab_can_be_read() {
     assert!(rows >= 10, "{screen}");
 }
 
-/// The table of stiff scenes is drawn in the order that `S` sets.
-#[test]
-fn the_table_of_stiff_scenes_is_sorted_on_the_screen() {
-    let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
-    bench.keys("<Tab>");
-    stability::answer(&mut bench);
-    let mut names: Vec<String> = bench
-        .app
-        .pages
-        .numerics
-        .stability
-        .rows()
-        .iter()
-        .map(|row| row.case.name.to_string())
-        .collect();
-    bench.keys("S");
-    names.sort();
-    let screen = bench.screen();
-    let places: Vec<Option<usize>> =
-        names.iter().map(|name| screen.find(&format!("|{name} "))).collect();
-    assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{screen}");
-}
-
-/// Pins of a slower and a faster shot beside the present, fastest one: the keys go by the rows as they stand.
-#[test]
-fn the_table_of_runs_is_sorted_and_the_keys_follow_its_order() {
-    let mut bench = Bench::ascii(120, 40);
-    bench.keys(" L L<Tab><Tab>");
-    assert_eq!((bench.app.pins.len(), bench.app.run_order()), (2, vec![0, 1, 2]));
-    // By name, by outcome, then by the depth.
-    bench.keys("SSS");
-    assert_eq!(bench.app.run_order(), [1, 2, 0]);
-    assert!(bench.screen().contains("*depth mm"), "{}", bench.screen());
-    bench.keys("k");
-    assert_eq!(bench.app.pages.run.selected, 2);
-    bench.keys("gV");
-    assert!(bench.app.pages.run.selected == 1 && !bench.app.pins[0].visible);
-}
-
 #[test]
 fn charts_and_sentences_spell_microseconds_alike() {
     let mut bench = Bench::open(GlyphSet::Braille, (120, 40));

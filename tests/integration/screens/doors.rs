@@ -9,7 +9,6 @@ use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::{front, seek};
 use cmra::study::sweep::grid::{Grid, PIECE};
 use cmra::study::{monte_carlo, sensitivity};
-use cmra::tui::pages::explore::state::Picture;
 use cmra::tui::pages::search::state::{Page, SearchResult};
 use cmra::worker::studies::{SearchAnswer, SearchRequest};
 
@@ -97,7 +96,7 @@ fn the_requests_of_the_search_tab_are_those_of_the_commands() {
 #[test]
 fn the_points_of_explore_are_those_of_a_sweep() {
     for pairs in SCENES {
-        let plan = Arc::new(bench(pairs).app.sweep_plan(Picture::Line).unwrap());
+        let plan = Arc::new(bench(pairs).app.sweep_plan().unwrap());
         let outputs: Vec<&str> = plan.outputs().iter().map(|output| output.name).collect();
         let over: Vec<String> = plan.axes().iter().map(|axis| format!("--over {axis}")).collect();
         let command = format!("sweep {} --outputs {}", over.join(" "), outputs.join(","));

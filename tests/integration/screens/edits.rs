@@ -90,7 +90,7 @@ fn the_plates_face_is_set_in_the_run_tab() {
     let exact = 2710.0 * 0.0254 * 0.15 * 0.15 / 0.0295;
     assert!((plate.mass_ratio - exact).abs() < 1e-12 * exact);
     // The axis of Explore is the face, from half to twice its value: gamma follows from it.
-    let plan = bench.app.sweep_plan(Picture::Line).expect("a plan");
+    let plan = bench.app.sweep_plan().expect("a plan");
     assert_eq!((plan.axes()[0].symbol(), plan.axes()[0].ends()), ("face", (0.075, 0.3)));
     bench.keys("/gamma<Enter><Enter>2<Enter>");
     assert_eq!(bench.app.scene.plate.size, PlateSize::Ratio);
@@ -106,7 +106,7 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
     keys(&mut bench, &["/shown<Enter>", "l"]);
     assert_eq!(bench.app.picture(), Picture::Surface);
     let axes = |bench: &Bench| {
-        let plan = bench.app.sweep_plan(Picture::Surface).unwrap();
+        let plan = bench.app.sweep_plan().unwrap();
         plan.axes().iter().map(|axis| axis.symbol().to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(axes(&bench), ["face", "k"]);
@@ -119,7 +119,7 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
     // The axis replaces the scene's own size, and a design keeps it.
     keys(&mut bench, &["<Tab>", "l", "<Enter>"]);
     assert!(matches!(bench.app.scene.plate.size, PlateSize::Face(_)), "{}", bench.message());
-    assert!(!bench.app.sweep_is_old(Picture::Surface));
+    assert!(!bench.app.sweep_is_old());
 }
 
 #[test]
@@ -144,7 +144,7 @@ fn another_spacing_keeps_the_cursor_at_its_value() {
     let mut bench = Bench::ascii(80, 24);
     keys(&mut bench, &["2", "L"]);
     let at = |bench: &Bench| {
-        let grid = &bench.app.pages.explore.found(Picture::Line).expect("a sweep").grid;
+        let grid = &bench.app.pages.explore.found().expect("a sweep").grid;
         grid.coordinate(bench.app.cursor_point(grid), 0)
     };
     let before = at(&bench);

@@ -118,7 +118,7 @@ fn explore_varies_the_face_of_a_scene_that_has_one() {
     let mut bench = open(folder.path());
     bench.press("2");
     sweep::answer(&mut bench);
-    let plan = bench.app.sweep_plan(bench.app.picture()).unwrap();
+    let plan = bench.app.sweep_plan().unwrap();
     assert_eq!((plan.axes()[0].symbol(), plan.axes()[0].ends()), ("face", (0.05, 0.2)));
     // What follows from the face is not held beside it.
     let held = bench.app.setup_choices().into_iter().filter_map(|row| match row {

@@ -2,15 +2,15 @@
 
 use std::time::Duration;
 
-use super::bench::{Bench, Study, ended, made};
+use super::bench::{Bench, ended, made};
 use super::search::{in_search, sought};
 use super::{accuracy, limit, search};
 use cmra::model::run::EndReason;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
+use cmra::worker::ReportBody;
 use cmra::worker::studies::{AskedFor, Comparison, EqualMass, LimitSearch, SearchRequest};
-use cmra::worker::{ReportBody, Task, Worker};
 
 /// The search that was submitted last.
 fn searched(bench: &mut Bench) -> (u64, Page) {
@@ -92,65 +92,20 @@ fn counters_do_not_pass_their_totals() {
 }
 
 #[test]
-fn a_report_that_ends_leaves_another_dialog_alone() {
-    let path: std::path::PathBuf = "/home/ada/work/a.html".into();
+fn an_export_that_ends_leaves_another_dialog_alone() {
+    let path: std::path::PathBuf = "/home/ada/work/a.csv".into();
     let ended = Message::Done(EffectReport::Exported(path.clone(), ExportOutcome::Exists(path)));
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("e<C-u>a.html<Enter><Esc>s");
+    bench.keys("e<C-u>a.csv<Enter><Esc>s");
     bench.send(ended.clone());
     assert!(bench.app.has_dialog() && !bench.screen().contains(" o overwrite"));
-    assert!(bench.message().contains("a.html already exists"), "{}", bench.message());
-    bench.keys("<Esc>e<C-u>b.html");
+    assert!(bench.message().contains("a.csv already exists"), "{}", bench.message());
+    bench.keys("<Esc>e<C-u>b.csv");
     bench.send(ended.clone());
     assert!(bench.app.has_dialog() && !bench.screen().contains(" o overwrite"));
-    bench.keys("<C-u>a.html");
+    bench.keys("<C-u>a.csv");
     bench.send(ended);
     assert!(bench.screen().contains(" o overwrite"), "{}", bench.screen());
-}
-
-#[test]
-fn a_report_asks_about_its_file_first_and_is_computed_once() {
-    let place = tempfile::tempdir().unwrap();
-    let mut bench = Bench::ascii(80, 24);
-    bench.app.files.directory = place.path().to_owned();
-    std::fs::write(place.path().join("a.html"), "").unwrap();
-    bench.keys("e<C-u>a.html<Enter>");
-    assert!(bench.screen().contains(" o overwrite"), "{}", bench.screen());
-    assert!(bench.studies().is_empty());
-    bench.keys("o");
-    assert_eq!(bench.studies().len(), 1);
-    bench.keys("<Esc>e<C-u>b.html<Enter>");
-    assert!(bench.studies().is_empty());
-    assert!(bench.screen().contains("another report is being written"), "{}", bench.screen());
-    let mut bench = Bench::ascii(80, 24);
-    bench.keys("e<C-u>b.html<Enter><Enter>");
-    assert_eq!(bench.studies().len(), 1);
-}
-
-#[test]
-fn a_name_that_ends_as_a_report_writes_the_report() {
-    for (keys, heading) in [("e<C-u>rep.html<Enter>", "<h2>Ballistic limit</h2>")] {
-        let mut bench = Bench::ascii(80, 24);
-        bench.keys(keys);
-        assert!(bench.screen().contains("writing the report"), "{}", bench.screen());
-        let study = bench.studies().pop().expect("a study");
-        assert!(bench.exported().is_none());
-        let (send, reports) = std::sync::mpsc::channel();
-        let worker = Worker::spawn(move |report| drop(send.send(report))).unwrap();
-        let Study { id, scene, asked } = study;
-        worker.submit(Task { id, threads: 1, scene, asked });
-        loop {
-            let report = reports.recv().expect("a report");
-            let is_last = matches!(report.body, ReportBody::Ended { .. } | ReportBody::Failed(_));
-            bench.send(Message::Report(report));
-            if is_last {
-                break;
-            }
-        }
-        let (to, text, has_scene) = bench.exported().expect("a file");
-        assert!(to.path.starts_with("/home/ada/work") && !has_scene);
-        assert!(text.contains(heading) && text.contains("thesis-baseline"), "{text}");
-    }
 }
 
 #[test]

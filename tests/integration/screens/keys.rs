@@ -864,21 +864,6 @@ fn a_chart_of_what_the_scene_has_not_says_so() {
     assert!(bench.screen().contains("no damper"), "{}", bench.screen());
 }
 
-/// Pinning by every model is one edit, and so is unpinning them.
-#[test]
-fn pins_of_one_action_are_undone_together() {
-    let mut bench = bench();
-    bench.keys(":pin this scene by every<Enter>");
-    let count = bench.app.pins.len();
-    assert!(count > 1);
-    bench.keys("u");
-    assert_eq!(bench.app.pins.len(), 0);
-    bench.keys("<C-r>");
-    assert_eq!(bench.app.pins.len(), count);
-    bench.keys(":pin this scene by every<Enter>u");
-    assert_eq!(bench.app.pins.len(), count);
-}
-
 #[test]
 fn pinning_can_be_undone_and_done_again() {
     let mut bench = bench();

@@ -35,7 +35,6 @@ fn found(scene: &Arc<Scene>) -> Report {
     Report {
         scene: Arc::clone(scene),
         limit: Limit::found(V_BL, LimitMethod::Outcome),
-        undecided_m_s: None,
         at_limit: None,
         interface_holds_m_s: None,
         closures: None,

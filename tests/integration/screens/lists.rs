@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::bench::Bench;
-use super::search::{keys, sought};
+use super::search::sought;
 use super::{limit, search, stability};
 use cmra::tui::keymap::Keymap;
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::{Message, PresetEntry};
-use cmra::tui::pages::{explore, run};
 use cmra::tui::theme::GlyphSet;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
@@ -187,30 +186,13 @@ fn words_on_the_screen_find_their_rows() {
     for (typed, kind, name) in [
         ("stiffness", "variable", "k  stiffness"),
         ("velocity", "variable", "v_i  impact velocity"),
-        ("stroke", "quantity", "stroke"),
-        ("mount force", "quantity", "peak mount force"),
-        ("spring force", "curve", "Spring force"),
         ("quit", "action", "Quit"),
-        ("report", "action", "Export"),
-        ("html", "action", "Export"),
     ] {
         let found = bench.app.palette(typed);
         let first = found.first().unwrap_or_else(|| panic!("{typed} finds nothing"));
         assert_eq!((first.kind(), first.name().as_str()), (kind, name), "{typed}");
     }
     assert!(bench.app.palette("quit").iter().all(|item| !item.name().starts_with("theta")));
-}
-
-#[test]
-fn a_quantity_that_is_found_is_shown() {
-    let mut bench = Bench::ascii(80, 24);
-    keys(&mut bench, &[":stroke<Enter>"]);
-    assert_eq!(bench.app.pane(), explore::RESULTS);
-    assert!(bench.screen().contains("stroke [m"), "{}", bench.screen());
-    assert!(!bench.screen().contains("* k=0"), "a family that nobody chose");
-    keys(&mut bench, &[":spring force<Enter>"]);
-    assert_eq!(bench.app.pane(), run::CHARTS);
-    assert!(bench.screen().contains("Spring force, greatest"), "{}", bench.screen());
 }
 
 /// `config.toml` gives actions other keys: the texts name those.

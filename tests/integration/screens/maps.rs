@@ -31,13 +31,6 @@ fn the_change_of_closure_is_named_in_the_comparison() {
     assert!(screen.contains("just as thick as the projectile (h = D)"), "{screen}");
 }
 
-#[test]
-fn a_pane_without_chart_or_map_says_that_it_does_not_zoom() {
-    let mut bench = Bench::ascii(80, 24);
-    bench.keys("7+");
-    assert_eq!(bench.message(), "only charts of Run and Explore zoom");
-}
-
 /// As in Run, the axis of values is that of what is in view.
 #[test]
 fn curves_that_are_zoomed_have_the_values_in_view() {

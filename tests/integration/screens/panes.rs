@@ -109,11 +109,10 @@ fn the_title_row_names_the_preset_in_full_as_far_as_it_has_room() {
 }
 
 #[test]
-fn a_key_of_another_pane_says_where_it_works() {
+fn a_key_without_effect_says_so() {
     let mut bench = Bench::ascii(80, 24);
     for (keys, said) in [
-        ("n", "`n` does nothing here, but in Charts: Tab goes there"),
-        ("V", "`V` does nothing here, but in Runs: Tab goes there"),
+        ("n", "`n` does nothing here: ? lists the keys"),
         ("J", "`J` does nothing here: ? lists the keys"),
         ("7<Enter>", "`Enter` does nothing here: ? lists the keys"),
     ] {

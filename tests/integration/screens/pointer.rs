@@ -153,8 +153,7 @@ fn a_map_without_values_gives_the_reason_and_the_cure() {
     bench.answer();
     answer(&mut bench);
     insta::assert_snapshot!("surface_all_perforated", bench.screen());
-    assert!(bench.screen().contains("every point perforates"));
-    assert!(bench.screen().contains("residual_velocity_m_s"));
+    assert!(bench.screen().contains("perforated") && bench.screen().contains("another output"));
 }
 
 /// The selected cell of the map is the one a click hits, wherever in the plot that is.

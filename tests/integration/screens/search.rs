@@ -297,7 +297,7 @@ fn on_a_small_screen_results_or_setup_have_the_room() {
     }
     bench.keys("4<Tab>");
     assert_eq!(bench.app.pane(), search::SETUP);
-    assert!(bench.screen().contains("stroke at most 1.000 m"), "{}", bench.screen());
+    assert!(bench.screen().contains("stroke<=1.000 m"), "{}", bench.screen());
     bench.keys("<Tab>");
     assert_eq!(bench.app.pane(), search::RESULTS);
 }
@@ -349,7 +349,7 @@ fn the_proposed_bounds_of_a_held_variable_can_be_typed() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("4");
     answer(&mut bench);
-    bench.keys("<Tab>jjjjjjjjjjjj");
+    bench.keys("<Tab>jjjjjjjjjjj");
     let row = |bench: &Bench| {
         let screen = bench.screen();
         let row = screen.lines().find(|line| line.contains("> m_p")).unwrap_or_default();

@@ -24,8 +24,7 @@ pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
     let limit = |value: f64| 2.83 / (value / 0.0295).sqrt();
     let cell = |value: f64, dt_s: f64| match dt_s / limit(value) {
         ratio if ratio < 0.5 && dt_s < 3e-6 => Cell::Accurate,
-        ratio if ratio < 0.7 => Cell::Inaccurate,
-        ratio if ratio < 1.5 => Cell::Oscillating,
+        ratio if ratio < 1.5 => Cell::Inaccurate,
         _ => Cell::BlownUp,
     };
     Map {

@@ -4,7 +4,7 @@ use super::bench::{Bench, ended};
 use super::jobs::writes_a_part;
 use cmra::study::context::CancelFlag;
 use cmra::study::sweep::Axis;
-use cmra::study::thesis::{self, Claim, ClaimVerdict, Row, claims};
+use cmra::study::thesis::{self, Claim, Row, claims};
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::PresetEntry;
 use cmra::worker::studies::{AskedFor, Claims, Found};
@@ -117,23 +117,6 @@ fn each_page_is_exported() {
         assert_eq!(lines.count(), rows, "{text}");
         bench.keys("<Esc><Tab>");
     }
-}
-
-#[test]
-fn the_filter_goes_through_all_verdicts() {
-    let mut bench = bench(80, 24);
-    let all = bench.app.claims().len();
-    let mut seen = 0;
-    for verdict in ClaimVerdict::ALL {
-        bench.keys("v");
-        assert_eq!(bench.app.pages.thesis.filter, Some(verdict));
-        let shown = bench.app.claims();
-        assert!(shown.iter().all(|row| row.claim.verdict == verdict));
-        seen += shown.len();
-    }
-    assert_eq!(seen, all);
-    bench.keys("v");
-    assert_eq!(bench.app.pages.thesis.filter, None);
 }
 
 #[test]

@@ -155,7 +155,6 @@ fn a_stopped_comparison_keeps_what_it_has() {
 /// A report of points with a tolerance, an error and a run time each.
 fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
     let point = |(tolerance, depth_error, min_s): &(f64, f64, f64)| {
-        let timing = Timing { min_s: *min_s, median_s: *min_s, mad_s: None, repeats: 1 };
         let errors = [Some(*depth_error), Some(0.0), None, None, None];
         let answer = Answer {
             outcome: Outcome::Arrested,
@@ -164,7 +163,7 @@ fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
             rejected: 0,
             evaluations: 1,
         };
-        let found = Measured { answer, errors, floor: 1e-16, timing };
+        let found = Measured { answer, errors, floor: 1e-16, min_s: *min_s };
         Point { parameter: Parameter::Tolerance(*tolerance), result: Ok(found) }
     };
     let points = points.iter().map(point).collect();

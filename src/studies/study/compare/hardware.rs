@@ -1,4 +1,4 @@
-//! The hardware besides the plate: its mass, and its limits.
+//! The spring of an armour: its mass, and its limits.
 
 use crate::model::mechanism::load::exceeded;
 use crate::model::mechanism::{Inertia, Mechanism};
@@ -8,17 +8,14 @@ use crate::study::load::spring_energy_j;
 /// Energies this part apart are the same.
 const SAME: f64 = 1e-9;
 
-/// The hardware besides the plate. The spring is the scene's own; its mass and the energy that it takes up per mass are variables of
-/// the scene.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct Hardware {
-    /// A spring whose mass is not given has just the mass that the design shot needs, and holds no more than that energy. Else it
-    /// holds whatever its law allows.
-    pub is_sized: bool,
-    /// Everything else that carries the plate, >= 0 kg.
-    pub mount_kg: f64,
-    /// The stroke there is, > 0 m; `None`: enough.
-    pub stroke_m: Option<f64>,
+/// Whose spring is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Hardware {
+    /// That of the scene, which holds whatever its law, and its mass where that is given, allow.
+    #[default]
+    Own,
+    /// One of just the mass that the design shot needs, where no mass is given: it holds no more than that energy.
+    Sized,
 }
 
 /// The failure before the plate is perforated.
@@ -28,8 +25,6 @@ pub enum Failure {
     Energy,
     /// The spring leaves the range of its law; what the range is.
     Range(&'static str),
-    /// The stroke is longer than there is room for.
-    Stroke,
 }
 
 impl Failure {
@@ -38,7 +33,6 @@ impl Failure {
         match self {
             Self::Energy => "the spring reaches its energy capacity".to_owned(),
             Self::Range(what) => what.to_owned(),
-            Self::Stroke => "the stroke exceeds the available stroke".to_owned(),
         }
     }
 
@@ -47,7 +41,6 @@ impl Failure {
         match self {
             Self::Energy => "spring full",
             Self::Range(_) => "spring law",
-            Self::Stroke => "stroke",
         }
     }
 }
@@ -82,7 +75,6 @@ pub(super) fn is_held(scene: &Scene) -> bool {
 /// A scene's hardware as it is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Built {
-    hardware: Hardware,
     /// The springs' mass, kg; `None` where it is not known.
     pub(super) spring_kg: Option<f64>,
     /// What they can store, J.
@@ -96,21 +88,18 @@ impl Built {
             demand.stored_j.and_then(|stored_j| scene.mechanism.least_spring_kg(stored_j));
         let spring_kg = Inertia::of(scene).spring_kg(least_kg);
         // The law of a beam says itself how far it goes.
-        let is_bounded =
-            !scene.mechanism.spring.has_own_mass() && (hardware.is_sized || is_own(scene));
+        let is_bounded = !scene.mechanism.spring.has_own_mass()
+            && (hardware == Hardware::Sized || is_own(scene));
         let capacity_j =
             spring_kg.zip(scene.mechanism.specific_energy_j_kg()).map(|(kg, e)| kg * e);
         let capacity_j = capacity_j.filter(|_| is_bounded).unwrap_or(f64::INFINITY);
-        Self { hardware, spring_kg, capacity_j }
+        Self { spring_kg, capacity_j }
     }
 
     /// Areal mass of a scene with this hardware, kg/m².
     pub(super) fn areal_kg_m2(&self, scene: &Scene) -> Option<f64> {
         let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
-        Some(
-            plate_kg_m2
-                * (1.0 + (self.spring_kg? + self.hardware.mount_kg) / scene.plate_mass_kg()),
-        )
+        Some(plate_kg_m2 * (1.0 + self.spring_kg? / scene.plate_mass_kg()))
     }
 
     /// What fails under a demand.
@@ -119,10 +108,6 @@ impl Built {
             demand.max_displacement_m.filter(|_| scene.plate.mount == Mount::Sprung)?;
         if let Some(limit) = exceeded(scene, max_displacement_m).first() {
             return Some(Failure::Range(limit.what));
-        }
-        let stroke_m = max_displacement_m + scene.plate.cocking_m;
-        if self.hardware.stroke_m.is_some_and(|room| stroke_m > room * (1.0 + SAME)) {
-            return Some(Failure::Stroke);
         }
         let is_full = |stored: &f64| *stored > self.capacity_j * (1.0 + SAME);
         demand.stored_j.filter(is_full).map(|_| Failure::Energy)

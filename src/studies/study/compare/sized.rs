@@ -9,7 +9,7 @@ use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware, is_held};
 use crate::study::compare::solid::thickness_of_limit;
 use crate::study::first_contact::{self, Wanted};
-use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide, digits_apart};
+use crate::study::limit::verdict::{Change, ShotOutcome, change, decide, digits_apart};
 
 /// Relative width to which the thickness is closed in.
 pub const WIDTH: f64 = 1e-9;
@@ -189,104 +189,50 @@ fn shoot(scene: Scene) -> Option<Shot> {
     Some(Shot { verdict, demand })
 }
 
-/// The least factor of the thickness that stops the shot, and that shot.
+/// The least factor of the thickness that stops the shot, to a relative width, and that shot.
 fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
-    let search = Search { scene, width };
+    let thickness_m = scene.target.thickness_m;
+    let try_out = |factor: f64| shoot(scaled(scene, factor)).ok_or(Absence::NoThickness);
     // A plate that its mechanism does not help is as good as a free or a rigid one.
     let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
-        .map_or(solid, |thickness_m| thickness_m / scene.target.thickness_m);
-    let (mut thin, mut thick) = if scene.plate.mount == Mount::Rigid {
-        (solid * (1.0 - width), solid * (1.0 + width))
-    } else {
-        (free * (1.0 - width), solid * (1.0 + width))
-    };
-    let mut stops = search.try_out(thick)?;
+        .filter(|_| scene.plate.mount == Mount::Sprung)
+        .map_or(solid, |free_m| free_m / thickness_m);
+    let (mut thin, mut thick) = (free * (1.0 - width), solid * (1.0 + width));
+    let mut is_enough = false;
     for _ in 0..WIDENED_MAX {
-        match stops.verdict {
-            ShotOutcome::Stopped => break,
+        match try_out(thick)?.verdict {
+            ShotOutcome::Stopped => is_enough = true,
             ShotOutcome::Perforated => thin = thick,
             ShotOutcome::Undecided => {}
         }
+        if is_enough {
+            break;
+        }
         thick *= 2.0;
-        stops = search.try_out(thick)?;
     }
-    if stops.verdict != ShotOutcome::Stopped {
+    if !is_enough {
         return Err(Absence::NoThickness);
     }
+    let undecided = |thin: Option<f64>, thick: f64| Absence::Undecided {
+        perforated_m: thin.map(|thin| thin * thickness_m),
+        stopped_m: thick * thickness_m,
+    };
     // Slow shots are stopped by thinner plates than the envelope has: for these the least is a free plate.
-    let thinnest = smaller(thin, THINNEST_M / scene.target.thickness_m);
+    let thinnest = smaller(thin, THINNEST_M / thickness_m);
     loop {
-        let shot = search.try_out(thin)?;
-        match shot.verdict {
+        match try_out(thin)?.verdict {
             ShotOutcome::Perforated => break,
             ShotOutcome::Stopped if thin <= thinnest => return Err(Absence::EveryThickness),
-            ShotOutcome::Stopped => (thick, stops) = (thin, shot),
-            ShotOutcome::Undecided if thin <= thinnest => return Err(search.undecided(None, thick)),
+            ShotOutcome::Undecided if thin <= thinnest => return Err(undecided(None, thick)),
+            ShotOutcome::Stopped => thick = thin,
             ShotOutcome::Undecided => {}
         }
         thin = larger(0.5 * thin, thinnest);
     }
-    search.close_in(thin, thick, stops)
-}
-
-/// The search for the least factor of a scene's thickness, to a relative width.
-struct Search<'s> {
-    scene: &'s Scene,
-    width: f64,
-}
-
-impl Search<'_> {
-    fn try_out(&self, factor: f64) -> Result<Shot, Absence> {
-        shoot(scaled(self.scene, factor)).ok_or(Absence::NoThickness)
-    }
-
-    /// Closes in the least factor between one that is perforated and one that stops the shot.
-    fn close_in(
-        &self,
-        mut thin: f64,
-        mut thick: f64,
-        mut stops: Shot,
-    ) -> Result<(f64, Shot), Absence> {
-        // A soft spring hardly moves the limit of a free plate: the first steps keep near the thin end.
-        let mut step = Some(2.0 * self.width);
-        while thick - thin > self.width * thick {
-            let middle = 0.5 * (thin + thick);
-            let near = step.map(|step| thin * (1.0 + step)).filter(|near| *near < middle);
-            let next = near.unwrap_or(middle);
-            let shot = self.try_out(next)?;
-            step = near.and(step).map(|step| 32.0 * step);
-            match shot.verdict {
-                ShotOutcome::Perforated => thin = next,
-                ShotOutcome::Stopped => (thick, stops, step) = (next, shot, None),
-                ShotOutcome::Undecided => return self.beside(thin, next, thick),
-            }
-        }
-        Ok((thick, stops))
-    }
-
-    /// The least factor beside one that no run decides.
-    fn beside(&self, thin: f64, undecided: f64, thick: f64) -> Result<(f64, Shot), Absence> {
-        let width = larger(self.width, ONE_POINT);
-        let gap = Gap {
-            from: (thin, ShotOutcome::Perforated),
-            undecided,
-            to: (Some(thick), ShotOutcome::Stopped),
-            width,
-        };
-        match gap.change(|factor| Some(self.try_out(factor).ok()?.verdict)) {
-            Some(Change::At { to: thick, .. }) => Ok((thick, self.try_out(thick)?)),
-            Some(Change::Between { from: thin, to: Some(thick) }) => {
-                Err(self.undecided(Some(thin), thick))
-            }
-            Some(Change::Between { to: None, .. }) | None => Err(Absence::NoThickness),
-        }
-    }
-
-    fn undecided(&self, thin: Option<f64>, thick: f64) -> Absence {
-        let thickness_m = self.scene.target.thickness_m;
-        Absence::Undecided {
-            perforated_m: thin.map(|thin| thin * thickness_m),
-            stopped_m: thick * thickness_m,
-        }
+    let (thin, stops) = ((thin, ShotOutcome::Perforated), (thick, ShotOutcome::Stopped));
+    match change(thin, stops, width, &mut |factor| Some(try_out(factor).ok()?.verdict)) {
+        Some(Change::At(_, thick)) => Ok((thick, try_out(thick)?)),
+        Some(Change::Between(thin, thick)) => Err(undecided(Some(thin), thick)),
+        None => Err(Absence::NoThickness),
     }
 }

@@ -11,12 +11,9 @@ use crate::study::testing::scene;
 /// tau²/(4 rho G) of a steel coil: 7e8² / (4 * 7850 * 7.93e10) J/kg, by hand.
 const STEEL_COIL_J_PER_KG: f64 = 196.7856;
 
-fn report(pairs: &str, hardware: Hardware) -> Report {
-    compare(&Arc::new(scene(pairs)), hardware, &mut Context::new(1, &mut to_its_end)).unwrap()
-}
-
 fn plain(pairs: &str) -> Report {
-    report(pairs, Hardware::default())
+    let scene = Arc::new(scene(pairs));
+    compare(&scene, Hardware::default(), &mut Context::new(1, &mut to_its_end)).unwrap()
 }
 
 fn efficiency(pairs: &str) -> f64 {
@@ -63,19 +60,6 @@ fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
     let half = with(0.5);
     assert_eq!(half.verdict(), Profitability::Fails(Failure::Energy));
     assert!(half.of(Candidate::Scene).unwrap().sized.is_err());
-}
-
-#[test]
-fn stroke_that_is_not_there_ends_the_armour() {
-    // The plate oscillates as one body after the contact: the stroke is the common velocity over the frequency, 10 m/s (0.059/1e4)^(1/2).
-    let free = plain("k=1e4 v_i=20");
-    let stroke = free.of(Candidate::Scene).unwrap().load.stroke_m.unwrap();
-    assert!(close(stroke, 10.0 * (0.059f64 / 1e4).sqrt(), 1e-2), "{stroke}");
-    let short = Hardware { stroke_m: Some(0.5 * stroke), ..Hardware::default() };
-    let found = report("k=1e4 v_i=20", short);
-    let own = found.of(Candidate::Scene).unwrap();
-    assert_eq!(found.verdict(), Profitability::Fails(Failure::Stroke));
-    assert!(close(own.limit_m_s.unwrap(), 10.0, 1e-2), "{:?}", own.limit_m_s);
 }
 
 /// Under the plastic interface runs of some thicker plates rattle on undecided. The thickness by another command:
@@ -145,9 +129,8 @@ fn the_spring_stores_what_the_swing_brings() {
 
 #[test]
 fn areal_mass_is_all_mass_over_the_face_of_the_plate() {
-    let hardware = Hardware { mount_kg: 0.0295, ..Hardware::default() };
-    let found = report("gamma=2 m_spring=0.0295", hardware);
-    // Spring and mount weigh as much as the plate: twice the thickness.
+    let found = plain("gamma=2 m_spring=0.059");
+    // The spring weighs as much as the plate: twice the thickness.
     let solid = found.of(Candidate::Solid).unwrap();
     assert!(close(solid.scene.target.thickness_m, 2.0 * 0.0254, 1e-14));
     assert!(close(found.face_m2 * 2710.0 * 0.0254, 0.059, 1e-14));
@@ -268,10 +251,9 @@ fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
 /// The command that is shown asks for the same.
 #[test]
 fn a_request_is_its_command() {
-    let hardware = Hardware { is_sized: true, mount_kg: 0.1, stroke_m: Some(0.02) };
     let map = usual_axes(&Scene::default());
-    let text = Request { hardware, map }.to_string();
-    let head = "compare --size --mount-mass 0.1 --stroke 0.02 --map v_i=10..200:41:log,gamma=";
+    let text = Request { hardware: Hardware::Sized, map }.to_string();
+    let head = "compare --size --map v_i=10..200:41:log,gamma=";
     assert!(text.starts_with(head), "{text}");
     assert_eq!(Request::default().to_string(), "compare");
 }

@@ -11,7 +11,7 @@ use crate::numerics::smaller;
 use crate::study::context::Context;
 use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::closures::jump;
-use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide};
+use crate::study::limit::verdict::{Change, ShotOutcome, change, decide};
 use crate::study::limit::{
     ABOVE, AtLimit, BELOW, CURVE, Closures, JUST_BELOW, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
     closed_form,
@@ -150,12 +150,11 @@ impl ShotRunner<'_, '_, '_> {
             let velocity_m_s = limit_m_s * (1.0 - part);
             match self.verdict(velocity_m_s)? {
                 ShotOutcome::Stopped => stopped_m_s = Some(velocity_m_s),
-                // What is as near as the limit is known was looked at when it was found.
-                ShotOutcome::Undecided if *part <= ONE_POINT => {}
                 ShotOutcome::Undecided => limit = limit.above_undecided(velocity_m_s),
                 ShotOutcome::Perforated => {
                     let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
-                    return self.closed_in(lower_m_s, velocity_m_s, Some(limit_m_s));
+                    let lower = self.closed_in(lower_m_s, velocity_m_s)?;
+                    return Some(lower.stopped_again(Some(limit_m_s)));
                 }
             }
         }
@@ -168,76 +167,19 @@ impl ShotRunner<'_, '_, '_> {
                 again_m_s = Some(velocity_m_s);
             }
         }
-        if let Limit::Found { stopped_at_m_s, .. } = &mut limit {
-            *stopped_at_m_s = again_m_s;
-        }
-        Some(limit)
-    }
-
-    /// Between which velocities below a limit shots are not decided, m/s, as near as few of them tell; `None` where all looked at
-    /// are, or when stopped.
-    pub(super) fn undecided(&mut self, limit: Limit) -> Option<(f64, f64)> {
-        let Limit::Found { velocity_m_s, undecided_at_m_s: Some(undecided), .. } = limit else {
-            return None;
-        };
-        let from = (RANGE_M_S.0, ShotOutcome::Stopped);
-        let to = (Some(velocity_m_s * (1.0 - ONE_POINT)), ShotOutcome::Stopped);
-        let gap = Gap { from, undecided, to, width: ONE_POINT };
-        // To name them, ordinary runs are enough.
-        let mut look = |velocity_m_s: f64| {
-            let own = aimed(self.scene, velocity_m_s);
-            let run = simulate(&own, &Settings::BARE, &mut self.context.observer()).ok()?;
-            self.goes_on().then(|| ShotOutcome::of(&run))
-        };
-        match gap.change(&mut look)? {
-            Change::Between { from, to } => Some((from, to?)),
-            Change::At { from, to, .. } => Some((from, to)),
-        }
+        Some(limit.stopped_again(again_m_s))
     }
 
     /// The limit between a shot that is stopped and one that perforates.
-    fn closed_in(
-        &mut self,
-        stopped_m_s: f64,
-        through_m_s: f64,
-        stopped_at_m_s: Option<f64>,
-    ) -> Option<Limit> {
-        let (mut stopped, mut through) = (stopped_m_s, through_m_s);
-        while through - stopped > WIDTH * stopped {
-            let middle = 0.5 * (stopped + through);
-            match self.verdict(middle)? {
-                ShotOutcome::Perforated => through = middle,
-                ShotOutcome::Stopped => stopped = middle,
-                ShotOutcome::Undecided => return self.between(stopped, middle, Some(through)),
-            }
-        }
-        let velocity_m_s = 0.5 * (stopped + through);
-        let (basis, undecided_at_m_s) = (LimitMethod::Outcome, None);
-        Some(Limit::Found { velocity_m_s, basis, stopped_at_m_s, undecided_at_m_s })
-    }
-
-    /// The limit on both sides of a shot that is not decided: from either side as close to it as shots are decided.
-    fn between(
-        &mut self,
-        stopped_m_s: f64,
-        undecided_m_s: f64,
-        through_m_s: Option<f64>,
-    ) -> Option<Limit> {
-        let gap = Gap {
-            from: (stopped_m_s, ShotOutcome::Stopped),
-            undecided: undecided_m_s,
-            to: (through_m_s, ShotOutcome::Perforated),
-            width: ONE_POINT,
-        };
-        Some(match gap.change(|velocity_m_s| self.verdict(velocity_m_s))? {
-            Change::At { from, to, is_past_gap } => {
-                let limit = Limit::found(0.5 * (from + to), LimitMethod::Outcome);
-                if is_past_gap { limit.above_undecided(undecided_m_s) } else { limit }
-            }
-            Change::Between { from, to } => {
-                let stopped_m_s = (from > RANGE_M_S.0).then_some(from);
-                Limit::Between { stopped_m_s, perforated_m_s: to }
-            }
+    fn closed_in(&mut self, stopped_m_s: f64, through_m_s: f64) -> Option<Limit> {
+        let (through, stopped) =
+            ((through_m_s, ShotOutcome::Perforated), (stopped_m_s, ShotOutcome::Stopped));
+        Some(match change(through, stopped, WIDTH, &mut |it| self.verdict(it))? {
+            Change::At(a, b) => Limit::found(0.5 * (a + b), LimitMethod::Outcome),
+            Change::Between(perforated, stopped) => Limit::Between {
+                stopped_m_s: (stopped > RANGE_M_S.0).then_some(stopped),
+                perforated_m_s: Some(perforated),
+            },
         })
     }
 
@@ -246,41 +188,42 @@ impl ShotRunner<'_, '_, '_> {
         let (low, high): (f64, f64) = RANGE_M_S;
         let ratio = (high / low).powf(1.0 / (SCAN - 1) as f64);
         let velocities: Vec<f64> = (0..SCAN).map(|point| low * ratio.powf(point as f64)).collect();
-        let mut scan: Vec<(f64, ShotOutcome)> = Vec::new();
+        let mut stopped_m_s = None;
         for (point, &velocity) in velocities.iter().enumerate() {
-            let found = self.verdict(velocity)?;
-            if found == ShotOutcome::Undecided && scan.iter().all(|it| it.1 == ShotOutcome::Stopped)
-            {
-                let stopped_m_s = scan.last().map_or(low, |it| it.0);
-                // The least from which on all perforate, looked for from above: undecided shots take long.
-                let (mut through_m_s, mut undecided_m_s) = (None, velocity);
-                for &above in velocities[point + 1..].iter().rev() {
-                    match self.verdict(above)? {
-                        ShotOutcome::Perforated => through_m_s = Some(above),
-                        ShotOutcome::Undecided => {
-                            undecided_m_s = above;
+            let faster = &velocities[point + 1..];
+            match self.verdict(velocity)? {
+                ShotOutcome::Stopped => stopped_m_s = Some(velocity),
+                ShotOutcome::Perforated => {
+                    // What is stopped only above a range in which everything perforates has no limit velocity either.
+                    let Some(stopped_m_s) = stopped_m_s else { return Some(Limit::Always) };
+                    let mut again_m_s = None;
+                    for &faster_m_s in faster {
+                        if self.verdict(faster_m_s)? == ShotOutcome::Stopped {
+                            again_m_s = Some(faster_m_s);
                             break;
                         }
-                        ShotOutcome::Stopped => {
-                            let Some(through) = through_m_s else { break };
-                            let limit = self.closed_in(above, through, None)?;
-                            return Some(limit.above_undecided(velocity));
-                        }
                     }
+                    let limit = self.closed_in(stopped_m_s, velocity)?;
+                    return Some(limit.stopped_again(again_m_s));
                 }
-                return self.between(stopped_m_s, undecided_m_s, through_m_s);
+                ShotOutcome::Undecided => {
+                    // The least from which on all perforate, looked for from above: undecided shots take long.
+                    let mut through_m_s = None;
+                    for &faster_m_s in faster.iter().rev() {
+                        if self.verdict(faster_m_s)? != ShotOutcome::Perforated {
+                            break;
+                        }
+                        through_m_s = Some(faster_m_s);
+                    }
+                    let Some(through_m_s) = through_m_s else {
+                        return Some(Limit::Between { stopped_m_s, perforated_m_s: None });
+                    };
+                    let limit = self.closed_in(stopped_m_s.unwrap_or(low), through_m_s)?;
+                    return Some(limit.above_undecided(velocity));
+                }
             }
-            scan.push((velocity, found));
         }
-        let first = scan.iter().position(|point| point.1 == ShotOutcome::Perforated);
-        let Some(first) = first else { return Some(Limit::Never) };
-        if first == 0 {
-            // What is stopped only above a range in which everything perforates has no limit velocity either.
-            return Some(Limit::Always);
-        }
-        let later = scan[first..].iter().find(|point| point.1 == ShotOutcome::Stopped);
-        let stopped_at_m_s = later.map(|point| point.0);
-        self.closed_in(scan[first - 1].0, scan[first].0, stopped_at_m_s)
+        Some(Limit::Never)
     }
 
     /// Shots on either side of the limit, denser above it, or over the whole range.

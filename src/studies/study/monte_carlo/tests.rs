@@ -74,12 +74,6 @@ fn valid_moments_of_the_distributions() {
     };
     near(moments(Distribution::Normal { mean: 3.0, deviation: 0.5 }), (3.0, 0.5));
     near(moments(Distribution::Uniform { low: 1.0, high: 4.0 }), (2.5, 3.0 / 12f64.sqrt()));
-    // (a + b + c)/3, and sqrt((a² + b² + c² - ab - ac - bc)/18).
-    let deviation = ((1.0 + 4.0 + 16.0 - 2.0 - 4.0 - 8.0) / 18.0f64).sqrt();
-    near(
-        moments(Distribution::Triangular { low: 1.0, mode: 2.0, high: 4.0 }),
-        (7.0 / 3.0, deviation),
-    );
     // exp(sigma²/2), and that times sqrt(exp(sigma²) - 1).
     let (mean, s2) = (0.02f64.exp(), 0.04f64);
     near(
@@ -122,11 +116,6 @@ fn tolerances_are_read_as_people_write_them() {
     assert_eq!(read("projectile.velocity_m_s", "normal: 3 m/s"), normal(100.0, 3.0));
     let (low, high) = (0.024, 0.027);
     assert_eq!(read("h", "uniform:24mm..27mm"), Ok(Distribution::Uniform { low, high }));
-    let mode = 0.0254;
-    assert_eq!(
-        read("h", "triangular:24mm..27mm"),
-        Ok(Distribution::Triangular { low, mode, high })
-    );
     let Ok(Distribution::LogNormal { median, deviation }) = read("S_y", "lognormal:5%") else {
         panic!("not lognormal")
     };

@@ -30,15 +30,6 @@ pub enum Distribution {
         /// Greatest value, > low.
         high: f64,
     },
-    /// Likelier the nearer to the mode, nothing beyond its ends.
-    Triangular {
-        /// Least value.
-        low: f64,
-        /// The likeliest value.
-        mode: f64,
-        /// Greatest value, > low.
-        high: f64,
-    },
 }
 
 impl Distribution {
@@ -47,14 +38,6 @@ impl Distribution {
             Self::Normal { mean, deviation } => mean + deviation * random.normal(),
             Self::LogNormal { median, deviation } => median * (deviation * random.normal()).exp(),
             Self::Uniform { low, high } => low + (high - low) * random.unit(),
-            Self::Triangular { low, mode, high } => {
-                let (throw, turn) = (random.unit(), (mode - low) / (high - low));
-                if throw < turn {
-                    low + ((high - low) * (mode - low) * throw).sqrt()
-                } else {
-                    high - ((high - low) * (high - mode) * (1.0 - throw)).sqrt()
-                }
-            }
         }
     }
 
@@ -64,24 +47,6 @@ impl Distribution {
             Self::Normal { .. } => "normal",
             Self::LogNormal { .. } => "lognormal",
             Self::Uniform { .. } => "uniform",
-            Self::Triangular { .. } => "triangular",
-        }
-    }
-
-    /// In words, without the unit: `normal, 100 +- 2`.
-    pub fn words(self) -> String {
-        let show = |value: f64| significant(value, 5);
-        match self {
-            Self::Normal { mean, deviation } => {
-                format!("normal, {} +- {}", show(mean), show(deviation))
-            }
-            Self::LogNormal { median, deviation } => {
-                format!("lognormal, {} +- {} %", show(median), show(100.0 * deviation))
-            }
-            Self::Uniform { low, high } => format!("uniform, {} to {}", show(low), show(high)),
-            Self::Triangular { low, mode, high } => {
-                format!("triangular, {} to {}, mostly {}", show(low), show(high), show(mode))
-            }
         }
     }
 
@@ -90,7 +55,7 @@ impl Distribution {
         match self {
             Self::Normal { mean, deviation } => (mean, deviation),
             Self::LogNormal { median, deviation } => (median, deviation),
-            Self::Uniform { low, high } | Self::Triangular { low, high, .. } => (low, high),
+            Self::Uniform { low, high } => (low, high),
         }
     }
 }
@@ -121,7 +86,7 @@ impl fmt::Display for Tolerance {
             Distribution::LogNormal { deviation, .. } => {
                 write!(f, "{}%", significant(100.0 * deviation, 12))
             }
-            Distribution::Uniform { low, high } | Distribution::Triangular { low, high, .. } => {
+            Distribution::Uniform { low, high } => {
                 write!(f, "{}..{}", show(low), show(high))
             }
         }
@@ -144,96 +109,48 @@ impl Tolerance {
         Ok(Self { variable, number, distribution })
     }
 
-    /// Read `normal:2%`, `normal:0.5mm`, `lognormal:5%`, `uniform:24mm..27mm`, `uniform:5%`, `triangular:24mm..27mm`; a deviation
-    /// or half width alone is about the scene's own value.
+    /// Read `normal:2%`, `normal:0.5mm` and `lognormal:5%`, about the scene's own value, or `uniform:24mm..27mm`.
     ///
     /// # Errors
     /// The error, and the cure.
     pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
-        let blank = Distribution::Uniform { low: 0.0, high: 1.0 };
-        let own = Self::new(name, blank).map_err(|error| error.to_string())?;
-        if let kind @ ("normal" | "lognormal" | "uniform" | "triangular") = text.trim() {
-            return Err(format!("`{kind}` has no width: write {kind}:2%"));
-        }
-        let (kind, rest) = text.split_once(':').unwrap_or(("normal", text));
-        let nominal = (own.number.get)(scene);
-        let about = || {
-            nominal.ok_or_else(|| {
-                format!("{} is absent in the scene: write uniform:LO..HI", own.symbol())
-            })
+        let (variable, number) = numeric(name).map_err(|error| error.to_string())?;
+        let symbol = variable.symbol;
+        let own = || {
+            let absent = || format!("{symbol} is absent in the scene: write uniform:LO..HI");
+            (number.get)(scene).ok_or_else(absent)
         };
+        let (kind, rest) = text.split_once(':').unwrap_or(("normal", text));
         let distribution = match kind.trim() {
             "normal" => {
-                Distribution::Normal { mean: about()?, deviation: own.width(rest, about()?)? }
+                let mean = own()?;
+                Distribution::Normal { mean, deviation: width(rest, number, mean)? }
             }
             "lognormal" => {
-                let median = about()?;
+                let median = own()?;
                 if median <= 0.0 {
-                    let (symbol, value) = (own.symbol(), units::shortest(median));
+                    let value = units::shortest(median);
                     return Err(format!(
                         "{symbol} = {value}: a lognormal needs a value above 0; write normal or uniform"
                     ));
                 }
-                Distribution::LogNormal { median, deviation: own.width(rest, median)? / median }
+                let deviation = width(rest, number, median)? / median;
+                Distribution::LogNormal { median, deviation }
             }
             "uniform" => {
-                let (low, high) = own.ends(rest, nominal)?;
+                let form = || format!("write {symbol}=uniform:LO..HI");
+                let (low, high) = rest.split_once("..").ok_or_else(form)?;
+                let (low, high) = ends(low, high, number.quantity, Bare::Si)?;
+                check_ends((low, high), variable, number)?;
                 Distribution::Uniform { low, high }
-            }
-            "triangular" => {
-                let (low, high) = own.ends(rest, nominal)?;
-                let mode = nominal.unwrap_or(0.5 * (low + high)).clamp(low, high);
-                Distribution::Triangular { low, mode, high }
             }
             other => {
                 return Err(format!(
-                    "`{other}` is not a distribution: write normal:2%, lognormal:5%, uniform:LO..HI or triangular:LO..HI"
+                    "`{other}` is not a distribution: write normal:2%, lognormal:5% or uniform:LO..HI"
                 ));
             }
         };
-        Ok(Self { distribution, ..own })
-    }
-
-    /// A deviation or half width: a share of the scene's own value, or a value with a unit.
-    fn width(&self, text: &str, nominal: f64) -> Result<f64, String> {
-        let text = text.trim();
-        let width = match text.strip_suffix('%') {
-            Some(percent) => {
-                let share = units::parse(percent, units::Dimension::Number, Bare::Si);
-                share.map_err(|problem| problem.to_string())? / 100.0 * nominal.abs()
-            }
-            None => units::parse(text, self.number.quantity, Bare::Si)
-                .map_err(|problem| problem.to_string())?,
-        };
-        if width > 0.0 {
-            return Ok(width);
-        }
-        let why = if text.ends_with('%') && nominal == 0.0 { " (a percentage of 0)" } else { "" };
-        Err(format!(
-            "the width `{text}`{why} must be greater than 0: write for example 2% or a value with a unit"
-        ))
-    }
-
-    /// `LO..HI`, or a half width about the scene's own value.
-    fn ends(&self, text: &str, nominal: Option<f64>) -> Result<(f64, f64), String> {
-        let (low, high) = match (text.split_once(".."), nominal) {
-            (Some((low, high)), _) => ends(low, high, self.number.quantity, Bare::Si)?,
-            (None, Some(nominal)) => {
-                let half = self.width(text, nominal)?;
-                (nominal - half, nominal + half)
-            }
-            (None, None) => return Err(format!("write {}=uniform:LO..HI", self.symbol())),
-        };
-        let ends = format!("{} to {}", units::shortest(low), units::shortest(high));
-        if low >= high {
-            return Err(format!("{ends}: the first end must be the lower one"));
-        }
-        let allowed = &self.number.allowed;
-        if ![low, high, 0.5 * (low + high)].into_iter().any(|value| allowed.contains(value)) {
-            let (meaning, rule) = (self.variable.meaning, allowed.describe(self.number.quantity));
-            return Err(format!("{ends} holds nothing that is allowed: {meaning} must be {rule}"));
-        }
-        Ok((low, high))
+        Ok(Self { variable, number, distribution })
     }
 
     /// The variable's symbol.
@@ -259,4 +176,35 @@ impl Tolerance {
         let other = beside.into_iter().find(|value| self.number.allowed.contains(*value));
         Axis::new(self.symbol(), (own, other.unwrap_or(own)), 2, Spacing::Linear)
     }
+}
+
+/// A deviation: a part of the scene's own value, or a value with a unit.
+fn width(text: &str, number: &Number, nominal: f64) -> Result<f64, String> {
+    let text = text.trim();
+    let (value, quantity, whole) = match text.strip_suffix('%') {
+        Some(percent) => (percent, units::Dimension::Number, nominal.abs() / 100.0),
+        None => (text, number.quantity, 1.0),
+    };
+    let parsed = units::parse(value, quantity, Bare::Si).map_err(|problem| problem.to_string())?;
+    let width = parsed * whole;
+    if width > 0.0 {
+        return Ok(width);
+    }
+    let why = if text.ends_with('%') && nominal == 0.0 { " (a percentage of 0)" } else { "" };
+    Err(format!(
+        "the width `{text}`{why} must be greater than 0: write for example 2% or a value with a unit"
+    ))
+}
+
+fn check_ends((low, high): (f64, f64), variable: &Variable, number: &Number) -> Result<(), String> {
+    let ends = format!("{} to {}", units::shortest(low), units::shortest(high));
+    if low >= high {
+        return Err(format!("{ends}: the first end must be the lower one"));
+    }
+    let allowed = &number.allowed;
+    if ![low, high, 0.5 * (low + high)].into_iter().any(|value| allowed.contains(value)) {
+        let (meaning, rule) = (variable.meaning, allowed.describe(number.quantity));
+        return Err(format!("{ends} holds nothing that is allowed: {meaning} must be {rule}"));
+    }
+    Ok(())
 }

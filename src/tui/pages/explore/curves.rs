@@ -8,7 +8,7 @@ use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
 use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
-use crate::tui::pages::explore::state::{Picture, SweepResult, nearest, no_value};
+use crate::tui::pages::explore::state::{SweepResult, nearest, no_value};
 use crate::tui::pages::explore::{RESULTS, SweepPanes};
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::text::shortened;
@@ -17,8 +17,7 @@ use crate::worker::studies::PictureSweep;
 
 pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));
-    let picture = Picture::Line;
-    let Some(found) = app.pages.explore.found(picture) else {
+    let Some(found) = app.pages.explore.found() else {
         if let Some(area) = panes.plots.first() {
             waiting(app, "Curves", *area, canvas);
         }
@@ -54,7 +53,7 @@ fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
 fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
     let grid = &found.grid;
     let column = grid.plan().outputs()[output];
-    let old = app.sweep_is_old(Picture::Line) && app.jobs.running::<PictureSweep>().is_none();
+    let old = app.sweep_is_old() && app.jobs.running::<PictureSweep>().is_none();
     let axes = grid.plan().axes();
     let (along, repeats) = grid.counts();
     let scale = app.pages.explore.value_scale;
@@ -162,7 +161,7 @@ pub(crate) fn render_map(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>)
     let Some(area) = panes.plots.first().copied() else { return };
     let all = panes.plots.iter().chain(&panes.scale).chain(&panes.slices);
     all.for_each(|area| canvas.pane(*area, RESULTS));
-    let Some(found) = app.pages.explore.found(Picture::Surface) else {
+    let Some(found) = app.pages.explore.found() else {
         waiting(app, "Map", area, canvas);
         for area in panes.scale.iter().chain(&panes.slices) {
             PaneFrame::new("").draw(*area, canvas);
@@ -225,8 +224,7 @@ impl<'a> ChartView<'a> {
 
     fn map(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let axes = self.grid.plan().axes();
-        let old =
-            app.sweep_is_old(Picture::Surface) && app.jobs.running::<PictureSweep>().is_none();
+        let old = app.sweep_is_old() && app.jobs.running::<PictureSweep>().is_none();
         let (across, upward) = (axis_of(&axes[0]), axis_of(&axes[1]));
         let title = self.title(old, &across, &upward, area.width);
         let Some(levels) = &self.levels else {
@@ -268,11 +266,9 @@ impl<'a> ChartView<'a> {
         fits.map_or_else(|| format!("up: {name}{old}"), |(title, _)| title.clone())
     }
 
-    /// The value of the contour, which runs through the point under the cursor, where one is drawn.
+    /// The value of the contour, which runs through the point under the cursor.
     fn contour(&self, app: &App) -> Option<f64> {
-        let here = self.value(app.cursor_point(self.grid));
-        let is_shown = !app.pages.explore.hides_contour;
-        (is_shown && here.is_finite()).then_some(here)
+        Some(self.value(app.cursor_point(self.grid))).filter(|here| here.is_finite())
     }
 
     /// The bands from the greatest down, then what the letters and the contour mean.

@@ -186,7 +186,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
         }
         (SetupRow::Picture, Input::Step(press)) => {
             let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
-            tried(app, next, |sweeping| sweeping.plan.picture = next)?;
+            tried(app, |sweeping| sweeping.plan.picture = next)?;
         }
         (SetupRow::Curves, _) => {
             let curves = app.pages.explore.plan.curves;
@@ -196,7 +196,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
                     .saturating_add_signed(press.by() as i64)
                     .clamp(*CURVES.start(), *CURVES.end()),
             };
-            tried(app, picture, |sweeping| sweeping.plan.curves = next)?;
+            tried(app, |sweeping| sweeping.plan.curves = next)?;
         }
         (SetupRow::Output, _) => {
             let name = &sweep.outputs[app.pages.explore.output_of(&sweep)];
@@ -260,14 +260,10 @@ fn stood_in(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
 }
 
 /// Change how a picture is shown, unless the picture cannot be made then.
-fn tried(
-    app: &mut App,
-    picture: Picture,
-    change: impl FnOnce(&mut Sweeping),
-) -> Result<(), String> {
+fn tried(app: &mut App, change: impl FnOnce(&mut Sweeping)) -> Result<(), String> {
     let state = app.snapshot();
     change(&mut app.pages.explore);
-    if let Err(error) = app.sweep_plan(picture) {
+    if let Err(error) = app.sweep_plan() {
         app.pages.explore.plan = state.plan;
         return Err(error.to_string());
     }
@@ -302,7 +298,7 @@ fn checked(app: &mut App, mut sweep: Sweep, changed: usize) -> Result<(), String
         Axis::of(axis, &GRID_COUNTS).map_err(|error| error.to_string())?;
     }
     let edited = Scene { sweep: Some(sweep.clone()), ..Scene::clone(&app.scene) };
-    app.sweep_plan_of(&edited, app.picture()).map_err(|error| error.to_string())?;
+    app.sweep_plan_of(&edited).map_err(|error| error.to_string())?;
     let show = units::shortest;
     let words =
         sweep.axes.iter().map(|it| format!("{} {}..{}", it.name, show(it.from), show(it.to)));

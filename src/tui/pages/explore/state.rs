@@ -17,6 +17,7 @@ use crate::tui::pages::prelude::*;
 pub use crate::tui::pages::explore::plan::no_value;
 pub use crate::tui::pages::explore::setup::{Part, SetupRow};
 use crate::tui::widgets::axis::over;
+use crate::tui::widgets::text::fitting;
 pub use crate::worker::studies::Picture;
 use crate::worker::studies::PictureSweep;
 
@@ -28,6 +29,7 @@ const USUAL_AXES: [(&str, f64, f64, usize); 3] =
 
 #[derive(Clone, Debug)]
 pub struct SweepResult {
+    pub picture: Picture,
     /// The scene that was swept.
     pub scene: Arc<Scene>,
     /// The grid, filled as far as it is.
@@ -51,8 +53,8 @@ impl Default for PicturePlan {
 
 #[derive(Clone, Debug, Default)]
 pub struct Sweeping {
-    /// The results for each chart or map.
-    pub found: [Option<SweepResult>; 2],
+    /// The last result, of one picture or the other.
+    pub result: Option<SweepResult>,
     /// The curves of a figure by the scheme that the thesis prints.
     pub printed: Option<Arc<Grid>>,
     /// The number of the last sweep that was said to take more than a minute.
@@ -60,21 +62,20 @@ pub struct Sweeping {
     /// Why the present axes cannot be swept.
     pub problem: Option<String>,
     pub row: SetupRow,
-    /// The point under the cursor, by picture; `None`: the one nearest to the scene.
-    pub cursor: [Option<(usize, usize)>; 2],
-    /// The part of the variable along that is in view, by picture; `None`: all of it.
+    /// The point under the cursor; `None`: the one nearest to the scene.
+    pub cursor: Option<(usize, usize)>,
+    /// The part of the variable along that is in view; `None`: all of it.
     pub zoomed: Option<ViewRange>,
     pub output: usize,
     pub value_scale: Scale,
-    /// The contour through the point under the cursor, of all designs with the same value, is hidden.
-    pub hides_contour: bool,
     /// Curves of a family, and the picture.
     pub plan: PicturePlan,
 }
 
 impl Sweeping {
-    pub fn found(&self, picture: Picture) -> Option<&SweepResult> {
-        self.found[picture as usize].as_ref()
+    /// The result, where it is of the picture shown.
+    pub fn found(&self) -> Option<&SweepResult> {
+        self.result.as_ref().filter(|it| it.picture == self.plan.picture)
     }
 
     /// The place of the output shown among those of a sweep.
@@ -83,17 +84,14 @@ impl Sweeping {
     }
 
     /// Show what was found; over other variables the cursor begins again, over other values of them it stays at its own.
-    pub fn show(&mut self, picture: Picture, found: SweepResult) {
-        let before = self.found(picture).map(|found| &*found.grid);
+    pub fn show(&mut self, found: SweepResult) {
+        let before = self.found().map(|found| &*found.grid);
         if before.is_none_or(|grid| grid.plan().axes() != found.grid.plan().axes()) {
-            let at = self.cursor[picture as usize].zip(before);
-            self.cursor[picture as usize] =
-                at.and_then(|(at, grid)| same_place(grid, at, &found.grid));
-            if picture == Picture::Line {
-                self.zoomed = None;
-            }
+            let at = self.cursor.zip(before);
+            self.cursor = at.and_then(|(at, grid)| same_place(grid, at, &found.grid));
+            self.zoomed = None;
         }
-        self.found[picture as usize] = Some(found);
+        self.result = Some(found);
     }
 }
 
@@ -151,9 +149,9 @@ impl App {
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.
-    pub fn sweep_is_old(&self, picture: Picture) -> bool {
-        let wanted = self.sweep_plan(picture).ok();
-        let shown = self.pages.explore.found(picture).map(|found| &**found.grid.plan());
+    pub fn sweep_is_old(&self) -> bool {
+        let wanted = self.sweep_plan().ok();
+        let shown = self.pages.explore.found().map(|found| &**found.grid.plan());
         shown.is_some() && shown != wanted.as_ref()
     }
 
@@ -166,8 +164,7 @@ impl App {
     /// The grid point under the cursor: the one it was moved to, or the one nearest to the scene.
     pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
         let (across, up) = grid.counts();
-        let kept = self.pages.explore.cursor[self.picture() as usize];
-        if let Some(at) = kept.filter(|(x, y)| *x < across && *y < up) {
+        if let Some(at) = self.pages.explore.cursor.filter(|(x, y)| *x < across && *y < up) {
             return at;
         }
         let along = |axis: Option<&Axis>| {
@@ -180,18 +177,12 @@ impl App {
 
     /// What is under the cursor, in at most this many columns: units and long names go first.
     pub fn sweep_readout(&self, width: usize) -> Option<String> {
-        for words in [Detail::Long, Detail::Short] {
-            let text = self.readout_with(words)?;
-            if text.chars().count() <= width {
-                return Some(text);
-            }
-        }
-        self.readout_with(Detail::Least)
+        let grid = &self.pages.explore.found()?.grid;
+        let all = [Detail::Long, Detail::Short, Detail::Least];
+        Some(fitting(all.map(|words| self.readout_with(grid, words)), width))
     }
 
-    fn readout_with(&self, words: Detail) -> Option<String> {
-        let picture = self.picture();
-        let grid = &self.pages.explore.found(picture)?.grid;
+    fn readout_with(&self, grid: &Grid, words: Detail) -> String {
         let (x, y) = self.cursor_point(grid);
         let values = || values_at(grid, (x, y));
         let at = |(axis, value): (&Axis, f64)| {
@@ -230,16 +221,15 @@ impl App {
                 parts.push(text);
             }
         }
-        Some(format!("{place}: {}", parts.join(", ")))
+        format!("{place}: {}", parts.join(", "))
     }
 
     /// The design under the cursor as a scene, with the values of the axes in words.
     pub fn sweep_design(&self) -> Result<LabelledScene, String> {
-        let picture = self.picture();
-        let Some(found) = self.pages.explore.found(picture) else {
+        let Some(found) = self.pages.explore.found() else {
             return Err(no_sweep(self));
         };
-        if self.sweep_is_old(picture) {
+        if self.sweep_is_old() {
             return Err(old("setup"));
         }
         let point = self.cursor_point(&found.grid);

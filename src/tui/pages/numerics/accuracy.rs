@@ -4,9 +4,7 @@ pub(crate) mod draw;
 
 use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
-use crate::report::accuracy::{
-    TARGETS, advice, error_over_time, gain, percent, printed_scheme, seconds,
-};
+use crate::report::accuracy::{TARGETS, advice, error_over_time, gain, printed_scheme, seconds};
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::{ComparisonOptions, Measured, MethodReport, RESULTS, Report};
 use crate::tui::chart::{Chart, Mapping};
@@ -83,7 +81,7 @@ impl Accuracy {
 
     pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Parameter, &Measured)> {
         let report = self.of(method)?;
-        let affordable = report.measured().filter(|(_, it)| it.timing.min_s <= time_s);
+        let affordable = report.measured().filter(|(_, it)| it.min_s <= time_s);
         affordable.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
     }
 
@@ -94,7 +92,7 @@ impl Accuracy {
         let time_s = self.cursor_s.unwrap_or(f64::INFINITY);
         self.best_within(method, time_s).or_else(|| {
             let all = self.of(method)?.measured();
-            all.min_by(|a, b| a.1.timing.min_s.total_cmp(&b.1.timing.min_s))
+            all.min_by(|a, b| a.1.min_s.total_cmp(&b.1.min_s))
         })
     }
 }
@@ -150,12 +148,6 @@ impl App {
             };
             parts.push(part(Severity::Note, ending));
         }
-        let unsteady = report.unsteady();
-        if unsteady > 0 {
-            let timings = if unsteady == 1 { "timing" } else { "timings" };
-            let text = format!("{unsteady} {timings} unsteady: busy machine");
-            parts.push(part(Severity::Warning, text));
-        }
         parts
     }
 
@@ -201,24 +193,12 @@ impl App {
                 .collect();
             add(Role::Text, errors.join(", "));
         }
-        let mut reasons: Vec<(&str, usize)> = Vec::new();
-        for refusal in report.points.iter().filter_map(|point| point.result.err()) {
-            match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
-                Some((_, count)) => *count += 1,
-                None => reasons.push((refusal.words(), 1)),
-            }
-        }
         let total = report.points.len();
-        for (words, count) in reasons {
-            add(Role::Warning, format!("{count} of {total}: {words}"));
+        for (words, points) in report.refusals() {
+            add(Role::Warning, format!("{} of {total}: {words}", points.len()));
         }
         if let Some((_, it)) = tab.example() {
-            let spread = it
-                .timing
-                .spread()
-                .map_or_else(|| "run once".to_owned(), |spread| format!("+-{}", percent(spread)));
-            let steps = it.answer.steps;
-            add(Role::Text, format!("{} {spread}, {steps} steps", seconds(it.timing.min_s)));
+            add(Role::Text, format!("{}, {} steps", seconds(it.min_s), it.answer.steps));
         }
         lines
     }

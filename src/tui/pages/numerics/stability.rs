@@ -10,7 +10,7 @@ use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
 use crate::study::stability::others::Other;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
-use crate::tui::widgets::table::{Grid, Sorting};
+use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::NEEDS_SINGLE;
 use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{StabilityMap, StiffScenes};
@@ -32,7 +32,7 @@ pub(crate) fn stiff_scenes_words() -> String {
 }
 
 /// The columns of the table of stiff scenes.
-pub fn keys() -> Vec<&'static str> {
+fn keys() -> Vec<&'static str> {
     ["scene", "shortfall"].into_iter().chain(HOW_IT_RAN).chain(["reference"]).collect()
 }
 
@@ -43,10 +43,8 @@ pub struct Stability {
     pub map: Kept<Map>,
     /// The crosshair: column and row of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    /// How the table of stiff scenes is sorted.
-    pub sorting: Sorting,
     pub battery: Kept<RowsSoFar<Row>>,
-    /// The selected scene, by its place among all.
+    /// The selected scene.
     pub selected: usize,
     pub table_page: usize,
 }
@@ -78,20 +76,6 @@ impl Stability {
         }
     }
 
-    /// The places of the scenes listed, in the order of the table.
-    pub fn order(&self) -> Vec<usize> {
-        self.sorting.order(&table(self.rows()))
-    }
-
-    /// The row of the selected scene; the first where it is not listed.
-    pub fn selected_row(&self) -> usize {
-        self.order().iter().position(|at| *at == self.selected).unwrap_or(0)
-    }
-
-    pub fn listed(&self) -> Vec<&Row> {
-        self.order().into_iter().map(|at| &self.rows()[at]).collect()
-    }
-
     pub fn rows(&self) -> &[Row] {
         self.battery.found.as_ref().map_or(&[], |battery| &battery.rows)
     }
@@ -117,7 +101,7 @@ impl App {
 
     pub fn battery_readout(&self) -> Option<(Severity, String)> {
         let tab = &self.pages.numerics.stability;
-        let row = *tab.listed().get(tab.selected_row())?;
+        let row = tab.rows().get(tab.selected)?;
         let name = &row.case.name;
         if let Some(shortfall) = row.shortfall {
             let text = format!("{name}: fails: {}; {}", shortfall.words(), row.run.end.words());
@@ -198,7 +182,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run if on_scenes => ask_battery(app),
         Action::View if on_scenes => tab.table_page += 1,
-        Action::Sort if on_scenes => tab.sorting = tab.sorting.next(&keys()),
         _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
@@ -264,7 +247,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// The legend of shades and marks, as long as there is room.
 fn legend(area: Rect, canvas: &mut Canvas<'_>) {
-    let shades = "blank accurate  . inaccurate  : oscillating  @ diverged";
+    let shades = "blank accurate  . inaccurate  @ diverged";
     let marks =
         ["  # analytic limit  + this scene at the thesis's 1e-6 s", "  # limit  + 1e-6 s", ""];
     let room = area.width.saturating_sub(1);
@@ -275,15 +258,10 @@ fn legend(area: Rect, canvas: &mut Canvas<'_>) {
 
 pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.stability;
-    let rows = tab.listed();
-    let table = table(rows.iter().copied());
-    let keys = keys();
-    let mut cells = table.cells(&keys);
-    tab.sorting.mark(&keys, &mut cells);
-    let grid = Grid::of(cells, area.width.saturating_sub(2), tab.table_page);
+    let rows = tab.rows();
+    let grid = Grid::of(table(rows).cells(&keys()), area.width.saturating_sub(2), tab.table_page);
     let height = usize::from(area.height.saturating_sub(3));
-    let (count, selected) = (rows.len(), tab.selected_row());
-    let list = RowList { count, selected, painted: app.dialog.is_none() };
+    let list = RowList { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
     let title = if area.width < 70 { "Battery" } else { "Stiff and extreme scenes" };
     let counted = if rows.len() > height {

@@ -294,7 +294,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             while app.pages.run.charts.quantities.contains(&next) {
                 next = next.next();
             }
-            show(app, next);
+            app.pages.run.charts.quantities[selected] = next;
         }
         A::LogX => {
             app.pages.run.charts.time_scale = app.pages.run.charts.time_scale.toggled();
@@ -313,17 +313,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         },
     }
     true
-}
-
-/// Draw a quantity: the chart that has it is selected, else the selected one shows it.
-pub(crate) fn show(app: &mut App, quantity: Channel) {
-    let charts = &mut app.pages.run.charts;
-    if let Some(there) = charts.quantities.iter().position(|one| *one == quantity) {
-        charts.selected = there;
-        return;
-    }
-    let selected = charts.selected;
-    charts.quantities[selected] = quantity;
 }
 
 fn word(scale: Scale) -> &'static str {

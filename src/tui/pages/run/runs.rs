@@ -5,11 +5,10 @@ use std::time::Duration;
 
 use crate::model::run::{Outcome, Run, Warning, envelope};
 use crate::model::units;
-use crate::model::variables::{self, VARIABLES, Value};
+use crate::model::variables::{VARIABLES, Value};
 use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison};
 use crate::report::table::Table;
-use crate::study::models::by_every_model;
 use crate::study::quantities;
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::prelude::*;
@@ -40,6 +39,13 @@ pub struct Pin {
     pub job: Option<u64>,
 }
 
+impl Pin {
+    /// `A: thesis-baseline`.
+    pub(crate) fn label(&self) -> String {
+        format!("{}: {}", self.letter, self.name)
+    }
+}
+
 #[derive(Clone, Copy, Debug)]
 pub struct RunView<'a> {
     /// The pin's letter; `None` for the current run.
@@ -60,11 +66,6 @@ impl App {
         let pins = self.pins.iter();
         let pins = pins.map(|pin| Compared { name: pin.name.clone(), run: pin.run.as_deref() });
         comparison(std::iter::once(now).chain(pins))
-    }
-
-    /// The runs in the order of their table: 0 the current one, then the pins.
-    pub fn run_order(&self) -> Vec<usize> {
-        self.pages.run.sorting.order(&self.compared_runs())
     }
 
     /// `now`, or the letter of a pin.
@@ -150,21 +151,17 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     if area.width < ALL_COLUMNS {
         keys.retain(|key| !matches!(*key, "plastic" | "peak_mount_force_n"));
     }
-    let mut cells = table.cells(&keys);
-    app.pages.run.sorting.mark(&keys, &mut cells);
-    let grid = Grid::shortened(cells, area.width.saturating_sub(LEAD + 1));
+    let grid = Grid::shortened(table.cells(&keys), area.width.saturating_sub(LEAD + 1));
     let role = if focused { Role::Focus } else { Role::Title };
     canvas.put(area, (LEAD, 0), &grid.line(None), role);
-    let order = app.run_order();
     let list = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
-    let selected = order.iter().position(|run| *run == app.pages.run.selected).unwrap_or(0);
-    let rows = RowList { count: order.len(), selected, painted: focused };
+    let (count, selected) = (app.pins.len() + 1, app.pages.run.selected);
+    let rows = RowList { count, selected, painted: focused };
     rows.render(
         canvas,
         list,
         |row| Some(Target::Row(RUNS, row)),
-        |canvas, row, at| {
-            let index = order[at];
+        |canvas, row, index| {
             let pin = index.checked_sub(1).map(|at| &app.pins[at]);
             let visible = pin.map_or(app.pages.run.shows_current, |pin| pin.visible);
             let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
@@ -209,7 +206,7 @@ pub(crate) fn difference(app: &App) -> Option<String> {
 /// Pin the scene, or unpin it where it is pinned already.
 pub(crate) fn pin_scene(app: &mut App) {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
-        return unpin_all(app, vec![pin]);
+        return unpinned(app, pin);
     }
     let name = app.name_of(&app.scene);
     let scene = Arc::clone(&app.scene);
@@ -230,69 +227,16 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
         let text = format!("this scene is pinned already, as {}", pin.letter);
         return app.tell(text);
     }
-    if let Some(pin) = added(app, name, scene) {
-        app.tell(format!("pinned as {}", edit::named(std::slice::from_ref(&pin))));
-        edit::note_pinned(app, vec![pin]);
-    }
-}
-
-/// A scene that was not pinned yet, as a new pin; `None` where all letters are taken.
-fn added(app: &mut App, name: String, scene: Arc<Scene>) -> Option<Pin> {
     let Some(letter) = free_letter(app, LETTERS) else {
-        app.refuse("all eight pins A to H are taken: <mark> on one in the pane Runs unpins it");
-        return None;
+        return app
+            .refuse("all eight pins A to H are taken: <mark> on one in the pane Runs unpins it");
     };
-    let run = app
-        .shown
-        .as_ref()
-        .filter(|shown| *shown.run.scene == *scene && shown.took.is_some())
-        .map(|shown| Arc::clone(&shown.run));
+    let shown = app.shown.as_ref().filter(|it| *it.run.scene == *scene && it.took.is_some());
+    let run = shown.map(|shown| Arc::clone(&shown.run));
     let pin = Pin { letter, name, scene, run, visible: true, job: None };
+    app.tell(format!("pinned as {}", pin.label()));
     insert(app, pin.clone());
-    Some(pin)
-}
-
-/// Pin the scene by every interaction model but its own; take them away when all are there.
-pub(crate) fn models(app: &mut App) {
-    let own = app.scene.contact.model;
-    let mut refused = None;
-    let mut wanted: Vec<(&str, Arc<Scene>)> = Vec::new();
-    for (name, scene) in by_every_model(&app.scene) {
-        match variables::validate(&scene) {
-            Ok(()) if scene.contact.model != own => wanted.push((name, Arc::new(scene))),
-            Ok(()) => {}
-            Err(reason) => refused = Some(reason.to_string()),
-        }
-    }
-    if let (true, Some(reason)) = (wanted.is_empty(), &refused) {
-        return app.refuse(reason.clone());
-    }
-    let is_pinned = |app: &App, scene: &Scene| app.pins.iter().any(|pin| *pin.scene == *scene);
-    let missing: Vec<_> =
-        wanted.iter().filter(|(_, scene)| !is_pinned(app, scene)).cloned().collect();
-    if missing.is_empty() {
-        let is_wanted = |pin: &&Pin| wanted.iter().any(|(_, scene)| **scene == *pin.scene);
-        let gone: Vec<Pin> = app.pins.iter().filter(is_wanted).cloned().collect();
-        unpin_all(app, gone);
-        return app.tell("the other interaction models are unpinned (<undo> undoes)");
-    }
-    let room = LETTERS.len() - app.pins.len();
-    if missing.len() > room {
-        let text = format!(
-            "{} models need a pin each, and {room} of the eight pins are free: <mark> on one in the pane Runs unpins it",
-            missing.len()
-        );
-        return app.refuse(text);
-    }
-    let pins = missing.into_iter().filter_map(|(name, scene)| added(app, name.to_owned(), scene));
-    let pins = pins.collect();
-    edit::note_pinned(app, pins);
-    let rest =
-        if refused.is_some() { "; models that cannot run this scene are not drawn" } else { "" };
-    app.tell(format!(
-        "{} is pinned beside the other models (repeat to unpin them){rest}",
-        own.word()
-    ));
+    edit::note_pinned(app, pin);
 }
 
 /// The pin selected in the table of runs, or why there is none.
@@ -310,37 +254,35 @@ fn selected(app: &mut App) -> Option<Pin> {
 
 pub(crate) fn unpin(app: &mut App) {
     if let Some(pin) = selected(app) {
-        unpin_all(app, vec![pin]);
+        unpinned(app, pin);
     }
 }
 
-fn unpin_all(app: &mut App, pins: Vec<Pin>) {
-    take_away(app, &pins);
-    app.tell(format!("unpinned {} (<undo> undoes)", edit::named(&pins)));
-    edit::note_unpinned(app, pins);
+fn unpinned(app: &mut App, pin: Pin) {
+    take_away(app, &pin);
+    app.tell(format!("unpinned {} (<undo> undoes)", pin.label()));
+    edit::note_unpinned(app, pin);
 }
 
-/// Take pinned scenes away. Each is known by its scene, not by its letter: that may have become another one's since.
-pub(crate) fn take_away(app: &mut App, gone: &[Pin]) {
-    app.pins.retain(|pin| gone.iter().all(|gone| pin.scene != gone.scene));
+/// Take a pinned scene away. It is known by its scene, not by its letter: that may have become another one's since.
+pub(crate) fn take_away(app: &mut App, gone: &Pin) {
+    app.pins.retain(|pin| pin.scene != gone.scene);
     app.pages.run.selected = app.pages.run.selected.min(app.pins.len());
     app.pages.run.charts.difference &= !app.pins.is_empty();
     app.request(Effect::SaveSession);
 }
 
-/// Put pins back that had been taken away, each under its letter or, if that is taken, the first free one.
-pub(crate) fn put_back(app: &mut App, pins: Vec<Pin>) {
-    for pin in pins {
-        if app.pins.iter().any(|other| *other.scene == *pin.scene) {
-            continue;
-        }
-        let letters = std::iter::once(pin.letter).chain(LETTERS);
-        let Some(letter) = free_letter(app, letters) else {
-            return app.refuse("all eight pins A to H are taken: nothing more was put back");
-        };
-        // A job that ran when it was removed has no receiver any more.
-        insert(app, Pin { letter, job: None, ..pin });
+/// Put a pin back that had been taken away, under its letter or, if that is taken, the first free one.
+pub(crate) fn put_back(app: &mut App, pin: Pin) {
+    if app.pins.iter().any(|other| *other.scene == *pin.scene) {
+        return;
     }
+    let letters = std::iter::once(pin.letter).chain(LETTERS);
+    let Some(letter) = free_letter(app, letters) else {
+        return app.refuse("all eight pins A to H are taken: nothing more was put back");
+    };
+    // A job that ran when it was removed has no receiver any more.
+    insert(app, Pin { letter, job: None, ..pin });
 }
 
 /// The first of some letters that no pin has.
@@ -361,7 +303,7 @@ pub(crate) fn load(app: &mut App) {
     if *pin.scene == *app.scene {
         return app.tell("the current scene is this one already");
     }
-    let label = format!("load {}: {}", pin.letter, pin.name);
+    let label = format!("load {}", pin.label());
     let scene = (*pin.scene).clone();
     app.tell(format!("{label} (<undo> undoes)"));
     edit::commit_scene(app, scene, label, None);

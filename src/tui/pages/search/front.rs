@@ -2,8 +2,7 @@
 
 use crate::report::front::{lacks, page_keys, table, warnings};
 use crate::report::table::Cells;
-use crate::study::quantities::named;
-use crate::study::search::front::{self, Constraint, Front, Objective, USUAL};
+use crate::study::search::front::{self, Front, Objective, USUAL};
 use crate::study::sweep;
 use crate::study::validity::counted;
 use crate::tui::app::status::outside;
@@ -21,7 +20,7 @@ use crate::tui::widgets::text::broken;
 pub(super) fn rows(bounds: impl Iterator<Item = Row>) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Minimise")];
     rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
-    rows.extend([Row::Stroke, Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
+    rows.extend([Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
     rows.extend(bounds);
     rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
     rows.extend([Row::Heading("Effort"), Row::Designs]);
@@ -40,12 +39,10 @@ pub(super) fn request(app: &App, over: Vec<sweep::Axis>) -> Result<front::Reques
             "no objective is chosen: <right> on depth, stroke, mass or mount force".to_owned()
         );
     }
-    let stroke = setup.stroke_m.zip(named("stroke_m").ok());
-    let stroke = stroke.map(|(bound, measure)| Constraint { measure, at_most: true, bound });
     Ok(front::Request {
         over,
         objectives,
-        subject_to: stroke.into_iter().chain(setup.subject_to.iter().copied()).collect(),
+        subject_to: setup.subject_to.clone(),
         is_feasible: setup.feasible,
         samples: setup.designs,
     })

@@ -18,8 +18,7 @@ impl Setup {
             goal: goal.map_or_else(String::new, |goal| goal.to_string()),
             bounds: self.bounds.iter().map(|it| (it.axis.to_string(), it.on)).collect(),
             minimise: Some(chosen.map(|(name, _)| (*name).to_owned()).collect()),
-            stroke_m: self.stroke_m,
-            subject_to: self.subject_to.iter().map(ToString::to_string).collect(),
+            subject_to: Some(self.subject_to.iter().map(ToString::to_string).collect()),
             feasible: Some(self.feasible),
             designs: Some(self.designs),
             axes: self.axes,
@@ -40,13 +39,14 @@ impl Setup {
         let goal = kept.goal.parse::<Goal>().map(|goal| (goal.measure.name, goal.target));
         let minimise =
             kept.minimise.as_ref().map(|it| USUAL.map(|name| it.iter().any(|one| one == name)));
+        let bounds = kept.subject_to.as_ref();
+        let bounds = bounds.map(|it| it.iter().filter_map(|text| text.parse().ok()).collect());
         Self {
             seek: seek.map_or(usual.seek, |axis: Axis| -> SweepAxis { axis.to_sweep_axis() }),
             goal: goal.unwrap_or(usual.goal),
             bounds: kept.bounds.iter().filter_map(bound).collect(),
             objectives: minimise.unwrap_or(usual.objectives),
-            stroke_m: kept.stroke_m.filter(|stroke_m| *stroke_m > 0.0),
-            subject_to: kept.subject_to.iter().filter_map(|text| text.parse().ok()).collect(),
+            subject_to: bounds.unwrap_or(usual.subject_to),
             feasible: kept.feasible.unwrap_or(usual.feasible),
             designs: kept.designs.unwrap_or(usual.designs).clamp(*SAMPLES.start(), *SAMPLES.end()),
             axes: kept.axes,
@@ -60,26 +60,9 @@ impl Setup {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::sweep::Spacing;
 
     #[test]
-    fn a_setup_is_kept_and_what_means_nothing_any_more_is_as_usual() {
-        let axis = |name, ends| Axis::new(name, ends, 2, Spacing::Linear).unwrap();
-        let setup = Setup {
-            seek: SweepAxis::linear("k", 1e3, 1e6, 33),
-            goal: ("stroke_m", 0.045),
-            bounds: vec![
-                Bound { axis: axis("gamma", (1.0, 5.0)), on: true },
-                Bound { axis: axis("theta", (0.0, 30.0)), on: false },
-            ],
-            objectives: [true, false, false, true],
-            stroke_m: None,
-            subject_to: vec!["peak_mount_force_n<=20kN".parse().unwrap()],
-            feasible: false,
-            axes: (1, 0),
-            ..Setup::default()
-        };
-        assert_eq!(Setup::of(&setup.kept()), setup);
+    fn what_means_nothing_any_more_is_as_usual() {
         let odd = Search {
             seek: "kk=1..2".to_owned(),
             goal: "depth".to_owned(),

@@ -1,7 +1,6 @@
 //! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
 use crate::model::scene::SweepAxis;
-use crate::model::units;
 use crate::model::variables::{self, Group, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::front::{Constraint, USUAL};
@@ -25,9 +24,7 @@ pub struct Setup {
     pub bounds: Vec<Bound>,
     /// Which of the usual objectives count.
     pub objectives: [bool; 4],
-    /// The greatest stroke allowed, m.
-    pub stroke_m: Option<f64>,
-    /// Further bounds that designs have to keep.
+    /// Bounds that designs have to keep.
     pub subject_to: Vec<Constraint>,
     /// Designs that are not feasible do not count.
     pub feasible: bool,
@@ -44,20 +41,16 @@ pub struct Setup {
 
 impl Default for Setup {
     fn default() -> Self {
+        let front = crate::study::search::front::Request::default();
+        let scan = usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX);
         Self {
-            seek: SweepAxis::linear(
-                "d",
-                0.0,
-                0.5,
-                usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX),
-            ),
+            seek: SweepAxis::linear("d", 0.0, 0.5, scan),
             goal: ("percent_of_baseline", 60.0),
             bounds: Vec::new(),
             objectives: [true; 4],
-            stroke_m: Some(1.0),
-            subject_to: Vec::new(),
-            feasible: true,
-            designs: crate::study::search::front::Request::default().samples,
+            subject_to: front.subject_to,
+            feasible: front.is_feasible,
+            designs: front.samples,
             axes: (0, 1),
             output: "percent_of_baseline",
             percent: 2.0,
@@ -77,8 +70,7 @@ pub enum Row {
     Goal,
     Bound(usize),
     Objective(usize),
-    Stroke,
-    /// Bounds that designs have to keep, besides that on the stroke.
+    /// Bounds that designs have to keep.
     Bounds,
     Feasible,
     /// Designs that a front tries.
@@ -183,12 +175,6 @@ impl App {
             Row::Objective(at) => {
                 let objective = FormRow::switch(OBJECTIVES[at], setup.objectives[at]);
                 objective.means(quantity_meaning(USUAL[at]))
-            }
-            Row::Stroke => {
-                let shown = |value| units::engineering(value, "m", 4);
-                let bound = setup.stroke_m.map_or_else(|| "none".to_owned(), shown);
-                FormRow { takes_unit: true, ..FormRow::typed("stroke at most", bound) }
-                    .means("designs with a greater stroke are infeasible; none: no bound")
             }
             Row::Bounds => {
                 let written = |of: &dyn Fn(&Constraint) -> String| {

@@ -7,7 +7,6 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::PAGES;
 use crate::tui::pages::search::answer::Answer;
 use crate::tui::widgets::layout::CHART_ROWS;
-use crate::tui::widgets::table::Sorting;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 
 pub use crate::tui::pages::search::setup::Bound;
@@ -62,7 +61,7 @@ pub struct Searching {
     /// The selected design or solution by its place among all, or the first line shown, page by page.
     pub cursor: [Option<usize>; 4],
     /// The measure that the designs of a front are sorted by; `None`: the objective across.
-    pub sorting: Sorting,
+    pub sorting: Option<&'static str>,
 }
 
 impl Searching {
@@ -84,8 +83,8 @@ impl Searching {
 
     /// The measure that the table of the front is sorted by, by its place.
     pub fn sorted(&self, front: &Front) -> usize {
-        let by = self.sorting.0;
-        let chosen = front.request.measures().iter().position(|measure| Some(measure.name) == by);
+        let mut measures = front.request.measures().into_iter();
+        let chosen = measures.position(|measure| Some(measure.name) == self.sorting);
         chosen.unwrap_or_else(|| self.across(front).0)
     }
 
@@ -204,7 +203,7 @@ impl Searching {
         let Some(front) = self.front() else { return };
         let measures = front.request.measures();
         let next = measures.get((self.sorted(front) + 1) % measures.len().max(1));
-        self.sorting = Sorting(next.map(|measure| measure.name));
+        self.sorting = next.map(|measure| measure.name);
     }
 }
 

@@ -41,19 +41,14 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.thesis;
     let (list, detail) = split(area, 11);
     let shown = app.claims();
-    let title = match tab.filter {
-        None => "Claims of the thesis".to_owned(),
-        Some(verdict) => format!("Claims: {}", verdict.words()),
-    };
     let count = format!("{} of {}", shown.len(), tab.rows().len());
-    let pane =
-        PaneFrame::new(filtered(&title, &tab.find)).right(count).focused(app.dialog.is_none());
+    let title = filtered("Claims of the thesis", &tab.find);
+    let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
     let inner = pane.draw(list, canvas);
     if shown.is_empty() {
         let text = match tab.rows() {
             [] => nothing::<Claims>(app, "checking the first claims", None),
-            _ if !tab.find.is_empty() => app.keymap.shown(NO_MATCH),
-            _ => app.keymap.shown("no row has this verdict: <view> for the next"),
+            _ => app.keymap.shown(NO_MATCH),
         };
         canvas.put(inner, (1, 1), &text, Role::Dim);
     }
