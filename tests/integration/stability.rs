@@ -394,7 +394,7 @@ fn nothing_is_stepped_over_whatever_the_steps() {
 /// Springs with n < 0.2 whose plates come through x = 0 with speed to spare.
 #[test]
 fn plates_come_through_the_zero_of_a_steep_spring() {
-    for index in [2_226, 7_930, 9_106] {
+    for index in [2_226, 7_930] {
         let (course, class) = numbered(index);
         let residual = course.run.ledger.residual().abs();
         assert!(residual < RESIDUAL_MAX, "{index}: {residual:e}");

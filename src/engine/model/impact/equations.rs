@@ -16,9 +16,9 @@ const SLOPE_WIDTH: f64 = 1e-6;
 
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
-/// Part of a velocity by which the rounding of forces that hold each other is five times below a tolerance of 1e-12: two units of the
-/// last place, ten times as much where the filter of a step's error has damped it least.
-const KNOWN: f64 = 2e-2;
+/// Part of a velocity that is below the rounding of forces that hold each other: ten units of the last place of a double, ten times that
+/// where the filter of a step's error has damped it least.
+const KNOWN: f64 = 2e-14;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
 
@@ -371,6 +371,6 @@ impl Equations<'_> {
         let forces_n =
             spring_n.abs() + by_speed * w_m_s.abs() + by_place.abs() * self.mode.origin_m.abs();
         let resists = by_speed + (by_place.abs() * self.setup.plate_kg).sqrt();
-        if resists > 0.0 { KNOWN * forces_n / resists } else { 0.0 }
+        if resists > 0.0 { KNOWN / self.setup.tolerance * forces_n / resists } else { 0.0 }
     }
 }

@@ -5,8 +5,8 @@ use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Event, Hold};
 use crate::numerics::{larger, smaller};
 
-/// Length of the first moments in which the contact's force is taken to grow with the time, in passages of a tip radius: they change the
-/// velocities by about the square of this.
+/// Length of the first moments in which the contact's force is taken to grow with the time, in passages of a tip radius or, where it is
+/// shorter, the time in which the contact stops the projectile: they change the velocities by about the square of this.
 const FIRST_MOMENT: f64 = 1e-6;
 /// How many times farther, or faster, its inertia alone must let a plate move that is to follow the balance of a law: the square of the
 /// oscillations about that, in radians, which leave a part of one over it.
@@ -42,7 +42,9 @@ impl Equations<'_> {
     }
 
     fn first_moment_s(&self) -> f64 {
-        FIRST_MOMENT * self.passage_s()
+        let Setup { velocity_m_s, projectile_kg, .. } = *self.setup;
+        let slope_n_m = self.contact_slopes(0.0, velocity_m_s).0;
+        FIRST_MOMENT * smaller(self.passage_s(), (projectile_kg / slope_n_m).sqrt())
     }
 
     /// The first moments of a contact with an uncocked plate whose spring or damper is steep at zero, by the balance of forces: the
@@ -175,22 +177,35 @@ impl Equations<'_> {
         (state.x_m + w_m_s * state.t_s / (1.0 / damper.exponent + 1.0), w_m_s)
     }
 
+    /// The zero of a spring that is not smooth there: the time until the plate comes to it, s, and whether the energy that is left in the
+    /// spring, and what the other forces do meanwhile, still count; `None` where the plate does not come to one.
+    fn next_zero(&self, state: &State) -> Option<(f64, bool)> {
+        let spring = &self.setup.spring;
+        spring.power().filter(|law| !law.is_smooth_at_zero())?;
+        let (x_m, w_m_s) = (self.displacement_m(state.x_m), state.w_m_s);
+        let way_s = -x_m / w_m_s;
+        let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
+        let counts = spring.energy(x_m) > HELD * self.moving_kg() * w_m_s * w_m_s
+            || way_s * larger(slip.abs(), plate.abs()) > self.held_m_s();
+        (self.mode.hold == Hold::Free && way_s > 0.0).then_some((way_s, counts))
+    }
+
+    /// Whether the plate is so close to the zero of such a spring that it is as well as far on the other side.
+    pub(super) fn passes_zero(&self, state: &State) -> bool {
+        self.next_zero(state).is_some_and(|(_, counts)| !counts)
+    }
+
     /// The time in which the plate comes as close to the zero of a law that is not smooth there as a step may take it, s: short of
     /// that it is as far away as the step is long, where no polynomial is far off. Infinite where so little is left that it may pass.
     pub(super) fn approach_s(&self, state: &State) -> f64 {
-        let Setup { spring, damper, .. } = self.setup;
-        let (kg, w_m_s) = (self.moving_kg(), state.w_m_s);
-        let mut least_s = f64::INFINITY;
-        if spring.power().is_some_and(|law| !law.is_smooth_at_zero()) {
-            let x_m = self.displacement_m(state.x_m);
-            let way_s = -x_m / w_m_s;
-            if way_s > 0.0 && spring.energy(x_m) > HELD * kg * w_m_s * w_m_s {
-                least_s = way_s;
-            }
-        }
+        let by_spring_s = self.next_zero(state).map_or(f64::INFINITY, |(way_s, _)| way_s);
+        let Setup { damper, .. } = self.setup;
+        let mut least_s = by_spring_s;
         if !damper.is_smooth_at_zero() {
+            let w_m_s = state.w_m_s;
             let way_s = -w_m_s / self.accelerations(state).1;
-            if way_s > 0.0 && damper.force(w_m_s).abs() * way_s > kg * self.held_m_s() {
+            let counts = damper.force(w_m_s).abs() * way_s > self.moving_kg() * self.held_m_s();
+            if way_s > 0.0 && counts {
                 least_s = smaller(least_s, way_s);
             }
         }

@@ -129,6 +129,8 @@ pub(super) enum Event {
     StopPressed,
     /// Nothing presses the plate on its rigid stop any more.
     StopRelease,
+    /// The plate comes through the zero of a spring that is not smooth there.
+    ZeroPassed,
     /// A steep spring, or a steep damper, takes hold of the plate.
     SpringHolds,
     DamperHolds,
@@ -205,6 +207,15 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
         | Event::StopCleared
         | Event::StopPressed
         | Event::StopRelease => at_stop(setup, mode, event, (&mut next, state)),
+        Event::ZeroPassed => {
+            // What the spring takes on one side it gives on the other.
+            let x_m = mode.origin_m + state.x_m;
+            let way_s = -2.0 * x_m / state.w_m_s;
+            state.t_s += way_s;
+            state.q_m += state.u_m_s * way_s;
+            state.x_m = -x_m - mode.origin_m;
+            next.stretch = mode.spring.stretch(-x_m);
+        }
         Event::SpringHolds | Event::DamperHolds => {
             next.hold = if event == Event::SpringHolds { Hold::Spring } else { Hold::Damper };
             next.held_m = setup.returned_m();

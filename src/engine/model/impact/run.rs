@@ -220,6 +220,9 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         if held.is_some() {
             return held;
         }
+        if equations.passes_zero(&self.course.state) {
+            return Some(Event::ZeroPassed);
+        }
         let events = Events::of(self.course.setup, &self.course.mode);
         let is_behind = |event: &Event| gap(&equations, *event, &self.course.state) < 0.0;
         events.list().iter().copied().find(|event| is_behind(event) && !self.is_undone_by(*event))
