@@ -127,8 +127,8 @@ worded! {
         #[default]
         Decided = "outcome decided",
         Horizon = "horizon reached",
-        /// No horizon was given, and nothing was decided within five hundred oscillations.
-        Oscillates = "undecided after 500 oscillations: set run.horizon_s to follow the plate further",
+        /// No horizon was given, and a plate that oscillates on has used up the work of a run undecided.
+        Oscillates = "undecided after many oscillations: set run.horizon_s to follow the plate further",
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
         NonFinite = "ended early: a value stopped being finite",

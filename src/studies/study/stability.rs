@@ -138,8 +138,7 @@ pub fn examine(case: &'static Case, clock: TimeBudget<'_>) -> Option<Row> {
         others::verdict(other, &scene, references.any().as_ref())
     });
     let stiffness = stiffness(&scene, &run);
-    let is_told = |it: &Shortfall| case.is_open && *it == Shortfall::Incomplete;
-    let shortfall = shortfall(&run, error).filter(|it| !is_told(it));
+    let shortfall = shortfall(&run, error);
     let row = Row { case, run, took_s, error, basis, stiffness, others, shortfall };
     (!clock.stop.is_set()).then_some(row)
 }

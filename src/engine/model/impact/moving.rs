@@ -40,7 +40,7 @@ impl Moving<1> for Plate<'_> {
         ([state.x_m], [state.w_m_s])
     }
 
-    /// A projectile that is through keeps its velocity.
+    /// A projectile that is through, or before the plate, keeps its velocity.
     fn state(&self, start: &State, t_s: f64, ([x_m], [w_m_s]): &Point<1>) -> State {
         let cos = self.0.setup.cos;
         let (mut q_m, mut u_m_s) = (start.q_m, 0.0);

@@ -33,8 +33,8 @@ const SECANTS: usize = 8;
 const NO_TIME: f64 = 1e-15;
 /// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
 const AT_ONCE: f64 = 1e-9;
-/// Turns and changes, five hundred oscillations, after which a run that has used up its work is said to oscillate.
-const TURNS_MAX: usize = 1_000;
+/// Turns and changes after which a run that has used up its work is said to oscillate on.
+const TURNS_MAX: usize = 100;
 /// Turns of the plate to which it is followed for its loads, forward and back, and steps for which it is drawn after the results are known: a
 /// stiff mount may oscillate a million times meanwhile.
 const TURNS_FOLLOWED: usize = 2;
@@ -267,7 +267,9 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             return self.advance_by(&Driven(equations, history));
         }
         match (mode.hold, mode.contact) {
-            (Hold::Free, Contact::Joined | Contact::Gone) => self.advance_by(&Plate(equations)),
+            (Hold::Free, Contact::Joined | Contact::Gone | Contact::Apart) => {
+                self.advance_by(&Plate(equations))
+            }
             (Hold::Free, _) => self.advance_by(&Both(equations)),
             (_, Contact::Joined | Contact::Gone) => self.rest(),
             (_, _) => self.advance_by(&Projectile(equations)),

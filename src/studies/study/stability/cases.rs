@@ -19,9 +19,6 @@ pub struct Case {
     pub why: &'static str,
     /// Changes to Table 9.1 with gamma = 1 and neither spring nor damper, as `--set` takes them.
     pub changes: &'static str,
-    /// It may use up its work undecided, and says so.
-    #[serde(default)]
-    pub is_open: bool,
 }
 
 impl Case {
