@@ -12,6 +12,7 @@ pub mod message;
 pub mod option;
 pub mod pages;
 pub(crate) mod plain;
+pub mod preset;
 pub mod theme;
 pub mod update;
 pub mod view;
@@ -31,10 +32,9 @@ mod prelude {
     pub(crate) use ratatui::layout::Rect;
 
     pub(crate) use super::app::App;
-    pub(crate) use super::app::notice::Severity;
+    pub(crate) use super::app::notice::{NO_RESULTS, Severity};
     pub(crate) use super::keymap::{Action, Pane, Tab, Target};
     pub(crate) use super::message::Effect;
-    pub(crate) use super::pages::NO_RESULTS;
     pub(crate) use super::theme::{PaneFrame, Role};
     pub(crate) use super::widgets::Canvas;
 }
@@ -42,14 +42,11 @@ mod prelude {
 use std::io::{self, Write};
 use std::sync::mpsc;
 
-use crossterm::event::MouseEvent;
 use thiserror::Error;
 
 use crate::files::paths::Paths;
 use crate::files::preset::Preset;
-use message::Message;
 use shell::{Ending, Shell};
-use signals::Signal;
 
 #[derive(Clone, Debug, Default)]
 pub struct Options {
@@ -67,12 +64,6 @@ pub enum TuiError {
     /// The terminal cannot be used.
     #[error("the terminal cannot be used: {0}; `cmra run --plain` needs none")]
     Terminal(#[from] io::Error),
-}
-
-enum Incoming {
-    Message(Message),
-    Mouse(MouseEvent),
-    Signal(Signal),
 }
 
 /// Run the workbench on the terminal of standard output until the person leaves. Returns the exit status: 0, or 128 + the

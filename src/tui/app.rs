@@ -7,8 +7,10 @@ pub(crate) mod edit;
 pub mod history;
 pub mod jobs;
 pub mod notice;
+pub mod pins;
+pub mod running;
 pub(crate) mod setups;
-pub mod status;
+mod validity;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,33 +18,25 @@ use std::time::Duration;
 
 use dialog::Dialog;
 use history::{History, Snapshot};
-use jobs::Jobs;
 use notice::{Notice, Severity};
+use pins::{Pin, RunView, Shown};
+use running::Jobs;
 
 use crate::files::clean;
 use crate::files::session;
 use crate::model::scene::Scene;
 use crate::study::parallel::cores;
 use crate::tui::keymap::Keymap;
-use crate::tui::message::{FileTask, PresetEntry};
-use crate::tui::pages;
-use crate::tui::pages::run::runs::{Pin, RunView, Shown};
+use crate::tui::message::FileTask;
+use crate::tui::pages::states::States;
 use crate::tui::prelude::*;
+use crate::tui::preset::{Base, PresetEntry};
 use crate::tui::theme::{ColourDepth, Theme};
 use crate::tui::widgets::input::{Field, TextField};
 use crate::tui::widgets::layout::{Layout, layout};
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
-
-/// The reference of the scene: the preset it was loaded from.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Base {
-    pub name: String,
-    /// It is the user's own, in the data directory.
-    pub is_mine: bool,
-    pub scene: Arc<Scene>,
-}
 
 /// How the workbench is set: what the options menu changes, and what the session keeps of it.
 #[derive(Clone, Debug, Default)]
@@ -104,7 +98,7 @@ pub struct App {
     pub jobs: Jobs,
     /// Pinned runs, in the order of their letters.
     pub pins: Vec<Pin>,
-    pub pages: pages::States,
+    pub pages: States,
     pub(crate) dialog: Option<Box<dyn Dialog>>,
     /// The newest message, until the next key.
     pub notice: Option<Notice>,
@@ -147,12 +141,6 @@ impl App {
         self.dialog.is_some()
     }
 
-    /// Open the field of a row of the pane that has the keys, its old text selected.
-    pub(crate) fn open_field(&mut self, row: usize) {
-        let text = pages::of(self.tab).text(self, row);
-        self.typing = Some(Typing::Field(Field::new(row, text)));
-    }
-
     /// Whether what the tab exports and copies are runs, not a table of its own.
     pub(crate) fn shows_runs(&self) -> bool {
         matches!(self.tab, Tab::Run | Tab::Log)
@@ -170,6 +158,7 @@ impl App {
             base: self.base.clone(),
             search: Arc::clone(&self.pages.search.setup),
             plan: self.pages.explore.plan,
+            pins: self.pins.iter().map(|pin| Pin { run: None, job: None, ..pin.clone() }).collect(),
         }
     }
 

@@ -21,18 +21,19 @@ pub mod heatmap;
 pub mod layout;
 mod paint;
 
-use layout::plan;
+use layout::{frame_of, plan};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Span;
 
 use crate::report::svg::Svg;
-use crate::tui::theme::{GlyphSet, PaneFrame, Role, Theme, ascii_pass};
+use crate::tui::theme::{GlyphSet, Theme, ascii_pass};
 
 pub use crate::report::chart::levels::Levels;
 pub use crate::report::chart::{
     Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Mark, Scale, Unit, ViewRange,
 };
+pub use canvas::MARKERS;
 pub use layout::Layout;
 
 /// What the report describes and a terminal can show.
@@ -63,14 +64,6 @@ impl Draw for Chart<'_> {
         }
         paint::paint(self, &plan.layout, buffer, theme);
         plan.layout
-    }
-}
-
-fn frame_of(chart: &Chart<'_>) -> PaneFrame<'static> {
-    let frame = PaneFrame::default().focused(chart.focused);
-    match chart.frame {
-        Frame::Boxed => frame,
-        Frame::Stacked { begins, below } => frame.stacked(begins, below),
     }
 }
 
@@ -111,25 +104,3 @@ pub fn buffer_lines(buffer: &Buffer) -> Vec<String> {
 
 #[cfg(test)]
 mod tests;
-
-/// Characters that distinguish curves, the current run's first; none is used by axes, event lines or the crosshair alone.
-pub const MARKERS: [char; 9] = ['*', 'o', '+', 'x', '#', '%', '@', '&', '$'];
-
-/// The role that colours it.
-pub(super) fn role(curve: &Curve<'_>) -> Role {
-    match curve.emphasis {
-        Emphasis::Faint | Emphasis::Stale => Role::Dim,
-        Emphasis::Normal | Emphasis::Selected => Role::Curve(curve.colour),
-    }
-}
-
-/// The marker, if it takes exactly one cell; else one that does.
-pub(super) fn cell_marker(curve: &Curve<'_>) -> char {
-    let mut bytes = [0; 4];
-    let text: &str = curve.marker.encode_utf8(&mut bytes);
-    if !curve.marker.is_control() && Span::raw(text).width() == 1 {
-        curve.marker
-    } else {
-        MARKERS[0]
-    }
-}

@@ -12,8 +12,6 @@ mod presets;
 mod save;
 mod words;
 
-use ratatui::widgets::{Clear, Widget};
-
 use crate::tui::app::dialog::Dialog;
 use crate::tui::prelude::*;
 
@@ -43,31 +41,4 @@ pub(crate) fn open(app: &mut App, action: Action) -> bool {
         app.dialog = opened.find_map(|(_, open)| open(app));
     }
     is_known
-}
-
-/// Clear the middle of the body and draw a frame there, at most this large; gives what is inside, a column of air at each side.
-pub(crate) fn frame(
-    screen: Rect,
-    (width, height): (u16, u16),
-    pane: PaneFrame<'_>,
-    canvas: &mut Canvas<'_>,
-) -> Rect {
-    // Title row above, message, status and keys below stay in sight.
-    let body = Rect {
-        y: screen.y + screen.height.min(1),
-        height: screen.height.saturating_sub(4),
-        ..screen
-    };
-    let width = width.min(body.width);
-    let height = height.min(body.height);
-    let area = Rect {
-        x: body.x + (body.width - width) / 2,
-        y: body.y + (body.height - height) / 2,
-        width,
-        height,
-    };
-    canvas.cover(area);
-    Clear.render(area, canvas);
-    let inner = pane.focused(true).draw(area, canvas);
-    Rect { x: inner.x + inner.width.min(1), width: inner.width.saturating_sub(2), ..inner }
 }

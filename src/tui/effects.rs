@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::Incoming;
+use super::signals::Incoming;
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::Destination;
@@ -27,9 +27,8 @@ use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
 use crate::tui::complete;
-use crate::tui::message::{
-    Content, EffectReport, ExportOutcome, FileTask as Task, Message, PresetEntry,
-};
+use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask as Task, Message};
+use crate::tui::preset::PresetEntry;
 
 /// How long a changed session may stay unsaved.
 pub(super) const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -343,8 +342,6 @@ mod tests {
     use std::fs;
 
     use super::*;
-    use crate::tui::app::App;
-    use crate::tui::message::PageTable;
 
     /// A test that waits so long hangs.
     const HANG: Duration = Duration::from_secs(120);
@@ -378,33 +375,6 @@ mod tests {
     }
 
     #[test]
-    fn a_table_of_a_scene_has_that_scene_beside_it() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("shots.csv");
-        let to = Destination { path: path.clone(), existing: Existing::Keep, has_scene: true };
-        let scene = session_of(2.0).scene;
-        let table = |scene: Option<Scene>| {
-            let table = PageTable::new("", "", true, |_| "a\n1\n".to_owned());
-            Content::Page(match scene {
-                Some(scene) => table.of(&App::default(), &Arc::new(scene), "limit --seed 1"),
-                None => table,
-            })
-        };
-        let content = table(Some(scene.clone()));
-        let beside = place.path().join("shots.toml");
-        let ExportOutcome::Written(files) = export(&to, &content) else { panic!("not written") };
-        assert_eq!(files, [path, beside.clone()]);
-        assert_eq!(preset::from_file(&beside, Accepts::Ordinary).unwrap().scene, scene);
-        let again = "\n# again: cmra limit ./shots.toml --seed 1 --csv -\n";
-        assert!(fs::read_to_string(&beside).unwrap().contains(again));
-        let alone = Destination { path: place.path().join("claims.csv"), ..to };
-        let ExportOutcome::Written(files) = export(&alone, &table(None)) else {
-            panic!("not written")
-        };
-        assert_eq!(files.len(), 1);
-    }
-
-    #[test]
     fn a_session_that_cannot_be_kept_is_reported_once() {
         let (place, paths, io_thread, inbox) = start();
         // Where the folder should be there is a file.
@@ -426,17 +396,6 @@ mod tests {
         io_thread.session_changed(session_of(4.0));
         assert_eq!(outcome(), Ok(()));
         drop(place);
-    }
-
-    #[test]
-    fn a_session_is_saved_by_itself_after_a_while() {
-        let (_place, paths, io_thread, _inbox) = start();
-        io_thread.session_changed(session_of(2.0));
-        let deadline = Instant::now() + HANG;
-        while !paths.session_file().exists() {
-            assert!(Instant::now() < deadline, "never saved");
-            thread::yield_now();
-        }
     }
 
     #[test]
@@ -480,40 +439,6 @@ mod tests {
         };
         let mine = presets.iter().find(|entry| entry.name == "mine").unwrap();
         assert_eq!(mine.origin, "mine");
-    }
-
-    #[test]
-    fn a_file_is_saved_with_its_comments_and_its_title() {
-        let (place, _, io_thread, inbox) = start();
-        let path = place.path().join("my.toml");
-        fs::write(&path, "format = 1\ntitle = \"Ours\"\n# why\n[plate]\nmass_ratio = 1\n").unwrap();
-        let mut scene = Box::new(Scene { title: "Baseline".to_owned(), ..Scene::default() });
-        scene.plate.mass_ratio = 2.0;
-        let (name, file) = ("my.toml".to_owned(), Some(path.clone()));
-        io_thread.ask(Task::SaveScene { name, path: file, scene, overwrite: true });
-        let EffectReport::Saved(_, saved) = report(&inbox) else { panic!("not saved") };
-        assert_eq!(saved, ExportOutcome::Written(vec![path.clone()]));
-        let text = fs::read_to_string(&path).unwrap();
-        let kept = text.contains("title = \"Ours\"\n# why\n");
-        assert!(kept && text.contains("mass_ratio = 2"), "{text}");
-    }
-
-    /// The name of one is the end of the other's.
-    #[test]
-    fn each_broken_preset_has_its_own_reason() {
-        let (_place, paths, io_thread, inbox) = start();
-        fs::create_dir_all(&paths.presets).unwrap();
-        fs::write(paths.preset_file("a"), "format = 1\n[plate]\nfirst = 2\n").unwrap();
-        fs::write(paths.preset_file("aa"), "format = 1\n[plate]\nsecond = 2\n").unwrap();
-        io_thread.ask(Task::ListPresets(Vec::new()));
-        let EffectReport::Presets(presets) = report(&inbox) else {
-            panic!("not a list");
-        };
-        for (name, key) in [("a", "first"), ("aa", "second")] {
-            let entry = presets.iter().find(|entry| entry.name == name).unwrap();
-            let problem = entry.problem.as_deref().unwrap();
-            assert!(problem.contains(key), "{name}: {problem}");
-        }
     }
 
     #[test]

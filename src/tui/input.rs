@@ -8,8 +8,7 @@ use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
 
-use super::Incoming;
-use super::signals::{HUNG_UP, Signal};
+use super::signals::{HUNG_UP, Incoming, Signal};
 use super::terminal;
 use super::terminal::decode::{Decoder, Input};
 use crate::tui::message::Message;

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use KeyCode as C;
+use cmra_studies::enumeration;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use Action as A;
@@ -11,53 +12,41 @@ use Scope::{Everywhere, Listed, With};
 
 use crate::tui::option::OptionRow;
 
-macro_rules! tabs {
-    ($($tab:ident: $pages:literal, $id:literal, $key:literal, $about:literal;)*) => {
-        /// The tabs, in the order of the title row.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        pub enum Tab {
-            $(#[doc = $about] $tab,)*
-        }
-
-        impl Tab {
-            pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
-
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Self::$tab => stringify!($tab),)*
-                }
-            }
-
-            /// How many pages it has.
-            pub fn pages(self) -> usize {
-                match self {
-                    $(Self::$tab => $pages,)*
-                }
-            }
-        }
-
-        /// The keys that lead to the tabs.
-        const TAB_KEYS: &[Bound] = &[
-            $((Action::Tab(Tab::$tab), $id, $key),)*
-        ];
-    };
-}
-
-tabs! {
-    Run: 1, "tab-run", "1", "One impact: variables, charts, runs.";
-    Explore: 1, "tab-explore", "2", "Curves or a map of a quantity over one variable or two.";
-    Limit: 1, "tab-limit", "3", "The ballistic limit, and the comparison at equal areal mass.";
-    Search: 4, "tab-search", "4", "Goal seek, Pareto front, sensitivity, Monte Carlo.";
-    Numerics: 2, "tab-numerics", "5", "Accuracy and stability of the methods.";
-    Thesis: 3, "tab-thesis", "6", "The thesis: what is computed of it, its principles, its concepts.";
-    Log: 1, "tab-log", "7", "Warnings, events, energy, cost and messages.";
-}
-
-impl Default for Tab {
-    fn default() -> Self {
-        Self::ALL[0]
+enumeration! {
+    /// The tabs, in the order of the title row.
+    #[derive(Default, Hash, PartialOrd, Ord)]
+    pub enum Tab in TabRow {
+        name: &'static str,
+        /// How many pages it has.
+        pages: usize,
     }
+    /// One impact: variables, charts, runs.
+    #[default]
+    Run { name: "Run", pages: 1 }
+    /// Curves or a map of a quantity over one variable or two.
+    Explore { name: "Explore", pages: 1 }
+    /// The ballistic limit, and the comparison at equal areal mass.
+    Limit { name: "Limit", pages: 1 }
+    /// Goal seek, Pareto front, sensitivity, Monte Carlo.
+    Search { name: "Search", pages: 4 }
+    /// Accuracy and stability of the methods.
+    Numerics { name: "Numerics", pages: 2 }
+    /// The thesis: what is computed of it, its principles, its concepts.
+    Thesis { name: "Thesis", pages: 3 }
+    /// Warnings, events, energy, cost and messages.
+    Log { name: "Log", pages: 1 }
 }
+
+/// The keys that lead to the tabs.
+const TAB_KEYS: &[Bound] = &[
+    (A::Tab(Tab::Run), "tab-run", "1"),
+    (A::Tab(Tab::Explore), "tab-explore", "2"),
+    (A::Tab(Tab::Limit), "tab-limit", "3"),
+    (A::Tab(Tab::Search), "tab-search", "4"),
+    (A::Tab(Tab::Numerics), "tab-numerics", "5"),
+    (A::Tab(Tab::Thesis), "tab-thesis", "6"),
+    (A::Tab(Tab::Log), "tab-log", "7"),
+];
 
 impl Tab {
     /// Its place in the title row, from 0.

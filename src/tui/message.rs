@@ -9,11 +9,9 @@ use crossterm::event::KeyEvent;
 
 use crate::files::error::FileError;
 use crate::files::export::{Beside, Destination, RunTable};
-use crate::model::library::Entry;
 use crate::model::scene::Scene;
-use crate::model::variables::{self, VariableError};
-use crate::tui::app::Base;
 use crate::tui::prelude::*;
+use crate::tui::preset::PresetEntry;
 use crate::worker::{Report, Task};
 
 #[derive(Clone, Debug)]
@@ -73,55 +71,6 @@ impl ExportOutcome {
             }
             Self::Failed(text) => text.clone(),
         }
-    }
-}
-
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct PresetEntry {
-    pub name: String,
-    /// Where it comes from: `bundled`, `mine` or `recent`.
-    pub origin: &'static str,
-    pub scene: Scene,
-    /// The comment block at the head of its file: source and what to expect.
-    pub comment: String,
-    /// The entry of a library, where it is one: it changes a part of the present scene.
-    pub part: Option<Entry>,
-    /// Why its file cannot be read: then there is no scene to load.
-    pub problem: Option<String>,
-}
-
-impl PresetEntry {
-    pub fn of_part(part: Entry) -> Self {
-        let scene = Scene { title: part.title.clone(), ..Scene::default() };
-        let comment = [part.evidence(), part.warning.clone()].join("\n\n");
-        let comment = comment.trim_end().to_owned();
-        Self {
-            name: part.name.clone(),
-            origin: part.library.word(),
-            scene,
-            comment,
-            part: Some(part),
-            ..Self::default()
-        }
-    }
-
-    /// The row of a file that cannot be read.
-    pub fn broken(name: String, problem: String) -> Self {
-        Self { name, origin: "mine", problem: Some(problem), ..Self::default() }
-    }
-
-    /// It as the reference of edits.
-    pub(crate) fn base(self) -> Base {
-        Base { name: self.name, is_mine: self.origin == "mine", scene: self.scene.into() }
-    }
-
-    /// The scene it makes of the present one.
-    pub fn scene_on(&self, present: &Scene) -> Result<Scene, VariableError> {
-        let Some(part) = &self.part else { return Ok(self.scene.clone()) };
-        let mut scene = present.clone();
-        part.apply(&mut scene)?;
-        variables::validate(&scene)?;
-        Ok(scene)
     }
 }
 
@@ -226,22 +175,22 @@ impl PageTable {
         Self { title, file: file.into(), is_complete, csv: Arc::new(csv), source: None }
     }
 
-    /// The same as a table of a scene, which a command makes again: `sweep --over k=1..2`.
-    pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: &str) -> Self {
+    /// The same as a table of a scene with this name, which a command makes again: `sweep --over k=1..2`.
+    pub(crate) fn of(self, name: String, scene: &Arc<Scene>, command: &str) -> Self {
         let missing = if self.is_complete { "" } else { "# not complete\n" };
-        self.noted(app, scene, command, move || missing.to_owned())
+        self.noted(name, scene, command, move || missing.to_owned())
     }
 
     /// The same with other comment lines above the scene.
     pub(crate) fn noted(
         self,
-        app: &App,
+        name: String,
         scene: &Arc<Scene>,
         command: &str,
         notes: impl Fn() -> String + Send + Sync + 'static,
     ) -> Self {
-        let (scene, name) = (Arc::clone(scene), app.name_of(scene));
-        let source = Source { scene, name, notes: Arc::new(notes), command: command.to_owned() };
+        let (scene, command) = (Arc::clone(scene), command.to_owned());
+        let source = Source { scene, name, notes: Arc::new(notes), command };
         Self { source: Some(source), ..self }
     }
 }

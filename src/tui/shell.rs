@@ -10,9 +10,9 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::effects::{self, IoThread};
 use super::pace::Pace;
-use super::signals::{self, HUNG_UP, Signal};
+use super::signals::{self, HUNG_UP, Incoming, Signal};
 use super::terminal::{self, Guard};
-use super::{Incoming, Options, input, start};
+use super::{Options, input, start};
 use crate::files::paths::Paths;
 use crate::tui::message::{EffectReport, FileTask, Message};
 use crate::tui::prelude::*;

@@ -7,13 +7,15 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
+use crossterm::event::MouseEvent;
 use signal_hook::consts::{
     SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2,
     SIGVTALRM, SIGWINCH, SIGXCPU,
 };
 use signal_hook::iterator::Signals;
 
-use super::{Incoming, terminal};
+use super::terminal;
+use crate::tui::message::Message;
 
 /// The signals that end a process by default and that it can handle: each would leave the terminal as it is.
 const ENDING: [i32; 10] =
@@ -35,6 +37,13 @@ pub(super) enum Signal {
     Resized,
     /// The process was stopped and goes on: take the terminal over again.
     Continued,
+}
+
+/// What the inbox of the loop takes.
+pub(super) enum Incoming {
+    Message(Message),
+    Mouse(MouseEvent),
+    Signal(Signal),
 }
 
 /// The exit status where the terminal is gone, whether a signal said so or not.

@@ -12,10 +12,11 @@ use crate::files::session::{self, Known, Session, Switch, View};
 use crate::files::{config, recent};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Base, Settings};
+use crate::tui::app::pins::{LETTERS, Pin};
+use crate::tui::app::{App, Settings};
 use crate::tui::keymap::Keymap;
-use crate::tui::pages::run::runs::{LETTERS, Pin};
 use crate::tui::pages::thesis;
+use crate::tui::preset::Base;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 
@@ -217,14 +218,7 @@ fn scene_of_session(last: &Session, base: &Base) -> Scene {
 fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     app.scene = Arc::new(scene_of_session(&last, &app.base));
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
-        app.pins.push(Pin {
-            letter,
-            name: app.name_of(&scene),
-            scene: Arc::new(scene),
-            run: None,
-            visible: true,
-            job: None,
-        });
+        app.pins.push(Pin::new(letter, app.name_of(&scene), Arc::new(scene)));
     }
     let View { glyphs: set, colours, auto_run, threads } = last.view;
     if glyphs.is_none()
@@ -289,19 +283,6 @@ mod tests {
         }
     }
 
-    #[test]
-    fn a_setup_that_comes_back_is_no_edit_of_the_scene() {
-        let mut app = state();
-        let kept = |name: &str| {
-            let explore = session::Explore { output: name.to_owned(), ..Default::default() };
-            session::Setup { explore: Some(explore), ..Default::default() }
-        };
-        app.restore_setups(kept("system_mass_kg"));
-        assert!(!app.is_modified());
-        app.restore_setups(kept("max_plate_displacement_m"));
-        assert_eq!((app.pages.explore.output, app.is_modified()), (1, false));
-    }
-
     /// A figure is its sweep, whichever door it comes through.
     #[test]
     fn a_figure_of_the_command_line_opens_on_explore() {
@@ -325,14 +306,8 @@ mod tests {
     fn a_session_comes_back() {
         let mut app = state();
         Arc::make_mut(&mut app.scene).plate.mass_ratio = 2.5;
-        app.pins.push(Pin {
-            letter: 'A',
-            name: "thesis-baseline".to_owned(),
-            scene: Arc::clone(&app.base.scene),
-            run: None,
-            visible: true,
-            job: None,
-        });
+        let scene = Arc::clone(&app.base.scene);
+        app.pins.push(Pin::new('A', "thesis-baseline".to_owned(), scene));
         app.settings.auto_run = false;
         app.settings.threads = Some(1);
         app.settings.theme.glyphs = app.settings.theme.glyphs.next();

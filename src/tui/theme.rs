@@ -171,17 +171,4 @@ mod tests {
             assert!(![error, warning, note].contains(&text));
         }
     }
-
-    #[test]
-    fn detect_reads_both_glyphs_and_colours() {
-        let env = |name: &str| match name {
-            "LANG" => Some("en_GB.UTF-8".to_owned()),
-            "TERM" => Some("xterm-256color".to_owned()),
-            _ => None,
-        };
-        assert_eq!(
-            Theme::detect(env),
-            Theme { glyphs: GlyphSet::Braille, depth: ColourDepth::Ansi256 }
-        );
-    }
 }

@@ -10,12 +10,13 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use crate::files::preset;
 use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::notice::Notice;
-use crate::tui::app::{Base, Typing, edit, jobs};
+use crate::tui::app::{Typing, edit, jobs};
 use crate::tui::dialogs;
 use crate::tui::keymap::{Key, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
 use crate::tui::prelude::*;
+use crate::tui::preset::Base;
 use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
 use crate::tui::widgets::steps::Input;
@@ -30,7 +31,15 @@ pub fn start(app: &mut App) -> Vec<Effect> {
 
 /// Change the state by a message; gives what the outside is to do.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
+    let before = (Arc::clone(&app.scene), app.pages.explore.plan);
     take(app, message);
+    let is_edited = app.scene != before.0;
+    if is_edited {
+        jobs::after_edit(app);
+    }
+    if (is_edited || app.pages.explore.plan != before.1) && app.settings.auto_run {
+        pages::of(app.tab).edited(app);
+    }
     keep_listed(app);
     std::mem::take(&mut app.effects)
 }
@@ -47,7 +56,11 @@ fn take(app: &mut App, message: Message) {
             let code = if up { KeyCode::Up } else { KeyCode::Down };
             press(app, KeyEvent::new(code, KeyModifiers::NONE));
         }
-        Message::Report(report) => jobs::report(app, report),
+        Message::Report(report) => {
+            if let Some((running, body)) = jobs::report(app, report) {
+                pages::of(running.tab).report(app, &running, &body);
+            }
+        }
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => app.jobs.long.push(id),
         Message::Done(report) => done(app, report),
@@ -228,8 +241,8 @@ pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
             clear(app);
         }
         KeyCode::Enter | KeyCode::Tab => app.typing = None,
-        KeyCode::Up => pages::move_by(app, -1),
-        KeyCode::Down => pages::move_by(app, 1),
+        KeyCode::Up => pages::move_by(pages::of(app.tab), app, -1),
+        KeyCode::Down => pages::move_by(pages::of(app.tab), app, 1),
         _ => {
             if open_text(app).is_some_and(|field| field.press(key)) {
                 follow(app);
@@ -344,7 +357,7 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     }
     if pages::of(app.tab).rows(app).is_some() {
         app.history.commit();
-        pages::move_by(app, if up { -1 } else { 1 });
+        pages::move_by(pages::of(app.tab), app, if up { -1 } else { 1 });
     } else {
         act::act(app, if up { Action::Up } else { Action::Down });
     }

@@ -1,12 +1,15 @@
 //! The screen: five regions, panes, and a dialog on top. Reads the state, changes nothing.
 
+mod message;
+
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
 
 use crate::tui::app::dialog::{FootKey, Footer};
+use crate::tui::app::notice::StatusPart;
 use crate::tui::pages::run::VARIABLES;
-use crate::tui::pages::{self, PageSpec, StatusPart};
+use crate::tui::pages::{self, PageSpec};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
@@ -270,7 +273,7 @@ fn name(
 pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
     let page = pages::of(app.tab);
-    for (at, PageSpec { name: title, .. }) in pages::about(app.tab).pages.iter().enumerate() {
+    for (at, PageSpec { name: title, .. }) in page.about().pages.iter().enumerate() {
         let is_shown = at == page.shown(app);
         column = name(canvas, area, column, title, is_shown, Target::Page(at)) + 2;
     }

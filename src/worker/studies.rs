@@ -142,16 +142,21 @@ impl Study for PictureSweep {
     }
 
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        grid::fits(&self.plan)?;
-        let grid = Grid::new(Arc::clone(&self.plan));
-        let grid = grid.ok_or("a chart has one axis and a map two: use fewer axes")?;
-        let watch = &mut |progress, pass: Option<&Grid>| {
-            let pass = pass.filter(|grid| !grid.is_complete());
-            reporter.tell(progress, &|| pass.map(|grid| grid.clone().into()))
-        };
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(grid.fill(grid::PIECE, context).into())
+        fill(&self.plan, reporter)
     }
+}
+
+/// Computes the points of a plan; the last pass is the result, not a part of it.
+fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+    grid::fits(plan)?;
+    let grid = Grid::new(Arc::clone(plan));
+    let grid = grid.ok_or("a chart has one axis and a map two: use fewer axes")?;
+    let watch = &mut |progress, pass: Option<&Grid>| {
+        let pass = pass.filter(|grid| !grid.is_complete());
+        reporter.tell(progress, &|| pass.map(|grid| grid.clone().into()))
+    };
+    let context = &mut Context::new(reporter.threads(), watch);
+    Ok(grid.fill(grid::PIECE, context).into())
 }
 
 /// Computes the curves of a figure by the scheme that the thesis prints.
@@ -164,9 +169,7 @@ impl Study for PrintedSweep {
     }
 
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let grid = Grid::new(Arc::clone(&self.0)).ok_or("a chart has one axis")?;
-        let watch = &mut reporter.watch(Grid::clone);
-        Ok(grid.fill(grid::PIECE, &mut Context::new(reporter.threads(), watch)).into())
+        fill(&self.0, reporter)
     }
 }
 

@@ -24,8 +24,7 @@ mod sweep;
 mod tasks;
 mod thesis;
 
-use bench::{Bench, made};
-use cmra::model::scene::Scene;
+use bench::Bench;
 use cmra::tui::app::App;
 use cmra::tui::message::{ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
@@ -184,12 +183,6 @@ proptest! {
         let drawn = bench.screen();
         prop_assert!(drawn.lines().count() <= usize::from(rows) || rows == 0);
     }
-}
-
-#[test]
-fn made_up_runs_are_runs_of_their_scene() {
-    let scene = std::sync::Arc::new(Scene::default());
-    assert_eq!(made(&scene).scene, scene);
 }
 
 #[test]

@@ -6,14 +6,13 @@ use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
-use crate::tui::app::Base;
-use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
+use crate::tui::app::history::{Edit, Snapshot, Stepping};
 use crate::tui::app::jobs;
+use crate::tui::app::pins::Pin;
 use crate::tui::pages::explore::state::PicturePlan;
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::pages::run::runs::{self, Pin};
-use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
+use crate::tui::preset::{Base, LabelledScene};
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::steps::{self, Input, Press};
 
@@ -112,33 +111,26 @@ fn follow(app: &mut App) {
         let nearest = app.pages.run.editor.listed(&app.scene).into_iter().min_by_key(away);
         app.pages.run.editor.selected = nearest.unwrap_or_default();
     }
-    jobs::after_edit(app);
-    explore::after_edit(app);
     app.request(Effect::SaveSession);
-}
-
-/// Note that a run was pinned.
-pub(crate) fn note_pinned(app: &mut App, pin: Pin) {
-    let label = format!("pin {}", pin.label());
-    app.history.push(Edit { label, change: Change::Pinned(pin), stepping: None });
-}
-
-/// Note that a pin was taken away.
-pub(crate) fn note_unpinned(app: &mut App, pin: Pin) {
-    let label = format!("unpin {}", pin.label());
-    app.history.push(Edit { label, change: Change::Unpinned(pin), stepping: None });
 }
 
 /// Note what was changed since a moment, as one edit; `stepping` joins it with the steps just before.
 pub(crate) fn note(app: &mut App, before: Snapshot, label: String, stepping: Option<Stepping>) {
-    let change = Change::State(Box::new((before, app.snapshot())));
-    app.history.push(Edit { label, change, stepping });
+    let states = Box::new((before, app.snapshot()));
+    app.history.push(Edit { label, states, stepping });
 }
 
-/// Make the change of an edit: what it left alone stays as it is now.
+/// Make the change of an edit: what it left alone stays as it is now, and so do the results of pins.
 fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
+    if from.pins != to.pins {
+        let now = std::mem::take(&mut app.pins);
+        let own = |pin: Pin| now.iter().find(|it| it.scene == pin.scene).cloned().unwrap_or(pin);
+        app.pins = to.pins.into_iter().map(own).collect();
+        follow_pins(app);
+    }
     if (&from.scene, &from.base) != (&to.scene, &to.base) {
         (app.scene, app.base) = (to.scene, to.base);
+        follow(app);
     }
     if from.search != to.search {
         app.pages.search.setup = to.search;
@@ -146,7 +138,6 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     }
     if from.plan != to.plan {
         app.pages.explore.plan = to.plan;
-        explore::after_edit(app);
     }
 }
 
@@ -156,32 +147,45 @@ pub(crate) fn undo(app: &mut App) {
         return app.tell("nothing to undo");
     };
     app.history.done = at;
-    let Edit { label, change, .. } = app.history.edits[at].clone();
+    let Edit { label, states, .. } = app.history.edits[at].clone();
     app.tell(format!("undone: {label} (<redo> redoes)"));
-    do_again(app, change.reversed());
+    make(app, &states.1, states.0);
 }
 
 /// Do the last undone edit again.
 pub(crate) fn redo(app: &mut App) {
     let at = app.history.done;
-    let Some(Edit { label, change, .. }) = app.history.edits.get(at).cloned() else {
+    let Some(Edit { label, states, .. }) = app.history.edits.get(at).cloned() else {
         return app.tell("nothing to redo");
     };
     app.history.done = at + 1;
     app.tell(format!("redone: {label}"));
-    do_again(app, change);
+    make(app, &states.0, states.1);
 }
 
-fn do_again(app: &mut App, change: Change) {
-    let before = (Arc::clone(&app.scene), app.base.clone());
-    match change {
-        Change::State(states) => make(app, &states.0, states.1),
-        Change::Pinned(pin) => runs::put_back(app, pin),
-        Change::Unpinned(pin) => runs::take_away(app, &pin),
-    }
-    if (&app.scene, &app.base) != (&before.0, &before.1) {
-        follow(app);
-    }
+/// Pin a scene, in the order of the letters, as one edit.
+pub(crate) fn pin(app: &mut App, pin: Pin) {
+    let (before, label) = (app.snapshot(), format!("pin {}", pin.label()));
+    let at = app.pins.partition_point(|other| other.letter < pin.letter);
+    app.pins.insert(at, pin);
+    note(app, before, label, None);
+    follow_pins(app);
+}
+
+/// Take a pin away, as one edit.
+pub(crate) fn unpin(app: &mut App, gone: &Pin) {
+    let (before, label) = (app.snapshot(), format!("unpin {}", gone.label()));
+    app.pins.retain(|pin| pin.letter != gone.letter);
+    note(app, before, label, None);
+    follow_pins(app);
+}
+
+/// Updates after a change of the pins.
+fn follow_pins(app: &mut App) {
+    app.pages.run.selected = app.pages.run.selected.min(app.pins.len());
+    app.pages.run.charts.difference &= !app.pins.is_empty();
+    jobs::submit_pins(app);
+    app.request(Effect::SaveSession);
 }
 
 /// Reset the selected variable to the preset's value.

@@ -1,141 +1,17 @@
-//! The tasks of the background threads: what is asked, what has been found, and what their reports do.
+//! The tasks of the background threads: what is asked, and what their reports do.
 
 use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
-use crate::tui::app::notice::Notice;
-use crate::tui::app::status::warning_text;
+use crate::tui::app::notice::{Notice, warning_text};
+use crate::tui::app::pins::{Pin, Shown};
+use crate::tui::app::running::Running;
 use crate::tui::message::Message;
-use crate::tui::pages;
-use crate::tui::pages::run::runs::{Pin, Shown};
 use crate::tui::prelude::*;
-use crate::worker::studies::{Asked, AskedFor, Finding, Found};
+use crate::worker::studies::{Asked, AskedFor, Found};
 use crate::worker::{JobProgress, Report, ReportBody, SceneRun, Slot, Task};
-
-/// A task that has not ended.
-#[derive(Clone, Debug)]
-pub struct Running {
-    pub id: u64,
-    /// The tab that requested it.
-    pub tab: Tab,
-    pub scene: Arc<Scene>,
-    pub asked: Asked,
-    /// Points done and in all, once known.
-    pub points: Option<(usize, usize)>,
-    /// Of a run the simulated time reached, s, once known.
-    pub reached_s: Option<f64>,
-    /// Time gone when that was reported.
-    pub elapsed: Duration,
-}
-
-impl Running {
-    /// `: 12 of 30`; empty where nothing is known yet.
-    pub fn counted(&self, of: &str, what: &str) -> String {
-        let count =
-            |(done, total): (usize, usize)| format!(": {} {of} {total}{what}", done.min(total));
-        self.points.map_or_else(String::new, count)
-    }
-
-    /// The time left, by the points done so far.
-    pub fn left(&self) -> Option<Duration> {
-        let (done, total) = self.points.filter(|points| points.0 > 0)?;
-        let share = total.saturating_sub(done) as f64 / done as f64;
-        Duration::try_from_secs_f64(self.elapsed.as_secs_f64() * share).ok()
-    }
-}
-
-/// The tasks submitted, and how the last run ended.
-#[derive(Clone, Debug, Default)]
-pub struct Jobs {
-    /// The highest number given so far.
-    pub last_id: u64,
-    /// Counts edits: a `RunDue` with an older number is out of date.
-    pub serial: u64,
-    /// The run of the scene on the screen.
-    pub current: Option<Running>,
-    pub studies: Vec<Running>,
-    /// The quiet time after the last edit is over and its result has not landed.
-    pub overdue: bool,
-    /// Tasks that have been running for so long that leaving asks first.
-    pub long: Vec<u64>,
-    /// The person was asked whether to leave while a long task runs.
-    pub quit_confirmation_shown: bool,
-    /// The person was asked whether to stop a long task.
-    pub stop_confirmation_shown: bool,
-    /// Why the last run gave no result.
-    pub failure: Option<String>,
-}
-
-impl Jobs {
-    /// The study of this type that has not ended, with what it was asked.
-    pub fn study<S: AskedFor>(&self) -> Option<(&Running, &S)> {
-        self.studies.iter().find_map(|running| Some((running, &**S::of(&running.asked)?)))
-    }
-
-    /// Forget the study of this type: nothing it reports is shown any more.
-    pub fn take<S: AskedFor>(&mut self) -> Option<Running> {
-        let at = self.studies.iter().position(|running| S::of(&running.asked).is_some())?;
-        Some(self.studies.remove(at))
-    }
-
-    /// The study of this type that has not ended.
-    pub fn running<S: AskedFor>(&self) -> Option<&Running> {
-        self.study::<S>().map(|(running, _)| running)
-    }
-
-    /// Whether the result of a study of this type for a scene is neither kept nor under way.
-    pub fn lacks<S: AskedFor, T>(&self, kept: &Kept<T>, scene: &Scene) -> bool {
-        let is_coming = self.running::<S>().is_some_and(|running| *running.scene == *scene);
-        !kept.is_there(scene) && !is_coming
-    }
-}
-
-/// The result of a study that a page keeps, as far as it is there; that of a study of no scene has the default scene.
-#[derive(Clone, Debug)]
-pub struct Kept<T> {
-    pub scene: Arc<Scene>,
-    pub found: Option<Arc<T>>,
-    pub is_complete: bool,
-    /// No more of it follows: it is complete, or a person stopped it.
-    has_ended: bool,
-}
-
-impl<T> Default for Kept<T> {
-    fn default() -> Self {
-        Self { scene: Arc::default(), found: None, is_complete: false, has_ended: false }
-    }
-}
-
-impl<T> Kept<T> {
-    /// Keep what a report brings, if it has this type; gives whether it did.
-    pub(crate) fn keep(
-        &mut self,
-        running: &Running,
-        news: &ReportBody,
-        is_complete: impl FnOnce(&T) -> bool,
-    ) -> bool
-    where
-        T: Finding,
-    {
-        let Some(found) = news.found::<T>() else { return false };
-        let is_complete = is_complete(&found);
-        let (scene, has_ended) = (Arc::clone(&running.scene), news.is_last());
-        *self = Self { scene, found: Some(found), is_complete, has_ended };
-        true
-    }
-
-    /// Whether it belongs to another scene than this one.
-    pub fn is_old(&self, scene: &Scene) -> bool {
-        self.found.is_some() && *self.scene != *scene
-    }
-
-    /// Whether it belongs to a scene and need not be computed: what a person stopped waits for the key that runs it again.
-    pub fn is_there(&self, scene: &Scene) -> bool {
-        self.found.is_some() && self.has_ended && *self.scene == *scene
-    }
-}
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);
@@ -216,22 +92,19 @@ fn task(app: &mut App, tab: Tab, scene: &Arc<Scene>, asked: Asked) -> Running {
     Running { id, tab, scene, asked, points: None, reached_s: None, elapsed: Duration::ZERO }
 }
 
-/// A report of a study: its page hears what it brings.
-fn study_report(app: &mut App, at: usize, body: &ReportBody) {
-    let running = if body.is_last() {
-        app.jobs.studies.remove(at)
-    } else {
-        let running = &mut app.jobs.studies[at];
-        if let ReportBody::Progress { progress: JobProgress::Points(done, total), elapsed } = *body
-        {
-            (running.points, running.elapsed) = (Some((done, total)), elapsed);
-        }
-        running.clone()
-    };
+/// A report of a study, with the study as it is now.
+fn study_report(app: &mut App, at: usize, body: &ReportBody) -> Running {
     if let ReportBody::Failed(text) = body {
         app.refuse(text);
     }
-    pages::of(running.tab).report(app, &running, body);
+    if body.is_last() {
+        return app.jobs.studies.remove(at);
+    }
+    let running = &mut app.jobs.studies[at];
+    if let ReportBody::Progress { progress: JobProgress::Points(done, total), elapsed } = *body {
+        (running.points, running.elapsed) = (Some((done, total)), elapsed);
+    }
+    running.clone()
 }
 
 /// The quiet time after an edit is over.
@@ -245,8 +118,8 @@ pub(crate) fn run_due(app: &mut App, serial: u64) {
     }
 }
 
-/// A report of a task; those of replaced ones are dropped.
-pub(crate) fn report(app: &mut App, report: Report) {
+/// A report of a task; those of replaced ones are dropped. Gives the study that its page is to hear of.
+pub(crate) fn report(app: &mut App, report: Report) -> Option<(Running, ReportBody)> {
     if report.body.is_last() {
         app.jobs.long.retain(|id| *id != report.id);
     }
@@ -256,8 +129,9 @@ pub(crate) fn report(app: &mut App, report: Report) {
     } else if let Some(at) = app.pins.iter().position(|pin| pin.job == Some(id)) {
         pin(app, at, body);
     } else if let Some(at) = app.jobs.studies.iter().position(|running| running.id == id) {
-        study_report(app, at, &body);
+        return Some((study_report(app, at, &body), body));
     }
+    None
 }
 
 fn run_report(app: &mut App, id: u64, body: ReportBody) {

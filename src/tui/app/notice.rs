@@ -2,6 +2,7 @@
 
 use cmra_studies::enumeration;
 
+use crate::model::run::envelope::Check;
 use crate::model::run::{Run, Warning};
 use crate::model::units::{fixed_significant, scientific};
 use crate::tui::theme::Role;
@@ -35,6 +36,51 @@ impl Severity {
 pub struct Notice {
     pub severity: Severity,
     pub text: String,
+}
+
+/// A part of the status row: how serious, the text, and a shorter form of it.
+pub type StatusPart = (Severity, String, String);
+
+pub(crate) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
+    let text = text.into();
+    (severity, text.clone(), text)
+}
+
+/// The words of a pane, and of its row of status, before anything was computed.
+pub(crate) const NO_RESULTS: &str = "no results yet: press <run>";
+
+/// The words for results that belong to another scene or setup than the one on the screen.
+pub(crate) fn old(whose: &str) -> String {
+    format!("another {whose}'s results: press <run>")
+}
+
+/// A warning with the key that acts on it, where there is one.
+pub fn warning_text(warning: &Warning) -> String {
+    match warning {
+        Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
+            format!("{warning} (interface law: key <options>)")
+        }
+        _ => warning.to_string(),
+    }
+}
+
+/// The checks of the model's validity that fail, and where.
+pub(crate) fn outside(
+    checks: impl Iterator<Item = Check>,
+    place: &str,
+    more: &str,
+) -> Option<StatusPart> {
+    let mut labels: Vec<&str> = Vec::new();
+    for label in checks.map(Check::label) {
+        if !labels.contains(&label) {
+            labels.push(label);
+        }
+    }
+    let list = labels.join(", ");
+    let long = format!("! outside validity{place}: {list}{more}");
+    let short =
+        if place.is_empty() { format!("! validity: {list}") } else { format!("!{place}: {list}") };
+    (!labels.is_empty()).then_some((Severity::Warning, long, short))
 }
 
 /// How many times too much, to three digits.

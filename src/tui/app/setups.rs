@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use crate::files::session;
-use crate::tui::pages::explore::setup::CURVES;
-use crate::tui::pages::explore::state::{Picture, PicturePlan, sweep_of};
-use crate::tui::pages::search::setup::Setup;
+use crate::tui::pages::explore::state::{CURVES, Picture, PicturePlan, sweep_of};
+use crate::tui::pages::search::state::Setup;
 use crate::tui::prelude::*;
 
 impl App {

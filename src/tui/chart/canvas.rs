@@ -2,12 +2,36 @@
 //!
 //! Coordinates run in dots, x to the right and y upward from the lower left corner of the lower left dot.
 
-use super::{Curve, Mapping, Scale};
+use ratatui::text::Span;
+
 use crate::report::chart::scale::whole_below;
-use crate::tui::theme::GlyphSet;
+use crate::report::chart::{Curve, Emphasis, Mapping, Scale};
+use crate::tui::theme::{GlyphSet, Role};
 
 /// The bits of a braille character, in rows of two dots: 1 4 / 2 5 / 3 6 / 7 8.
 const BRAILLE: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
+
+/// Characters that distinguish curves, the current run's first; none is used by axes, event lines or the crosshair alone.
+pub const MARKERS: [char; 9] = ['*', 'o', '+', 'x', '#', '%', '@', '&', '$'];
+
+/// The role that colours it.
+pub(super) fn role(curve: &Curve<'_>) -> Role {
+    match curve.emphasis {
+        Emphasis::Faint | Emphasis::Stale => Role::Dim,
+        Emphasis::Normal | Emphasis::Selected => Role::Curve(curve.colour),
+    }
+}
+
+/// The marker, if it takes exactly one cell; else one that does.
+pub(super) fn cell_marker(curve: &Curve<'_>) -> char {
+    let mut bytes = [0; 4];
+    let text: &str = curve.marker.encode_utf8(&mut bytes);
+    if !curve.marker.is_control() && Span::raw(text).width() == 1 {
+        curve.marker
+    } else {
+        MARKERS[0]
+    }
+}
 
 pub(super) struct Canvas {
     glyphs: GlyphSet,

@@ -3,12 +3,10 @@
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::canvas::left_out_of;
-use super::{
-    Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale, cell_marker, frame_of, role,
-};
+use super::canvas::{cell_marker, left_out_of, role};
 use crate::report::chart::ticks::{Along, Tick, Ticks};
-use crate::tui::theme::Theme;
+use crate::report::chart::{Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale};
+use crate::tui::theme::{PaneFrame, Theme};
 
 /// Room kept at the left for labels, so that the plot does not jump when "9" becomes "10".
 const LEAST_GUTTER: u16 = 3;
@@ -48,6 +46,14 @@ impl Layout {
     pub(crate) fn place(&self, x: f64, y: f64) -> Option<(u16, u16)> {
         let (column, up) = self.x.cell(x).zip(self.y.cell(y))?;
         Some((column, self.plot.height.saturating_sub(up + 1)))
+    }
+}
+
+pub(super) fn frame_of(chart: &Chart<'_>) -> PaneFrame<'static> {
+    let frame = PaneFrame::default().focused(chart.focused);
+    match chart.frame {
+        Frame::Boxed => frame,
+        Frame::Stacked { begins, below } => frame.stacked(begins, below),
     }
 }
 

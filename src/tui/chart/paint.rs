@@ -4,10 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::Span;
 
-use super::canvas::{Canvas, trace};
+use super::canvas::{Canvas, cell_marker, role, trace};
 use super::layout::Layout;
-use super::{Chart, Curve, Emphasis, Frame, Mark, Scale, cell_marker, role};
 use crate::report::chart::ticks::{Tick, label_start};
+use crate::report::chart::{Chart, Curve, Emphasis, Frame, Mark, Scale};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 
 /// Columns from one marker of a curve to its next where curves differ by colour.

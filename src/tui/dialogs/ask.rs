@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use crossterm::event::{KeyCode, KeyEvent};
 
 use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::dialogs::frame;
-use crate::tui::dialogs::list::is_text;
+use crate::tui::dialogs::list::{frame, is_text};
 use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;

@@ -8,7 +8,7 @@ use crate::model::variables;
 use crate::tui::app::dialog::{FootKey, Footer};
 use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
 use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
-use crate::tui::pages::run::editor::extent;
+use crate::tui::pages::run::editor::draw::extent;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 

@@ -91,7 +91,7 @@ pub(super) fn export(
 ) -> Result<Option<FileTask>, String> {
     let existing = Existing::replaced(overwrite);
     let content = if is_svg(&path) {
-        let drawn = pages::pictures(app);
+        let drawn = pages::pictures(pages::of(app.tab), app);
         if drawn.is_empty() {
             return Err(
                 "no chart on the screen can be drawn as SVG: write the table to a .csv file"

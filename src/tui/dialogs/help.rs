@@ -2,8 +2,7 @@
 
 use crate::model::variables::Kind;
 use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::dialogs::frame;
-use crate::tui::dialogs::list::{List, Listed, Picker};
+use crate::tui::dialogs::list::{List, Listed, Picker, frame};
 use crate::tui::keymap::{Call, KeyHelp, LINES, Scope};
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;

@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::widgets::{Clear, Widget};
 
 use crate::tui::app::dialog::{Dialog, Footer, Outcome};
 use crate::tui::prelude::*;
@@ -157,4 +158,31 @@ impl Picker {
         let rows = RowList { count, selected: self.selected, painted: true };
         rows.render(canvas, area, |row| Some(Target::DialogRow(row)), draw);
     }
+}
+
+/// Clear the middle of the body and draw a frame there, at most this large; gives what is inside, a column of air at each side.
+pub(crate) fn frame(
+    screen: Rect,
+    (width, height): (u16, u16),
+    pane: PaneFrame<'_>,
+    canvas: &mut Canvas<'_>,
+) -> Rect {
+    // Title row above, message, status and keys below stay in sight.
+    let body = Rect {
+        y: screen.y + screen.height.min(1),
+        height: screen.height.saturating_sub(4),
+        ..screen
+    };
+    let width = width.min(body.width);
+    let height = height.min(body.height);
+    let area = Rect {
+        x: body.x + (body.width - width) / 2,
+        y: body.y + (body.height - height) / 2,
+        width,
+        height,
+    };
+    canvas.cover(area);
+    Clear.render(area, canvas);
+    let inner = pane.focused(true).draw(area, canvas);
+    Rect { x: inner.x + inner.width.min(1), width: inner.width.saturating_sub(2), ..inner }
 }

@@ -3,13 +3,13 @@
 
 use crate::model::variables::{VARIABLES, Variable, is_offered};
 use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::dialogs::list::{List, Listed, Picker};
-use crate::tui::dialogs::{frame, presets, words};
+use crate::tui::dialogs::list::{List, Listed, Picker, frame};
+use crate::tui::dialogs::{presets, words};
 use crate::tui::keymap::{Call, Command};
-use crate::tui::message::PresetEntry;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::{commands, run};
 use crate::tui::prelude::*;
+use crate::tui::preset::PresetEntry;
 use crate::tui::widgets::find::{rank, rank_variable, ranked};
 use crate::tui::widgets::text::{clip, wrapped};
 use crate::tui::widgets::{split_bottom, split_top};

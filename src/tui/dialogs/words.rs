@@ -3,8 +3,8 @@
 use crate::model::variables::{self, Kind, Value};
 use crate::tui::app::dialog::{FootKey, Footer, Outcome};
 use crate::tui::app::edit;
-use crate::tui::dialogs::list::{List, Listed, Picker};
-use crate::tui::dialogs::{curve, frame};
+use crate::tui::dialogs::curve;
+use crate::tui::dialogs::list::{List, Listed, Picker, frame};
 use crate::tui::prelude::*;
 use crate::tui::widgets::text::wrapped;
 

@@ -1,5 +1,6 @@
 //! The Explore tab: curves or a map of a quantity over one variable or two.
 
+pub(crate) mod cursor;
 pub(crate) mod curves;
 pub mod plan;
 pub mod setup;
@@ -11,26 +12,26 @@ use crate::report::sweep::{self, Columns};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
+use crate::tui::app::notice::outside;
 use crate::tui::app::show_duration;
-use crate::tui::app::status::outside;
-use crate::tui::pages::draw_setup;
+use crate::tui::pages::explore::cursor::no_sweep;
+use crate::tui::pages::explore::curves::panes;
 use crate::tui::pages::explore::plan::at_rest;
-use crate::tui::pages::explore::state::{Picture, SweepResult, no_sweep, sweep_of};
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::runs::{self, engineering};
+use crate::tui::pages::explore::state::{Picture, SweepResult, sweep_of};
+use crate::tui::pages::page::draw_setup;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::runs;
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::Form;
-use crate::tui::widgets::layout::{ROOMY, setup_width};
 use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::steps::engineering;
 use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{PictureSweep, PrintedSweep};
 
-/// The curves or the map.
-pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
-pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
+pub use state::{RESULTS, SETUP};
 
 #[rustfmt::skip]
-pub(super) const PANES: &[PaneSpec] = &[
+const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESULTS, label: "Explore", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
@@ -48,16 +49,18 @@ pub(super) const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-pub(super) const PAGES: &[PageSpec] = &[];
-
 #[rustfmt::skip]
-pub(super) const COMMANDS: &[Command] = &[
+const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Explore)), "Explore tab", "sweep surface map family curves parameter study heat map"),
 ];
 
 pub(crate) struct ExploreTab;
 
 impl Page for ExploreTab {
+    fn about(&self) -> About {
+        About { pages: &[], panes: PANES, commands: COMMANDS }
+    }
+
     fn enter(&self, app: &mut App) {
         let plan = app.sweep_plan();
         let wanted = plan.as_ref().ok();
@@ -73,6 +76,10 @@ impl Page for ExploreTab {
         app.pages.explore.problem = None;
         // The setup is again what is shown: what was requested meanwhile would replace it.
         stop(app);
+    }
+
+    fn edited(&self, app: &mut App) {
+        self.enter(app);
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
@@ -188,7 +195,7 @@ impl Page for ExploreTab {
         let grid = Arc::clone(&found.grid);
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.noted(app, &scene, "sweep", notes))
+        Some(table.noted(app.name_of(&scene), &scene, "sweep", notes))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
@@ -250,13 +257,6 @@ impl Page for ExploreTab {
 const FAR: i16 = 10;
 /// A sweep that will take longer says so.
 const LONG_S: u64 = 60;
-
-/// After an edit of the scene: a picture on the screen follows at once.
-pub(crate) fn after_edit(app: &mut App) {
-    if app.settings.auto_run && app.tab == Tab::Explore {
-        ExploreTab.enter(app);
-    }
-}
 
 /// Forget the sweep under way.
 fn stop(app: &mut App) {
@@ -320,60 +320,4 @@ fn warn_if_long(app: &mut App, running: &Running) {
             "this sweep will take about {minutes} min more: <back> stops it and keeps what is finished"
         ),
     );
-}
-
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct SweepPanes {
-    /// Axes, output, held variables.
-    pub setup: Option<Rect>,
-    /// One chart or two, or the map.
-    pub plots: Vec<Rect>,
-    pub scale: Option<Rect>,
-    /// The slices through the cursor, along and up.
-    pub slices: Vec<Rect>,
-}
-
-/// The setup beside one chart, or two where there is room; or beside the map, with scale and slices at its right. On a narrow
-/// screen the pane beside the map is the one that is of use: the setup while it has the keys, else scale and slices.
-pub(crate) fn panes(app: &App, body: Rect) -> SweepPanes {
-    let on_setup = app.pane() == SETUP;
-    let (left, rest) = match (app.is_full(), on_setup) {
-        (true, true) => return SweepPanes { setup: Some(body), ..SweepPanes::default() },
-        (true, false) => (None, body),
-        (false, _) => {
-            let (left, rest) = split_left(body, setup_width(body.width));
-            (Some(left), rest)
-        }
-    };
-    let is_line = app.picture() == Picture::Line;
-    let plots = if is_line && rest.height >= 26 {
-        let (top, bottom) = split_bottom(rest, rest.height / 2);
-        vec![top, bottom]
-    } else {
-        vec![rest]
-    };
-    match left {
-        Some(left) if !is_line && (body.width >= ROOMY || !on_setup) => surface(body, left, rest),
-        setup => SweepPanes { setup, plots, ..SweepPanes::default() },
-    }
-}
-
-fn surface(body: Rect, left: Rect, rest: Rect) -> SweepPanes {
-    let (setup, map, side) = if body.width < ROOMY {
-        (None, rest, left)
-    } else {
-        let (map, side) = split_left(rest, rest.width - 32.min(rest.width));
-        (Some(left), map, side)
-    };
-    // Ten bands and the marks, within a frame; what is left goes to the slices, one where two would be too low.
-    let (scale, below) = split_bottom(side, side.height - side.height.min(13));
-    let slices = match below.height {
-        0..=5 => Vec::new(),
-        6..=15 => vec![below],
-        _ => {
-            let (top, bottom) = split_bottom(below, below.height / 2);
-            vec![top, bottom]
-        }
-    };
-    SweepPanes { setup, plots: vec![map], scale: Some(scale), slices }
 }

@@ -1,6 +1,7 @@
 //! The Limit tab: the ballistic limit, the residual velocity, and the comparison at equal areal mass.
 
 pub mod comparison;
+pub mod residual;
 pub mod state;
 
 use crate::report::{self, limit};
@@ -9,22 +10,18 @@ use crate::study::limit::{COMMAND, Limit};
 use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
 use crate::study::validity;
-use crate::tui::app::status::outside;
-use crate::tui::pages::prelude::*;
+use crate::tui::app::notice::outside;
+use crate::tui::pages::limit::residual::area;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::widgets::layout::NARROW;
 use crate::tui::widgets::{along, cursor_moved, moved};
 use crate::tui::widgets::{around, cycled};
 use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
-/// The residual velocity over the impact velocity.
-pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
-/// The comparison at equal areal mass.
-pub const COMPARISON: Pane = Pane::of(Tab::Limit, 1);
-pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
+pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 
 #[rustfmt::skip]
-pub(super) const PANES: &[PaneSpec] = &[
+const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
         key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo` does"),
@@ -43,10 +40,8 @@ pub(super) const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-pub(super) const PAGES: &[PageSpec] = &[];
-
 #[rustfmt::skip]
-pub(super) const COMMANDS: &[Command] = &[
+const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
     Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
     Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth absorber"),
@@ -56,6 +51,10 @@ pub(super) const COMMANDS: &[Command] = &[
 pub(crate) struct LimitTab;
 
 impl Page for LimitTab {
+    fn about(&self) -> About {
+        About { pages: &[], panes: PANES, commands: COMMANDS }
+    }
+
     fn enter(&self, app: &mut App) {
         if app.lacks_limit() {
             find(app);
@@ -161,7 +160,7 @@ impl Page for LimitTab {
                 };
                 let title = "Export the shots to CSV";
                 let table = PageTable::new(title, file("limit"), limit.is_complete, csv);
-                table.of(app, &limit.scene, COMMAND)
+                table.of(app.name_of(&limit.scene), &limit.scene, COMMAND)
             }
             COMPARISON => {
                 let (found, title) = (found?, "Export the comparison to CSV");
@@ -171,7 +170,11 @@ impl Page for LimitTab {
                     report::compare::table(name, &found.report).with_warnings(&warnings).csv()
                 };
                 let table = PageTable::new(title, file("compare"), is_complete, csv);
-                table.of(app, &comparison.scene, &compare::Request::default().to_string())
+                table.of(
+                    app.name_of(&comparison.scene),
+                    &comparison.scene,
+                    &compare::Request::default().to_string(),
+                )
             }
             _ => {
                 let (map, title) = (found?.map.clone()?, "Export the map to CSV");
@@ -181,7 +184,7 @@ impl Page for LimitTab {
                 let command = request.to_string();
                 let csv = move |name: &str| report::compare::map_table(name, &map).csv();
                 let table = PageTable::new(title, file("mass-efficiency"), is_complete, csv);
-                table.of(app, &comparison.scene, &command)
+                table.of(app.name_of(&comparison.scene), &comparison.scene, &command)
             }
         })
     }
@@ -203,7 +206,7 @@ impl Page for LimitTab {
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
         match app.pane() {
-            RESIDUAL => app.pages.limit.shots().get(row).map(state::shot_words),
+            RESIDUAL => app.pages.limit.shots().get(row).map(residual::shot_words),
             COMPARISON => Some(comparison_text(app)?.0.get(row)?.0.clone()),
             _ => None,
         }
@@ -226,7 +229,7 @@ impl Page for LimitTab {
             let Some(area) = area(app, body, spec.pane) else { continue };
             canvas.pane(area, spec.pane);
             match spec.pane {
-                RESIDUAL => state::render(app, area, canvas),
+                RESIDUAL => residual::render(app, area, canvas),
                 COMPARISON => comparison::render(app, area, canvas),
                 _ => comparison::map(app, area, canvas),
             }
@@ -315,32 +318,3 @@ fn turn(app: &mut App, by: isize) {
 fn find(app: &mut App) {
     jobs::study(app, Tab::Limit, LimitSearch);
 }
-
-/// Where a pane stands: the residual velocity and the map above the comparison; the pane that has the keys alone where
-/// there is no room for three.
-pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
-    let focus = app.pane();
-    let rows = if body.height < ROOM_FOR_FIGURES { VERDICT_ROWS } else { COMPARISON_ROWS };
-    if app.is_full() || body.height < rows + 8 {
-        return (pane == focus).then_some(body);
-    }
-    let (above, comparison) = split_bottom(body, rows);
-    let (left, right) = split_left(above, above.width / 2);
-    let is_narrow = body.width < NARROW;
-    let at_right = match focus {
-        EFFICIENCY_MAP => focus,
-        _ if is_narrow => RESIDUAL,
-        _ => EFFICIENCY_MAP,
-    };
-    match pane {
-        COMPARISON => Some(comparison),
-        _ if is_narrow => (pane == at_right).then_some(above),
-        RESIDUAL => Some(left),
-        _ => (pane == at_right).then_some(right),
-    }
-}
-
-/// Rows of the comparison, frame included; of the verdict alone where the body is lower than this, so that charts can be read.
-const COMPARISON_ROWS: u16 = 10;
-const VERDICT_ROWS: u16 = 6;
-const ROOM_FOR_FIGURES: u16 = 26;

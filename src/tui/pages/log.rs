@@ -3,41 +3,33 @@
 use crate::model::run::envelope;
 use crate::report::run::page::{computation, energy, events, of_first, results, sentence};
 use crate::tui::app::notice::Notice;
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::runs::Shown;
+use crate::tui::app::pins::Shown;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::broken;
 
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
 #[rustfmt::skip]
-pub(super) const PANES: &[PaneSpec] = &[
+const PANES: &[PaneSpec] = &[
     PaneSpec { pane: LOG, label: "Log", has: &[], keys: &[
         key(A::Down, "scroll", "scroll"),
         key(A::Find, "find", "show only the lines that contain a text"),
     ] },
 ];
 
-pub(super) const PAGES: &[PageSpec] = &[];
-
 #[rustfmt::skip]
-pub(super) const COMMANDS: &[Command] = &[
+const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Log)), "Log tab", "messages warnings events energy paths"),
 ];
-
-#[derive(Clone, Debug, Default)]
-pub struct Log {
-    /// All messages of this session, oldest first.
-    pub messages: Vec<Notice>,
-    /// The first row shown.
-    pub scroll: usize,
-    /// The lines shown contain this.
-    pub find: String,
-}
 
 pub(crate) struct LogTab;
 
 impl Page for LogTab {
+    fn about(&self) -> About {
+        About { pages: &[], panes: PANES, commands: COMMANDS }
+    }
+
     fn enter(&self, app: &mut App) {
         app.pages.log.scroll = 0;
     }

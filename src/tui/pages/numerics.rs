@@ -2,27 +2,18 @@
 
 pub mod accuracy;
 pub mod stability;
+pub mod state;
 
 use crate::model::library;
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::page::plot_columns;
+use crate::tui::pages::page::prelude::*;
 
-/// Error against run time.
-pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
-pub const STABILITY: Pane = Pane::of(Tab::Numerics, 1);
-pub const STIFF_SCENES: Pane = Pane::of(Tab::Numerics, 2);
-
-#[derive(Clone, Debug, Default)]
-pub struct Numerics {
-    /// Error against run time.
-    pub accuracy: accuracy::Accuracy,
-    /// The map of stability and the stiff scenes.
-    pub stability: stability::Stability,
-}
+pub use state::{ACCURACY, STABILITY, STIFF_SCENES};
 
 #[rustfmt::skip]
-pub(super) const PANES: &[PaneSpec] = &[
+const PANES: &[PaneSpec] = &[
     PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[], keys: &[
         key(A::Down, "method", "select another method"),
         key(A::Enter, "use", "run the scene by this method: auto at 1e-6, or as printed"),
@@ -40,22 +31,39 @@ pub(super) const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-pub(super) const PAGES: &[PageSpec] = &[
+const PAGES: &[PageSpec] = &[
     PageSpec { name: "Accuracy", panes: &[ACCURACY] },
     PageSpec { name: "Stability", panes: &[STABILITY, STIFF_SCENES] },
 ];
 
 #[rustfmt::skip]
-pub(super) const COMMANDS: &[Command] = &[
+const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Numerics)), "Numerics tab", "method solver integrator"),
     Command::new(Call::Show(ACCURACY, None), "Accuracy", "error run time cost method tolerance convergence order"),
     Command::new(Call::Show(STABILITY, None), "Stability", "largest stable step fixed step map"),
     Command::new(Call::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
 ];
 
+impl App {
+    /// Why the tab shows nothing where its study looks at one plate and the scene is a stack.
+    pub(crate) fn needs_single_plate(&self) -> Option<String> {
+        let is_empty = match self.pane() {
+            ACCURACY => self.pages.numerics.accuracy.report.found.is_none(),
+            STABILITY => self.pages.numerics.stability.map.found.is_none(),
+            _ => false,
+        };
+        let single = crate::model::variables::require_single(&self.scene);
+        single.err().filter(|_| is_empty).map(|error| error.to_string())
+    }
+}
+
 pub(crate) struct NumericsTab;
 
 impl Page for NumericsTab {
+    fn about(&self) -> About {
+        About { pages: PAGES, panes: PANES, commands: COMMANDS }
+    }
+
     fn enter(&self, app: &mut App) {
         match app.pane() {
             ACCURACY => accuracy::enter(app),
@@ -69,12 +77,15 @@ impl Page for NumericsTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match app.pane() {
-            ACCURACY => accuracy::act(app, action),
+            ACCURACY => accuracy::act(app, action, plot_columns(self, app)),
             _ => stability::act(app, action),
         }
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
+        if let Some(why) = app.needs_single_plate() {
+            return Some((Severity::Warning, why));
+        }
         match app.pane() {
             ACCURACY => note(app.accuracy_readout()),
             STABILITY => note(app.map_readout()),
@@ -104,7 +115,7 @@ impl Page for NumericsTab {
                     accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
                 };
                 PageTable::new("Export the measurements to CSV", file, is_complete, csv).of(
-                    app,
+                    app.name_of(&kept.scene),
                     &kept.scene,
                     "accuracy",
                 )
@@ -128,7 +139,7 @@ impl Page for NumericsTab {
                     stability_table::map_table(name, &map).with_warnings(&warnings).csv()
                 };
                 let table = PageTable::new("Export the map to CSV", file, is_complete, csv);
-                table.of(app, &kept.scene, &command)
+                table.of(app.name_of(&kept.scene), &kept.scene, &command)
             }
         })
     }

@@ -3,19 +3,20 @@
 pub mod charts;
 pub mod editor;
 pub mod runs;
+pub mod state;
+mod status;
 
 use crate::model::variables::Kind;
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::page::{open_field, plot_columns};
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::steps::{Input, Press};
 
-pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
-pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
-pub const RUNS: Pane = Pane::of(Tab::Run, 2);
+pub use state::{CHARTS, RUNS, VARIABLES};
 
 #[rustfmt::skip]
-pub(super) const PANES: &[PaneSpec] = &[
+const PANES: &[PaneSpec] = &[
     PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
         key(A::Right, "step", "change the value by a step (<far-left> <far-right> ten steps, <fine-less> <fine-more> a tenth)"),
         key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
@@ -48,10 +49,8 @@ pub(super) const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-pub(super) const PAGES: &[PageSpec] = &[];
-
 #[rustfmt::skip]
-pub(super) const COMMANDS: &[Command] = &[
+const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Run)), "Run tab", "variables charts curves impact simulation"),
     Command::new(Call::In(VARIABLES, A::Find), "Find a variable", "filter search"),
     Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
@@ -64,26 +63,13 @@ pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::In(CHARTS, A::ZoomFit), "Show everything", "fit zoom"),
 ];
 
-#[derive(Clone, Debug)]
-pub struct RunPage {
-    pub editor: editor::Editor,
-    pub charts: charts::Charts,
-    /// The row selected in the table of runs: 0 is the current run.
-    pub selected: usize,
-    /// The current run is drawn.
-    pub shows_current: bool,
-}
-
-impl Default for RunPage {
-    fn default() -> Self {
-        let (editor, charts, selected) = Default::default();
-        Self { editor, charts, selected, shows_current: true }
-    }
-}
-
 pub(crate) struct RunTab;
 
 impl Page for RunTab {
+    fn about(&self) -> About {
+        About { pages: &[], panes: PANES, commands: COMMANDS }
+    }
+
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (action, app.pane()) {
             (Action::Run, _) => jobs::run_now(app),
@@ -95,7 +81,8 @@ impl Page for RunTab {
                 *full = !*full;
             }
             (_, CHARTS) | (Action::Difference, RUNS) | (Action::Window, VARIABLES) => {
-                return charts::act(app, action);
+                let columns = plot_columns(self, app);
+                return charts::act(app, action, columns);
             }
             (Action::Mark, RUNS) if app.pages.run.selected > 0 => runs::unpin(app),
             (Action::Mark, _) => runs::pin_scene(app),
@@ -205,7 +192,7 @@ impl Page for RunTab {
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         let panes = panes(app, body);
         if let Some(area) = panes.variables {
-            editor::render(app, area, app.has_focus(VARIABLES), canvas);
+            editor::draw::render(app, area, app.has_focus(VARIABLES), canvas);
         }
         if let Some(area) = panes.charts {
             charts::draw::render(app, area, app.has_focus(CHARTS), canvas);
@@ -242,7 +229,7 @@ pub(crate) fn open(app: &mut App) {
         Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, Press::NEXT),
         Kind::Number(_) => {
             let row = RunTab.rows(app).map_or(0, |rows| rows.selected);
-            app.open_field(row);
+            open_field(&RunTab, app, row);
         }
     }
 }

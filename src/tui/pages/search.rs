@@ -2,6 +2,7 @@
 
 pub(crate) mod answer;
 pub(crate) mod draw;
+mod found;
 mod front;
 pub(crate) mod kept;
 mod monte_carlo;
@@ -15,12 +16,12 @@ use crate::study::search::front::SAMPLES as DESIGNS;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::{Snapshot, Stepping};
-use crate::tui::app::status::outside as validity;
-use crate::tui::pages::move_by;
-use crate::tui::pages::prelude::*;
+use crate::tui::app::notice::outside as validity;
+use crate::tui::pages::page::move_by;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::search::setup::{Bound, Setup, read_bound};
-use crate::tui::pages::search::state::Row;
+use crate::tui::pages::search::setup::read_bound;
+use crate::tui::pages::search::state::{Bound, Row, Setup};
 use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::cycled;
@@ -43,11 +44,10 @@ pub(crate) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
     };
     split_left(body, width)
 }
-pub const SETUP: Pane = Pane::of(Tab::Search, 0);
-pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
+pub use state::{RESULTS, SETUP};
 
 #[rustfmt::skip]
-pub(super) const PANES: &[PaneSpec] = &[
+const PANES: &[PaneSpec] = &[
     PaneSpec { pane: SETUP, label: "Search setup", has: &[Part::Form], keys: &[
         key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off) or a goal"),
         key(A::Right, "change", "take the next value, or switch on and off"),
@@ -66,15 +66,18 @@ pub(super) const PANES: &[PaneSpec] = &[
 
 const BOTH: &[Pane] = &[SETUP, RESULTS];
 /// The pages, in the order of [`state::Page`].
-pub(super) const PAGES: &[PageSpec] = &[
-    PageSpec { name: "Goal seek", panes: BOTH },
-    PageSpec { name: "Pareto front", panes: BOTH },
-    PageSpec { name: "Sensitivity", panes: BOTH },
-    PageSpec { name: "Monte Carlo", panes: BOTH },
-];
+const PAGES: &[PageSpec] = &{
+    let [seek, front, sensitivity, monte_carlo] = state::Page::TITLES;
+    [
+        PageSpec { name: seek, panes: BOTH },
+        PageSpec { name: front, panes: BOTH },
+        PageSpec { name: sensitivity, panes: BOTH },
+        PageSpec { name: monte_carlo, panes: BOTH },
+    ]
+};
 
 #[rustfmt::skip]
-pub(super) const COMMANDS: &[Command] = &[
+const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
     Command::new(Call::Show(RESULTS, Some(0)), "Goal seek", "seek target solve inverse root"),
     Command::new(Call::Show(RESULTS, Some(1)), "Pareto front", "optimise optimize best designs knee trade-off"),
@@ -85,6 +88,10 @@ pub(super) const COMMANDS: &[Command] = &[
 pub(crate) struct SearchTab;
 
 impl Page for SearchTab {
+    fn about(&self) -> About {
+        About { pages: PAGES, panes: PANES, commands: COMMANDS }
+    }
+
     fn shown(&self, app: &App) -> usize {
         app.pages.search.page as usize
     }
@@ -115,7 +122,7 @@ impl Page for SearchTab {
             Action::Sort if self.is_idle(app, action) => app.tell("no table to sort on this page"),
             Action::Sort => app.pages.search.sort_next(),
             _ => match along(action, FAR) {
-                Some(by) => move_by(app, by.into()),
+                Some(by) => move_by(self, app, by.into()),
                 None => return false,
             },
         }
@@ -195,7 +202,7 @@ impl Page for SearchTab {
             (Arc::clone(&found.scene), found.is_complete(), found.request.command());
         let csv = move |name: &str| found.csv(name);
         let table = PageTable::new("Export the results to CSV", file, is_complete, csv);
-        Some(table.of(app, &scene, &command))
+        Some(table.of(app.name_of(&scene), &scene, &command))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

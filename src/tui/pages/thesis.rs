@@ -1,25 +1,23 @@
 //! The Thesis tab: what is computed of the thesis, its design principles, its screening of concepts.
 
 pub(crate) mod draw;
+pub mod state;
 
 use crate::report::thesis;
 use crate::study::thesis::{ClaimVerdict, Row, tally};
-use crate::tui::app::Base;
+use crate::tui::pages::explore;
 use crate::tui::pages::explore::state::{Picture, PicturePlan};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
-use crate::tui::pages::{self, explore};
+use crate::tui::preset::Base;
 use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::text::fitting;
 use crate::worker::studies::Claims;
-use crate::worker::study::RowsSoFar;
 
-pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
-pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
-pub const CONCEPTS: Pane = Pane::of(Tab::Thesis, 2);
+pub use state::{CLAIMS, CONCEPTS, PRINCIPLES};
 
 #[rustfmt::skip]
-pub(super) const PANES: &[PaneSpec] = &[
+const PANES: &[PaneSpec] = &[
     PaneSpec { pane: CLAIMS, label: "Claims", has: &[Part::Table], keys: &[
         key(A::Down, "claim", "select another claim"),
         key(A::Enter, "open", "load the preset that shows the claim"),
@@ -29,14 +27,14 @@ pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: CONCEPTS, label: "Concepts", has: &[], keys: &[] },
 ];
 
-pub(super) const PAGES: &[PageSpec] = &[
+const PAGES: &[PageSpec] = &[
     PageSpec { name: "Claims", panes: &[CLAIMS] },
     PageSpec { name: "Principles", panes: &[PRINCIPLES] },
     PageSpec { name: "Concepts", panes: &[CONCEPTS] },
 ];
 
 #[rustfmt::skip]
-pub(super) const COMMANDS: &[Command] = &[
+const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Thesis)), "Thesis tab", "reproduce"),
     Command::new(Call::Show(CLAIMS, None), "Claims", "reproduce thesis check verdict"),
     Command::new(Call::Show(PRINCIPLES, None), "Principles", "families functions"),
@@ -46,6 +44,10 @@ pub(super) const COMMANDS: &[Command] = &[
 pub(crate) struct ThesisTab;
 
 impl Page for ThesisTab {
+    fn about(&self) -> About {
+        About { pages: PAGES, panes: PANES, commands: COMMANDS }
+    }
+
     fn enter(&self, app: &mut App) {
         let lacks = app.jobs.lacks::<Claims, _>(&app.pages.thesis.report, &Scene::default());
         if lacks && app.pane() == CLAIMS {
@@ -191,21 +193,7 @@ fn look(app: &mut App) {
     app.pages.explore.output = 0;
     app.pages.explore.cursor = None;
     app.pages.explore.zoomed = None;
-    pages::of(Tab::Explore).enter(app);
-}
-
-#[derive(Clone, Debug, Default)]
-pub struct Thesis {
-    pub report: Kept<RowsSoFar<Row>>,
-    /// The claims shown match this.
-    pub find: String,
-    pub selected: usize,
-}
-
-impl Thesis {
-    pub fn rows(&self) -> &[Row] {
-        self.report.found.as_ref().map_or(&[], |report| &report.rows)
-    }
+    explore::ExploreTab.enter(app);
 }
 
 impl App {

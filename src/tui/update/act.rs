@@ -38,7 +38,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if let Some(rows) = page.rows(app)
         && let Some(by) = rows_moved(action, rows.shown)
     {
-        return move_by(app, by);
+        return move_by(page, app, by);
     }
     if page.across(app).is_some_and(|across| across.change(action)) {
         return;
@@ -64,7 +64,7 @@ fn in_form(app: &mut App, action: Action) -> bool {
     let row = form.rows(0).selected;
     page.select(app, row);
     if enters && form.line().is_some_and(|line| line.text.is_some()) {
-        app.open_field(row);
+        pages::open_field(page, app, row);
     } else if let Err(why) = page.change(app, row, Input::Step(press)) {
         app.refuse(why);
     }

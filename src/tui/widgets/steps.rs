@@ -1,7 +1,7 @@
 //! How the arrow keys step a number: by the last shown figure, or by a factor of 10^0.1, never into the impossible.
 
 use crate::model::scene::Scene;
-use crate::model::units::{Dimension, significant};
+use crate::model::units::{self, Dimension, significant};
 use crate::model::variables::{Number, Step, Variable};
 
 /// A number in at most `width` characters.
@@ -11,6 +11,14 @@ pub(crate) fn shown_number(number: f64, width: usize) -> String {
         .map(|digits| significant(number, digits))
         .find(|text| text.len() <= width)
         .unwrap_or_else(|| format!("{number:.0e}"))
+}
+
+/// A value with prefix and unit, four figures: `19.26 kN`; a pure number has no prefix.
+pub(crate) fn engineering(value: f64, unit: &'static str) -> String {
+    if unit.is_empty() {
+        return significant(value, 4);
+    }
+    units::engineering(value, unit, 4)
 }
 
 /// What changes the value of a row.

@@ -5,16 +5,9 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
-use super::{
-    Asked, Finding, Found, LimitSearch, Measurements, Picture, PictureSweep, SearchAnswer,
-    SearchRequest,
-};
-use crate::model::scene::{InterfaceLaw, Mount, Plate, Scene};
-use crate::study::accuracy::{self, Report as Accuracy};
+use super::{Asked, Finding, Found, LimitSearch, Picture, PictureSweep};
+use crate::model::scene::{InterfaceLaw, Mount, Scene};
 use crate::study::limit;
-use crate::study::quantities::named;
-use crate::study::search::front;
-use crate::study::search::seek::{self, Goal};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
 use crate::worker::{Report, ReportBody, Task, Worker};
@@ -95,37 +88,6 @@ fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
 fn more_points_than_a_screen_needs_are_refused_in_words() {
     let refused = made(Scene::default(), sweep(2000)).unwrap_err();
     assert!(refused.contains("cmra sweep"), "{refused}");
-}
-
-#[test]
-fn a_search_that_makes_no_sense_is_refused_in_words() {
-    let goal = |measure: &str| {
-        let axis = Axis::new("k", (0.0, 1e6), 9, Spacing::Linear).unwrap();
-        let goal = Goal { measure: named(measure).unwrap(), target: 60.0 };
-        SearchRequest::Seek(seek::Request { over: axis, goal })
-    };
-    let found = made(Scene::default(), goal("percent_of_baseline")).unwrap();
-    let answer = SearchAnswer::of(&found).map(|it| &**it);
-    assert!(
-        matches!(answer, Some(SearchAnswer::Seek(report)) if report.solutions().next().is_none())
-    );
-    let rigid = Scene {
-        plate: Plate { mount: Mount::Rigid, ..Scene::default().plate },
-        ..Scene::default()
-    };
-    let none = SearchRequest::Front(front::Request::default());
-    let refused = made(rigid, none).unwrap_err();
-    assert!(refused.contains("no variable of Table 9.2"), "{refused}");
-}
-
-#[test]
-fn measurements_of_an_impossible_scene_are_refused_and_cancelled_ones_are_kept() {
-    let mut scene = Scene::default();
-    scene.projectile.mass_kg = -1.0;
-    let refused = made(scene, Measurements(accuracy::ComparisonOptions::QUICK)).unwrap_err();
-    assert!(refused.contains("m_p"), "{refused}");
-    let kept = cancelled(Measurements(accuracy::ComparisonOptions::FULL));
-    assert!(!Accuracy::of(&kept).expect("measurements").is_complete);
 }
 
 /// A rigid mount has its limit in closed form.

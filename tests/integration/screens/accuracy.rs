@@ -3,14 +3,13 @@
 use std::sync::Arc;
 
 use super::bench::{Bench, ended};
-use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::accuracy::method::{Answer, Ladder, Method, Parameter, Refusal};
 use cmra::study::accuracy::reference::{Reference, ReferenceSource, References};
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report, Saving};
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::{ExportOutcome, Message};
+use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
 use cmra::worker::studies::{Found, Measurements};
@@ -155,21 +154,15 @@ fn the_crosshair_shows_the_error_for_a_run_time() {
 }
 
 #[test]
-fn the_table_is_written_and_never_over_a_file_without_consent() {
+fn the_table_has_a_row_a_point() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
     let (to, csv, has_scene) = bench.exported().expect("an export");
     assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-accuracy.csv"));
-    assert_eq!(to.existing, Existing::Keep);
     let report = bench.app.pages.numerics.accuracy.report.found.as_ref().unwrap();
     let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
     assert!(has_scene && csv.lines().nth(1).unwrap().starts_with("thesis-baseline,"));
     assert_eq!(csv.lines().count(), points + 1);
-    bench.export_ended(ExportOutcome::Exists(to.path.clone()));
-    bench.keys("y");
-    assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
-    bench.export_ended(ExportOutcome::Written(vec![to.path]));
-    assert!(!bench.app.has_dialog());
 }
 
 #[test]

@@ -13,8 +13,9 @@ use cmra::model::run::{
 };
 use cmra::model::scene::{Mount, Scene};
 use cmra::study::sweep::Plan;
-use cmra::tui::app::{App, Base};
-use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message, PresetEntry};
+use cmra::tui::app::App;
+use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::preset::{Base, PresetEntry};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
@@ -260,8 +261,7 @@ pub(crate) fn presets() -> Vec<PresetEntry> {
             origin,
             scene,
             comment: comment.to_owned(),
-            part: None,
-            problem: None,
+            ..PresetEntry::default()
         }
     };
     vec![

@@ -4,15 +4,16 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::{Bench, done};
-use super::search::keys;
+use super::sweep::keys;
 use super::{limit, search, stability, sweep};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::stability::map::{Axis, Cell, FixedStep};
+use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
-use cmra::tui::pages::plot_columns;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
+use cmra::tui::view::target;
 use cmra::worker::studies::Found;
 
 #[test]
@@ -62,21 +63,6 @@ fn zoom_on_a_logarithmic_axis_goes_by_decades() {
     assert!((decades(near, far) / decades(from, to) - 0.5).abs() < 1e-9);
     let before = decades(from, cursor) / decades(from, to);
     assert!((decades(near, cursor) / decades(near, far) - before).abs() < 1e-9);
-}
-
-/// Force over displacement is reached by `v`; it has the displacement across.
-#[test]
-fn v_in_a_chart_reaches_the_force_over_displacement() {
-    let mut bench = Bench::ascii(120, 40);
-    bench.keys("<Tab>");
-    for _ in 0..6 {
-        bench.keys("v");
-        if bench.screen().contains("Mount force [kN]") {
-            assert!(bench.screen().contains("- mm +"), "{}", bench.screen());
-            return;
-        }
-    }
-    panic!("{}", bench.screen());
 }
 
 /// The line of a goal stands at its own value, not at that of the nearest label.
@@ -136,7 +122,8 @@ fn the_crosshair_goes_column_by_column() {
         for _ in 0..30 {
             bench.press("H");
         }
-        let columns = plot_columns(&bench.app);
+        let is_plot = |x: &u16| matches!(target(&bench.app, (*x, 3)), Some(Target::Value { .. }));
+        let columns = (0..size.0).filter(is_plot).count();
         let (from, to) = bench.app.time_range_s(0);
         assert_eq!(bench.app.pages.run.charts.cursor_s, Some(from));
         for _ in 1..columns {
@@ -181,7 +168,7 @@ fn the_map_of_mass_efficiency_names_its_axis_across() {
 #[test]
 fn a_logarithmic_scale_of_less_than_a_decade_keeps_its_bands() {
     let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, &["2", "Y"]);
+    keys(&mut bench, "2Y");
     let screen = bench.screen();
     assert!(screen.matches(" .. ").count() > 4, "{screen}");
     assert!(screen.contains("Y: linear"), "{screen}");
@@ -191,7 +178,7 @@ fn a_logarithmic_scale_of_less_than_a_decade_keeps_its_bands() {
 #[test]
 fn the_contour_of_a_map_has_its_value_in_the_picture() {
     let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, &["2", "e", "<C-u>", "map.svg<Enter>"]);
+    keys(&mut bench, "2e<C-u>map.svg<Enter>");
     let (_, svg, _) = bench.exported().expect("a picture");
     let note = svg.split('>').find(|text| text.starts_with("— ")).expect("the contour's note");
     assert!(note.contains(" %"), "{note}");

@@ -3,16 +3,17 @@
 use std::sync::Arc;
 
 use super::bench::Bench;
-use super::search::{in_search, keys};
+use super::search::in_search;
+use super::sweep::keys;
 use super::{accuracy, limit, search};
 use cmra::files::library;
 use cmra::model::library::Library;
 use cmra::model::scene::PlateSize;
 use cmra::study::accuracy::method::Method;
 use cmra::study::quantities::named;
-use cmra::tui::message::PresetEntry;
 use cmra::tui::pages::explore;
 use cmra::tui::pages::explore::state::Picture;
+use cmra::tui::preset::PresetEntry;
 use cmra::tui::theme::GlyphSet;
 
 #[test]
@@ -74,7 +75,7 @@ fn enter_after_a_value_stays_on_its_row_in_every_form() {
     assert_eq!(bench.app.pages.run.editor.variable().symbol, "gamma");
     bench.keys("<Esc><Enter>3<Down>");
     assert_ne!(bench.app.pages.run.editor.variable().symbol, "gamma");
-    keys(&mut bench, &["2", "<Tab>", "/from<Enter>", "<Enter>", "1<Enter>"]);
+    keys(&mut bench, "2<Tab>/from<Enter><Enter>1<Enter>");
     assert!(bench.screen().contains("> from"), "{}", bench.screen());
 }
 
@@ -102,8 +103,8 @@ fn the_plates_face_is_set_in_the_run_tab() {
 #[test]
 fn two_sizes_of_the_plate_are_never_two_axes() {
     let mut bench = Bench::ascii(80, 24);
-    keys(&mut bench, &["2", "<Tab>", "/variable<Enter>", "<Enter>", "face<Enter>"]);
-    keys(&mut bench, &["/shown<Enter>", "l"]);
+    keys(&mut bench, "2<Tab>/variable<Enter><Enter>face<Enter>");
+    keys(&mut bench, "/shown<Enter>l");
     assert_eq!(bench.app.picture(), Picture::Surface);
     let axes = |bench: &Bench| {
         let plan = bench.app.sweep_plan().unwrap();
@@ -111,13 +112,13 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
     };
     assert_eq!(axes(&bench), ["face", "k"]);
     // Nor by hand.
-    keys(&mut bench, &["G", "/variable<Enter>"]);
-    bench.app.pages.explore.row = explore::setup::SetupRow::Axis(1, explore::setup::Part::Name);
-    keys(&mut bench, &["<Enter>", "gamma<Enter>"]);
+    keys(&mut bench, "G/variable<Enter>");
+    bench.app.pages.explore.row = explore::state::SetupRow::Axis(1, explore::state::Part::Name);
+    keys(&mut bench, "<Enter>gamma<Enter>");
     assert!(bench.screen().contains("both set the plate's size"), "{}", bench.screen());
-    keys(&mut bench, &["<Esc>"]);
+    keys(&mut bench, "<Esc>");
     // The axis replaces the scene's own size, and a design keeps it.
-    keys(&mut bench, &["<Tab>", "l", "<Enter>"]);
+    keys(&mut bench, "<Tab>l<Enter>");
     assert!(matches!(bench.app.scene.plate.size, PlateSize::Face(_)), "{}", bench.message());
     assert!(!bench.app.sweep_is_old());
 }
@@ -142,13 +143,13 @@ fn only_the_method_that_runs_a_scene_is_used_for_it() {
 #[test]
 fn another_spacing_keeps_the_cursor_at_its_value() {
     let mut bench = Bench::ascii(80, 24);
-    keys(&mut bench, &["2", "L"]);
+    keys(&mut bench, "2L");
     let at = |bench: &Bench| {
         let grid = &bench.app.pages.explore.found().expect("a sweep").grid;
         grid.coordinate(bench.app.cursor_point(grid), 0)
     };
     let before = at(&bench);
-    keys(&mut bench, &["X"]);
+    keys(&mut bench, "X");
     let after = at(&bench);
     // The nearest of 101 points over a factor of 8.75.
     assert!((after / before - 1.0).abs() < 0.012, "{before} {after}");
@@ -158,7 +159,7 @@ fn another_spacing_keeps_the_cursor_at_its_value() {
 #[test]
 fn a_goal_begins_at_the_value_of_the_scene() {
     let mut bench = Bench::ascii(80, 24);
-    keys(&mut bench, &["4", "k", "<Enter>", "stroke<Enter>"]);
+    keys(&mut bench, "4k<Enter>stroke<Enter>");
     let run = &bench.app.shown.as_ref().expect("a run").run;
     let stroke = named("stroke_m").unwrap().value(run).unwrap();
     let (name, goal) = bench.app.pages.search.setup.goal;

@@ -10,10 +10,10 @@ use crate::support::{self, cmra};
 use cmra::files::export::sidecar_path;
 use cmra::model::scene::{PlateSize, Scene};
 use cmra::model::variables::VARIABLES;
-use cmra::tui::app::Base;
 use cmra::tui::message::{Effect, FileTask};
 use cmra::tui::pages::explore::state::SetupRow;
 use cmra::tui::pages::search::state::Page;
+use cmra::tui::preset::Base;
 use cmra::worker::{Report, Worker};
 
 /// A bench on a scene whose plate has a face, with a folder that it writes to.

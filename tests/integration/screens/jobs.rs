@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::bench::{Bench, ended, made};
-use super::search::{in_search, sought};
+use super::search::in_search;
 use super::{accuracy, limit, search};
 use cmra::model::run::EndReason;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
@@ -62,18 +62,6 @@ fn escape_leaves_the_jobs_of_other_tabs_alone() {
     assert!(bench.has_cancelled());
 }
 
-#[test]
-fn ctrl_c_at_rest_asks_first() {
-    let mut bench = Bench::ascii(80, 24);
-    bench.effects.clear();
-    bench.press("<C-c>");
-    assert!(bench.effects.is_empty());
-    bench.press("j<C-c>");
-    assert!(bench.effects.is_empty(), "another key takes the question back");
-    bench.press("<C-c>");
-    assert!(matches!(bench.effects.last(), Some(Effect::Quit { .. })));
-}
-
 /// What is done is never more than what there is to do.
 #[test]
 fn counters_do_not_pass_their_totals() {
@@ -110,7 +98,7 @@ fn an_export_that_ends_leaves_another_dialog_alone() {
 
 #[test]
 fn looking_at_another_page_leaves_a_search_alone() {
-    let mut bench = sought((80, 24));
+    let mut bench = search::open(GlyphSet::Ascii, (80, 24));
     bench.keys("4");
     let front = bench.app.jobs.studies[0].id;
     // Through the two pages without results to the goal seek, whose setup is edited, and back.
@@ -129,7 +117,7 @@ fn looking_at_another_page_leaves_a_search_alone() {
 
 #[test]
 fn an_error_stays_with_the_page_that_was_searched() {
-    let mut bench = sought((80, 24));
+    let mut bench = search::open(GlyphSet::Ascii, (80, 24));
     bench.keys("4");
     let (front, _) = searched(&mut bench);
     bench.keys("4");

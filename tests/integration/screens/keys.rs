@@ -18,7 +18,7 @@ use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::{Key, LINES};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::all_panes;
-use cmra::tui::pages::run::charts::Window;
+use cmra::tui::pages::run::state::Window;
 use cmra::worker::{JobProgress, ReportBody};
 use crossterm::event::KeyEvent;
 

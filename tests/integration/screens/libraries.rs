@@ -2,7 +2,7 @@
 
 use cmra::files::library;
 use cmra::model::scene::PlateSize;
-use cmra::tui::message::PresetEntry;
+use cmra::tui::preset::PresetEntry;
 
 use super::bench::Bench;
 

@@ -1,20 +1,17 @@
 //! The Limit tab: keys and whole screens, on a made-up limit whose digits never change a picture.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::at_every_size;
 use super::bench::{Bench, ended};
 use crate::support::says;
-use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::compare::{Hardware, compare};
-use cmra::study::context::Context;
+use cmra::study::context::{Context, to_its_end};
 use cmra::study::limit::residual_law::ResidualLaw;
 use cmra::study::limit::{Limit, LimitMethod, Report, Shot};
 use cmra::study::monte_carlo;
-use cmra::tui::message::ExportOutcome;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{Asked, AskedFor, EqualMass, LimitSearch, Spread};
 use insta::assert_snapshot;
@@ -50,7 +47,7 @@ pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
         if let Some(Spread(task)) = Spread::of(&study.asked).map(|it| &**it) {
             let few = monte_carlo::Request { samples: Some(20), ..task.clone() };
-            let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
+            let watch = &mut to_its_end;
             let v50 = monte_carlo::sample(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
             bench.reply(study.id, ended(v50));
             continue;
@@ -93,7 +90,7 @@ fn the_limit_tab_at_every_size() {
 fn the_status_names_what_is_outside_validity_at_the_limit() {
     let mut scene = Scene::default();
     scene.target.thickness_m = 0.003;
-    let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
+    let watch = &mut to_its_end;
     let real = cmra::study::limit::find(&Arc::new(scene), &mut Context::new(1, watch));
     let at_limit = real.unwrap().at_limit;
     let mut bench = Bench::ascii(120, 36);
@@ -203,7 +200,7 @@ fn the_crosshair_walks_from_shot_to_shot() {
 }
 
 #[test]
-fn shots_are_exported_and_a_file_is_not_replaced_without_consent() {
+fn shots_are_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e");
     assert_snapshot!("limit_export", bench.screen());
@@ -211,14 +208,8 @@ fn shots_are_exported_and_a_file_is_not_replaced_without_consent() {
     let (to, text, has_scene) = bench.exported().expect("an export");
     assert!(has_scene, "runs it again");
     assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-limit.csv"));
-    assert_eq!(to.existing, Existing::Keep);
     assert_eq!(text.lines().count(), 31);
     assert!(text.starts_with("scene,impact_velocity_m_s,outcome,"));
-    bench.export_ended(ExportOutcome::Exists(to.path.clone()));
-    bench.keys("y");
-    assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
-    bench.export_ended(ExportOutcome::Written(vec![to.path]));
-    assert!(!bench.app.has_dialog());
 }
 
 #[test]
@@ -289,8 +280,8 @@ fn the_tab_and_the_commands_give_the_same_digits() {
         let json = |command: &str| read(&says(command, &[name, "--json"], 0).0);
         let mut asked = 0;
         for study in bench.studies() {
-            let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
-            let context = &mut Context::new(1, watch);
+            let mut watch = to_its_end;
+            let context = &mut Context::new(1, &mut watch);
             if let Some(LimitSearch) = LimitSearch::of(&study.asked).map(|it| &**it) {
                 let report = cmra::study::limit::find(&study.scene, context).unwrap();
                 let own = read(&cmra::report::limit::json(name, &report).to_string());

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::bench::Bench;
-use super::search::sought;
 use super::{limit, search, stability};
 use cmra::tui::keymap::Keymap;
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::{Message, PresetEntry};
+use cmra::tui::message::Message;
+use cmra::tui::preset::PresetEntry;
 use cmra::tui::theme::GlyphSet;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
@@ -65,16 +65,8 @@ fn the_exact_symbol_comes_first() {
 fn a_preset_of_a_figure_opens_its_sweep() {
     let mut bench = Bench::ascii(80, 24);
     let scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
-    let (comment, part, problem) = (String::new(), None, None);
     let name = "figure-9.8".to_owned();
-    bench.app.files.presets.push(PresetEntry {
-        name,
-        origin: "bundled",
-        scene,
-        comment,
-        part,
-        problem,
-    });
+    bench.app.files.presets.push(PresetEntry { name, scene, ..PresetEntry::default() });
     bench.press("pfigure 9.8");
     assert!(bench.screen().contains("shows on 2:Explore"), "{}", bench.screen());
     bench.press("<Enter>");
@@ -125,13 +117,6 @@ fn threads_are_chosen_in_the_options_and_used() {
     assert!(matches!(sweeps[..], [(_, 1, _)]));
     bench.press("ojjjjh<Esc>");
     assert_eq!(bench.app.settings.threads, None);
-}
-
-#[test]
-fn a_key_that_sorts_nothing_says_so() {
-    let mut bench = Bench::ascii(80, 24);
-    bench.keys("2S");
-    assert!(bench.message().contains("`S` does nothing here"), "{}", bench.message());
 }
 
 /// Each line of the options menu is found by its name.
@@ -245,7 +230,7 @@ fn no_text_has_a_key_that_is_not_in_force() {
 /// Help lists what works on the page: of Monte Carlo nothing can be loaded.
 #[test]
 fn help_leaves_out_what_a_page_has_not() {
-    let mut bench = sought((80, 24));
+    let mut bench = search::open(GlyphSet::Ascii, (80, 24));
     bench.keys("444");
     search::answer(&mut bench);
     bench.keys("?");

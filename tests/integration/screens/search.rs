@@ -84,27 +84,10 @@ pub(super) fn answer(bench: &mut Bench) {
     }
 }
 
-/// Presses keys and answers runs, sweeps and searches after each.
-pub(super) fn keys(bench: &mut Bench, keys: &[&str]) {
-    for key in keys {
-        bench.keys(key);
-        super::sweep::answer(bench);
-        answer(bench);
-    }
-}
-
 /// The Search tab with a goal seek that is done.
 pub(super) fn in_search(size: (u16, u16)) -> Bench {
     let mut bench = Bench::ascii(size.0, size.1);
     bench.press("4");
-    answer(&mut bench);
-    bench
-}
-
-/// The same, with its next pane selected.
-pub(super) fn sought(size: (u16, u16)) -> Bench {
-    let mut bench = Bench::open(GlyphSet::Ascii, size);
-    bench.keys("4<Tab>");
     answer(&mut bench);
     bench
 }
@@ -121,6 +104,7 @@ fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     true
 }
 
+/// The same, with its results selected.
 pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
     bench.keys("4<Tab>");
@@ -245,15 +229,6 @@ fn a_breach_at_the_end_of_the_range_is_named_and_explained() {
     let found =
         lines.iter().any(|line| line.0.contains("at d = 0.5: ") && line.0.contains("2.875"));
     assert!(found, "{lines:?}");
-}
-
-#[test]
-fn results_are_exported() {
-    let mut bench = open(GlyphSet::Ascii, (80, 24));
-    bench.keys("e<Enter>");
-    let (to, text, has_scene) = bench.exported().expect("an export");
-    assert!(to.path.ends_with("thesis-baseline-seek.csv") && has_scene);
-    assert!(text.starts_with("scene,kind,variable,"), "{text}");
 }
 
 /// A fused interface holds at any depth: 50 % are reached at d = 98 mm, where a real interface would be torn (`cmra seek` has the

@@ -11,10 +11,10 @@ use cmra::files::preset;
 use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
-use cmra::tui::app::Base;
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::ExportOutcome;
 use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
+use cmra::tui::preset::Base;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
 use cmra::worker::studies::{AskedFor, Found, PictureSweep, PrintedSweep};
@@ -72,14 +72,15 @@ pub(super) fn open_map(figure: &str, count: usize, glyphs: GlyphSet, size: (u16,
     bench
 }
 
-/// Press keys and answer what was requested after each.
-fn keys(bench: &mut Bench, keys: &str) {
+/// Press keys, and answer runs, sweeps and searches after each.
+pub(super) fn keys(bench: &mut Bench, keys: &str) {
     let mut rest = keys;
     while let Some(first) = rest.chars().next() {
         let name = rest.find('>').filter(|_| first == '<');
         let (key, tail) = rest.split_at(name.map_or_else(|| first.len_utf8(), |end| end + 1));
         bench.keys(key);
         answer(bench);
+        super::search::answer(bench);
         rest = tail;
     }
 }

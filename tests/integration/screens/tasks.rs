@@ -7,9 +7,10 @@ use cmra::files::library;
 use cmra::model::scene::PlateSize;
 use cmra::study::accuracy::method::Method;
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
+use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::explore;
 use cmra::tui::pages::search::state::Page;
+use cmra::tui::preset::PresetEntry;
 
 /// A bench that counts.
 struct Counted {
@@ -73,20 +74,11 @@ fn the_cocking_distance_for_60_percent_takes_1_and_for_50_percent_3_more() {
 fn opening_figure_9_8_and_loading_a_design_takes_4_and_the_moves() {
     let mut task = Counted::start();
     let found = cmra::files::preset::resolve("figure-9.8", None).unwrap();
-    let (name, comment) = (found.name, String::new());
-    let mut scene = found.scene;
+    let (name, mut scene) = (found.name, found.scene);
     for axis in &mut scene.sweep.as_mut().unwrap().axes {
         axis.count = 5;
     }
-    let (part, problem) = (None, None);
-    task.bench.app.files.presets.push(PresetEntry {
-        name,
-        origin: "bundled",
-        scene,
-        comment,
-        part,
-        problem,
-    });
+    task.bench.app.files.presets.push(PresetEntry { name, scene, ..PresetEntry::default() });
     task.key("p").text("9.8").key("<Enter>");
     assert_eq!((task.bench.app.tab, task.bench.app.pane()), (Tab::Explore, explore::RESULTS));
     let before = task.bench.app.scene.plate.mass_ratio;

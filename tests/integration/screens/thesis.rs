@@ -6,7 +6,7 @@ use cmra::study::context::CancelFlag;
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{self, Claim, Row, claims};
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::PresetEntry;
+use cmra::tui::preset::PresetEntry;
 use cmra::worker::studies::{AskedFor, Claims, Found};
 use cmra::worker::study::RowsSoFar;
 use insta::assert_snapshot;
@@ -76,16 +76,8 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
     ] {
         let mut bench = Bench::ascii(80, 24);
         let found = cmra::files::preset::resolve(preset, None).expect("a bundled preset");
-        let (name, comment) = (preset.to_owned(), String::new());
-        let scene = found.scene;
-        bench.app.files.presets.push(PresetEntry {
-            name,
-            origin: "bundled",
-            scene,
-            comment,
-            part: None,
-            problem: None,
-        });
+        let (name, scene) = (preset.to_owned(), found.scene);
+        bench.app.files.presets.push(PresetEntry { name, scene, ..PresetEntry::default() });
         bench.keys("6");
         let id = asked(&mut bench).expect("the claims are asked for");
         let rows = claims().find(|claim| claim.preset == Some(preset));

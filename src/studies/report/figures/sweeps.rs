@@ -21,7 +21,7 @@ pub fn picture(grid: &Grid, output: usize) -> Option<Picture> {
 }
 
 /// The points of a grid in their order.
-fn points(grid: &Grid, output: usize) -> impl Iterator<Item = grid::Cell> + '_ {
+pub fn points(grid: &Grid, output: usize) -> impl Iterator<Item = grid::Cell> + '_ {
     let (across, up) = grid.counts();
     (0..across).flat_map(move |x| (0..up).map(move |y| grid.cell(x, y, output)))
 }

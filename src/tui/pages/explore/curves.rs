@@ -8,12 +8,69 @@ use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
 use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
-use crate::tui::pages::explore::state::{SweepResult, nearest, no_value};
-use crate::tui::pages::explore::{RESULTS, SweepPanes};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::explore::plan::no_value;
+use crate::tui::pages::explore::state::{Picture, RESULTS, SETUP, SweepResult, nearest};
+use crate::tui::pages::page::prelude::*;
+use crate::tui::widgets::layout::{ROOMY, setup_width};
 use crate::tui::widgets::text::shortened;
 use crate::tui::widgets::text::{put, wrapped};
 use crate::worker::studies::PictureSweep;
+
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct SweepPanes {
+    /// Axes, output, held variables.
+    pub setup: Option<Rect>,
+    /// One chart or two, or the map.
+    pub plots: Vec<Rect>,
+    pub scale: Option<Rect>,
+    /// The slices through the cursor, along and up.
+    pub slices: Vec<Rect>,
+}
+
+/// The setup beside one chart, or two where there is room; or beside the map, with scale and slices at its right. On a narrow
+/// screen the pane beside the map is the one that is of use: the setup while it has the keys, else scale and slices.
+pub(crate) fn panes(app: &App, body: Rect) -> SweepPanes {
+    let on_setup = app.pane() == SETUP;
+    let (left, rest) = match (app.is_full(), on_setup) {
+        (true, true) => return SweepPanes { setup: Some(body), ..SweepPanes::default() },
+        (true, false) => (None, body),
+        (false, _) => {
+            let (left, rest) = split_left(body, setup_width(body.width));
+            (Some(left), rest)
+        }
+    };
+    let is_line = app.picture() == Picture::Line;
+    let plots = if is_line && rest.height >= 26 {
+        let (top, bottom) = split_bottom(rest, rest.height / 2);
+        vec![top, bottom]
+    } else {
+        vec![rest]
+    };
+    match left {
+        Some(left) if !is_line && (body.width >= ROOMY || !on_setup) => surface(body, left, rest),
+        setup => SweepPanes { setup, plots, ..SweepPanes::default() },
+    }
+}
+
+fn surface(body: Rect, left: Rect, rest: Rect) -> SweepPanes {
+    let (setup, map, side) = if body.width < ROOMY {
+        (None, rest, left)
+    } else {
+        let (map, side) = split_left(rest, rest.width - 32.min(rest.width));
+        (Some(left), map, side)
+    };
+    // Ten bands and the marks, within a frame; what is left goes to the slices, one where two would be too low.
+    let (scale, below) = split_bottom(side, side.height - side.height.min(13));
+    let slices = match below.height {
+        0..=5 => Vec::new(),
+        6..=15 => vec![below],
+        _ => {
+            let (top, bottom) = split_bottom(below, below.height / 2);
+            vec![top, bottom]
+        }
+    };
+    SweepPanes { setup, plots: vec![map], scale: Some(scale), slices }
+}
 
 pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));
@@ -121,8 +178,8 @@ pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f6
     let Some(found) = found.filter(is_same) else { return Vec::new() };
     let (along, repeats) = grid.counts();
     let value = |grid: &Grid, at: (usize, usize)| number(grid.cell(at.0, at.1, output));
-    let all = (0..along).flat_map(|x| (0..repeats).map(move |y| (x, y)));
-    let size = all.map(|at| value(grid, at).abs()).filter(|it| it.is_finite()).fold(0.0, f64::max);
+    let all = sweeps::points(grid, output).map(|it| number(it).abs());
+    let size = all.filter(|it| it.is_finite()).fold(0.0, f64::max);
     let curve = |y: usize| {
         let differs = |x: usize| (value(grid, (x, y)) - value(found, (x, y))).abs() > LINE * size;
         let point = |x: usize| (found.coordinate((x, y), 0), value(found, (x, y)));
@@ -183,8 +240,6 @@ struct ChartView<'a> {
     grid: &'a Grid,
     output: usize,
     column: &'static Quantity,
-    /// The value shown at every point; the second axis varies fastest.
-    points: Vec<grid::Cell>,
     scale: Scale,
     levels: Option<Levels>,
     values: chart::Axis<'static>,
@@ -193,33 +248,25 @@ struct ChartView<'a> {
 impl<'a> ChartView<'a> {
     fn of(app: &App, grid: &'a Grid) -> Self {
         let (output, column) = app.shown_output(grid);
-        let (along, up) = grid.counts();
-        let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-        let points = points.map(|(x, y)| grid.cell(x, y, output)).collect::<Vec<grid::Cell>>();
         let scale = app.pages.explore.value_scale;
         let empty = || {
             let unit = Unit::with_prefix(1.0, column.unit());
             chart::Axis::new("", ViewRange::default()).scale(scale).unit(unit)
         };
-        let values = || points.iter().map(|point| number(*point));
+        let values = || sweeps::points(grid, output).map(number);
         Self {
             levels: Levels::of(scale, values()),
             values: chart::Axis::fitted("", column.unit(), scale, values()).unwrap_or_else(empty),
             grid,
             output,
             column,
-            points,
             scale,
         }
     }
 
-    fn point(&self, (x, y): (usize, usize)) -> grid::Cell {
-        self.points[x * self.grid.counts().1 + y]
-    }
-
     /// The value shown at a point; NaN if there is none.
-    fn value(&self, point: (usize, usize)) -> f64 {
-        number(self.point(point))
+    fn value(&self, (x, y): (usize, usize)) -> f64 {
+        number(self.grid.cell(x, y, self.output))
     }
 
     fn map(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -231,7 +278,7 @@ impl<'a> ChartView<'a> {
             let why = app.keymap.shown(&no_value(self.grid, self.output).join("\n"));
             return nothing_exists(&title, &why, area, canvas);
         };
-        let cell = |x: usize, y: usize| sweeps::cell(self.point((x, y)), self.scale);
+        let cell = |x: usize, y: usize| sweeps::cell(self.grid.cell(x, y, self.output), self.scale);
         let (x, y) = app.cursor_point(self.grid);
         let map = Map {
             contour: self.contour(app).map(|level| (level, self.column.show(level, 4).into())),
@@ -297,7 +344,7 @@ impl<'a> ChartView<'a> {
                 row += 1;
             }
         }
-        let marks = sweeps::marks(self.column, self.points.iter().copied(), self.scale);
+        let marks = sweeps::marks(self.column, sweeps::points(self.grid, self.output), self.scale);
         for (letter, tone, words) in marks {
             canvas.put(inner, (2, row), &letter.to_string(), role(tone));
             let words = clip(words, usize::from(inner.width.saturating_sub(5)));

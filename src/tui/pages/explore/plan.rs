@@ -4,7 +4,7 @@ use crate::model::scene::ContactModel;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Plan, SweepError};
 use crate::tui::pages::explore::state::{Picture, has_family, sweep_of};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::page::prelude::*;
 
 impl App {
     /// The plan of a figure's curves by the scheme that the thesis prints; `None` where the scene is no figure, or drawn by it.

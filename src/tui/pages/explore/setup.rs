@@ -1,41 +1,22 @@
 //! The setup of Explore as a list: axes, output, and the variables that are held. No drawing.
 
-use std::ops::RangeInclusive;
-
 use crate::model::scene::Sweep;
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
-use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::explore::state::{
+    CURVES, Picture, SetupRow, Sweeping, completed, has_family, sweep_of,
+};
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run;
 use crate::tui::pages::run::editor::{FIELD_DIGITS, number_in};
-use crate::tui::pages::{explore, run};
-use crate::tui::widgets::axis::{meaning, numeric, over, place, whole};
+use crate::tui::widgets::axis::{Part, meaning, numeric, over, place, whole};
 use crate::tui::widgets::form::{Form, FormRow, VALUE_WIDTH, quantity_after};
 use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::text::fitting;
 use crate::tui::widgets::{around, cycled};
-
-pub use crate::tui::widgets::axis::Part;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SetupRow {
-    Heading(&'static str),
-    Axis(usize, Part),
-    Picture,
-    Curves,
-    Output,
-    /// A held variable, by index into the table.
-    Held(usize),
-}
-
-impl Default for SetupRow {
-    fn default() -> Self {
-        Self::Axis(0, Part::Name)
-    }
-}
 
 impl App {
     /// The rows of the setup, headings included.
@@ -131,9 +112,6 @@ impl App {
         .means(format!("{} (held); {}", meaning(variable), variable.allowed()))
     }
 }
-
-/// How many curves a family may have.
-pub(crate) const CURVES: RangeInclusive<u64> = 2..=7;
 
 /// What an action does to a held variable beside typing a number; `None` where it means nothing of its own.
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
@@ -278,7 +256,6 @@ fn tried(app: &mut App, change: impl FnOnce(&mut Sweeping)) -> Result<(), String
         format!("show {word}")
     };
     edit::note(app, state, label, None);
-    explore::after_edit(app);
     Ok(())
 }
 

@@ -10,8 +10,8 @@ use crate::study::compare::{self, is_equal};
 use crate::study::sweep::Axis;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::{copy_value, nearest, placed};
-use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::limit::state::{COMPARISON, EFFICIENCY_MAP};
+use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::text::put;
 use crate::worker::studies::{Comparison, EqualMass};
 

@@ -4,98 +4,12 @@ pub(crate) mod draw;
 
 use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
-use crate::report::accuracy::{TARGETS, advice, error_over_time, gain, printed_scheme, seconds};
-use crate::study::accuracy::method::{Method, Parameter};
-use crate::study::accuracy::{ComparisonOptions, Measured, MethodReport, RESULTS, Report};
-use crate::tui::chart::{Chart, Mapping};
-use crate::tui::pages::plot_columns;
-use crate::tui::pages::prelude::*;
+use crate::report::accuracy::{TARGETS, advice, gain, printed_scheme, seconds};
+use crate::study::accuracy::method::Method;
+use crate::study::accuracy::{ComparisonOptions, RESULTS};
+use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::along;
 use crate::worker::studies::Measurements;
-
-#[derive(Clone, Debug, Default)]
-pub struct Accuracy {
-    pub report: Kept<Report>,
-    /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
-    pub selected: Option<usize>,
-    /// Where the crosshair stands: a run time, s.
-    pub cursor_s: Option<f64>,
-    /// Points of the study requested last, once known.
-    pub points_in_all: usize,
-}
-
-impl Accuracy {
-    pub fn selected_row(&self) -> usize {
-        let cheapest = || {
-            // What a scene is run by, where it reaches the target.
-            self.tolerance_for(Method::Auto, TARGETS[0])?;
-            Method::ALL.iter().position(|one| *one == Method::Auto)
-        };
-        self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
-    }
-
-    /// Points measured so far.
-    fn points(&self) -> usize {
-        let methods = self.report.found.iter().flat_map(|report| &report.methods);
-        methods.map(|one| one.points.len()).sum()
-    }
-
-    pub fn method(&self) -> Method {
-        Method::ALL[self.selected_row()]
-    }
-
-    /// The loosest tolerance at which a method keeps an error.
-    pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
-        let report = self.of(method)?;
-        let good = report.measured().filter(|(_, it)| it.error() <= error);
-        good.filter_map(|(parameter, _)| match parameter {
-            Parameter::Tolerance(tolerance) => Some(tolerance),
-            Parameter::Step(_) => None,
-        })
-        .max_by(f64::total_cmp)
-    }
-
-    pub fn of(&self, method: Method) -> Option<&MethodReport> {
-        self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
-    }
-
-    /// The chart, and the run times in view.
-    pub(crate) fn chart(&self) -> Option<(Chart<'static>, ViewRange)> {
-        let chart = error_over_time(self.report.found.as_ref()?)?;
-        let times = chart.x.view;
-        Some((chart, times))
-    }
-
-    /// Puts the crosshair on a run time, s, or on the nearest in view.
-    pub fn place_cursor(&mut self, run_time_s: f64) {
-        self.cursor_s = self.chart().map(|(_, times)| run_time_s.clamp(times.lo(), times.hi()));
-    }
-
-    /// Moves the crosshair by columns of a plot so wide; it starts in the middle.
-    pub fn move_cursor(&mut self, columns: i32, width: u16) {
-        let Some((_, times)) = self.chart() else { return };
-        let view = Mapping::new(Scale::Log10, times, width);
-        let here = self.cursor_s.unwrap_or_else(|| view.value(width / 2));
-        self.place_cursor(view.stepped(here, columns));
-    }
-
-    pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Parameter, &Measured)> {
-        let report = self.of(method)?;
-        let affordable = report.measured().filter(|(_, it)| it.min_s <= time_s);
-        affordable.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
-    }
-
-    /// What is to be shown of the selected method: the best within the crosshair's time, or its quickest where that is too
-    /// short; without a crosshair its most accurate point.
-    pub fn example(&self) -> Option<(Parameter, &Measured)> {
-        let method = self.method();
-        let time_s = self.cursor_s.unwrap_or(f64::INFINITY);
-        self.best_within(method, time_s).or_else(|| {
-            let all = self.of(method)?.measured();
-            all.min_by(|a, b| a.1.min_s.total_cmp(&b.1.min_s))
-        })
-    }
-}
 
 impl App {
     /// The scene on the screen at the tolerance of what was measured: every tolerance is, whichever the scene has.
@@ -120,19 +34,15 @@ impl App {
     pub fn accuracy_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.accuracy;
         let count = tab.points();
-        let progress = match (self.jobs.running::<Measurements>(), &tab.report.found) {
-            (Some(measuring), _) => {
-                Progress::Running(format!("measuring{}", measuring.counted("of", " points")))
-            }
-            _ if tab.report.is_old(&self.accuracy_scene()) => Progress::Old("scene"),
-            (None, Some(report)) if report.is_complete => {
-                Progress::Done(format!("measured {count} points"))
-            }
-            (None, Some(_)) => Progress::Cut(format!(" after {count} points")),
-            (None, None) if self.needs_single_plate() => {
+        let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
+        let scene = self.accuracy_scene();
+        let progress = match progress::<Measurements, _>(self, &tab.report, &scene, words) {
+            None => Progress::Done(format!("measured {count} points")),
+            Some(Progress::Cut(_)) => Progress::Cut(format!(" after {count} points")),
+            Some(Progress::Nothing) if self.needs_single_plate().is_some() => {
                 Progress::Done("nothing to measure".to_owned())
             }
-            (None, None) => Progress::Nothing,
+            Some(other) => other,
         };
         let mut parts = vec![progress.part()];
         let Some(report) = &tab.report.found else { return parts };
@@ -212,15 +122,12 @@ pub(crate) fn enter(app: &mut App) {
     }
 }
 
-pub(crate) fn act(app: &mut App, action: Action) -> bool {
+pub(crate) fn act(app: &mut App, action: Action, columns: u16) -> bool {
     match action {
         Action::Run => measure(app),
         Action::Enter => use_method(app),
         _ => match along(action, 10) {
-            Some(by) => {
-                let columns = plot_columns(app);
-                app.pages.numerics.accuracy.move_cursor(by.into(), columns);
-            }
+            Some(by) => app.pages.numerics.accuracy.move_cursor(by.into(), columns),
             None => return false,
         },
     }

@@ -5,16 +5,14 @@ use crate::report;
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
-use crate::study::stability::Row;
-use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
+use crate::study::stability::map::{self, Map, Wanted};
 use crate::study::stability::others::Other;
-use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
+use crate::tui::pages::page::prelude::*;
+use crate::tui::widgets::cursor_moved;
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::NEEDS_SINGLE;
-use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{StabilityMap, StiffScenes};
-use crate::worker::study::RowsSoFar;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
@@ -34,51 +32,6 @@ pub(crate) fn stiff_scenes_words() -> String {
 /// The columns of the table of stiff scenes.
 fn keys() -> Vec<&'static str> {
     ["scene", "shortfall"].into_iter().chain(HOW_IT_RAN).chain(["reference"]).collect()
-}
-
-#[derive(Clone, Debug, Default)]
-pub struct Stability {
-    /// Which map is wanted: of each variable by one method, then by the other.
-    pub view: usize,
-    pub map: Kept<Map>,
-    /// The crosshair: column and row of the map; `None` at the present point.
-    pub cursor: Option<(usize, usize)>,
-    pub battery: Kept<RowsSoFar<Row>>,
-    /// The selected scene.
-    pub selected: usize,
-    pub table_page: usize,
-}
-
-impl Stability {
-    fn method(&self) -> FixedStep {
-        FixedStep::ALL[self.view / Axis::ALL.len() % FixedStep::ALL.len()]
-    }
-
-    fn axis(&self) -> Axis {
-        Axis::ALL[self.view % Axis::ALL.len()]
-    }
-
-    /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
-    pub fn present(&self) -> Option<(usize, usize)> {
-        self.map.found.as_ref()?.present_at()
-    }
-
-    /// Where the crosshair stands: the middle of the map where nothing else is known.
-    pub fn cursor(&self) -> Option<(usize, usize)> {
-        let map = self.map.found.as_ref()?;
-        let middle = (map.dt_s.len() / 2, map.values.len() / 2);
-        self.cursor.or_else(|| self.present()).or(Some(middle))
-    }
-
-    fn move_cursor(&mut self, by: (isize, isize)) {
-        if let (Some(at), Some(map)) = (self.cursor(), &self.map.found) {
-            self.cursor = Some(moved(at, by, (map.dt_s.len(), map.values.len())));
-        }
-    }
-
-    pub fn rows(&self) -> &[Row] {
-        self.battery.found.as_ref().map_or(&[], |battery| &battery.rows)
-    }
 }
 
 impl App {
@@ -230,7 +183,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let pane = PaneFrame::new("Map").right(app.keymap.shown("<next-pane>: stiff scenes"));
         let pane = pane.focused(focused);
         let inner = pane.draw(area, canvas);
-        let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
+        let why = app.needs_single_plate().map(|_| NEEDS_SINGLE);
         return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", why));
     };
     let title = title(found) + old;

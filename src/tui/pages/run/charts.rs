@@ -8,60 +8,12 @@ use crate::model::run::Run;
 use crate::numerics::{larger, smaller};
 use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
+use crate::tui::app::pins::RunView;
 use crate::tui::chart::Mapping;
-use crate::tui::pages::plot_columns;
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::runs::{self, RunView};
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::runs;
+use crate::tui::pages::run::state::Window;
 use crate::tui::widgets::along;
-
-/// Which part of the time is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Window {
-    /// From first contact to a little after the last change of the depth.
-    Contact,
-    Whole,
-}
-
-#[derive(Clone, Debug)]
-pub struct Charts {
-    /// Their quantities, from top to bottom.
-    pub quantities: [Channel; 3],
-    /// Which part of the time each shows.
-    pub windows: [Window; 3],
-    /// The chart the keys act on.
-    pub selected: usize,
-    /// The crosshair, s since first contact.
-    pub cursor_s: Option<f64>,
-    /// A time range chosen by zooming or panning, s, of the charts of each window; `None`: all of it.
-    pub zoom_s: [Option<ViewRange>; 2],
-    pub time_scale: Scale,
-    pub value_scales: [Scale; 3],
-    /// Curves are differences to the first pinned run.
-    pub difference: bool,
-}
-
-impl Default for Charts {
-    fn default() -> Self {
-        Self {
-            quantities: [Channel::Penetration, Channel::ContactForce, Channel::PlateDisplacement],
-            windows: [Window::Contact, Window::Contact, Window::Whole],
-            selected: 0,
-            cursor_s: None,
-            zoom_s: [None; 2],
-            time_scale: Scale::Linear,
-            value_scales: [Scale::Linear; 3],
-            difference: false,
-        }
-    }
-}
-
-impl Charts {
-    /// Whether two charts have one horizontal axis.
-    pub fn shares_axis(&self, one: usize, other: usize) -> bool {
-        let is_over_time = |at: usize| self.quantities[at].is_over_time();
-        is_over_time(one) && is_over_time(other) && self.windows[one] == self.windows[other]
-    }
-}
 
 /// The points of one run, SI.
 #[derive(Clone, Debug)]
@@ -70,6 +22,9 @@ pub struct Curve<'a> {
     /// Time, s, and value; a gap where the value is not a number.
     pub points: Vec<(f64, f64)>,
 }
+
+/// An event so near to the crosshair is under it, as a share of the range in view: half a column of a narrow chart.
+const NEAR: f64 = 0.01;
 
 /// How far beyond the range in view curves are given, as a share of it.
 const BEYOND: f64 = 0.02;
@@ -251,7 +206,7 @@ impl App {
         let cursor = self.pages.run.charts.cursor_s?;
         let run = &self.shown.as_ref()?.run;
         let (from, to) = self.time_range_s(self.pages.run.charts.selected);
-        let near = 0.5 * (to - from) / f64::from(plot_columns(self));
+        let near = NEAR * (to - from);
         run.events
             .iter()
             .filter(|event| (event.t_s - cursor).abs() <= near)
@@ -278,7 +233,8 @@ impl App {
     }
 }
 
-pub(crate) fn act(app: &mut App, action: Action) -> bool {
+/// Do what a key means in a plot of this many columns.
+pub(crate) fn act(app: &mut App, action: Action, columns: u16) -> bool {
     use Action as A;
     let selected = app.pages.run.charts.selected;
     match action {
@@ -308,7 +264,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         }
         A::Difference => difference(app),
         _ => match along(action, 10) {
-            Some(by) => app.move_cursor(by.into(), plot_columns(app)),
+            Some(by) => app.move_cursor(by.into(), columns),
             None => return false,
         },
     }

@@ -1,7 +1,6 @@
 //! The run on the screen and the pinned ones: their table, their names, pinning and copying.
 
 use std::fmt::Write as _;
-use std::time::Duration;
 
 use crate::model::run::{Outcome, Run, Warning, envelope};
 use crate::model::units;
@@ -10,53 +9,13 @@ use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison};
 use crate::report::table::Table;
 use crate::study::quantities;
+use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::chart::MARKERS;
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::RUNS;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::state::RUNS;
 use crate::tui::widgets::steps::shown_number;
 use crate::tui::widgets::table::Grid;
-
-/// The letters pins get, in order.
-pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
-
-#[derive(Clone, Debug)]
-pub struct Shown {
-    pub run: Arc<Run>,
-    /// Wall-clock time of the computation; `None` for a part kept from a cancelled job.
-    pub took: Option<Duration>,
-}
-
-/// A frozen scene with its result.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pin {
-    pub letter: char,
-    /// A few words: the preset, or what differs from it.
-    pub name: String,
-    pub scene: Arc<Scene>,
-    pub run: Option<Arc<Run>>,
-    pub visible: bool,
-    pub job: Option<u64>,
-}
-
-impl Pin {
-    /// `A: thesis-baseline`.
-    pub(crate) fn label(&self) -> String {
-        format!("{}: {}", self.letter, self.name)
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-pub struct RunView<'a> {
-    /// The pin's letter; `None` for the current run.
-    pub letter: Option<char>,
-    /// Row in the table of runs; 0 is the current run.
-    pub index: usize,
-    pub name: &'a str,
-    pub run: &'a Run,
-    /// It belongs to an older scene than the one on the screen.
-    pub old: bool,
-}
 
 impl App {
     /// The current run and the pinned ones beside each other.
@@ -123,14 +82,6 @@ impl App {
         };
         differing.into_iter().map(shown).collect::<Vec<_>>().join(" ")
     }
-}
-
-/// A value with prefix and unit, four figures: `19.26 kN`; a pure number has no prefix.
-pub fn engineering(value: f64, unit: &'static str) -> String {
-    if unit.is_empty() {
-        return significant(value, 4);
-    }
-    units::engineering(value, unit, 4)
 }
 
 /// Columns of marker, letter and a blank before the name.
@@ -206,7 +157,7 @@ pub(crate) fn difference(app: &App) -> Option<String> {
 /// Pin the scene, or unpin it where it is pinned already.
 pub(crate) fn pin_scene(app: &mut App) {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
-        return unpinned(app, pin);
+        return unpinned(app, &pin);
     }
     let name = app.name_of(&app.scene);
     let scene = Arc::clone(&app.scene);
@@ -227,16 +178,16 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
         let text = format!("this scene is pinned already, as {}", pin.letter);
         return app.tell(text);
     }
-    let Some(letter) = free_letter(app, LETTERS) else {
+    let is_free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
+    let Some(letter) = LETTERS.into_iter().find(is_free) else {
         return app
             .refuse("all eight pins A to H are taken: <mark> on one in the pane Runs unpins it");
     };
     let shown = app.shown.as_ref().filter(|it| *it.run.scene == *scene && it.took.is_some());
     let run = shown.map(|shown| Arc::clone(&shown.run));
-    let pin = Pin { letter, name, scene, run, visible: true, job: None };
+    let pin = Pin { run, ..Pin::new(letter, name, scene) };
     app.tell(format!("pinned as {}", pin.label()));
-    insert(app, pin.clone());
-    edit::note_pinned(app, pin);
+    edit::pin(app, pin);
 }
 
 /// The pin selected in the table of runs, or why there is none.
@@ -254,48 +205,13 @@ fn selected(app: &mut App) -> Option<Pin> {
 
 pub(crate) fn unpin(app: &mut App) {
     if let Some(pin) = selected(app) {
-        unpinned(app, pin);
+        unpinned(app, &pin);
     }
 }
 
-fn unpinned(app: &mut App, pin: Pin) {
-    take_away(app, &pin);
+fn unpinned(app: &mut App, pin: &Pin) {
+    edit::unpin(app, pin);
     app.tell(format!("unpinned {} (<undo> undoes)", pin.label()));
-    edit::note_unpinned(app, pin);
-}
-
-/// Take a pinned scene away. It is known by its scene, not by its letter: that may have become another one's since.
-pub(crate) fn take_away(app: &mut App, gone: &Pin) {
-    app.pins.retain(|pin| pin.scene != gone.scene);
-    app.pages.run.selected = app.pages.run.selected.min(app.pins.len());
-    app.pages.run.charts.difference &= !app.pins.is_empty();
-    app.request(Effect::SaveSession);
-}
-
-/// Put a pin back that had been taken away, under its letter or, if that is taken, the first free one.
-pub(crate) fn put_back(app: &mut App, pin: Pin) {
-    if app.pins.iter().any(|other| *other.scene == *pin.scene) {
-        return;
-    }
-    let letters = std::iter::once(pin.letter).chain(LETTERS);
-    let Some(letter) = free_letter(app, letters) else {
-        return app.refuse("all eight pins A to H are taken: nothing more was put back");
-    };
-    // A job that ran when it was removed has no receiver any more.
-    insert(app, Pin { letter, job: None, ..pin });
-}
-
-/// The first of some letters that no pin has.
-fn free_letter(app: &App, letters: impl IntoIterator<Item = char>) -> Option<char> {
-    letters.into_iter().find(|letter| app.pins.iter().all(|pin| pin.letter != *letter))
-}
-
-/// Among the pins, in the order of their letters.
-fn insert(app: &mut App, pin: Pin) {
-    let at = app.pins.partition_point(|other| other.letter < pin.letter);
-    app.pins.insert(at, pin);
-    jobs::submit_pins(app);
-    app.request(Effect::SaveSession);
 }
 
 pub(crate) fn load(app: &mut App) {

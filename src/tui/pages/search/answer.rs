@@ -4,7 +4,7 @@ use crate::model::run::envelope::Check;
 use crate::report::Remark;
 use crate::report::table::Table;
 use crate::study::sweep;
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::state::Searching;
 use crate::tui::widgets::table::Grid;
 use crate::worker::studies::SearchAnswer;

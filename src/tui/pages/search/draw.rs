@@ -1,9 +1,8 @@
 //! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
 
-use crate::tui::pages::draw_setup;
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::state::Page;
-use crate::tui::pages::search::{RESULTS, SETUP};
+use crate::tui::pages::page::draw_setup;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::state::{Page, RESULTS, SETUP};
 use crate::tui::widgets::text::first_row;
 use crate::worker::studies::SearchRequest;
 

@@ -6,7 +6,7 @@ use crate::study::quantities;
 use crate::study::search::front::{SAMPLES, USUAL};
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL};
 use crate::study::sweep::{Axis, COUNTS};
-use crate::tui::pages::search::setup::{Bound, Setup};
+use crate::tui::pages::search::state::{Bound, Setup};
 
 impl Setup {
     pub(crate) fn kept(&self) -> Search {

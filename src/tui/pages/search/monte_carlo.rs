@@ -3,11 +3,10 @@
 use crate::report::monte_carlo::{perforation, table, warnings};
 use crate::study::monte_carlo::{Report, Request, Summary, USUAL_DEVIATION, usual_tolerances};
 use crate::tui::chart::{Axis, Chart, Curve, Mark, Unit};
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::answer::{Answer, note, table_lines};
 use crate::tui::pages::search::draw::lines_below;
-use crate::tui::pages::search::setup::{Row, Setup};
-use crate::tui::pages::search::state::Searching;
+use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::widgets::text::broken;
 
 /// Columns of the histogram's bins.

@@ -6,15 +6,13 @@ use crate::study::quantities::named;
 use crate::study::search::seek::{self, Goal, Report, SCAN};
 use crate::study::sweep;
 use crate::study::sweep::PointOutcome;
-use crate::tui::app::status::outside;
+use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mark};
 use crate::tui::pages::explore::state::placed;
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::RESULTS;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::answer::{Answer, line, note};
 use crate::tui::pages::search::draw::lines_below;
-use crate::tui::pages::search::setup::{Row, Setup};
-use crate::tui::pages::search::state::Searching;
+use crate::tui::pages::search::state::{RESULTS, Row, Searching, Setup};
 use crate::tui::widgets::axis::Part;
 use crate::tui::widgets::text::broken;
 

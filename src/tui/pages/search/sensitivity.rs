@@ -6,9 +6,9 @@ use crate::study::quantities::{named, usual_of};
 use crate::study::sensitivity::{Report, Request};
 use crate::study::sweep;
 use crate::study::validity;
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::answer::{Answer, note, table_lines};
-use crate::tui::pages::search::setup::Row;
+use crate::tui::pages::search::state::Row;
 use crate::tui::widgets::text::broken;
 
 /// The columns shown.

@@ -1,88 +1,16 @@
 //! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
-use crate::model::scene::SweepAxis;
 use crate::model::variables::{self, Group, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::front::{Constraint, USUAL};
-use crate::study::search::seek::SCAN_USUAL;
 use crate::study::sweep::usual::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::state::Page;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::state::{Bound, Page, Row};
 use crate::tui::pages::search::{front, monte_carlo, seek, sensitivity};
 use crate::tui::widgets::axis::{Part, meaning, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_meaning};
 use crate::worker::studies::SearchRequest;
-
-#[derive(Clone, Debug, PartialEq)]
-pub struct Setup {
-    /// Goal seek: the variable, and the points of its scan.
-    pub seek: SweepAxis,
-    /// The result and its wanted value.
-    pub goal: (&'static str, f64),
-    /// Variables of fronts and sensitivity; empty: those of Table 9.2.
-    pub bounds: Vec<Bound>,
-    /// Which of the usual objectives count.
-    pub objectives: [bool; 4],
-    /// Bounds that designs have to keep.
-    pub subject_to: Vec<Constraint>,
-    /// Designs that are not feasible do not count.
-    pub feasible: bool,
-    /// Designs that a front tries.
-    pub designs: usize,
-    /// Measures drawn across and up, by their place.
-    pub axes: (usize, usize),
-    /// The result of sensitivity and scatter.
-    pub output: &'static str,
-    /// Relative deviation of every input, percent.
-    pub percent: f64,
-    pub samples: usize,
-}
-
-impl Default for Setup {
-    fn default() -> Self {
-        let front = crate::study::search::front::Request::default();
-        let scan = usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX);
-        Self {
-            seek: SweepAxis::linear("d", 0.0, 0.5, scan),
-            goal: ("percent_of_baseline", 60.0),
-            bounds: Vec::new(),
-            objectives: [true; 4],
-            subject_to: front.subject_to,
-            feasible: front.is_feasible,
-            designs: front.samples,
-            axes: (0, 1),
-            output: "percent_of_baseline",
-            percent: 2.0,
-            samples: 10_000,
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Row {
-    Heading(&'static str),
-    /// Goal seek: a part of its variable's axis.
-    Axis(Part),
-    Result,
-    /// The goal: what a person changes first.
-    #[default]
-    Goal,
-    Bound(usize),
-    Objective(usize),
-    /// Bounds that designs have to keep.
-    Bounds,
-    Feasible,
-    /// Designs that a front tries.
-    Designs,
-    Across,
-    Up,
-    /// The result of sensitivity and scatter.
-    Output,
-    /// Relative deviation of the inputs.
-    Percent,
-    Samples,
-}
 
 /// The effect of choosing an axis of the chart.
 const AXIS: &str = "which objective the chart shows along this axis";
@@ -234,14 +162,6 @@ impl App {
             Page::MonteCarlo => SearchRequest::MonteCarlo(monte_carlo::request(self)),
         })
     }
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub struct Bound {
-    /// The variable, and its bounds as the ends of an axis.
-    pub axis: Axis,
-    /// It is varied; otherwise held.
-    pub on: bool,
 }
 
 /// Its row in a form: `0.8..7` or `1e3..7.5e6:log`.

@@ -1,16 +1,17 @@
-//! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
+//! What the Search tab keeps: what is looked for, what was found, which design is selected.
 
-use crate::numerics::statistics::ascending;
-use crate::study::search::front::{Design, Front};
-use crate::tui::pages::explore::state::copy_value;
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::PAGES;
-use crate::tui::pages::search::answer::Answer;
-use crate::tui::widgets::layout::CHART_ROWS;
+use std::sync::Arc;
+
+use crate::model::scene::{Scene, SweepAxis};
+use crate::study::search::front::{self, Constraint};
+use crate::study::search::seek::SCAN_USUAL;
+use crate::study::sweep::Axis;
+use crate::tui::keymap::{Pane, Tab};
+use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 
-pub use crate::tui::pages::search::setup::Bound;
-pub use crate::tui::pages::search::setup::{Row, Setup};
+pub const SETUP: Pane = Pane::of(Tab::Search, 0);
+pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Page {
@@ -25,20 +26,29 @@ pub enum Page {
     MonteCarlo,
 }
 
-/// Rows of words that a chart must leave, frame included.
-const LEAST_WORDS: u16 = 6;
-
 impl Page {
     pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
 
     /// Their subject, in two or three words.
+    pub const TITLES: [&str; 4] = ["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"];
+
     pub fn title(self) -> &'static str {
-        PAGES[self as usize].name
+        Self::TITLES[self as usize]
     }
 
     /// The file proposed for an export.
     pub fn file(self) -> &'static str {
         ["seek.csv", "front.csv", "sensitivity.csv", "montecarlo.csv"][self as usize]
+    }
+
+    /// The page that asks for it.
+    pub fn of(request: &SearchRequest) -> Self {
+        match request {
+            SearchRequest::Seek(_) => Self::Seek,
+            SearchRequest::Front(_) => Self::Front,
+            SearchRequest::Sensitivity(_) => Self::Sensitivity,
+            SearchRequest::MonteCarlo(_) => Self::MonteCarlo,
+        }
     }
 }
 
@@ -64,206 +74,80 @@ pub struct Searching {
     pub sorting: Option<&'static str>,
 }
 
-impl Searching {
-    pub fn shown(&self) -> Option<&SearchResult> {
-        self.found[self.page as usize].as_ref()
-    }
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// Goal seek: the variable, and the points of its scan.
+    pub seek: SweepAxis,
+    /// The result and its wanted value.
+    pub goal: (&'static str, f64),
+    /// Variables of fronts and sensitivity; empty: those of Table 9.2.
+    pub bounds: Vec<Bound>,
+    /// Which of the usual objectives count.
+    pub objectives: [bool; 4],
+    /// Bounds that designs have to keep.
+    pub subject_to: Vec<Constraint>,
+    /// Designs that are not feasible do not count.
+    pub feasible: bool,
+    /// Designs that a front tries.
+    pub designs: usize,
+    /// Measures drawn across and up, by their place.
+    pub axes: (usize, usize),
+    /// The result of sensitivity and scatter.
+    pub output: &'static str,
+    /// Relative deviation of every input, percent.
+    pub percent: f64,
+    pub samples: usize,
+}
 
-    /// Why the page shown cannot be computed.
-    pub fn problem(&self) -> Option<&String> {
-        self.problem[self.page as usize].as_ref()
-    }
-
-    pub fn front(&self) -> Option<&Front> {
-        match &*self.found[Page::Front as usize].as_ref()?.answer {
-            SearchAnswer::Front(front) => Some(front),
-            _ => None,
+impl Default for Setup {
+    fn default() -> Self {
+        let front = front::Request::default();
+        let scan = usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX);
+        Self {
+            seek: SweepAxis::linear("d", 0.0, 0.5, scan),
+            goal: ("percent_of_baseline", 60.0),
+            bounds: Vec::new(),
+            objectives: [true; 4],
+            subject_to: front.subject_to,
+            feasible: front.is_feasible,
+            designs: front.samples,
+            axes: (0, 1),
+            output: "percent_of_baseline",
+            percent: 2.0,
+            samples: 10_000,
         }
-    }
-
-    /// The measure that the table of the front is sorted by, by its place.
-    pub fn sorted(&self, front: &Front) -> usize {
-        let mut measures = front.request.measures().into_iter();
-        let chosen = measures.position(|measure| Some(measure.name) == self.sorting);
-        chosen.unwrap_or_else(|| self.across(front).0)
-    }
-
-    /// The places of all designs of a front in the order of the table.
-    pub fn sorted_places(&self, front: &Front) -> Vec<usize> {
-        let sorted = self.sorted(front);
-        let value =
-            |design: &Design| design.measures.get(sorted).copied().flatten().unwrap_or(f64::NAN);
-        ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
-    }
-
-    /// The result of the page shown.
-    pub(crate) fn answer(&self) -> Option<&dyn Answer> {
-        Some(self.shown()?.answer.answer())
-    }
-
-    /// The places of the designs or solutions, in the order of the table.
-    pub fn order(&self) -> Vec<usize> {
-        self.answer().map_or_else(Vec::new, |answer| answer.order(self))
-    }
-
-    /// The selected design or solution, by its place among all.
-    pub fn chosen(&self) -> Option<usize> {
-        self.order().get(self.selected()).copied()
-    }
-
-    /// The designs of the front in that order.
-    pub fn designs(&self) -> Vec<&Design> {
-        let Some(front) = self.front() else { return Vec::new() };
-        self.order().into_iter().map(|at| &front.designs[at]).collect()
-    }
-
-    /// The places of the measures drawn across and up.
-    pub fn across(&self, front: &Front) -> (usize, usize) {
-        let last = front.request.measures().len().saturating_sub(1);
-        let (across, up) = self.setup.axes;
-        (across.min(last), up.min(last))
-    }
-
-    /// How many things the cursor can stand on.
-    pub fn choices(&self) -> usize {
-        self.order().len()
-    }
-
-    /// Whether there is something to draw on the page shown.
-    fn draws(&self) -> bool {
-        self.answer().is_some_and(|answer| answer.draws(self))
-    }
-
-    /// Whether a right pane of this height has no room for a chart and this many lines of text: then z shows the text alone.
-    fn is_crowded(&self, height: u16, lines: usize) -> bool {
-        // A chart is drawn where four lines are left below it, or all there are.
-        self.draws() && height < CHART_ROWS + words_rows(lines).min(LEAST_WORDS)
-    }
-
-    /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart, none where it
-    /// stands alone.
-    pub fn words_height(&self, height: u16, lines: usize) -> u16 {
-        match (self.draws(), self.is_crowded(height, lines)) {
-            (true, false) => words_rows(lines).min(height - CHART_ROWS).max(3),
-            (true, true) => 0,
-            (false, _) => height,
-        }
-    }
-
-    /// The first line shown of a page without designs to choose from.
-    pub fn scrolled(&self) -> usize {
-        self.cursor[self.page as usize].unwrap_or(0)
-    }
-
-    /// Select a row of the table; where there is none, the first line shown.
-    pub fn select(&mut self, row: usize) {
-        let order = self.order();
-        let at = if order.is_empty() { Some(row) } else { order.get(row).copied() };
-        self.cursor[self.page as usize] = at.or(self.cursor[self.page as usize]);
-    }
-
-    /// The row of the selected one of them: of a front its knee, until another one is selected; the first where there is none.
-    pub fn selected(&self) -> usize {
-        let knee = || self.knee().filter(|_| self.page == Page::Front);
-        let chosen = self.cursor[self.page as usize].or_else(knee);
-        self.order().iter().position(|at| Some(*at) == chosen).unwrap_or(0)
-    }
-
-    /// The knee of the front, by its place: the design farthest from the line between the ends of the two axes shown, each axis by its
-    /// range on the front; `None` where there is no such line.
-    pub fn knee(&self) -> Option<usize> {
-        let front = self.front()?;
-        let (across, up) = self.across(front);
-        let designs = &front.designs;
-        let place = |design: &Design| {
-            let value = |at: usize| design.measures.get(at).copied().flatten();
-            value(across).zip(value(up))
-        };
-        let places: Vec<Option<(f64, f64)>> = designs.iter().map(place).collect();
-        let shown = || places.iter().flatten();
-        let range = |of: fn(&(f64, f64)) -> f64| {
-            let least = shown().map(of).min_by(f64::total_cmp)?;
-            let most = shown().map(of).max_by(f64::total_cmp)?;
-            (most > least).then_some((least, most - least))
-        };
-        let ((x0, width), (y0, height)) = (range(|it| it.0)?, range(|it| it.1)?);
-        // Both objectives are to be small: the knee is nearest to the corner of both least values, along the diagonal.
-        let depth = |(x, y): (f64, f64)| (x - x0) / width + (y - y0) / height;
-        let known = places.iter().enumerate().filter_map(|(at, place)| Some((at, (*place)?)));
-        known.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1))).map(|(at, _)| at)
-    }
-
-    /// Whether the design selected is the knee.
-    pub fn selects_knee(&self) -> bool {
-        self.knee().is_some_and(|knee| self.order().get(self.selected()) == Some(&knee))
-    }
-
-    /// Sort the table of the front by its next objective.
-    pub fn sort_next(&mut self) {
-        let Some(front) = self.front() else { return };
-        let measures = front.request.measures();
-        let next = measures.get((self.sorted(front) + 1) % measures.len().max(1));
-        self.sorting = next.map(|measure| measure.name);
     }
 }
 
-/// Rows of a pane with a given number of lines, frame included.
-fn words_rows(lines: usize) -> u16 {
-    u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2)
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Row {
+    Heading(&'static str),
+    /// Goal seek: a part of its variable's axis.
+    Axis(Part),
+    Result,
+    /// The goal: what a person changes first.
+    #[default]
+    Goal,
+    Bound(usize),
+    Objective(usize),
+    /// Bounds that designs have to keep.
+    Bounds,
+    Feasible,
+    /// Designs that a front tries.
+    Designs,
+    Across,
+    Up,
+    /// The result of sensitivity and scatter.
+    Output,
+    /// Relative deviation of the inputs.
+    Percent,
+    Samples,
 }
 
-impl App {
-    /// What the page shown says in words, without what its chart draws.
-    pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
-        let answer = self.pages.search.answer();
-        answer.map_or_else(Vec::new, |answer| answer.lines(self, width))
-    }
-
-    /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do not
-    /// count: a design of the results may be loaded, and the others stay results.
-    pub fn search_is_old(&self) -> bool {
-        let Some(found) = self.pages.search.shown() else { return false };
-        let request = self.search_request(self.pages.search.page).ok();
-        let mut scene = (*self.scene).clone();
-        scene.sweep.clone_from(&found.scene.sweep);
-        for axis in found.answer.answer().over() {
-            copy_value(axis, &found.scene, &mut scene);
-        }
-        *found.scene != scene || request.as_ref() != Some(&found.request)
-    }
-
-    /// The design under the cursor as a scene, and what it is.
-    pub fn search_design(&self) -> Result<LabelledScene, String> {
-        let tab = &self.pages.search;
-        let Some(found) = tab.shown() else {
-            return Err(nothing::<SearchRequest>(self, BEING_COMPUTED, None));
-        };
-        if self.search_is_old() {
-            return Err(old("setup"));
-        }
-        found.answer.answer().design(self)
-    }
-}
-
-impl SearchResult {
-    /// The results as a table; the scene has this name.
-    pub fn csv(&self, name: &str) -> String {
-        self.answer.answer().csv(&self.scene, name)
-    }
-
-    pub fn is_complete(&self) -> bool {
-        self.answer.answer().is_complete()
-    }
-}
-
-impl Page {
-    /// The page that asks for it.
-    pub fn of(request: &SearchRequest) -> Self {
-        match request {
-            SearchRequest::Seek(_) => Self::Seek,
-            SearchRequest::Front(_) => Self::Front,
-            SearchRequest::Sensitivity(_) => Self::Sensitivity,
-            SearchRequest::MonteCarlo(_) => Self::MonteCarlo,
-        }
-    }
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bound {
+    /// The variable, and its bounds as the ends of an axis.
+    pub axis: Axis,
+    /// It is varied; otherwise held.
+    pub on: bool,
 }

@@ -2,8 +2,8 @@
 
 use crate::study::principles::{CONCEPTS, CRITERIA, PRINCIPLES};
 use crate::study::thesis::ClaimVerdict;
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::thesis::{self, CLAIMS};
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::thesis::state;
 use crate::tui::widgets::table::{NO_MATCH, filtered};
 use crate::worker::studies::Claims;
 
@@ -15,8 +15,8 @@ const LABEL: u16 = 12;
 
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     match app.pane() {
-        CLAIMS => claims(app, area, canvas),
-        thesis::PRINCIPLES => principles(app, area, canvas),
+        state::CLAIMS => claims(app, area, canvas),
+        state::PRINCIPLES => principles(app, area, canvas),
         _ => concepts(app, area, canvas),
     }
 }
@@ -65,7 +65,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .collect();
     let selected = lines.iter().position(|line| line.0 == tab.selected).unwrap_or(0);
     let rows = RowList { count: lines.len(), selected, painted: false };
-    let target = |line: usize| Some(Target::Row(CLAIMS, lines[line].0));
+    let target = |line: usize| Some(Target::Row(state::CLAIMS, lines[line].0));
     rows.render(canvas, inner, target, |canvas, line, at| {
         let (index, is_first, part) = &lines[at];
         let row = shown[*index];

@@ -4,8 +4,8 @@ use crate::report::accuracy;
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::chart::Emphasis;
-use crate::tui::pages::numerics::ACCURACY;
-use crate::tui::pages::prelude::*;
+use crate::tui::pages::numerics::state::ACCURACY;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::WIDE;
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::{NEEDS_SINGLE, wrapped};
@@ -49,7 +49,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
     let Some((mut chart, _)) = tab.chart() else {
         let inner = PaneFrame::new("Relative error").draw(area, canvas);
-        let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
+        let why = app.needs_single_plate().map(|_| NEEDS_SINGLE);
         let text = nothing::<Measurements>(app, "measuring the first points", why);
         return canvas.put_centred(inner, &text);
     };

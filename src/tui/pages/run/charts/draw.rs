@@ -7,13 +7,14 @@ use crate::report::figures::run::{contact_window_s, event_letter, event_marks};
 use crate::report::law::Law;
 use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
+use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
     self, Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
 };
-use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::CHARTS;
-use crate::tui::pages::run::charts::{Curve as Data, Window, is_free, is_held};
-use crate::tui::pages::run::runs::{RunView, engineering};
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::charts::{Curve as Data, is_free, is_held};
+use crate::tui::pages::run::state::{CHARTS, Window};
+use crate::tui::widgets::steps::engineering;
 use crate::tui::widgets::text::fitting;
 
 /// Rows of a chart that can be read.

@@ -1,0 +1,154 @@
+//! What the Numerics tab keeps.
+
+use crate::report::accuracy::{TARGETS, error_over_time};
+use crate::study::accuracy::method::{Method, Parameter};
+use crate::study::accuracy::{Measured, MethodReport, Report};
+use crate::study::stability::Row;
+use crate::study::stability::map::{Axis, FixedStep, Map};
+use crate::tui::app::running::Kept;
+use crate::tui::chart::{Chart, Mapping, Scale, ViewRange};
+use crate::tui::keymap::{Pane, Tab};
+use crate::tui::widgets::moved;
+use crate::worker::study::RowsSoFar;
+
+/// Error against run time.
+pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
+pub const STABILITY: Pane = Pane::of(Tab::Numerics, 1);
+pub const STIFF_SCENES: Pane = Pane::of(Tab::Numerics, 2);
+
+#[derive(Clone, Debug, Default)]
+pub struct Numerics {
+    /// Error against run time.
+    pub accuracy: Accuracy,
+    /// The map of stability and the stiff scenes.
+    pub stability: Stability,
+}
+
+#[derive(Clone, Debug, Default)]
+pub struct Accuracy {
+    pub report: Kept<Report>,
+    /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
+    pub selected: Option<usize>,
+    /// Where the crosshair stands: a run time, s.
+    pub cursor_s: Option<f64>,
+    /// Points of the study requested last, once known.
+    pub points_in_all: usize,
+}
+
+impl Accuracy {
+    pub fn selected_row(&self) -> usize {
+        let cheapest = || {
+            // What a scene is run by, where it reaches the target.
+            self.tolerance_for(Method::Auto, TARGETS[0])?;
+            Method::ALL.iter().position(|one| *one == Method::Auto)
+        };
+        self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
+    }
+
+    /// Points measured so far.
+    pub(crate) fn points(&self) -> usize {
+        let methods = self.report.found.iter().flat_map(|report| &report.methods);
+        methods.map(|one| one.points.len()).sum()
+    }
+
+    pub fn method(&self) -> Method {
+        Method::ALL[self.selected_row()]
+    }
+
+    /// The loosest tolerance at which a method keeps an error.
+    pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
+        let report = self.of(method)?;
+        let good = report.measured().filter(|(_, it)| it.error() <= error);
+        good.filter_map(|(parameter, _)| match parameter {
+            Parameter::Tolerance(tolerance) => Some(tolerance),
+            Parameter::Step(_) => None,
+        })
+        .max_by(f64::total_cmp)
+    }
+
+    pub fn of(&self, method: Method) -> Option<&MethodReport> {
+        self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
+    }
+
+    /// The chart, and the run times in view.
+    pub(crate) fn chart(&self) -> Option<(Chart<'static>, ViewRange)> {
+        let chart = error_over_time(self.report.found.as_ref()?)?;
+        let times = chart.x.view;
+        Some((chart, times))
+    }
+
+    /// Puts the crosshair on a run time, s, or on the nearest in view.
+    pub fn place_cursor(&mut self, run_time_s: f64) {
+        self.cursor_s = self.chart().map(|(_, times)| run_time_s.clamp(times.lo(), times.hi()));
+    }
+
+    /// Moves the crosshair by columns of a plot so wide; it starts in the middle.
+    pub fn move_cursor(&mut self, columns: i32, width: u16) {
+        let Some((_, times)) = self.chart() else { return };
+        let view = Mapping::new(Scale::Log10, times, width);
+        let here = self.cursor_s.unwrap_or_else(|| view.value(width / 2));
+        self.place_cursor(view.stepped(here, columns));
+    }
+
+    pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Parameter, &Measured)> {
+        let report = self.of(method)?;
+        let affordable = report.measured().filter(|(_, it)| it.min_s <= time_s);
+        affordable.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
+    }
+
+    /// What is to be shown of the selected method: the best within the crosshair's time, or its quickest where that is too
+    /// short; without a crosshair its most accurate point.
+    pub fn example(&self) -> Option<(Parameter, &Measured)> {
+        let method = self.method();
+        let time_s = self.cursor_s.unwrap_or(f64::INFINITY);
+        self.best_within(method, time_s).or_else(|| {
+            let all = self.of(method)?.measured();
+            all.min_by(|a, b| a.1.min_s.total_cmp(&b.1.min_s))
+        })
+    }
+}
+
+#[derive(Clone, Debug, Default)]
+pub struct Stability {
+    /// Which map is wanted: of each variable by one method, then by the other.
+    pub view: usize,
+    pub map: Kept<Map>,
+    /// The crosshair: column and row of the map; `None` at the present point.
+    pub cursor: Option<(usize, usize)>,
+    pub battery: Kept<RowsSoFar<Row>>,
+    /// The selected scene.
+    pub selected: usize,
+    pub table_page: usize,
+}
+
+impl Stability {
+    pub(crate) fn method(&self) -> FixedStep {
+        FixedStep::ALL[self.view / Axis::ALL.len() % FixedStep::ALL.len()]
+    }
+
+    pub(crate) fn axis(&self) -> Axis {
+        Axis::ALL[self.view % Axis::ALL.len()]
+    }
+
+    /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
+    pub fn present(&self) -> Option<(usize, usize)> {
+        self.map.found.as_ref()?.present_at()
+    }
+
+    /// Where the crosshair stands: the middle of the map where nothing else is known.
+    pub fn cursor(&self) -> Option<(usize, usize)> {
+        let map = self.map.found.as_ref()?;
+        let middle = (map.dt_s.len() / 2, map.values.len() / 2);
+        self.cursor.or_else(|| self.present()).or(Some(middle))
+    }
+
+    pub(crate) fn move_cursor(&mut self, by: (isize, isize)) {
+        if let (Some(at), Some(map)) = (self.cursor(), &self.map.found) {
+            self.cursor = Some(moved(at, by, (map.dt_s.len(), map.values.len())));
+        }
+    }
+
+    pub fn rows(&self) -> &[Row] {
+        self.battery.found.as_ref().map_or(&[], |battery| &battery.rows)
+    }
+}

@@ -1,0 +1,307 @@
+//! What every page has: its panes and their keys, what it computes when it is shown, what keys do in it, and what it says.
+
+/// What the files of the pages have in common.
+pub(crate) mod prelude {
+    pub(crate) use std::sync::Arc;
+
+    pub(crate) use super::{About, Page, PageSpec, Progress};
+    pub(crate) use super::{BEING_COMPUTED, note, nothing, progress};
+    pub(crate) use crate::model::scene::Scene;
+    pub(crate) use crate::model::units::significant;
+    pub(crate) use crate::tui::app::notice::{StatusPart, old, part};
+    pub(crate) use crate::tui::app::running::Running;
+    pub(crate) use crate::tui::app::{edit, jobs};
+    pub(crate) use crate::tui::chart::{Scale, ViewRange};
+    pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+    pub(crate) use crate::tui::message::PageTable;
+    pub(crate) use crate::tui::prelude::*;
+    pub(crate) use crate::tui::preset::LabelledScene;
+    pub(crate) use crate::tui::widgets::text::{TextLine, clip, columns, wrap};
+    pub(crate) use crate::tui::widgets::zoom::Across;
+    pub(crate) use crate::tui::widgets::{RowList, Rows, split_bottom, split_left, split_top};
+    pub(crate) use crate::worker::ReportBody;
+    pub(crate) use crate::worker::studies::AskedFor;
+}
+
+use ratatui::buffer::Buffer;
+
+use crate::model::scene::Scene;
+use crate::tui::app::Typing;
+use crate::tui::app::notice::{StatusPart, old, part};
+use crate::tui::app::running::{Kept, Running};
+use crate::tui::keymap::{Command, PaneSpec};
+use crate::tui::message::PageTable;
+use crate::tui::prelude::*;
+use crate::tui::widgets::Rows;
+use crate::tui::widgets::form::Form;
+use crate::tui::widgets::input::Field;
+use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::zoom::Across;
+use crate::worker::ReportBody;
+use crate::worker::studies::AskedFor;
+
+/// The refusal of what needs results that are under way.
+pub(crate) const BEING_COMPUTED: &str = "being computed";
+
+/// The words of a pane that has nothing to show: while its study runs, else why there is nothing.
+pub(crate) fn nothing<S: AskedFor>(
+    app: &App,
+    running: &'static str,
+    why: Option<&'static str>,
+) -> String {
+    let waits = app.jobs.running::<S>().is_some();
+    app.keymap.shown(if waits { running } else { why.unwrap_or(NO_RESULTS) })
+}
+
+/// How what a page computes stands: its words in the status row are the same on every page.
+pub(crate) enum Progress<'a> {
+    /// Under way; what is done, and how much of it.
+    Running(String),
+    Nothing,
+    /// The display belongs to another object.
+    Old(&'a str),
+    /// Stopped before its end; how far it came.
+    Cut(String),
+    Done(String),
+}
+
+impl Progress<'_> {
+    pub(crate) fn part(self) -> StatusPart {
+        let (severity, text) = match self {
+            Self::Running(what) => (Severity::Note, format!("{what} (<back> cancels)")),
+            Self::Nothing => (Severity::Note, NO_RESULTS.to_owned()),
+            Self::Old(whose) => (Severity::Warning, old(whose)),
+            Self::Cut(after) => (Severity::Warning, format!("cancelled{after}: press <run>")),
+            Self::Done(text) => (Severity::Note, text),
+        };
+        part(severity, text)
+    }
+}
+
+/// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
+pub(crate) fn progress<S: AskedFor, T>(
+    app: &App,
+    kept: &Kept<T>,
+    scene: &Scene,
+    words: impl FnOnce(&Running) -> String,
+) -> Option<Progress<'static>> {
+    match app.jobs.running::<S>() {
+        Some(running) => Some(Progress::Running(words(running))),
+        None if kept.is_old(scene) => Some(Progress::Old("scene")),
+        None if kept.found.is_none() => Some(Progress::Nothing),
+        None => (!kept.is_complete).then(|| Progress::Cut(String::new())),
+    }
+}
+
+/// A page of a tab that has several.
+pub(crate) struct PageSpec {
+    pub name: &'static str,
+    pub panes: &'static [Pane],
+}
+
+/// The constants of a tab.
+pub(crate) struct About {
+    /// Its pages, where it has several.
+    pub pages: &'static [PageSpec],
+    /// All of its panes; the first one has the focus at the start.
+    pub panes: &'static [PaneSpec],
+    /// The entries of the palette.
+    pub commands: &'static [Command],
+}
+
+/// A tab of the workbench. What applies to a pane applies to the focused one, which is one of the page's own.
+pub(crate) trait Page: Sync {
+    fn about(&self) -> About;
+
+    /// The panes shown, in the order in which Tab goes through them.
+    fn shown_panes(&self, app: &App) -> Vec<Pane> {
+        let About { panes, pages, .. } = self.about();
+        let all = || panes.iter().map(|spec| spec.pane).collect();
+        pages.get(self.shown(app)).map_or_else(all, |page| page.panes.to_vec())
+    }
+
+    /// The page shown, by its place: the first one that has the pane with the keys.
+    fn shown(&self, app: &App) -> usize {
+        let pages = self.about().pages.iter();
+        pages.take_while(|page| !page.panes.contains(&app.pane())).count()
+    }
+
+    /// Show another page; it computes what it has not.
+    fn turn_to(&self, app: &mut App, page: usize) {
+        if let Some(page) = self.about().pages.get(page) {
+            app.focus_on(page.panes[0]);
+            self.enter(app);
+        }
+    }
+
+    /// The tab is shown: it computes what it has not, for the scene there is.
+    fn enter(&self, _app: &mut App) {}
+
+    /// The scene or its sweep has changed while the tab is shown.
+    fn edited(&self, _app: &mut App) {}
+
+    /// Another of its panes has been given the keys.
+    fn focused(&self, _app: &mut App) {}
+
+    /// Do what a key means here; `false` where the page has no meaning of its own for it.
+    fn act(&self, _app: &mut App, _action: Action) -> bool {
+        false
+    }
+
+    /// Select the variable of the row that has the keys, where that has a list of words; whether it has.
+    fn lists_words(&self, _app: &mut App) -> bool {
+        false
+    }
+
+    /// Whether a key that the pane lists has nothing to act on as things are.
+    fn is_idle(&self, _app: &App, _action: Action) -> bool {
+        false
+    }
+
+    /// What stands under the cursor, or what the selected row means.
+    fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
+        None
+    }
+
+    /// The status row, the most important part first.
+    fn status(&self, app: &App) -> Vec<StatusPart>;
+
+    fn report(&self, _app: &mut App, _running: &Running, _news: &ReportBody) {}
+
+    /// The table shown, once there is anything in it.
+    fn table(&self, _app: &App) -> Option<PageTable> {
+        None
+    }
+
+    fn form(&self, _app: &App) -> Option<Form> {
+        None
+    }
+
+    /// The rows of the pane, where it is a list or a form.
+    fn rows(&self, app: &App) -> Option<Rows> {
+        self.form(app).map(|form| form.rows(app.list_rows()))
+    }
+
+    fn select(&self, _app: &mut App, _row: usize) {}
+
+    /// The text of a row that `/` searches; `None` if the pane has no search.
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        Some(self.form(app)?.row(row)?.label.clone())
+    }
+
+    /// The text that the rows of the pane are filtered by, where `/` filters them.
+    fn filter<'a>(&self, _app: &'a mut App) -> Option<&'a mut String> {
+        None
+    }
+
+    /// The text that the field of a row opens with.
+    fn text(&self, app: &App, row: usize) -> String {
+        let text = || self.form(app)?.row(row)?.text.clone();
+        text().unwrap_or_default()
+    }
+
+    /// Whether the open field takes a number with a unit.
+    fn takes_unit(&self, app: &App) -> bool {
+        self.form(app).is_some_and(|form| form.line().is_some_and(|line| line.takes_unit))
+    }
+
+    /// Whether a text differs from that of the row; a dim value has no effect at present, and gets one when it is typed again.
+    fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
+        let form = self.form(app);
+        let is_dim = form.is_some_and(|form| form.row(row).is_some_and(|it| it.role == Role::Dim));
+        is_dim || text != self.text(app, row)
+    }
+
+    /// Change the value of a row of the pane.
+    fn change(&self, _app: &mut App, _row: usize, _input: Input<'_>) -> Result<(), String> {
+        Ok(())
+    }
+
+    /// Put the cursor on a cell of the map in the pane.
+    fn go_to_cell(&self, _app: &mut App, _cell: (usize, usize)) {}
+
+    /// The axis across of the chart in the pane, where a part of it can be chosen.
+    fn across<'a>(&self, _app: &'a mut App) -> Option<Across<'a>> {
+        None
+    }
+
+    /// Put the crosshair of a chart of the pane on a value of its axis across.
+    fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}
+
+    /// Draw its panes into the body of the screen.
+    fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>);
+}
+
+/// Draw the setup of a study.
+pub(crate) fn draw_setup(app: &App, form: &Form, pane: Pane, area: Rect, canvas: &mut Canvas<'_>) {
+    let on = app.pane() == pane;
+    let hint = app.keymap.shown(if on { "" } else { "<next-pane>" });
+    let frame = PaneFrame::new("Setup").right(hint).focused(app.has_focus(pane));
+    let inner = frame.draw(area, canvas);
+    canvas.pane(area, pane);
+    form.render((pane, on), app.field(), inner, canvas);
+}
+
+pub(crate) fn note(text: Option<String>) -> Option<(Severity, String)> {
+    text.map(|text| (Severity::Note, text))
+}
+
+/// The tasks that have not ended: the tab that requested each, and its number.
+pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
+    let current = app.jobs.current.as_ref().map(|job| job.id);
+    let runs = current.into_iter().chain(app.pins.iter().filter_map(|pin| pin.job));
+    let studies = app.jobs.studies.iter().map(|running| (running.tab, running.id));
+    runs.map(|id| (Tab::Run, id)).chain(studies)
+}
+
+/// Open the field of a row of the pane that has the keys, its old text selected.
+pub(crate) fn open_field(page: &dyn Page, app: &mut App, row: usize) {
+    let text = page.text(app, row);
+    app.typing = Some(Typing::Field(Field::new(row, text)));
+}
+
+/// Move the selection of the pane by rows, stopping at the ends.
+pub(crate) fn move_by(page: &dyn Page, app: &mut App, by: isize) {
+    if let Some(rows) = page.rows(app)
+        && let Some(last) = rows.count.checked_sub(1)
+    {
+        page.select(app, rows.selected.min(last).saturating_add_signed(by).min(last));
+    }
+}
+
+/// Why a page has no table.
+pub(crate) fn nothing_yet(app: &App, what: &str) -> String {
+    if all_jobs(app).any(|(tab, _)| tab == app.tab) {
+        return "nothing is finished yet: <back> stops the job and keeps what is finished"
+            .to_owned();
+    }
+    format!("nothing to {what} yet: press <run> to compute it")
+}
+
+const FEW_COLUMNS: u16 = 40;
+
+/// The columns of the plot that the crosshair walks through, as it is drawn.
+pub(crate) fn plot_columns(page: &dyn Page, app: &App) -> u16 {
+    let columns = drawn(page, app, None).0;
+    columns.filter(|columns| *columns > 1).unwrap_or(FEW_COLUMNS)
+}
+
+/// The charts and maps on the screen, as SVG; none where the page shows none.
+pub(crate) fn pictures(page: &dyn Page, app: &App) -> Vec<String> {
+    drawn(page, app, Some(Vec::new())).1.unwrap_or_default()
+}
+
+/// What the drawing of the page says beside its cells: the columns of its plot, and its pictures where they are collected.
+fn drawn(
+    page: &dyn Page,
+    app: &App,
+    pictures: Option<Vec<String>>,
+) -> (Option<u16>, Option<Vec<String>>) {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    let mut canvas = Canvas::new(&mut buffer, app.settings.theme);
+    canvas.pictures = pictures;
+    if let Some(body) = app.layout().body {
+        page.draw(app, body, &mut canvas);
+    }
+    (canvas.plot_columns, canvas.pictures)
+}

@@ -1,0 +1,194 @@
+//! The list of variables, drawn.
+
+use crate::model::scene::SpringKind;
+use crate::model::units;
+use crate::model::variables::{self, VARIABLES, is_listed};
+use crate::report::chart::Below;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::editor::{
+    ANALYSIS, DESIGN, Editor, EditorRow, FIELD_DIGITS, is_main, number_in, short_label, shown_in,
+    shown_value,
+};
+use crate::tui::pages::run::state::VARIABLES as PANE;
+use crate::tui::widgets::input::Field;
+use crate::tui::widgets::table::filtered;
+use crate::tui::widgets::text::fitting;
+
+/// Columns of a field.
+const FIELD_WIDTH: u16 = 9;
+/// Columns within a row: cursor, mark of a change, symbol, label, value with its unit at the right end.
+const SYMBOL: u16 = 2;
+const LABEL: u16 = 9;
+/// Rows of More that are worth unfolding for.
+const UNFOLDED: u16 = 4;
+
+impl App {
+    /// The text that the field of the selected variable opens with: the number in the unit that stands behind it.
+    pub(crate) fn variable_text(&self) -> String {
+        let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);
+        number_in(self.pages.run.editor.variable(), &self.scene, unit, FIELD_DIGITS)
+    }
+}
+
+pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    let editor = &app.pages.run.editor;
+    // The main ones with the heading between them need so many rows, and the frame two.
+    let main = 15;
+    let is_unfolded = area.height >= main + 2 + UNFOLDED || !is_main(editor.variable());
+    let rows = editor.rows(&app.scene, is_unfolded);
+    let is_folded = !is_unfolded && editor.filter.is_empty();
+    let below = if is_folded && area.height < main + 2 && area.height > main {
+        Below::Nothing
+    } else {
+        Below::End
+    };
+    let height = usize::from(area.height - 1 - u16::from(below == Below::End));
+    let selected = rows.iter().position(|row| row.variable() == Some(editor.selected));
+    let first = selected.unwrap_or(0).saturating_sub(height * 2 / 3);
+    let first = first.min(rows.len().saturating_sub(height));
+    let title = match (editor.filter.is_empty(), first) {
+        (true, 0) => "Design variables".to_owned(),
+        (true, _) => "Variables".to_owned(),
+        (false, _) => filtered("Variables", &editor.filter),
+    };
+    let mut pane = PaneFrame::new(title).focused(focused).stacked(true, below);
+    if rows.len() > height {
+        pane = pane.right(format!("{}-{}/{}", first + 1, first + height, rows.len()));
+    }
+    let inner = pane.draw(area, canvas);
+    canvas.pane(area, PANE);
+    if is_folded && below == Below::End {
+        let line = Rect { y: area.bottom() - 1, height: 1, ..area };
+        let room = usize::from(area.width.saturating_sub(4));
+        canvas.put(line, (1, 0), &format!(" {} ", more_words(app, room)), Role::Text);
+        canvas.rows(line, (0, 1), |_| Some(Target::Row(PANE, DESIGN.len() + ANALYSIS.len())));
+    }
+    canvas.rows(inner, (first, rows.len()), |row| {
+        let above = rows[..row].iter().filter(|row| row.variable().is_some());
+        rows[row].variable().map(|_| Target::Row(PANE, above.count()))
+    });
+    let breaches = app.breaches();
+    let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
+    for (line, row) in inner.rows().zip(rows.iter().skip(first)) {
+        match row {
+            EditorRow::Heading(title) => {
+                let text = if *title == "More" {
+                    more_words(app, usize::from(area.width.saturating_sub(5)))
+                } else {
+                    (*title).to_owned()
+                };
+                let line = Rect { x: area.x, width: area.width, ..line };
+                PaneFrame::new(text).stacked(false, Below::Nothing).draw(line, canvas);
+            }
+            EditorRow::Variable(index) => {
+                let is_outside = outside.contains(&VARIABLES[*index].symbol);
+                variable(app, *index, is_outside, line, canvas);
+            }
+        }
+    }
+    if rows.is_empty() {
+        canvas.put(inner, (1, 0), "no variable matches", Role::Dim);
+    }
+}
+
+/// The head of More: how many there are, and which are not as usual.
+fn more_words(app: &App, room: usize) -> String {
+    let usual = Scene::default();
+    let differs = |index: &usize| {
+        let variable = &VARIABLES[*index];
+        variable.value(&app.scene) != variable.value(&usual)
+    };
+    let changed: Vec<String> = Editor::more(&app.scene)
+        .filter(differs)
+        .map(|index| {
+            let variable = &VARIABLES[index];
+            format!("{} {}", variable.symbol, shown_value(variable, &app.scene))
+        })
+        .collect();
+    let count = Editor::more(&app.scene).count();
+    let number = if changed.is_empty() { "none".to_owned() } else { changed.len().to_string() };
+    let number = format!("More: {count}, {number} changed");
+    let list = format!("More: {count}, {}", changed.join(", "));
+    let list = if changed.is_empty() { number.clone() } else { list };
+    fitting([list, number, format!("More: {count}")], room)
+}
+
+fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut Canvas<'_>) {
+    let variable = &VARIABLES[index];
+    let selected = app.pages.run.editor.selected == index;
+    let used = variables::is_used(variable, &app.scene) && is_listed(variable, &app.scene);
+    let warned = used && (is_outside || variable.range_warning(&app.scene).is_some());
+    let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
+    let role = if used { Role::Text } else { Role::Dim };
+    if differs {
+        canvas.put(line, (1, 0), "*", Role::Note);
+    }
+    let end = canvas.put(line, (SYMBOL, 0), variable.symbol, role);
+    if let Some(field) = app.field().filter(|_| selected && app.pane() == PANE) {
+        canvas.put(line, (0, 0), ">", Role::Title);
+        return open_field(app.pages.run.editor.unit(index), field, line, canvas);
+    }
+    // A blank at the right end, so that the frame is not taken for a part of the unit.
+    let room = line.width.saturating_sub(end + 2 + if warned { 2 } else { 0 });
+    let text = value_text(app, index, usize::from(room));
+    let start = line.width.saturating_sub(columns(&text) + 1).max(end + 1);
+    let flag = if warned { start.saturating_sub(2) } else { start };
+    let from = LABEL.max(end + 1);
+    let mut labels = [Some(variable.label), short_label(variable)].into_iter().flatten();
+    if let Some(label) =
+        labels.find(|label| from + columns(label) < flag && *label != variable.symbol)
+    {
+        canvas.put(line, (from, 0), label, Role::Dim);
+    }
+    canvas.put(line, (start, 0), &text, role);
+    if warned {
+        canvas.put(line, (flag, 0), "!", Role::Warning);
+    }
+    if selected {
+        canvas.put(line, (0, 0), ">", Role::Title);
+        canvas.paint_row(line, 0);
+    }
+}
+
+/// The value with its unit, as many of six figures as fit; beside the mass ratio the mass of the plate.
+fn value_text(app: &App, index: usize, room: usize) -> String {
+    let (variable, unit) = (&VARIABLES[index], app.pages.run.editor.unit(index));
+    let digits = (2..=6).rev();
+    let plain = digits.map(|digits| shown_in(variable, &app.scene, unit, digits));
+    let mass =
+        (variable.symbol == "gamma" && variables::is_used(variable, &app.scene)).then(|| {
+            let mass = units::engineering(app.scene.plate_mass_kg(), "kg", 3);
+            format!("{} ({mass})", shown_in(variable, &app.scene, unit, 6))
+        });
+    fitting(mass.into_iter().chain(plain), room)
+}
+
+/// `[ 1.25_  ] mm`, wider where the text needs it.
+fn open_field(unit: &str, field: &Field, line: Rect, canvas: &mut Canvas<'_>) {
+    let behind = columns(unit) + 2;
+    let most = line.width.saturating_sub(behind + LABEL + 1);
+    let room = (columns(field.text.value()) + 1).max(FIELD_WIDTH).min(most);
+    let start = line.width.saturating_sub(behind + room + 1);
+    field.draw_boxed(canvas, line, start, room);
+    canvas.put(line, (start + room + 2, 0), unit, Role::Dim);
+}
+
+/// The points of the spring whose kind the selected variable is, in words, where it is a table.
+pub(crate) fn measured(app: &App) -> Option<String> {
+    let spring = &app.scene.mechanism.spring;
+    let is_kind = app.pages.run.editor.variable().key == "mechanism.spring.kind";
+    (is_kind && spring.kind == SpringKind::Table).then(|| extent(&spring.table.points))
+}
+
+/// `3 points, x = 0 to 0.05 m`.
+pub(crate) fn extent(points: &[[f64; 2]]) -> String {
+    match (points.first(), points.last()) {
+        (Some(first), Some(last)) => format!(
+            "{} points, x = {} to {} m",
+            points.len(),
+            units::shortest(first[0]),
+            units::shortest(last[0])
+        ),
+        _ => "no points".to_owned(),
+    }
+}

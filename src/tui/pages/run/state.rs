@@ -1,0 +1,76 @@
+//! What the Run tab keeps.
+
+use crate::report::series::Channel;
+use crate::tui::chart::{Scale, ViewRange};
+use crate::tui::keymap::{Pane, Tab};
+use crate::tui::pages::run::editor::Editor;
+
+pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
+pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
+pub const RUNS: Pane = Pane::of(Tab::Run, 2);
+
+#[derive(Clone, Debug)]
+pub struct RunPage {
+    pub editor: Editor,
+    pub charts: Charts,
+    /// The row selected in the table of runs: 0 is the current run.
+    pub selected: usize,
+    /// The current run is drawn.
+    pub shows_current: bool,
+}
+
+impl Default for RunPage {
+    fn default() -> Self {
+        let (editor, charts, selected) = Default::default();
+        Self { editor, charts, selected, shows_current: true }
+    }
+}
+
+/// Which part of the time is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Window {
+    /// From first contact to a little after the last change of the depth.
+    Contact,
+    Whole,
+}
+
+#[derive(Clone, Debug)]
+pub struct Charts {
+    /// Their quantities, from top to bottom.
+    pub quantities: [Channel; 3],
+    /// Which part of the time each shows.
+    pub windows: [Window; 3],
+    /// The chart the keys act on.
+    pub selected: usize,
+    /// The crosshair, s since first contact.
+    pub cursor_s: Option<f64>,
+    /// A time range chosen by zooming or panning, s, of the charts of each window; `None`: all of it.
+    pub zoom_s: [Option<ViewRange>; 2],
+    pub time_scale: Scale,
+    pub value_scales: [Scale; 3],
+    /// Curves are differences to the first pinned run.
+    pub difference: bool,
+}
+
+impl Default for Charts {
+    fn default() -> Self {
+        Self {
+            quantities: [Channel::Penetration, Channel::ContactForce, Channel::PlateDisplacement],
+            windows: [Window::Contact, Window::Contact, Window::Whole],
+            selected: 0,
+            cursor_s: None,
+            zoom_s: [None; 2],
+            time_scale: Scale::Linear,
+            value_scales: [Scale::Linear; 3],
+            difference: false,
+        }
+    }
+}
+
+impl Charts {
+    /// Whether two charts have one horizontal axis.
+    pub fn shares_axis(&self, one: usize, other: usize) -> bool {
+        let is_over_time = |at: usize| self.quantities[at].is_over_time();
+        is_over_time(one) && is_over_time(other) && self.windows[one] == self.windows[other]
+    }
+}

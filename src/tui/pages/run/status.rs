@@ -1,0 +1,158 @@
+//! What the Run tab says of its run: the selected variable, the crosshair, the status row.
+
+use crate::model::run::{EndReason, EstimateBasis, Outcome, Run};
+use crate::model::units::in_unit;
+use crate::report::series::Channel;
+use crate::tui::app::notice::demand;
+use crate::tui::app::pins::RunView;
+use crate::tui::app::show_duration;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::editor::draw::measured;
+use crate::tui::widgets::steps::engineering;
+
+impl App {
+    /// What the selected variable means, with its source where there is room.
+    pub(crate) fn variable_words(&self, room: usize) -> String {
+        let variable = self.pages.run.editor.variable();
+        let idle = !crate::model::variables::is_used(variable, &self.scene);
+        let note = if idle { " (no effect here)" } else { "" };
+        let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
+        if let Some(points) = measured(self) {
+            return clip(&format!("{text}; {points}: <enter>"), room);
+        }
+        let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);
+        let range = variable.number().and_then(|number| {
+            let (low, high) = number.thesis_range?;
+            let show = |value| in_unit(value, unit, number.quantity).map(|it| significant(it, 6));
+            Some(format!("thesis {} to {} {unit}", show(low)?, show(high)?))
+        });
+        let range = range.unwrap_or_else(|| variable.allowed());
+        let long = format!("{text}; {}", range.trim_end());
+        // Cut, not wrapped: `?` has all of it.
+        if long.chars().count() <= room { long } else { clip(&text, room) }
+    }
+
+    /// Everything at the crosshair: the current run in full, the others in the selected chart's quantity.
+    pub fn readout(&self) -> String {
+        let Some(cursor) = self.pages.run.charts.cursor_s else {
+            return String::new();
+        };
+        let mut parts = vec![format!("t {}", engineering(cursor, "s"))];
+        let selected = self.pages.run.charts.quantities[self.pages.run.charts.selected];
+        let full = [
+            Channel::Penetration,
+            Channel::ContactForce,
+            Channel::ProjectileVelocity,
+            Channel::PlateVelocity,
+            Channel::PlateDisplacement,
+        ];
+        let views = self.visible_runs();
+        for view in views.iter().rev() {
+            let quantities: &[Channel] =
+                if view.letter.is_none() { &full } else { std::slice::from_ref(&selected) };
+            let values: Vec<String> = quantities
+                .iter()
+                .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)))
+                // A value is not broken away from its symbol and unit.
+                .map(|text| text.replace(' ', "\u{a0}"))
+                .collect();
+            let values = values.join("  ");
+            // Alone, the run needs no name.
+            parts.push(match views.len() {
+                1 => values,
+                _ => format!("{} {values}", short_name(view)),
+            });
+        }
+        parts.extend(self.event_at_cursor().map(str::to_owned));
+        parts.join(" | ")
+    }
+
+    pub(crate) fn run_status(&self) -> Vec<StatusPart> {
+        let state = self.state_words();
+        let is_done = self.shown.as_ref().is_some_and(|shown| {
+            shown.took.is_some() && shown.run.end.is_complete() && !self.shows_old()
+        });
+        let mut parts = if is_done { self.cost_words().into_iter().collect() } else { vec![state] };
+        let Some(shown) = &self.shown else {
+            return parts;
+        };
+        let run = &shown.run;
+        if shown.took.is_none() && self.jobs.current.is_some() {
+            // What will become of it is not known yet.
+            parts.push(part(Severity::Note, "the curve so far".to_owned()));
+            return parts;
+        }
+        if let Some(stack) = &run.stack {
+            let severity = match stack.outcome {
+                Outcome::Arrested | Outcome::Separated => Severity::Note,
+                Outcome::Perforated | Outcome::Moving => Severity::Warning,
+            };
+            let short = format!("stack {}", stack.outcome.word());
+            parts.push((severity, stack.sentence(), short));
+        } else if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates {
+            parts.push(part(Severity::Warning, "moving after many oscillations".to_owned()));
+        }
+        parts.extend(demand(run).map(|text| part(Severity::Warning, text)));
+        parts.extend(self.validity_part());
+        parts
+    }
+
+    /// The estimated error of the run, and how long it took with the estimate.
+    fn cost_words(&self) -> Option<StatusPart> {
+        let shown = self.shown.as_ref()?;
+        let took = show_duration(shown.took?);
+        let error = shown.run.error_estimate.map(|estimate| match estimate.basis {
+            EstimateBasis::OutcomeDiffers(_) => "error unknown".to_owned(),
+            _ if estimate.relative == 0.0 => "exact".to_owned(),
+            _ => format!("error {:.0e}", estimate.relative),
+        });
+        let text = error.map_or_else(|| took.clone(), |error| format!("{error}, {took}"));
+        let long = format!("{text} with its estimate");
+        Some((Severity::Note, long, text))
+    }
+
+    fn state_words(&self) -> StatusPart {
+        if let Some(job) = &self.jobs.current
+            && (self.jobs.overdue || self.shown.as_ref().is_none_or(|shown| shown.took.is_none()))
+        {
+            let text = job.reached_s.map_or_else(
+                || "running".to_owned(),
+                |t_s| {
+                    let (seconds, t) = (job.elapsed.as_secs_f64(), engineering(t_s, "s"));
+                    format!("running for {seconds:.1} s, at t = {t}")
+                },
+            );
+            return part(Severity::Note, format!("{text} (<back> cancels)"));
+        }
+        if self.jobs.failure.is_some() {
+            return part(Severity::Error, "failed: see <tab-log>:Log");
+        }
+        match &self.shown {
+            None => part(Severity::Note, NO_RESULTS),
+            Some(_) if self.is_stale() && self.jobs.current.is_none() => {
+                (Severity::Warning, old("scene"), "old: press <run>".to_owned())
+            }
+            Some(shown) => match shown.took {
+                Some(took) if shown.run.end.is_complete() => {
+                    part(Severity::Note, format!("done {}", show_duration(took)))
+                }
+                Some(_) => part(Severity::Warning, "ended early"),
+                None => part(Severity::Warning, "cancelled: a part is shown"),
+            },
+        }
+    }
+}
+
+/// `now`, or the pin's letter.
+fn short_name(view: &RunView<'_>) -> String {
+    view.letter.map_or_else(|| "now".to_owned(), String::from)
+}
+
+/// The value at a time with unit, `-` outside the run.
+fn value_at(run: &Run, quantity: Channel, t_s: f64) -> String {
+    let value = quantity.at(run, t_s);
+    if quantity == Channel::Penetration && value.is_some_and(|depth| depth < 0.0) {
+        return "out".to_owned();
+    }
+    value.map_or_else(|| "-".to_owned(), |value| engineering(value, quantity.unit()))
+}

@@ -1,0 +1,24 @@
+//! What the Thesis tab keeps.
+
+use crate::study::thesis::Row;
+use crate::tui::app::running::Kept;
+use crate::tui::keymap::{Pane, Tab};
+use crate::worker::study::RowsSoFar;
+
+pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
+pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
+pub const CONCEPTS: Pane = Pane::of(Tab::Thesis, 2);
+
+#[derive(Clone, Debug, Default)]
+pub struct Thesis {
+    pub report: Kept<RowsSoFar<Row>>,
+    /// The claims shown match this.
+    pub find: String,
+    pub selected: usize,
+}
+
+impl Thesis {
+    pub fn rows(&self) -> &[Row] {
+        self.report.found.as_ref().map_or(&[], |report| &report.rows)
+    }
+}
