@@ -35,7 +35,6 @@ pub mod contact_kernel;
 pub mod contact_models;
 pub mod design;
 pub mod estimate;
-mod fixed_plate;
 pub mod impact;
 pub mod library;
 pub mod mechanism;

@@ -3,7 +3,7 @@
 //! `collocation` is the one method of the engine for smooth, stiff and steep alike, `explicit` the Runge-Kutta methods that it is
 //! compared with; both give a `step` as polynomials, on which `locate` finds the first event. [`root`] finds a zero in a bracket,
 //! [`quadrature`] integrates, `maximum` and [`minimum`] search extremes, `monotone` interpolates data; [`random`], [`sobol`] and
-//! [`statistics`] serve samples; `exponential` has the functions of closed forms.
+//! [`statistics`] serve samples.
 //!
 //! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
 //! is bounded.
@@ -11,7 +11,6 @@
 pub(crate) mod collocation;
 pub(crate) mod crossing;
 pub(crate) mod explicit;
-pub(crate) mod exponential;
 pub(crate) mod locate;
 pub(crate) mod maximum;
 pub mod minimum;
@@ -19,11 +18,9 @@ pub(crate) mod monotone;
 pub mod quadrature;
 pub mod random;
 pub mod root;
-pub(crate) mod series;
 pub mod sobol;
 pub mod statistics;
 pub(crate) mod step;
-pub(crate) mod taylor;
 
 /// The larger of two numbers; NaN when either is NaN (unlike `f64::max`, which hides it).
 pub fn larger(a: f64, b: f64) -> f64 {

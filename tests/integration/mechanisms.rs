@@ -1,7 +1,7 @@
 //! Whole runs on every kind of mechanism, against closed forms and against each other.
 
 use cmra::files::read;
-use cmra::model::contact_kernel::contact_end;
+use cmra::model::contact_kernel::Contact;
 use cmra::model::mechanism::Mechanism;
 use cmra::model::run::{Outcome, Run};
 use cmra::model::scene::{Scene, SpringKind};
@@ -246,7 +246,7 @@ fn random_mechanisms_keep_their_energy() {
 fn the_contact_kernel_leaves_curves_to_the_simulation() {
     for kind in SpringKind::ALL {
         let own = scene(&format!("spring={}", kind.word()));
-        let quick = contact_end(&own, own.run.tolerance);
+        let quick = Contact::of(&own).run(own.run.tolerance);
         let is_curve = Mechanism::of(&own).spring.curve().is_some();
         assert_eq!(quick.is_none(), is_curve, "{}", kind.word());
         if let Some(quick) = quick {

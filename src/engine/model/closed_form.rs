@@ -8,7 +8,6 @@
 use crate::model::contact::Geometry;
 use crate::model::mechanism::moving_plate_kg;
 use crate::model::scene::Scene;
-use crate::numerics::exponential::ln_one_plus;
 use crate::numerics::quadrature::resolved;
 
 /// One-body penetration with a reduced mass.
@@ -69,7 +68,7 @@ impl<'a> Passage<'a> {
         if c == 0.0 {
             return Some(0.5 * v * v / (s * self.mobility_per_kg));
         }
-        Some(0.5 / (c * self.mobility_per_kg) * ln_one_plus(c * v * v / s))
+        Some(0.5 / (c * self.mobility_per_kg) * (c * v * v / s).ln_1p())
     }
 
     /// Where it ends.

@@ -1,69 +1,45 @@
 //! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps
 //! and searches that request nothing else.
 //!
-//! A contact is planned before it is run ([`Contact::of`]). Without spring and damper it is done in closed form (`free.rs`). Else
-//! the Taylor recurrence of `motion.rs` is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`)
-//! and integrated step by step (`integration.rs`). A law that is singular at the start either hardly matters in the first step
-//! (`perturbation_start.rs`), or the start is placed by a balance of powers (`similarity_start.rs`). The plate may follow the
-//! slow manifold of a stiff spring (`slow_manifold.rs`, `slow_manifold_series.rs`). Scenes it is not made for (a stop, an oblique
-//! section across the cylinder, a plate that comes back through a singular point, a damper too strong for its steps) are left to
-//! the simulation: [`Contact::run`] returns `None`.
+//! Without spring and damper a contact has a closed form. Else its Taylor recurrence is unrolled at compile time for each kind of
+//! spring and damper (`law.rs`, `expansion.rs`) and integrated step by step (`integration.rs`). A law that is singular where the plate
+//! starts is put in a moment later (`start.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a
+//! plate that comes back through a singular point, one that a spring or damper holds too stiffly for its steps) are left to the
+//! simulation: [`Contact::run`] returns `None`.
 
-use crate::model::closed_form::Passage;
+use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
-use crate::model::fixed_plate::plate_is_fixed;
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
-use expansion::{Constants, StepTime};
-use integration::{InitialPhase, Plan};
-use similarity_start::Start;
-use slow_manifold_series::MANIFOLD_BELOW;
-
-/// An expression compiled for each number of terms.
-macro_rules! by_terms {
-    ($terms:expr, $n:ident => $expression:expr) => {
-        match $terms {
-            crate::model::contact_kernel::TERMS_LOOSE => {
-                const $n: usize = crate::model::contact_kernel::TERMS_LOOSE;
-                $expression
-            }
-            crate::model::contact_kernel::TERMS => {
-                const $n: usize = crate::model::contact_kernel::TERMS;
-                $expression
-            }
-            _ => {
-                const $n: usize = crate::model::contact_kernel::TERMS_TIGHT;
-                $expression
-            }
-        }
-    };
-}
+use expansion::{Constants, Series, StepTime};
+use fixed_plate::plate_is_fixed;
+use integration::{Accuracy, Progress};
+use law::{Linear, Power};
+use start::Start;
 
 mod expansion;
-mod free;
+mod fixed_plate;
 mod integration;
 mod law;
-mod perturbation_start;
-mod plain;
-mod similarity_start;
-mod slow_manifold;
-mod slow_manifold_series;
+mod start;
 
-/// Terms of the expansion, for tolerances from [`LOOSE`] up, down to [`TIGHT`], and below.
-const TERMS_LOOSE: usize = 11;
-const TERMS: usize = 14;
-const TERMS_TIGHT: usize = 18;
-const LOOSE: f64 = 3e-6;
-const TIGHT: f64 = 3e-10;
-/// How tight a singular start of a plate on the slow manifold of its spring can be made.
-const MANIFOLD_TOLERANCE_MIN: f64 = 1e-11;
 /// Part of the force that is reached at least, if it grew as at first contact.
 const GROWN_PART: f64 = 0.3;
-/// The least part of a tolerance that is used for the plate's sake: less is within rounding.
-const PLATE_TOLERANCE_MIN: f64 = 1e-4;
-/// First unit of a graded clock, relative to where it starts.
+/// The least velocity of the plate that counts, as part of that of the projectile: less is within rounding.
+const PLATE_PART_MIN: f64 = 1e-4;
+/// First unit of a step, relative to the contact's duration and, on a graded clock, to where it starts.
+const EVEN_UNIT: f64 = 0.5;
 const GRADED_UNIT: f64 = 0.6;
+/// Shots that leave with less than this part of their velocity are integrated: the closed form gives their velocity few digits.
+const SLOW_EXIT: f64 = 0.05;
+/// Time up to which a plate is expanded without its singular laws, as part of the contact's duration.
+const MOMENT_MAX: f64 = 0.1;
+
+/// Exponent below which the plate oscillates on its spring so fast at first that every step must follow it.
+const STEEP_BELOW: f64 = 0.5;
+/// Radians by which a plate may oscillate ahead.
+const RADIANS_MAX: f64 = 2.0 * integration::STEPS_MAX as f64;
 
 /// One contact, prepared: everything that does not change during the contact.
 #[derive(Clone, Debug)]
@@ -71,35 +47,17 @@ pub struct Contact {
     geometry: Geometry,
     spring: PowerLaw,
     damper: PowerLaw,
+    /// Or none at all.
+    has_linear_spring: bool,
+    has_linear_damper: bool,
     constants: Constants,
     start_m: f64,
     /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
     scale_s: Option<f64>,
+    /// How far the plate comes at least on a spring that starts steep at zero, m.
+    steep_reach_m: Option<f64>,
     /// A spring that is not a power law, a stop, or another interaction model.
     left_to_others: bool,
-}
-
-/// Which of the laws are singular where the contact starts.
-#[derive(Clone, Copy)]
-struct Singular {
-    spring: bool,
-    damper: bool,
-}
-
-/// Whether a law is linear, or none at all.
-fn is_linear(law: PowerLaw) -> bool {
-    matches!(law.kind(), PowerKind::Absent | PowerKind::Linear)
-}
-
-/// Whether a damper cannot be expanded at rest: any but a linear one and a square.
-fn is_singular(damper: PowerLaw) -> bool {
-    !is_linear(damper) && damper.kind() != PowerKind::Whole(2)
-}
-
-/// The contact of a valid scene to the relative accuracy `tolerance`, prepared no further than it needs; `None` where the
-/// simulation is needed.
-pub fn contact_end(scene: &Scene, tolerance: f64) -> Option<ContactEnd> {
-    free::contact_end(scene, tolerance).or_else(|| Contact::of(scene).run(tolerance))
 }
 
 /// How a contact ended.
@@ -121,6 +79,11 @@ pub struct ContactEnd {
     pub steps: usize,
 }
 
+/// Whether a law is linear, or none at all.
+fn is_linear(law: PowerLaw) -> bool {
+    matches!(law.kind(), PowerKind::Absent | PowerKind::Linear)
+}
+
 impl Contact {
     /// Prepare the contact of a scene that has been validated.
     pub fn of(scene: &Scene) -> Self {
@@ -135,139 +98,158 @@ impl Contact {
             mechanism.damper = PowerLaw::NONE;
         }
         let moves = scene.plate.mount == Mount::Sprung && !still;
+        let spring = mechanism.spring.power().unwrap_or(PowerLaw::NONE);
+        let damper = mechanism.damper;
         let mut contact = Self {
             geometry,
-            spring: mechanism.spring.power().unwrap_or(PowerLaw::NONE),
-            damper: mechanism.damper,
+            spring,
+            damper,
+            has_linear_spring: is_linear(spring),
+            has_linear_damper: is_linear(damper),
             constants: Constants::of(scene, cos, moves),
             start_m: if moves { start_m } else { 0.0 },
             scale_s: None,
+            steep_reach_m: None,
             left_to_others: mechanism.spring.curve().is_some()
                 || mechanism.stop.is_some()
                 || scene.contact.model != ContactModel::Hydrodynamic,
         };
         contact.scale_s = contact.scale();
+        let is_steep = contact.is_singular_spring() && contact.spring.exponent < STEEP_BELOW;
+        contact.steep_reach_m = if is_steep { contact.reach_m() } else { None };
         contact
     }
 
     /// Run it to the relative accuracy `tolerance`; `None` where the simulation is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
-        let mut initial_phase = self.initial_phase(tolerance);
-        if let InitialPhase::OnManifold(manifold_run) = &initial_phase {
-            initial_phase = self.end_of_manifold(manifold_run);
-        }
-        match initial_phase {
-            InitialPhase::Ended(end) => Some(end),
-            InitialPhase::Steps(plan) => self.plan(&plan),
-            InitialPhase::OnManifold(_) | InitialPhase::Left => None,
-        }
+        self.run_to(tolerance, f64::INFINITY)
     }
 
-    /// As [`Contact::run`], with the plate's displacement, too, to this accuracy relative to itself: where that is far shorter than the
-    /// travel, to a tighter one.
+    /// As [`Contact::run`], with the plate's displacement, too, to this accuracy relative to itself.
     pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
-        self.run(tolerance * self.plate_share().unwrap_or(1.0))
+        let moves = self.constants.plate_mobility > 0.0 && self.start_m == 0.0;
+        let minds = moves && !self.spring.is_absent();
+        self.run_to(tolerance, if minds { self.reach_m()? } else { f64::INFINITY })
     }
 
-    /// The plate's displacement over the travel, if it is the shorter and not known relative to itself anyway.
-    fn plate_share(&self) -> Option<f64> {
-        let moves = self.constants.plate_mobility > 0.0 && self.start_m == 0.0;
-        if !moves || self.spring.is_absent() || self.spring_manifold().is_some() {
+    fn run_to(&self, tolerance: f64, plate_m: f64) -> Option<ContactEnd> {
+        if self.left_to_others {
             return None;
         }
-        let fraction = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s?);
-        Some(larger(smaller(fraction, 1.0), PLATE_TOLERANCE_MIN))
+        if self.spring.is_absent()
+            && self.damper.is_absent()
+            && let Some(end) = self.closed()
+        {
+            return Some(end);
+        }
+        let accuracy = Accuracy { tolerance, plate_m };
+        self.integrate(self.begin(accuracy)?, accuracy)
+    }
+
+    /// A contact that only inertia resists, in closed form.
+    fn closed(&self) -> Option<ContactEnd> {
+        let Constants { slip_mobility, plate_mobility, cos, velocity_m_s, .. } = self.constants;
+        let passage = Passage {
+            geometry: &self.geometry,
+            mobility_per_kg: slip_mobility,
+            strength_pa: self.constants.strength_pa,
+            drag_kg_m3: self.constants.drag_kg_m3,
+            velocity_m_s,
+        };
+        let ending = passage.ending();
+        let (travel_m, slip) = match ending {
+            Ending::Exit { velocity_m_s } => (self.geometry.exit_m, velocity_m_s),
+            Ending::Arrest { travel_m } => (travel_m, 0.0),
+        };
+        let arrested = matches!(ending, Ending::Arrest { .. });
+        if !arrested && slip < SLOW_EXIT * velocity_m_s {
+            return None;
+        }
+        let t_s = passage.history(ending, Rule::FINE).last()?.t_s;
+        let fraction = cos * plate_mobility / slip_mobility;
+        let plate_displacement_m = self.start_m + fraction * (velocity_m_s * t_s - travel_m);
+        Some(ContactEnd {
+            arrested,
+            t_s,
+            penetration_m: self.geometry.depth_m(travel_m),
+            plate_displacement_m,
+            plate_velocity_m_s: fraction * (velocity_m_s - slip),
+            max_displacement_m: plate_displacement_m,
+            steps: 0,
+        })
+    }
+
+    /// Whether the spring is singular where the plate starts.
+    fn is_singular_spring(&self) -> bool {
+        self.start_m == 0.0 && !self.has_linear_spring
+    }
+
+    /// The first moment of the contact: first contact itself, or a little later where a law is singular there.
+    fn begin(&self, accuracy: Accuracy) -> Option<Progress> {
+        let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
+        let (start_m, scale_s) = (self.start_m, self.scale_s?);
+        let unit_s = EVEN_UNIT * scale_s;
+        let begin = Progress {
+            t_s: 0.0,
+            state: [0.0, velocity_m_s, start_m, 0.0],
+            clock: StepTime::Even { unit_s },
+            piece: 0,
+            max_displacement_m: start_m,
+            steps: 0,
+        };
+        if self.has_linear_damper && !self.is_singular_spring() {
+            return Some(begin);
+        }
+        let series = self.without_laws(&begin)?;
+        let plate_m_s = smaller(accuracy.plate_m / scale_s, velocity_m_s);
+        let start = Start {
+            spring: self.spring.only_if(start_m == 0.0),
+            damper: self.damper,
+            plate_kg: 1.0 / plate_mobility,
+            cos,
+            from_m: start_m,
+            tolerance: accuracy.tolerance,
+            scale_m_s: larger(plate_m_s, PLATE_PART_MIN * velocity_m_s),
+            duration_s: scale_s,
+        };
+        let trusted = series.trusted(accuracy.tolerance, velocity_m_s, f64::INFINITY);
+        let (t_s, state) =
+            start.place(&series, unit_s, smaller(trusted, MOMENT_MAX / EVEN_UNIT))?;
+        if self.steep_reach_m.is_some() && self.radians_ahead(t_s, state[2])? > RADIANS_MAX {
+            return None;
+        }
+        let s = t_s.cbrt();
+        let inside = state[0] < self.geometry.pieces().first()?.to_m && state[1] > 0.0;
+        let clock = StepTime::Graded { s, unit: GRADED_UNIT * s };
+        inside.then_some(Progress { t_s, state, clock, steps: 1, ..begin })
+    }
+
+    /// The contact from its beginning without spring and damper, but with the preload of a cocked spring.
+    fn without_laws(&self, begin: &Progress) -> Option<Series> {
+        let (state, rates, area) = (begin.state, begin.clock.rates(), self.area_law(begin.piece)?);
+        let none = Linear(0.0);
+        Some(if self.start_m == 0.0 {
+            self.constants.expand::<false>(none, none, state, rates, area)
+        } else if self.has_linear_spring {
+            let spring = Linear(self.spring.coefficient);
+            self.constants.expand::<false>(spring, none, state, rates, area)
+        } else {
+            self.constants.expand::<false>(Power::of(self.spring), none, state, rates, area)
+        })
+    }
+
+    /// By how many radians the plate will oscillate on a spring that starts at zero, if it is at `plate_m` by the time `t_s`: the
+    /// rate grows with the power (n - 1)/(2 n) of time.
+    fn radians_ahead(&self, t_s: f64, plate_m: f64) -> Option<f64> {
+        let rate = (self.spring.tangent(plate_m) * self.constants.plate_mobility).sqrt();
+        let power = 1.5 - 0.5 / self.spring.exponent;
+        Some(rate * t_s * ((self.scale_s? / t_s).powf(power) - 1.0) / power)
     }
 
     /// How far the plate comes at least: where the spring holds a part of the contact force that is reached for certain, m.
     fn reach_m(&self) -> Option<f64> {
         let force_n = GROWN_PART * self.growth_n_s()? * self.scale_s? * self.constants.cos;
         Some(self.spring.at_force(force_n))
-    }
-
-    /// The contact up to where plain steps begin, or to its end where it needs none.
-    fn initial_phase(&self, tolerance: f64) -> InitialPhase {
-        if self.left_to_others {
-            return InitialPhase::Left;
-        }
-        if let Some(end) = self.closed(tolerance) {
-            return InitialPhase::Ended(end);
-        }
-        let terms = self.terms(tolerance);
-        if let Some(manifold) = self.spring_manifold()
-            && let Some(manifold_run) = self.mounted(manifold, tolerance, terms)
-        {
-            return InitialPhase::OnManifold(manifold_run);
-        }
-        self.start(tolerance, terms)
-    }
-
-    /// Terms of the expansion. Dampers that are not linear are rare, and compiled for one number.
-    fn terms(&self, tolerance: f64) -> usize {
-        if !is_linear(self.damper) || (TIGHT..LOOSE).contains(&tolerance) {
-            TERMS
-        } else if tolerance >= LOOSE {
-            TERMS_LOOSE
-        } else {
-            TERMS_TIGHT
-        }
-    }
-
-    fn start(&self, tolerance: f64, terms: usize) -> InitialPhase {
-        let starts = self.start_m == 0.0;
-        let singular = Singular {
-            spring: starts && !is_linear(self.spring),
-            damper: is_singular(self.damper),
-        };
-        if starts
-            && (singular.spring || singular.damper)
-            && let Some(initial_phase) = self.early(tolerance, terms)
-        {
-            return initial_phase;
-        }
-        self.first_step(singular, tolerance, terms).map_or(InitialPhase::Left, InitialPhase::Steps)
-    }
-
-    fn first_step(&self, singular: Singular, tolerance: f64, terms: usize) -> Option<Plan> {
-        let progress = if singular.spring || singular.damper {
-            if singular.spring
-                && self.spring.exponent < MANIFOLD_BELOW
-                && tolerance < MANIFOLD_TOLERANCE_MIN
-            {
-                return None;
-            }
-            let (t_s, state) = self.moved(singular, tolerance)?;
-            let s = t_s.cbrt();
-            self.begin(t_s, state, StepTime::Graded { s, unit: GRADED_UNIT * s })
-        } else {
-            let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
-            self.begin(0.0, state, StepTime::Even { unit_s: 0.5 * self.scale_s? })
-        };
-        Some(match self.spring_manifold() {
-            Some(manifold) => manifold.plan(progress, tolerance, terms),
-            None => Plan { progress, tolerance, reach_m: None, terms },
-        })
-    }
-
-    /// The state a moment after a singular start.
-    fn moved(&self, singular: Singular, tolerance: f64) -> Option<(f64, [f64; 4])> {
-        let Constants { plate_mobility, cos, velocity_m_s: v, .. } = self.constants;
-        let growth_n_s = self.growth_n_s()?;
-        let start = Start {
-            spring: self.spring.only_if(singular.spring),
-            damper: self.damper.only_if(singular.damper),
-            force_n: 0.0 - self.spring.force(self.start_m),
-            growth_n_s: growth_n_s * cos,
-            plate_kg: 1.0 / plate_mobility,
-        };
-        let moved = start.place(self.scale_s?, tolerance);
-        let slowing = self.constants.slip_mobility - cos * cos * plate_mobility;
-        let lost = 0.5 * growth_n_s * moved.t_s * moved.t_s * slowing;
-        let slip = v - lost - cos * moved.w_m_s;
-        let travel = (v - lost / 3.0) * moved.t_s - cos * moved.by_m;
-        let state = [travel, slip, self.start_m + moved.by_m, moved.w_m_s];
-        let inside = travel > 0.0 && travel < self.geometry.pieces().first()?.to_m;
-        (slip > 0.0 && inside).then_some((moved.t_s, state))
     }
 
     /// How fast the contact force grows at first contact, N/s.
@@ -343,34 +325,28 @@ mod tests {
         }
     }
 
-    /// A plate that stays on its spring's slow manifold, one that is set oscillating where nose meets cylinder, one that leaves
-    /// the manifold, one with a damper, one that is perforated, one that hardly moves.
+    /// A plate that moves freely before its spring holds it, one with a damper, one that is perforated, one that oscillates hundreds of
+    /// times, one in between inertia and spring for all the time.
     #[test]
-    fn a_plate_on_its_springs_slow_manifold_moves_as_far_as_by_the_simulation() {
+    fn a_plate_on_a_spring_below_a_third_moves_as_far_as_by_the_simulation() {
         for pairs in [
-            "k=1e6 n=0.158 v_i=90",
-            "k=5e5 n=0.187",
             "k=1e5 n=0.187 gamma=3",
-            "k=1e5 n=0.15 b=500",
+            "k=5e4 n=0.187 b=500",
             "k=1e5 n=0.2 h=0.004 v_i=300",
-            // It hardly moves: nothing may be lost between its velocity and the projectile's.
-            "k=1e6 n=0.24 v_i=60 gamma=0.8",
-            // It could reach the manifold only so late that it never does.
+            "k=1e6 n=0.303",
             "k=2.25e6 n=0.332",
         ] {
             let mut scene = scene(pairs);
             scene.run.tolerance = 1e-12;
             let (t_s, depth_m) = full(&scene);
-            for tolerance in [1e-6, 1e-8] {
-                let end = Contact::of(&scene).run(tolerance).unwrap();
+            for tolerance in [1e-6, 1e-8, 1e-10] {
+                let end = Contact::of(&scene).run_minding_plate(tolerance).unwrap();
                 let errors = [end.t_s / t_s - 1.0, end.penetration_m / depth_m - 1.0];
-                assert!(
-                    errors.iter().all(|e| e.abs() < tolerance),
-                    "{pairs} {tolerance:e} {errors:?}"
-                );
+                let holds = errors.iter().all(|e| e.abs() < tolerance);
+                assert!(holds, "{pairs} {tolerance:e} {errors:?}");
                 let Some(arrest) = bare_run(&scene).first_arrest else { continue };
                 let error = end.plate_displacement_m / arrest.plate_displacement_m - 1.0;
-                assert!(error.abs() < 30.0 * tolerance + 1e-7, "{pairs} {tolerance:e} {error:e}");
+                assert!(error.abs() < 30.0 * tolerance + 1e-9, "{pairs} {tolerance:e} {error:e}");
             }
         }
     }
@@ -389,9 +365,13 @@ mod tests {
 
     #[test]
     fn scenes_it_is_not_made_for_are_left_to_the_simulation() {
-        for pairs in
-            ["k=1e5 x_stop=0.01", "d=0.001 k=1e6 n=0.5", "theta=30deg k=1e5 v_i=150", "b=1e8 k=1e7"]
-        {
+        for pairs in [
+            "k=1e5 x_stop=0.01",
+            "d=0.001 k=1e6 n=0.5",
+            "theta=30deg k=1e5 v_i=150",
+            "b=1e8 k=1e7",
+            "k=1e6 n=0.158",
+        ] {
             assert_eq!(Contact::of(&scene(pairs)).run(1e-9), None, "{pairs}");
         }
     }
@@ -399,7 +379,7 @@ mod tests {
     #[test]
     fn valid_the_kernel_against_the_stored_digits() {
         for row in Stored::rows() {
-            let found = contact_end(&row.scene().unwrap(), 1e-9).unwrap();
+            let found = Contact::of(&row.scene().unwrap()).run(1e-9).unwrap();
             let [t_s, depth_m, _] = row.values();
             let errors =
                 [(found.t_s / t_s - 1.0).abs(), (found.penetration_m / depth_m - 1.0).abs()];

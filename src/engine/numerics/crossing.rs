@@ -1,7 +1,5 @@
 //! Where a series that crosses a level once on a stretch does so, and whether one may touch zero within it.
 
-use crate::numerics::series::evaluate_slope;
-
 /// Maximum number of rounds.
 const ROUNDS_MAX: usize = 60;
 /// A relative move of Halley's method after which what is left is less than rounding.
@@ -24,7 +22,7 @@ pub(crate) fn dips<const N: usize>(c: &[f64; N], end: f64) -> bool {
         power *= end;
         below -= c.abs() * power;
     }
-    below <= 0.0 && c[1] < 0.0 && evaluate_slope(c, end) > 0.0
+    below <= 0.0 && c[1] < 0.0 && jet(c, end).1 > 0.0
 }
 
 /// The zero between 0 and `end`, where the series has opposite signs: Halley's method from a guess, kept inside the bracket by

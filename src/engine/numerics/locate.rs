@@ -25,6 +25,11 @@ pub(crate) enum Found {
 ///
 /// A gap that begins at zero has to rise first.
 pub(crate) fn first_fall(count: usize, values: impl Fn(f64, &mut [f64; GAPS_MAX])) -> Found {
+    first_fall_of(count, &values)
+}
+
+/// The same, compiled once for all motions.
+fn first_fall_of(count: usize, values: &dyn Fn(f64, &mut [f64; GAPS_MAX])) -> Found {
     let at = |theta: f64| {
         let mut gaps = [0.0; GAPS_MAX];
         values(theta, &mut gaps);

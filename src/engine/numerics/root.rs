@@ -5,7 +5,11 @@
 ///
 /// Returns the end with the smaller absolute value when the signs are equal.
 pub fn in_bracket(a: f64, b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
-    let (mut a, mut b) = (a, b);
+    bracketed_root(a, b, &mut f)
+}
+
+/// The same, compiled once for all functions.
+fn bracketed_root(mut a: f64, mut b: f64, f: &mut dyn FnMut(f64) -> f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
         return a;

@@ -8,7 +8,7 @@
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
-use crate::model::contact_kernel::{ContactEnd, contact_end};
+use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::scene::{ContactModel, Criterion, InterfaceLaw, Mount, Scene};
 use crate::numerics::larger;
@@ -55,7 +55,7 @@ pub(in crate::study) fn contact(
     wanted: Wanted,
     tolerance: f64,
 ) -> Option<ContactEnd> {
-    decides(scene, wanted).then(|| contact_end(scene, tolerance))?
+    decides(scene, wanted).then(|| Contact::of(scene).run(tolerance))?
 }
 
 /// Whether a shot whose first contact ends so has perforated the plate, by the scene's criterion.

@@ -1,128 +1,101 @@
-//! The integration of a contact from step to step: the step size of each expansion, and the ends of slip, of a piece of travel
-//! and of a kind of expansion.
+//! The integration of a contact from step to step, compiled for its kinds of spring and damper: the step size of each expansion, and
+//! the ends of slip and of a piece of travel.
 
 use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
-use crate::model::contact_kernel::expansion::{Area, Series, StepTime, trusted};
-use crate::model::contact_kernel::slow_manifold::ManifoldRun;
-use crate::model::contact_kernel::slow_manifold_series::tolerance_factor;
+use crate::model::contact_kernel::expansion::{Area, Series, State, StepTime, slope};
+use crate::model::contact_kernel::law::{Law, Linear, Power};
 use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::numerics::crossing::{dips, rise, zero};
 use crate::numerics::larger;
-use crate::numerics::series::evaluate;
 
 /// Steps after which the simulation is the better method.
 pub(super) const STEPS_MAX: usize = 1500;
 /// Part of its unit below which a step is tried again with a shorter one.
 const SHORT: f64 = 0.02;
+/// The least part of its unit that a step is shortened to at once.
+const SHORTER_MIN: f64 = 1e-3;
+
+/// Part of the tolerance for each of the many steps of a plate that oscillates fast.
+const STEEP_PART: f64 = 0.2;
 
 /// Where a contact is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct IntegrationState {
+pub(super) struct Progress {
     pub(super) t_s: f64,
-    /// (travel, slip, plate, speed).
-    pub(super) state: [f64; 4],
+    pub(super) state: State,
     pub(super) clock: StepTime,
     pub(super) piece: usize,
     pub(super) max_displacement_m: f64,
     pub(super) steps: usize,
 }
 
-/// The rest of a contact that plain steps can compute.
+/// How well the steps have to be known.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plan {
-    pub(super) progress: IntegrationState,
+pub(super) struct Accuracy {
+    /// Of depth and time, relative.
     pub(super) tolerance: f64,
-    /// The plate's displacement matters against this, m, or only against the travel.
-    pub(super) reach_m: Option<f64>,
-    pub(super) terms: usize,
-}
-
-/// How far a contact comes before plain steps.
-pub(super) enum InitialPhase {
-    Ended(ContactEnd),
-    Steps(Plan),
-    /// The plate follows the slow manifold of its spring first.
-    OnManifold(ManifoldRun),
-    /// To where the simulation must take over.
-    Left,
-}
-
-impl InitialPhase {
-    /// Without plain steps: to the end of the contact, or to where the simulation must take over.
-    pub(super) fn without_steps(end: Option<ContactEnd>) -> Self {
-        end.map_or(Self::Left, Self::Ended)
-    }
-}
-
-/// Which laws are one analytic function on both sides of zero.
-#[derive(Clone, Copy)]
-pub(super) struct Sides {
-    pub(super) spring: bool,
-    pub(super) damper: bool,
-}
-
-/// A step as far as it is trusted.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct StepEnd {
-    /// Up to this part of its unit.
-    pub(super) trusted: f64,
-    /// (travel, slip, plate, speed) there.
-    pub(super) state: [f64; 4],
-    /// The slip rises there.
-    pub(super) rises: bool,
-    /// The plate's velocity where it begins, m/s.
-    pub(super) speed_m_s: f64,
-}
-
-impl StepEnd {
-    #[inline(always)]
-    pub(super) fn of<const N: usize>(series: &Series<N>, trusted: f64) -> Self {
-        Self {
-            trusted,
-            state: series.state(trusted),
-            rises: series.slip_slope(trusted) > 0.0,
-            speed_m_s: series.speed[0],
-        }
-    }
-}
-
-/// The scale of the plate's displacement at `plate_m`, m.
-pub(super) fn plate_scale_m(plate_m: f64, reach_m: Option<f64>) -> f64 {
-    match reach_m {
-        Some(reach_m) => plate_m.abs() * tolerance_factor(plate_m.abs(), reach_m),
-        None => f64::INFINITY,
-    }
+    /// The plate's displacement matters against this, m; infinite where it matters only against the travel.
+    pub(super) plate_m: f64,
 }
 
 impl Contact {
-    pub(super) fn begin(&self, t_s: f64, state: [f64; 4], clock: StepTime) -> IntegrationState {
-        IntegrationState { t_s, state, clock, piece: 0, max_displacement_m: self.start_m, steps: 0 }
+    /// Go on by steps to the end; `None` where the simulation must take over.
+    pub(super) fn integrate(&self, progress: Progress, accuracy: Accuracy) -> Option<ContactEnd> {
+        let spring = Linear(self.spring.coefficient);
+        if self.has_linear_damper {
+            let damper = Linear(self.damper.coefficient);
+            match (self.has_linear_spring, progress.clock) {
+                (true, _) => self.by_laws::<false>(spring, damper, progress, accuracy),
+                (false, StepTime::Even { .. }) => {
+                    self.by_laws::<false>(Power::of(self.spring), damper, progress, accuracy)
+                }
+                (false, StepTime::Graded { .. }) => {
+                    self.by_laws::<true>(Power::of(self.spring), damper, progress, accuracy)
+                }
+            }
+        } else {
+            // A singular damper always starts on a graded clock.
+            let damper = Power::of(self.damper);
+            if self.has_linear_spring {
+                self.by_laws::<true>(spring, damper, progress, accuracy)
+            } else {
+                self.by_laws::<true>(Power::of(self.spring), damper, progress, accuracy)
+            }
+        }
     }
 
-    /// Go on by steps to the end; `None` where the simulation must take over.
-    #[inline(always)]
-    pub(super) fn go_on<const N: usize>(
+    fn by_laws<const GRADED: bool>(
         &self,
-        expand: impl Fn(&IntegrationState, Area) -> Series<N>,
-        sides: Sides,
-        plan: &Plan,
+        spring: impl Law,
+        damper: impl Law,
+        mut progress: Progress,
+        accuracy: Accuracy,
     ) -> Option<ContactEnd> {
-        let Plan { mut progress, tolerance, reach_m, .. } = *plan;
+        let velocity_m_s = self.constants.velocity_m_s;
         while progress.steps < STEPS_MAX {
             let area = self.area_law(progress.piece)?;
             progress.steps += 1;
-            let series = expand(&progress, area);
-            let plate_scale_m = plate_scale_m(progress.state[2], reach_m);
-            let last_terms = self.constants.last_terms(&series, plate_scale_m);
-            let end_of_step = StepEnd::of(&series, trusted::<N>(last_terms, tolerance));
-            let stepped = self.advance(&mut progress, sides, &end_of_step, &series);
-            if let ControlFlow::Break(end) = stepped {
+            let Progress { state, clock, .. } = progress;
+            let series =
+                self.constants.expand::<GRADED>(spring, damper, state, clock.rates(), area);
+            let plate_m = self.plate_scale_m(state[2], accuracy);
+            let trusted = series.trusted(accuracy.tolerance, velocity_m_s, plate_m);
+            if let ControlFlow::Break(end) = self.advance(&mut progress, trusted, &series) {
                 return end;
             }
         }
         None
+    }
+
+    /// Against what the plate's displacement is measured at `plate_m`, m. On a spring that is steep at zero it oscillates about a place
+    /// that is tiny at first; its oscillations fade more slowly than that grows, and no step may lose the plate.
+    fn plate_scale_m(&self, plate_m: f64, accuracy: Accuracy) -> f64 {
+        match self.steep_reach_m {
+            Some(reach_m) => STEEP_PART * (plate_m * larger(reach_m, plate_m)).sqrt(),
+            None => accuracy.plate_m,
+        }
     }
 
     /// The area on a piece; `None` where it is not a polynomial.
@@ -135,22 +108,22 @@ impl Contact {
 
     /// Take a step as far as it is trusted, or to what ends it before. Breaks with the end of the contact, or with nothing where the
     /// simulation must take over.
-    pub(super) fn advance<const N: usize>(
+    #[inline(always)]
+    fn advance(
         &self,
-        progress: &mut IntegrationState,
-        sides: Sides,
-        end_of_step: &StepEnd,
-        series: &Series<N>,
+        progress: &mut Progress,
+        trusted: f64,
+        series: &Series,
     ) -> ControlFlow<Option<ContactEnd>> {
-        if end_of_step.trusted < SHORT {
+        if trusted < SHORT {
             // The unit is far too long for what happens now.
-            progress.clock = progress.clock.shorter(larger(2.0 * end_of_step.trusted, 1e-3));
+            progress.clock = progress.clock.shorter(larger(2.0 * trusted, SHORTER_MIN));
             return ControlFlow::Continue(());
         }
         let to_m = self.geometry.pieces()[progress.piece].to_m;
-        let (mut span, mut state) = (end_of_step.trusted, end_of_step.state);
+        let (mut span, mut state) = (trusted, series.state(trusted));
         let stops = state[1] <= 0.0;
-        if !stops && end_of_step.rises && dips(&series.slip, span) {
+        if !stops && slope(&series.slip, span) > 0.0 && dips(&series.slip, span) {
             return ControlFlow::Break(None);
         }
         if stops {
@@ -165,15 +138,13 @@ impl Contact {
         }
         progress.t_s += progress.clock.elapsed_s(span);
         progress.state = state;
-        // A step is shorter than half a swing, so there is one maximum at most.
-        let turns = end_of_step.speed_m_s > 0.0 && state[3] < 0.0;
-        if turns {
-            let top = zero(&series.speed, span);
-            progress.max_displacement_m =
-                larger(progress.max_displacement_m, evaluate(&series.plate, top));
+        // A step is shorter than half an oscillation, so there is one maximum at most.
+        if series.speed[0] > 0.0 && state[3] < 0.0 {
+            let top = series.state(zero(&series.speed, span));
+            progress.max_displacement_m = larger(progress.max_displacement_m, top[2]);
         }
         progress.max_displacement_m = larger(progress.max_displacement_m, state[2]);
-        if !self.passes(sides, &state) {
+        if !self.passes(&state) {
             return ControlFlow::Break(None);
         }
         if stops && !at_end {
@@ -186,17 +157,18 @@ impl Contact {
                 return ControlFlow::Break(Some(self.end(false, progress)));
             }
         }
-        progress.clock = progress.clock.next(span, end_of_step.trusted);
+        progress.clock = progress.clock.next(span, trusted);
         ControlFlow::Continue(())
     }
 
-    /// Whether the plate is still where its laws hold: on the side of zero on which it started, and going forward.
-    fn passes(&self, sides: Sides, state: &[f64; 4]) -> bool {
+    /// Whether the plate is still where its laws hold: on the side of zero on which it started, and going forward. A linear law holds
+    /// on both.
+    fn passes(&self, state: &State) -> bool {
         let on_its_side = if self.start_m < 0.0 { state[2] < 0.0 } else { state[2] > 0.0 };
-        (sides.spring || on_its_side) && (sides.damper || state[3] > 0.0)
+        (self.has_linear_spring || on_its_side) && (self.has_linear_damper || state[3] > 0.0)
     }
 
-    pub(super) fn end(&self, arrested: bool, progress: &IntegrationState) -> ContactEnd {
+    fn end(&self, arrested: bool, progress: &Progress) -> ContactEnd {
         let state = &progress.state;
         ContactEnd {
             arrested,

@@ -1,140 +1,59 @@
 //! The force laws of the contact kernel, one Taylor coefficient at a time, each compiled for itself. They know no step and no
 //! event.
 
+use crate::model::contact_kernel::expansion::{Coefficients, TERMS};
 use crate::model::mechanism::PowerLaw;
 
-pub(super) trait Law<const N: usize>: Copy {
-    /// Whether it is one analytic function on both sides of zero.
-    const TWO_SIDED: bool;
+pub(super) trait Law: Copy {
     /// Coefficient J of the force, given the argument's coefficients up to J.
-    fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64;
-}
-
-/// A damper along an expansion, which may need to know what it holds back.
-pub(super) trait Damping<const N: usize>: Copy {
-    /// Coefficient J of the force, given the velocity's coefficients up to J and that of all else that drives the velocity, and
-    /// what a force takes from it.
-    fn against<const J: usize>(&mut self, w: &[f64; N], driving: f64, per_force: f64) -> f64;
-}
-
-impl<const N: usize, L: Law<N>> Damping<N> for L {
-    #[inline(always)]
-    fn against<const J: usize>(&mut self, w: &[f64; N], _driving: f64, _per_force: f64) -> f64 {
-        self.term::<J>(w)
-    }
-}
-
-/// coefficient · sqrt(w) for a velocity that starts from rest without a jerk, like t²: the root y, which starts like t, follows
-/// from (J + 1) · coefficient J + 1 of y² = driving - per force · coefficient · y.
-#[derive(Clone, Copy)]
-pub(super) struct RootFromRest<const N: usize> {
-    coefficient: f64,
-    root: [f64; N],
-}
-
-impl<const N: usize> RootFromRest<N> {
-    pub(super) fn new(coefficient: f64) -> Self {
-        Self { coefficient, root: [0.0; N] }
-    }
-}
-
-impl<const N: usize> Damping<N> for RootFromRest<N> {
-    #[inline(always)]
-    fn against<const J: usize>(&mut self, _w: &[f64; N], driving: f64, per_force: f64) -> f64 {
-        let held = per_force * self.coefficient;
-        if const { J == 1 } {
-            self.root[1] = 2.0 * driving / (held + (held * held + 8.0 * driving).sqrt());
-        } else if const { J > 1 } {
-            let mut older = 0.0;
-            for i in 2..J {
-                older += self.root[i] * self.root[J + 1 - i];
-            }
-            let next = (J + 1) as f64;
-            self.root[J] = (driving - next * older) / (2.0 * next * self.root[1] + held);
-        }
-        self.coefficient * self.root[J]
-    }
+    fn term<const J: usize>(&mut self, z: &Coefficients) -> f64;
 }
 
 /// coefficient · z; zero for no law at all.
 #[derive(Clone, Copy)]
 pub(super) struct Linear(pub(super) f64);
 
-impl<const N: usize> Law<N> for Linear {
-    const TWO_SIDED: bool = true;
+impl Law for Linear {
     #[inline(always)]
-    fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64 {
+    fn term<const J: usize>(&mut self, z: &Coefficients) -> f64 {
         self.0 * z[J]
-    }
-}
-
-/// coefficient · z², where z is positive.
-#[derive(Clone, Copy)]
-pub(super) struct Square<const N: usize>(f64);
-
-impl<const N: usize> Square<N> {
-    pub(super) fn of(law: PowerLaw) -> Self {
-        Self(law.coefficient)
-    }
-}
-
-impl<const N: usize> Law<N> for Square<N> {
-    const TWO_SIDED: bool = false;
-    #[inline(always)]
-    fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64 {
-        self.0 * square_at::<N, J>(z)
     }
 }
 
 /// coefficient · |z|^exponent sgn(z), away from zero.
 #[derive(Clone, Copy)]
-pub(super) struct Power<const N: usize> {
-    coefficient: f64,
-    exponent: f64,
+pub(super) struct Power {
+    law: PowerLaw,
     inverse: f64,
     tangent: f64,
-    force: [f64; N],
+    force: Coefficients,
     /// i times the coefficient i of z.
-    slope: [f64; N],
+    slope: Coefficients,
 }
 
-impl<const N: usize> Power<N> {
-    pub(super) fn of(PowerLaw { coefficient, exponent }: PowerLaw) -> Self {
-        Self { coefficient, exponent, inverse: 0.0, tangent: 0.0, force: [0.0; N], slope: [0.0; N] }
-    }
-
-    /// Start where argument and force are known.
-    #[inline(always)]
-    pub(super) fn start(&mut self, z: f64, force: f64) {
-        self.inverse = 1.0 / z;
-        self.force[0] = force;
-        self.tangent = self.exponent * force * self.inverse;
-    }
-
-    /// What coefficient J of the argument, taken as zero when it was requested, adds to that of the force.
-    #[inline(always)]
-    pub(super) fn add<const J: usize>(&mut self, z: f64) {
-        self.slope[J] = z * J as f64;
-        self.force[J] += self.tangent * z;
+impl Power {
+    pub(super) fn of(law: PowerLaw) -> Self {
+        Self { law, inverse: 0.0, tangent: 0.0, force: [0.0; TERMS], slope: [0.0; TERMS] }
     }
 }
 
-impl<const N: usize> Law<N> for Power<N> {
-    const TWO_SIDED: bool = false;
+impl Law for Power {
     /// From z f' = exponent f z': j `z[0]` `f[j]` = sum over i of (exponent (i) - (j - i)) `z[i]` `f[j - i]`.
     #[inline(always)]
-    fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64 {
+    fn term<const J: usize>(&mut self, z: &Coefficients) -> f64 {
+        let exponent = self.law.exponent;
         if const { J == 0 } {
-            let power = z[0].abs().powf(self.exponent).copysign(z[0]);
-            self.start(z[0], self.coefficient * power);
+            self.inverse = 1.0 / z[0];
+            self.force[0] = self.law.coefficient * z[0].abs().powf(exponent).copysign(z[0]);
+            self.tangent = exponent * self.force[0] * self.inverse;
             return self.force[0];
         }
         self.slope[J] = z[J] * J as f64;
         let per_order = 1.0 / J as f64;
-        let more = self.exponent + 1.0;
+        let more = exponent + 1.0;
         let older = if const { J > 2 } {
-            let by_slope = product_from::<N, J, 2>(&self.slope, &self.force);
-            let by_value = product_from::<N, J, 2>(z, &self.force);
+            let by_slope = product_from::<J, 2>(&self.slope, &self.force);
+            let by_value = product_from::<J, 2>(z, &self.force);
             (more * per_order * by_slope - by_value) * self.inverse
         } else {
             0.0
@@ -157,7 +76,7 @@ impl<const N: usize> Law<N> for Power<N> {
 /// Coefficient J of a² but for the part of a\[J\], 2 a\[0\] a\[J\]; the newest coefficients come last, so that the
 /// processor can add the others while it waits for them.
 #[inline(always)]
-pub(super) fn square_before<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
+pub(super) fn square_before<const J: usize>(a: &Coefficients) -> f64 {
     let (mut even, mut odd) = (0.0, 0.0);
     let mut i = J.div_ceil(2);
     while i > 1 {
@@ -173,17 +92,11 @@ pub(super) fn square_before<const N: usize, const J: usize>(a: &[f64; N]) -> f64
     if const { J >= 2 && J.is_multiple_of(2) } { twice + a[J / 2] * a[J / 2] } else { twice }
 }
 
-/// Coefficient J of a·b but for the parts of a\[J\] and b\[J\], likewise.
-#[inline(always)]
-pub(super) fn product_before<const N: usize, const J: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    product_from::<N, J, 1>(a, b)
-}
-
 /// Coefficient J of a·b without the first and the last FROM coefficients of either, the newest last.
 #[inline(always)]
-fn product_from<const N: usize, const J: usize, const FROM: usize>(
-    a: &[f64; N],
-    b: &[f64; N],
+pub(super) fn product_from<const J: usize, const FROM: usize>(
+    a: &Coefficients,
+    b: &Coefficients,
 ) -> f64 {
     let (mut first, mut second) = (0.0, 0.0);
     let mut i = J.div_ceil(2);
@@ -196,8 +109,39 @@ fn product_from<const N: usize, const J: usize, const FROM: usize>(
     if const { J >= 2 * FROM && J.is_multiple_of(2) } { sum + a[J / 2] * b[J / 2] } else { sum }
 }
 
-/// Coefficient J of a².
-#[inline(always)]
-pub(super) fn square_at<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
-    if const { J == 0 } { a[0] * a[0] } else { square_before::<N, J>(a) + a[0] * a[J] * 2.0 }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The coefficients of z = 2 (1 + s): those of 3 |z|^1.5 are 3 · 2^1.5 binomial(1.5, j), on the other side of zero their negatives.
+    #[test]
+    fn a_power_is_the_binomial_series_on_either_side_of_zero() {
+        for side in [1.0, -1.0] {
+            let mut z = [0.0; TERMS];
+            (z[0], z[1]) = (2.0 * side, 2.0 * side);
+            let mut law = Power::of(PowerLaw { coefficient: 3.0, exponent: 1.5 });
+            let found = [
+                law.term::<0>(&z),
+                law.term::<1>(&z),
+                law.term::<2>(&z),
+                law.term::<3>(&z),
+                law.term::<4>(&z),
+            ];
+            let mut exact = side * 3.0 * 2f64.powf(1.5);
+            for (j, found) in found.into_iter().enumerate() {
+                assert!((found - exact).abs() < 1e-14, "{side} {j}: {found} {exact}");
+                exact *= (1.5 - j as f64) / (j + 1) as f64;
+            }
+        }
+    }
+
+    #[test]
+    fn products_of_geometric_series_count_their_terms() {
+        let ones = [1.0; TERMS];
+        // 1/(1 - s) squared has the coefficients J + 1; without the ends as many fewer as are left out.
+        assert!((square_before::<7>(&ones) - 6.0).abs() < 1e-15);
+        assert!((square_before::<8>(&ones) - 7.0).abs() < 1e-15);
+        assert!((product_from::<7, 1>(&ones, &ones) - 6.0).abs() < 1e-15);
+        assert!((product_from::<8, 2>(&ones, &ones) - 5.0).abs() < 1e-15);
+    }
 }
