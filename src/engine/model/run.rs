@@ -23,7 +23,7 @@ pub use warning::{NotModelled, Warning};
 pub struct Settings {
     /// Keep the series to draw from.
     pub series: bool,
-    /// Compute the error estimate (a second, tighter computation).
+    /// Compute the error estimate (a second computation of another order).
     pub estimate: bool,
 }
 
@@ -286,9 +286,7 @@ pub struct ResultError {
 /// How an error estimate was obtained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateBasis {
-    /// The result is a closed form, compared with itself by a finer quadrature.
-    ClosedForm,
-    /// Difference to a second computation at a tighter tolerance and another order.
+    /// Difference to a second computation of another order.
     SecondComputation,
     /// Unknown: the second computation ended otherwise, with this outcome.
     OutcomeDiffers(Outcome),

@@ -357,7 +357,7 @@ impl Shape {
 pub(crate) fn made(scene: &Arc<Scene>) -> Run {
     let rigid = scene.plate.mount == Mount::Rigid;
     let shape = Shape::of(scene);
-    let basis = if rigid { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation };
+    let basis = EstimateBasis::SecondComputation;
     let arrest = shape.sample(ARREST_S);
     let mut run = Run {
         scene: Arc::clone(scene),

@@ -116,9 +116,9 @@ impl Equations<'_> {
     /// Whether a steep spring takes hold of the plate again: the force that has displaced it falls, and it can move by no more any more
     /// than what a step may be off by many times over, and less than it has moved.
     fn is_held_by_spring(&self, state: &State, farthest_m: f64) -> bool {
-        let Setup { spring, plate_kg, .. } = self.setup;
+        let spring = &self.setup.spring;
         let held_m = AGAIN * self.setup.returned_m();
-        let speed_j = 0.5 * plate_kg * state.w_m_s * state.w_m_s;
+        let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
         self.setup.law == Law::Flow
             && spring.is_steep_at_zero()
             && held_m < farthest_m
