@@ -13,7 +13,7 @@ use crate::random::{Random, scene, typed};
 const DRAWN: usize = 4_000;
 const TOLERANCE: f64 = 1e-13;
 /// Greatest relative difference of depth, or of the exit time.
-const DIFFERENCE_MAX: f64 = 1e-10;
+const DIFFERENCE_MAX: f64 = 1e-9;
 /// Fewer comparisons than this would say nothing.
 const COMPARED_MIN: usize = 1_000;
 const SEED: u64 = 0x91a5_2007;

@@ -79,24 +79,35 @@ impl Equations<'_> {
         }
     }
 
-    /// The steep law that holds the plate at first, if one does.
-    pub(super) fn holds_at_first(&self) -> Option<Hold> {
+    /// The steep law that holds the plate at first, if one does, and the displacement up to which it does, m.
+    pub(super) fn holds_at_first(&self) -> Option<(Hold, f64)> {
         let setup = self.setup;
         if !setup.starts_steep() || setup.law != Law::Flow {
             return None;
         }
         let (spring_n, damper_n) = (self.held_n(Hold::Spring), self.held_n(Hold::Damper));
-        let hold = if spring_n > damper_n { Hold::Spring } else { Hold::Damper };
         let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
-        let held_n = larger(spring_n, damper_n);
-        let t_s = held_n / self.rate_n_s(&state).abs();
+        let rate_n_s = self.rate_n_s(&state).abs();
+        let time_s = |held_n: f64| held_n / rate_n_s;
         // Inertia alone would let the plate move much farther by then: it follows the balance of contact and law from there on.
-        let by_inertia_m_s = held_n * t_s / (2.0 * setup.plate_kg);
-        let is_followed = match hold {
-            Hold::Spring => by_inertia_m_s * t_s / 3.0 > FOLLOWS * self.mode.held_m,
-            _ => by_inertia_m_s > FOLLOWS * self.held_m_s(),
+        let by_inertia_m_s = |held_n: f64| held_n * time_s(held_n) / (2.0 * setup.plate_kg);
+        let mut held_m = self.mode.held_m;
+        let (hold, held_n) = if spring_n > damper_n {
+            let follows = by_inertia_m_s(spring_n) * time_s(spring_n) / (3.0 * held_m * FOLLOWS);
+            // The way by inertia grows with the force's third power: below an exponent of a third it is the farther, the earlier.
+            let exponent = held_m * setup.spring.tangent(held_m) / spring_n;
+            let earlier = 1.0 - 3.0 * exponent;
+            if follows < 1.0 && earlier <= 0.0 {
+                return None;
+            }
+            held_m *= if follows < 1.0 { follows.powf(1.0 / earlier) } else { 1.0 };
+            (Hold::Spring, setup.spring.force(held_m))
+        } else if by_inertia_m_s(damper_n) > FOLLOWS * self.held_m_s() {
+            (Hold::Damper, damper_n)
+        } else {
+            return None;
         };
-        (is_followed && t_s > self.first_moment_s()).then_some(hold)
+        (time_s(held_n) > self.first_moment_s()).then_some((hold, held_m))
     }
 
     /// How fast the contact's force on a plate at rest grows, N/s.
@@ -187,7 +198,9 @@ impl Equations<'_> {
         let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
         let counts = spring.energy(x_m) > HELD * self.moving_kg() * w_m_s * w_m_s
             || way_s * larger(slip.abs(), plate.abs()) > self.held_m_s();
-        (self.mode.hold == Hold::Free && way_s > 0.0).then_some((way_s, counts))
+        let comes = self.mode.hold == Hold::Free && way_s > 0.0;
+        // A stop that close has to be met.
+        comes.then_some((way_s, counts || self.setup.stop_at_m.abs() <= x_m.abs()))
     }
 
     /// Whether the plate is so close to the zero of such a spring that it is as well as far on the other side.

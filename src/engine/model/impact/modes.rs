@@ -172,8 +172,8 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
     if setup.law == Law::AtOnce {
         join(setup, &mut mode, &mut state);
     }
-    if let Some(hold) = (Equations { setup, mode: &mode }).holds_at_first() {
-        mode.hold = hold;
+    if let Some(held) = (Equations { setup, mode: &mode }).holds_at_first() {
+        (mode.hold, mode.held_m) = held;
     }
     if !setup.still && setup.start_m >= setup.stop_at_m {
         reach_stop(setup, &mut mode, &mut state);
