@@ -15,18 +15,15 @@ use crate::model::scene::{Criterion, Scene};
 use crate::model::units::{fixed_significant, significant};
 use crate::report::compare as tables;
 use crate::report::compare::beside;
-use crate::report::figures::axis_of;
 use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
-use crate::study::compare::{Absence, Candidate, Hardware, Report, Request, compare};
+use crate::study::compare::{Candidate, Hardware, Report, Request, compare};
 use crate::study::sweep::Axis;
 use crate::study::validity;
 
 /// Columns by which the further lines of a sentence are indented.
 const INDENT: usize = 2;
 const MAP: draw::Size = (78, 30);
-/// Rows of the table of the line of 1.
-const LINE_ROWS: u64 = 11;
 /// Points that an axis of a map may have.
 const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
 
@@ -200,33 +197,7 @@ fn map_page(name: &str, map: &Map) -> String {
         return page;
     };
     page.push_str(&draw::map(&drawn, chart_size(MAP)));
-    line_of_one(&mut page, map);
     page
-}
-
-/// The line of 1, in numbers.
-fn line_of_one(page: &mut String, map: &Map) {
-    let (x, y) = (map.x(), map.y());
-    // As on the axes of the chart.
-    let [across, up] = [x, y].map(axis_of);
-    let (y_head, x_head) = (up.text(0), across.text(0));
-    let _ = writeln!(page, "\n{y_head:>12}  {x_head} at which the mass efficiency is 1");
-    let last = y.count() - 1;
-    let rows = LINE_ROWS.min(y.count());
-    for row in (0..rows).map(|row| row * last / (rows - 1)) {
-        let mut crossings: Vec<String> =
-            map.line_of_one(row).iter().map(|at| significant(at * across.unit.factor, 4)).collect();
-        if map.cell(x.count() - 1, row).is_none() {
-            crossings.push("the rest not computed".to_owned());
-        }
-        let is_undecided =
-            |column| matches!(map.cell(column, row), Some(Err(Absence::Undecided { .. })));
-        if (0..x.count()).any(is_undecided) {
-            crossings.push("not decided everywhere".to_owned());
-        }
-        let text = if crossings.is_empty() { "-".to_owned() } else { crossings.join(", ") };
-        let _ = writeln!(page, "{:>12}  {text}", significant(y.value(row) * up.unit.factor, 4));
-    }
 }
 
 #[cfg(test)]

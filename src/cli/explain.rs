@@ -1,17 +1,15 @@
-//! `cmra explain [NAME]`: a variable, quantity or warning, or all of them, as a page, CSV or JSON.
+//! `cmra explain [NAME]`: a variable, quantity or warning, or all of them, as a page.
 
 use std::fmt::Write as _;
 
 use clap::Args;
 
-use crate::cli::CliError;
-use crate::cli::table::TableArguments;
 use crate::cli::text::{self, hanging};
+use crate::cli::{CliError, output};
 use crate::model::run::envelope::Check;
 use crate::model::scene::Scene;
 use crate::model::units::shortest;
 use crate::model::variables::{Group, VARIABLES, Variable, find, nearest, used_when};
-use crate::report::table::Table;
 use crate::study::quantities::{self, QUANTITIES, Quantity};
 use crate::tui::widgets::text::wrap;
 
@@ -19,8 +17,6 @@ use crate::tui::widgets::text::wrap;
 pub(super) struct ExplainArguments {
     /// A variable by symbol, name or key (gamma, thickness), a quantity (`limit_velocity_m_s`) or a warning ('plate face'); without it: all of them
     name: Option<String>,
-    #[command(flatten)]
-    table: TableArguments,
 }
 
 /// What can be explained.
@@ -32,22 +28,14 @@ enum Named {
 }
 
 pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
-    let table = &arguments.table;
-    table.check()?;
-    let (page, named) = match &arguments.name {
-        None => {
-            let variables = VARIABLES.iter().map(Named::Variable);
-            let quantities = QUANTITIES.iter().map(Named::Quantity);
-            let warnings = Check::ALL.into_iter().map(Named::Warning);
-            (list(), variables.chain(quantities).chain(warnings).collect())
-        }
+    let page = match &arguments.name {
+        None => list(),
         Some(name) => {
-            let named = named(name.trim())?;
-            let pages: Vec<String> = named.iter().map(|it| it.page()).collect();
-            (pages.join("\n"), named)
+            let pages: Vec<String> = named(name.trim())?.iter().map(|it| it.page()).collect();
+            pages.join("\n")
         }
     };
-    table.alone().deliver(&page, rows(named))
+    output::print(&page)
 }
 
 /// What has this name, which may be written with blanks: a quantity or variable, a warning, or a variable and a warning about it.
@@ -75,13 +63,6 @@ fn named(name: &str) -> Result<Vec<Named>, CliError> {
 }
 
 impl Named {
-    fn variable<T>(self, get: impl Fn(&Variable) -> T) -> Option<T> {
-        match self {
-            Self::Variable(it) => Some(get(it)),
-            Self::Quantity(_) | Self::Warning(_) => None,
-        }
-    }
-
     fn page(self) -> String {
         match self {
             Self::Variable(it) => variable_page(it),
@@ -92,37 +73,6 @@ impl Named {
             }
         }
     }
-}
-
-/// Everything that is known of them, a row each; null for what the other kind has.
-fn rows(named: Vec<Named>) -> Table<'static, Named> {
-    let of = |variable: fn(&Variable) -> String,
-              quantity: fn(&Quantity) -> &str,
-              warning: fn(Check) -> &'static str| {
-        move |it: &Named| match it {
-            Named::Variable(it) => variable(it),
-            Named::Quantity(it) => quantity(it).to_owned(),
-            Named::Warning(it) => warning(*it).to_owned(),
-        }
-    };
-    Table::of(named)
-        .with("kind", "", "", of(|_| "variable".to_owned(), |_| "quantity", |_| "warning"))
-        .with("key", "", "", of(|it| it.key.to_owned(), |it| it.name, Check::label))
-        .with("symbol", "", "", |it| it.variable(|it| it.symbol))
-        .with("name", "", "", |it| it.variable(Variable::name))
-        .with("group", "", "", |it| it.variable(|it| it.group.title()))
-        .with("meaning", "", "", of(|it| it.meaning.to_owned(), |it| it.meaning, Check::about))
-        .with("unit", "", "", of(|it| it.unit().to_owned(), |it| it.unit(), |_| ""))
-        .with("default", "", "", |it| it.variable(|it| it.show(&Scene::default())))
-        .with("allowed", "", "", |it| it.variable(Variable::allowed))
-        .with("thesis_low", "", "", |it| it.variable(|it| Some(it.thesis_range()?.0)).flatten())
-        .with("thesis_high", "", "", |it| it.variable(|it| Some(it.thesis_range()?.1)).flatten())
-        .with("used_when", "", "", |it| it.variable(used_when))
-        .with("source", "", "", |it| it.variable(|it| it.source))
-        .with("needs", "", "", |it| match it {
-            Named::Variable(_) | Named::Warning(_) => None,
-            Named::Quantity(it) => Some(it.needs().words()),
-        })
 }
 
 fn variable_page(variable: &Variable) -> String {

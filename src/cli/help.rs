@@ -76,13 +76,10 @@ fn topics() -> Vec<&'static str> {
     TOPICS.iter().map(|topic| topic.name).chain([KEYS]).collect()
 }
 
-/// The topics and the commands.
-pub(super) fn names(program: &Command) -> Vec<&str> {
-    topics().into_iter().chain(program.get_subcommands().map(Command::get_name)).collect()
-}
-
 fn unknown(name: &str, program: &Command) -> CliError {
-    let cure = did_you_mean(name, &names(program))
+    let commands = program.get_subcommands().map(Command::get_name);
+    let known: Vec<&str> = topics().into_iter().chain(commands).collect();
+    let cure = did_you_mean(name, &known)
         .unwrap_or_else(|| format!("the topics are {}", topics().join(", ")));
     CliError::Option(format!("`{name}` is neither a topic nor a command: {cure}"))
 }
@@ -101,23 +98,9 @@ mod tests {
     use super::*;
     use clap::{CommandFactory as _, Parser as _};
 
-    use crate::cli::{Arguments, commands, completions};
+    use crate::cli::{Arguments, commands};
 
     const COLUMNS: usize = 80;
-
-    #[test]
-    fn completion_offers_topics_and_commands() {
-        let script = completions::script(clap_complete::Shell::Bash, commands::whole());
-        let script = String::from_utf8(script).unwrap();
-        for (command, word) in [("help", "mechanisms"), ("help", "limit")] {
-            let at = script
-                .find(&format!("        cmra__{command})"))
-                .or_else(|| script.find(&format!("        cmra__subcmd__{command})")))
-                .unwrap();
-            let words = script[at..].lines().nth(1).unwrap();
-            assert!(words.contains(word), "{command}: {words}");
-        }
-    }
 
     /// The examples of all pages, without what is said beside them.
     fn examples() -> Vec<&'static str> {

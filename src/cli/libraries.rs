@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use clap::Args;
-use serde_json::{Map, Value, json};
 
 use crate::cli::table::choice;
 use crate::cli::text::labelled_each;
@@ -11,16 +10,12 @@ use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
 use crate::files::{clean, library};
 use crate::model::library::{Entry, Library};
-use crate::report::run::of_variable;
 
 #[derive(Debug, Args)]
 pub(super) struct LibrariesArguments {
     /// Show only this library
     #[arg(value_parser = choice(&Library::ALL, Library::file, about))]
     library: Option<Library>,
-    /// Print one JSON object: library, name, values in SI units, status and source
-    #[arg(long)]
-    json: bool,
 }
 
 /// What a library has, for help.
@@ -38,15 +33,8 @@ pub(super) fn run(arguments: &LibrariesArguments) -> Result<(), CliError> {
     let shown = Library::ALL
         .into_iter()
         .filter(|library| arguments.library.is_none_or(|one| one == *library));
-    if arguments.json {
-        let object: Map<String, Value> = shown
-            .map(|library| (library.file().to_owned(), of(library).map(as_json).collect()))
-            .collect();
-        output::print(&format!("{:#}\n", Value::Object(object)))?;
-    } else {
-        let pages: Vec<String> = shown.map(|library| page(library, of(library))).collect();
-        output::print(&pages.join("\n"))?;
-    }
+    let pages: Vec<String> = shown.map(|library| page(library, of(library))).collect();
+    output::print(&pages.join("\n"))?;
     for problem in problems {
         output::note(&format!("not listed: {problem}"));
     }
@@ -64,19 +52,4 @@ fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> Strin
         labelled_each(&mut text, &lines.map(|(label, words)| (label, clean::line(words))));
     }
     text
-}
-
-fn as_json(entry: &Entry) -> Value {
-    let value = |(key, value): &(&str, _)| ((*key).to_owned(), of_variable(*value));
-    let values: Map<String, Value> = entry.values.iter().map(value).collect();
-    json!({
-        "name": entry.name,
-        "title": entry.title,
-        "status": entry.status.word(),
-        "source": entry.source,
-        "note": entry.note,
-        "warning": entry.warning,
-        "file": entry.own.as_ref().map(|path| path.display().to_string()),
-        "values": values,
-    })
 }

@@ -3,48 +3,11 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::cli::CliError;
 use crate::files::clean;
 
-/// Whether standard output was closed when the process began. The runtime opens `/dev/null` in its place before `main`: a result
-/// would vanish without an error.
-static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
-
-#[cfg(target_os = "linux")]
-mod before_main {
-    use std::sync::atomic::Ordering;
-    use std::{fs, path::Path};
-
-    #[expect(
-        unsafe_code,
-        reason = "only what runs before `main` can see it; the function takes no argument and calls no C"
-    )]
-    #[unsafe(link_section = ".init_array")]
-    #[used]
-    static LOOK: extern "C" fn() = look;
-
-    extern "C" fn look() {
-        let open = Path::new("/proc/self/fd");
-        let is_closed = open.exists() && fs::symlink_metadata(open.join("1")).is_err();
-        super::WAS_CLOSED.store(is_closed, Ordering::Relaxed);
-    }
-}
-
-/// Whether there is somewhere to write a result to.
-///
-/// # Errors
-/// [`CliError::Stdout`] where standard output was closed.
-pub(super) fn open() -> Result<(), CliError> {
-    if WAS_CLOSED.load(Ordering::Relaxed) {
-        return Err(CliError::Stdout(io::Error::other("it is closed")));
-    }
-    Ok(())
-}
-
 pub(super) fn print(text: &str) -> Result<(), CliError> {
-    open()?;
     let mut out = io::stdout().lock();
     let text = clean::page(text);
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
@@ -52,7 +15,6 @@ pub(super) fn print(text: &str) -> Result<(), CliError> {
 
 /// Writes a piece of a result.
 pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), CliError> {
-    open()?;
     io::stdout().lock().write_all(bytes).map_err(CliError::Stdout)
 }
 

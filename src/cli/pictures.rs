@@ -18,9 +18,6 @@ pub(super) struct PictureArguments {
     svg: Option<PathBuf>,
 }
 
-/// Endings of pictures of other kinds.
-const OTHER_FORMATS: [&str; 7] = ["png", "jpg", "jpeg", "gif", "pdf", "eps", "webp"];
-
 impl PictureArguments {
     pub(super) fn is_wanted(&self) -> bool {
         self.svg.is_some()
@@ -39,13 +36,6 @@ impl PictureArguments {
             ));
         }
         if let Some(path) = self.svg.as_ref().filter(|_| !self.is_stdout()) {
-            let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-            if OTHER_FORMATS.contains(&&*ending) {
-                let (path, svg) = (path.display(), path.with_extension("svg"));
-                let text =
-                    format!("--svg {path}: pictures are SVG; name the file {}", svg.display());
-                return Err(CliError::Option(text));
-            }
             atomic::check(path, table.existing())?;
         }
         if let (Some(path), TableDestination::File(to)) = (&self.svg, table.target())

@@ -1,31 +1,22 @@
-//! `cmra presets [show NAME]`: bundled and own presets, as a page, CSV or JSON.
+//! `cmra presets [show NAME]`: bundled and own presets.
 
 use std::fmt::Write as _;
 
 use clap::{Args, Subcommand};
 
-use crate::cli::table::{TableArguments, TableDestination};
 use crate::cli::{CliError, output, scene};
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
 use crate::files::{clean, write};
-use crate::report::table::Table;
 
 #[derive(Debug, Args)]
 pub(super) struct PresetsArguments {
     #[command(subcommand)]
     action: Option<Action>,
-    #[command(flatten)]
-    table: TableArguments,
 }
 
 #[derive(Debug, Subcommand)]
 enum Action {
-    /// List the presets
-    List {
-        #[command(flatten)]
-        table: TableArguments,
-    },
     /// Print a preset's file: where its numbers come from, what to expect, and every value
     Show {
         /// The preset's name
@@ -35,15 +26,7 @@ enum Action {
 
 pub(super) fn run(arguments: &PresetsArguments) -> Result<(), CliError> {
     match &arguments.action {
-        Some(Action::List { table }) if table.is_given() => list(table),
-        None | Some(Action::List { .. }) => list(&arguments.table),
-        Some(Action::Show { .. })
-            if arguments.table.json
-                || !matches!(arguments.table.target(), TableDestination::None) =>
-        {
-            let text = "presets show prints the preset's file: --json and --csv are for the list";
-            Err(CliError::Option(text.to_owned()))
-        }
+        None => list(),
         Some(Action::Show { name }) => output::print(&whole(&scene::named(name.as_ref())?)),
     }
 }
@@ -60,8 +43,7 @@ fn whole(preset: &Preset) -> String {
     }
 }
 
-fn list(table: &TableArguments) -> Result<(), CliError> {
-    table.check()?;
+fn list() -> Result<(), CliError> {
     let paths = Paths::of_user().ok();
     let preset::List { presets, unreadable } = preset::list(paths.as_ref());
     let width = presets.iter().map(|preset| preset.name.chars().count()).max().unwrap_or(0);
@@ -77,22 +59,9 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
         let _ = writeln!(text, "\nyour own, in {}{none}", paths.presets.display());
         text.extend(own.iter().map(row));
     }
-    table.alone().deliver(&text, table_of(&presets))?;
+    output::print(&text)?;
     for one in unreadable {
         output::note(&format!("not listed: {}", one.error));
     }
     Ok(())
-}
-
-/// One row a preset.
-fn table_of(presets: &[Preset]) -> Table<'_, &Preset> {
-    Table::of(presets)
-        .with("name", "name", "", |it| it.name.as_str())
-        .with("title", "title", "", |it| it.scene.title.as_str())
-        .with("notes", "notes", "", |it| it.scene.notes.as_str())
-        .with("bundled", "bundled", "", |it| it.origin == Origin::Bundled)
-        .with("file", "file", "", |it| match &it.origin {
-            Origin::Mine(path) | Origin::File(path) => Some(path.display().to_string()),
-            Origin::Bundled | Origin::Text => None,
-        })
 }

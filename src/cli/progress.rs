@@ -31,10 +31,6 @@ static REACHED: Mutex<String> = Mutex::new(String::new());
 const SHOWN_AFTER: Duration = Duration::from_millis(500);
 const UPDATED_EVERY: Duration = Duration::from_millis(200);
 
-/// When the rate of a computation tells how long it will take, and what is so long that it is announced, on a terminal or not.
-const JUDGED_AFTER: Duration = Duration::from_secs(3);
-const LONG_S: f64 = 60.0;
-
 /// The line on the terminal that says how far a computation is.
 pub(super) struct ProgressLine {
     start: Duration,
@@ -71,17 +67,6 @@ impl ProgressLine {
         now().saturating_sub(self.start)
     }
 
-    /// Says above the line that all of these take long, if they do.
-    fn announce(&self, total: usize, what: &str, left_s: f64) {
-        if left_s > LONG_S {
-            self.clear();
-            let left = duration(left_s);
-            output::note(&format!(
-                "{total} {what}: about {left} left at this rate; an interrupt keeps what is finished"
-            ));
-        }
-    }
-
     /// Removes the line.
     pub(super) fn clear(&self) {
         if self.shown {
@@ -90,8 +75,7 @@ impl ProgressLine {
     }
 }
 
-/// Runs a study on this number of threads, and shows how many of its items are done, and the remaining time at this rate, which is
-/// announced where it is long.
+/// Runs a study on this number of threads, and shows how many of its items are done, and the remaining time at this rate.
 pub(super) fn study<P: ?Sized, T>(
     threads: usize,
     what: &str,
@@ -99,18 +83,12 @@ pub(super) fn study<P: ?Sized, T>(
 ) -> T {
     let mut line = ProgressLine::begin();
     let mut reached = Progress::default();
-    let mut judged = false;
     let watch = &mut |now: Progress, _: Option<&P>| {
         reached = now;
         let Progress { done, total } = now;
-        let left_s = |elapsed_s: f64| elapsed_s * (total - done) as f64 / done.max(1) as f64;
-        if !judged && done > 0 && line.elapsed() > JUDGED_AFTER {
-            judged = true;
-            line.announce(total, what, left_s(line.elapsed().as_secs_f64()));
-        }
         line.update(|elapsed_s| {
             let percent = 100.0 * done as f64 / total.max(1) as f64;
-            let left = duration(left_s(elapsed_s));
+            let left = duration(elapsed_s * (total - done) as f64 / done.max(1) as f64);
             format!("{percent:.0} %: {done} of {total} {what}, {left} left")
         })
     };

@@ -22,6 +22,7 @@ use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
 use crate::model::run::envelope::warnings;
+use crate::model::scene::ContactModel;
 use crate::model::simulate::{self, Settings};
 use crate::model::units::{Dimension, engineering};
 use crate::model::variables::{self, VariableError};
@@ -29,7 +30,6 @@ use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
 use crate::report::run::{self as report, Compared, NamedRun, Rows};
 use crate::report::svg::Picture;
-use crate::study::models::by_every_model;
 use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 
@@ -266,7 +266,11 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     variables::require_single(&preset.scene)?;
     let (mut runs, mut remarks) = (Vec::new(), Vec::new());
-    for (model, scene) in by_every_model(&preset.scene) {
+    let mut models = ContactModel::ALL;
+    models.sort_by_key(|model| model.about().place);
+    for model in models {
+        let mut scene = preset.scene.clone();
+        scene.contact.model = model;
         let (word, about) = (model.word(), model.about());
         let parameters = (about.parameters)(&scene);
         match compute(Preset { scene, ..preset.clone() }) {

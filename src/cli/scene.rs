@@ -12,7 +12,7 @@ use crate::files::bundled;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
-use crate::files::read::{self, Accepts};
+use crate::files::read;
 use crate::files::{clean, read_table};
 use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
@@ -255,7 +255,7 @@ const CURVE_NAMES: [&str; 3] = ["table", "mechanism.spring.table", "mechanism.sp
 
 /// Take a spring's curve from a CSV file; a file makes its spring one of the kind `table`.
 fn take_curve(spring: &mut Spring, file: &str) -> Result<(), CliError> {
-    spring.table.points = read_table::curve(Path::new(file), Accepts::Handed)?;
+    spring.table.points = read_table::curve(Path::new(file))?;
     spring.kind = SpringKind::Table;
     Ok(())
 }
@@ -265,7 +265,7 @@ pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {
     let mut preset = match name.to_str() {
         Some(name) => preset::resolve(name, Paths::of_user().ok().as_ref())?,
         // Only a file can have such a name.
-        None => preset::from_file(Path::new(name), Accepts::Handed)?,
+        None => preset::from_file(Path::new(name))?,
     };
     // Every page, table and message has it.
     preset.name = clean::line(&preset.name).into_owned();

@@ -69,11 +69,6 @@ impl TableArguments {
         }
     }
 
-    /// Whether a table is wanted, or JSON.
-    pub(super) fn is_given(&self) -> bool {
-        self.json || self.csv.is_some()
-    }
-
     /// Warnings below a result, a line each.
     pub(super) fn warnings(&self, warnings: &[String]) -> String {
         if warnings.is_empty() {

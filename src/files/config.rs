@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Deserializer};
 
 use crate::files::error::FileError;
-use crate::files::read::{self, Accepts};
+use crate::files::read;
 
 /// The allowed keys; all are optional.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
@@ -42,7 +42,7 @@ fn lists<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, Vec<Stri
 /// # Errors
 /// A sentence with the place, the problem and what is allowed.
 pub fn load(path: &Path) -> Result<Config, String> {
-    let text = match read::text_file(path, Accepts::Ordinary, read::BYTES_MAX) {
+    let text = match read::text_file(path, read::BYTES_MAX) {
         Ok(text) => text,
         Err(FileError::Read { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {
             return Ok(Config::default());

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::read::{self, Accepts};
+use crate::files::read;
 use crate::files::write;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
@@ -268,7 +268,7 @@ fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
 }
 
 fn is_sidecar(path: &Path) -> bool {
-    let text = read::text_file(path, Accepts::Ordinary, read::BYTES_MAX);
+    let text = read::text_file(path, read::BYTES_MAX);
     text.is_ok_and(|text| text.starts_with(MARK))
 }
 

@@ -11,7 +11,7 @@ use crate::files::atomic::{self, Existing};
 use crate::files::bundled::{self, BUNDLED, Bundled};
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::paths::Paths;
-use crate::files::read::{self, Accepts};
+use crate::files::read;
 use crate::files::write;
 use crate::model::scene::Scene;
 use crate::model::variables;
@@ -98,18 +98,6 @@ pub fn list(paths: Option<&Paths>) -> List {
 /// # Errors
 /// [`FileError`] when there is no such scene, or it cannot be read.
 pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
-    resolve_by(name, paths, Accepts::Handed)
-}
-
-/// The same for a name that was kept: what has meanwhile become a pipe is not waited for.
-///
-/// # Errors
-/// As [`resolve`], and [`FileError::Refused`] of a device or a pipe.
-pub fn resolve_kept(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
-    resolve_by(name, paths, Accepts::Ordinary)
-}
-
-fn resolve_by(name: &str, paths: Option<&Paths>, accepts: Accepts) -> Result<Preset, FileError> {
     if let Some(preset) = bundled::find(name) {
         return from_bundled(preset);
     }
@@ -124,7 +112,7 @@ fn resolve_by(name: &str, paths: Option<&Paths>, accepts: Accepts) -> Result<Pre
     }
     let path = Path::new(name);
     match fs::metadata(path) {
-        Ok(_) => from_file(path, accepts),
+        Ok(_) => from_file(path),
         // It is there, but something is in the way: a loop of links, a folder that may not be entered.
         Err(source)
             if fs::symlink_metadata(path).is_ok() || source.kind() != io::ErrorKind::NotFound =>
@@ -139,8 +127,8 @@ fn resolve_by(name: &str, paths: Option<&Paths>, accepts: Accepts) -> Result<Pre
 ///
 /// # Errors
 /// [`FileError`] when it cannot be read.
-pub fn from_file(path: &Path, accepts: Accepts) -> Result<Preset, FileError> {
-    let text = read::text_file(path, accepts, read::BYTES_MAX)?;
+pub fn from_file(path: &Path) -> Result<Preset, FileError> {
+    let text = read::text_file(path, read::BYTES_MAX)?;
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
 
@@ -202,7 +190,7 @@ pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), F
     variables::validate(scene).map_err(|error| FileError::target(path, &error.to_string()))?;
     let file = path.display().to_string();
     let titled = |title| Scene { title, ..scene.clone() };
-    let text = match read::text_file(path, Accepts::Ordinary, read::BYTES_MAX) {
+    let text = match read::text_file(path, read::BYTES_MAX) {
         Ok(_) if existing == Existing::Keep => return Err(FileError::Exists(path.to_owned())),
         Ok(old) => read::scene(&old, &file)
             .and_then(|kept| write::updated(&old, &file, &titled(kept.title)))
@@ -247,7 +235,7 @@ fn from_bundled(preset: Bundled) -> Result<Preset, FileError> {
 }
 
 fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
-    let text = read::text_file(&path, Accepts::Ordinary, read::BYTES_MAX)?;
+    let text = read::text_file(&path, read::BYTES_MAX)?;
     from_text(name, Origin::Mine(path), text)
 }
 
@@ -284,36 +272,15 @@ fn hint(name: &str, paths: Option<&Paths>) -> String {
         .map(|preset| preset.name)
         .chain(own.iter().map(|(name, _)| name.as_str()))
         .collect();
-    let looks_like_path =
-        name.contains(['/', '\\']) || Path::new(name).extension().is_some_and(|end| end == "toml");
     let list = "`cmra presets` lists the presets";
     if name.is_empty() {
         return format!("the name is empty; {list}");
     }
     match did_you_mean(name.trim_end_matches(".toml"), &names) {
         Some(hint) => format!("{hint} ({list})"),
-        None if looks_like_path => {
-            file_hint(name).unwrap_or_else(|| format!("no such file; check the path ({list})"))
-        }
+        None if is_path(name) => format!("no such file; check the path ({list})"),
         None => format!("{list}; a file is named by its path, for example ./{name}.toml"),
     }
-}
-
-/// The files beside this one that are spelled most like it.
-fn file_hint(name: &str) -> Option<String> {
-    let path = Path::new(name);
-    let folder =
-        path.parent().filter(|it| !it.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
-    let entries = fs::read_dir(folder).ok()?.flatten();
-    let names: Vec<String> =
-        entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
-    let names: Vec<&str> = names
-        .iter()
-        .map(String::as_str)
-        .filter(|it| Path::new(it).extension().is_some_and(|end| end == "toml"))
-        .collect();
-    let hint = did_you_mean(&path.file_name()?.to_string_lossy(), &names)?;
-    Some(format!("no such file; {hint}"))
 }
 
 /// The comment lines a text begins with, without their `#`.

@@ -24,29 +24,15 @@ pub const FORMAT: i64 = 1;
 /// No scene is larger than this; a larger file is a mistake.
 pub const BYTES_MAX: u64 = 1 << 20;
 
-/// Which files are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Accepts {
-    /// Ordinary ones only: a pipe may never have a writer, and a terminal would take the keys of the person who waits.
-    Ordinary,
-    /// Also what a shell hands over, such as `<(...)` and `/dev/stdin`.
-    Handed,
-}
-
 /// The text of a file of at most this many bytes.
 ///
 /// # Errors
 /// [`FileError`] when it cannot be read, is too large, is not UTF-8, or is not accepted.
-pub fn text_file(path: &Path, accepts: Accepts, bytes_max: u64) -> Result<String, FileError> {
+pub fn text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let failed = |source| FileError::read(path, source);
     let found = fs::metadata(path).map_err(failed)?;
-    let is_refused = match accepts {
-        Accepts::Ordinary => !found.is_file() && !found.is_dir(),
-        Accepts::Handed => {
-            !is_handed(path) && (!found.is_file() && !found.is_dir() || is_of_system(path))
-        }
-    };
-    if is_refused {
+    // A pipe may never have a writer, and a device no end.
+    if !found.is_file() && !found.is_dir() && !is_handed(path) {
         return Err(FileError::special(path));
     }
     text_from(fs::File::open(path).map_err(failed)?, path, bytes_max)
@@ -57,12 +43,6 @@ fn is_handed(path: &Path) -> bool {
     path == Path::new("/dev/stdin")
         || path.starts_with("/dev/fd")
         || path.starts_with("/proc") && path.iter().any(|part| part == "fd")
-}
-
-/// Whether the system itself answers here: such a file has no end, or waits for one.
-fn is_of_system(path: &Path) -> bool {
-    fs::canonicalize(path)
-        .is_ok_and(|real| ["/proc", "/sys"].iter().any(|folder| real.starts_with(folder)))
 }
 
 /// The text that a source of at most this many bytes gives; `path` is the name used in errors. A device may never end: no more is

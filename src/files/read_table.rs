@@ -9,7 +9,7 @@ use toml::de::{DeValue, ValueDeserializer};
 
 use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::read::{self, Accepts};
+use crate::files::read;
 use crate::files::reader::{self, Reader};
 use crate::model::units::{self, Bare, Dimension};
 
@@ -36,7 +36,7 @@ pub(super) fn points(
         Ok(Curve { points: Some(points), file: None }) => Ok(points.into()),
         Ok(Curve { points: None, file: Some(file) }) => {
             // The wait for a pipe named in a scene would be invisible.
-            curve(&beside(reader.file(), file.get_ref()), Accepts::Ordinary)
+            curve(&beside(reader.file(), file.get_ref()))
                 .map_err(|error| (file.span(), error.to_string()))
         }
         Ok(Curve { points: Some(_), file: Some(_) }) => {
@@ -61,8 +61,8 @@ pub(super) fn points(
 ///
 /// # Errors
 /// [`FileError`] when the file cannot be read, or names the file, the line, what is wrong and the cure.
-pub fn curve(path: &Path, accepts: Accepts) -> Result<Arc<[[f64; 2]]>, FileError> {
-    let text = read::text_file(path, accepts, read::BYTES_MAX)?;
+pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
+    let text = read::text_file(path, read::BYTES_MAX)?;
     points_in(&text, path).map_err(FileError::Refused)
 }
 

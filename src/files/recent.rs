@@ -6,7 +6,7 @@ use std::time::SystemTime;
 
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
-use crate::files::read::{self, Accepts};
+use crate::files::read;
 use crate::files::write;
 use crate::model::scene::Scene;
 
@@ -21,9 +21,8 @@ pub fn keep(folder: &Path, scene: &Scene) -> Result<PathBuf, FileError> {
     let text = format!("# left unsaved\n{}", write::fresh(scene));
     let files = (1..=KEPT).map(|number| folder.join(format!("unsaved-{number}.toml")));
     let files: Vec<PathBuf> = files.collect();
-    let is_same = |path: &&PathBuf| {
-        read::text_file(path, Accepts::Ordinary, read::BYTES_MAX).is_ok_and(|there| there == text)
-    };
+    let is_same =
+        |path: &&PathBuf| read::text_file(path, read::BYTES_MAX).is_ok_and(|there| there == text);
     let free = || files.iter().find(|path| fs::symlink_metadata(path).is_err());
     let oldest = || files.iter().min_by_key(|path| modified(path));
     let chosen = files.iter().find(is_same).or_else(free).or_else(oldest);
@@ -62,7 +61,7 @@ mod tests {
             scene.plate.mass_ratio = ratio;
             scene
         };
-        let scene_in = |path: &Path| preset::from_file(path, Accepts::Ordinary).unwrap().scene;
+        let scene_in = |path: &Path| preset::from_file(path).unwrap().scene;
         for ratio in [1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 6.0] {
             let path = keep(&folder, &of(ratio)).unwrap();
             assert_eq!(scene_in(&path), of(ratio));

@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
-use crate::files::read::{self, Accepts};
+use crate::files::read;
 use crate::files::{recent, write};
 use crate::model::scene::Scene;
 
@@ -184,7 +184,7 @@ pub fn save(
     known: &mut Known,
 ) -> Result<Option<PathBuf>, FileError> {
     let text = text(path, session)?;
-    let there = read::text_file(path, Accepts::Ordinary, BYTES_MAX).ok();
+    let there = read::text_file(path, BYTES_MAX).ok();
     if known.0.as_ref() == Some(&text) && there.is_some() {
         return Ok(None);
     }
@@ -225,7 +225,7 @@ pub fn load(path: &Path) -> Loaded {
     if fs::symlink_metadata(path).is_err() {
         return Loaded::default();
     }
-    let (text, (session, problems)) = match read::text_file(path, Accepts::Ordinary, BYTES_MAX) {
+    let (text, (session, problems)) = match read::text_file(path, BYTES_MAX) {
         Ok(text) => {
             let parsed = parse(&text);
             (Some(text), parsed)

@@ -28,14 +28,14 @@ macro_rules! enumeration {
             /// All of them, in the order of tables.
             $vis const ALL: [Self; [$(Self::$variant),+].len()] = [$(Self::$variant),+];
 
-            fn row(self) -> &'static $row {
+            const fn row(self) -> &'static $row {
                 match self {
                     $(Self::$variant => &const { $row { $($key: $value),+ } },)+
                 }
             }
 
             $($(#[$column_doc])*
-            $vis fn $column(self) -> $type {
+            $vis const fn $column(self) -> $type {
                 self.row().$column
             })+
         }

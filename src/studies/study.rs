@@ -10,7 +10,6 @@ pub mod error;
 mod first_contact;
 pub mod limit;
 pub mod load;
-pub mod models;
 pub mod monte_carlo;
 pub mod outcome;
 pub mod parallel;

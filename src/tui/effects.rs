@@ -20,7 +20,6 @@ use crate::files::export::Destination;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::read::Accepts;
 use crate::files::read_table;
 use crate::files::recent;
 use crate::files::session::{self, Known, Session};
@@ -201,13 +200,12 @@ impl FileQueue {
             }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
-                preset::from_file(&path, Accepts::Ordinary)
+                preset::from_file(&path)
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
             Task::ReadCurve(path) => {
-                let points =
-                    read_table::curve(&path, Accepts::Ordinary).map_err(|error| error.to_string());
+                let points = read_table::curve(&path).map_err(|error| error.to_string());
                 EffectReport::Curve(path, points)
             }
             Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
@@ -299,10 +297,7 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
         .map(|error| PresetEntry::broken("library".to_owned(), error.to_string()));
     // A recent file that is gone or broken is omitted: loading it says why.
     let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
-    let recent = unsaved
-        .iter()
-        .chain(opened)
-        .filter_map(|path| preset::from_file(path, Accepts::Ordinary).ok());
+    let recent = unsaved.iter().chain(opened).filter_map(|path| preset::from_file(path).ok());
     let entry = |found: Preset, origin| PresetEntry {
         origin,
         name: found.name,

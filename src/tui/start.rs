@@ -115,10 +115,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     let base = base_of_session(last, Some(paths));
     let untouched = *base.scene == scene_of_session(last, &base)
-        && last
-            .preset
-            .as_deref()
-            .is_some_and(|name| preset::resolve_kept(name, Some(paths)).is_ok());
+        && last.preset.as_deref().is_some_and(|name| preset::resolve(name, Some(paths)).is_ok());
     if untouched && last.pins.is_empty() {
         return None;
     }
@@ -199,7 +196,7 @@ fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
 
 /// The preset of this name that a scene came from; where it is gone, the scene itself.
 fn base_named(name: Option<&str>, scene: &Scene, paths: Option<&Paths>) -> Base {
-    name.and_then(|name| preset::resolve_kept(name, paths).ok()).map_or_else(
+    name.and_then(|name| preset::resolve(name, paths).ok()).map_or_else(
         || Base {
             name: name.unwrap_or("session").to_owned(),
             is_mine: false,

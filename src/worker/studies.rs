@@ -16,8 +16,8 @@ use crate::study::compare::{self, Hardware};
 use crate::study::context::{Context, Progress};
 use crate::study::search::{front, seek};
 use crate::study::stability::map::{self, Map as StabilityCells, Wanted};
-use crate::study::sweep::Plan;
 use crate::study::sweep::grid::{self, Grid};
+use crate::study::sweep::{Plan, SweepError};
 use crate::study::{limit, monte_carlo, sensitivity, stability, thesis};
 
 /// An enum with a variant for each of some types, which a caller takes out again by its type.
@@ -308,60 +308,83 @@ impl Study for Claims {
     }
 }
 
-/// What is searched for.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SearchRequest {
-    /// Which values of a variable give a wanted result.
-    Seek(seek::Request),
-    /// The Pareto front: designs that no other one dominates.
-    Front(front::Request),
-    /// How strongly each variable acts on a quantity.
-    Sensitivity(sensitivity::Request),
-    /// How results scatter when inputs do.
-    MonteCarlo(monte_carlo::Request),
-}
-
-#[derive(Clone, Debug)]
-pub enum SearchAnswer {
-    Seek(seek::Report),
-    Front(Box<front::Front>),
-    Sensitivity(sensitivity::Report),
-    MonteCarlo(monte_carlo::Report),
-}
-
-impl SearchRequest {
-    /// The command that makes it of the scene that was searched: its name, then its options.
-    pub fn command(&self) -> String {
-        match self {
-            Self::Seek(request) => request.to_string(),
-            Self::Front(request) => request.to_string(),
-            Self::Sensitivity(request) => request.to_string(),
-            Self::MonteCarlo(request) => request.to_string(),
+/// The studies of the Search tab: what each is asked, what it answers, and how it is made.
+macro_rules! searches {
+    ($($(#[$doc:meta])* $kind:ident($request:ty) => $answer:ty: $make:expr;)*) => {
+        /// What is searched for.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum SearchRequest {
+            $($(#[$doc])* $kind($request),)*
         }
-    }
+
+        #[derive(Clone, Debug)]
+        pub enum SearchAnswer {
+            $($kind($answer),)*
+        }
+
+        /// Which study it is, in the order of the pages.
+        #[derive(Clone, Copy)]
+        enum Place {
+            $($kind,)*
+        }
+
+        impl SearchRequest {
+            /// The command that makes it of the scene that was searched: its name, then its options.
+            pub fn command(&self) -> String {
+                match self {
+                    $(Self::$kind(request) => request.to_string(),)*
+                }
+            }
+
+            /// The place of its page.
+            pub fn page(&self) -> usize {
+                match self {
+                    $(Self::$kind(_) => Place::$kind as usize,)*
+                }
+            }
+        }
+
+        impl Study for SearchRequest {
+            fn make(
+                &self,
+                scene: &Arc<Scene>,
+                reporter: &Reporter<'_>,
+            ) -> Result<Found, Box<dyn Error>> {
+                let threads = reporter.threads();
+                let answer = match self {
+                    $(Self::$kind(request) => {
+                        let make: Make<$request, $answer> = $make;
+                        SearchAnswer::$kind(make(scene, request, threads, reporter)?)
+                    })*
+                };
+                Ok(answer.into())
+            }
+        }
+    };
 }
 
-impl Study for SearchRequest {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let plain = &mut reporter.progress();
-        let parts = &mut reporter
-            .watch(|front: &front::Front| SearchAnswer::Front(Box::new(front.clone())));
-        let context = &mut Context::new(reporter.threads(), plain);
-        let answer = match self {
-            Self::Seek(request) => SearchAnswer::Seek(seek::seek(scene, request, context)?),
-            Self::Front(request) => {
-                let context = &mut Context::new(reporter.threads(), parts);
-                SearchAnswer::Front(Box::new(front::optimise(scene, request, context)?))
-            }
-            Self::Sensitivity(request) => {
-                SearchAnswer::Sensitivity(sensitivity::study(scene, request, context)?)
-            }
-            Self::MonteCarlo(request) => {
-                SearchAnswer::MonteCarlo(monte_carlo::sample(scene, request, context)?)
-            }
-        };
-        Ok(answer.into())
-    }
+/// Makes an answer of a scene and a request, on a number of threads.
+type Make<Q, A> = fn(&Scene, &Q, usize, &Reporter<'_>) -> Result<A, SweepError>;
+
+searches! {
+    /// Which values of a variable give a wanted result.
+    Seek(seek::Request) => seek::Report: |scene, request, threads, reporter| {
+        seek::seek(scene, request, &mut Context::new(threads, &mut reporter.progress()))
+    };
+    /// The Pareto front: designs that no other one dominates.
+    Front(front::Request) => Box<front::Front>: |scene, request, threads, reporter| {
+        let part = |front: &front::Front| SearchAnswer::Front(Box::new(front.clone()));
+        let watch = &mut reporter.watch(part);
+        front::optimise(scene, request, &mut Context::new(threads, watch)).map(Box::new)
+    };
+    /// How strongly each variable acts on a quantity.
+    Sensitivity(sensitivity::Request) => sensitivity::Report: |scene, request, threads, reporter| {
+        sensitivity::study(scene, request, &mut Context::new(threads, &mut reporter.progress()))
+    };
+    /// How results scatter when inputs do.
+    MonteCarlo(monte_carlo::Request) => monte_carlo::Report: |scene, request, threads, reporter| {
+        monte_carlo::sample(scene, request, &mut Context::new(threads, &mut reporter.progress()))
+    };
 }
 
 #[cfg(test)]

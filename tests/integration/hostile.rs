@@ -39,20 +39,18 @@ fn a_file_that_is_not_a_scene_is_refused_in_a_short_line() {
 #[cfg(unix)]
 #[test]
 fn an_endless_device_is_refused_as_scene_and_table() {
-    // The last two would wait for ever.
-    for path in ["/dev/ptmx", "/proc/kmsg"] {
-        let (_, error) = says("run", &[path], 2);
-        assert!(error.contains(&format!("`{path}` is a device or a pipe")), "{error}");
-        let (_, error) = says("run", &["--set", &format!("table={path}")], 2);
-        assert!(error.contains(&format!("`{path}` is a device or a pipe")), "{error}");
+    // The first would wait for ever.
+    for path in ["/dev/ptmx", "/dev/zero"] {
+        for arguments in [&[path][..], &["--set", &format!("table={path}")]] {
+            let (_, error) = says("run", arguments, 2);
+            assert!(error.contains(&format!("`{path}` is a device or a pipe")), "{error}");
+        }
     }
     let hex = "format = 1\n[plate]\nmass_ratio = 0xFFFFFFFFFFFFFFFFFF\n";
     let scene: Vec<u8> = hex.into();
     let read = cmra("run", &["/dev/stdin", "--json"]).write_stdin(scene).output().unwrap();
     let run: serde_json::Value = serde_json::from_slice(&read.stdout).unwrap();
     assert_eq!(run["variables"]["plate.mass_ratio"].as_f64(), Some(2f64.powi(72)));
-    let (_, error) = says("run", &["/dev/zero"], 2);
-    assert!(error.contains("`/dev/zero` is a device or a pipe"), "{error}");
     let table = "format = 1\n[mechanism.spring]\nkind = \"table\"\n[mechanism.spring.table]\n\
                  file = \"/dev/zero\"\n";
     assert!(refused(table.as_bytes()).contains("`/dev/zero` is a device or a pipe"));

@@ -272,7 +272,7 @@ fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
 }
 
 #[test]
-fn the_list_names_status_and_source_also_as_json() {
+fn the_list_names_status_and_source() {
     let page = says("libraries", &[], 0).0;
     for words in
         ["threats: --threat NAME", "m80-ball: 7.62 x 51 mm", "standard", "NIJ Standard 0123.00"]
@@ -280,18 +280,8 @@ fn the_list_names_status_and_source_also_as_json() {
         assert!(page.contains(words), "{words}: {page}");
     }
     assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
-    let found: Value = serde_json::from_str(&says("libraries", &["--json"], 0).0).unwrap();
-    for library in ["threats", "materials", "absorbers"] {
-        for entry in found[library].as_array().unwrap() {
-            let status = entry["status"].as_str().unwrap();
-            assert!(["measured", "standard", "typical"].contains(&status), "{entry}");
-            assert!(entry["source"].as_str().unwrap().len() > 10, "{entry}");
-        }
-    }
-    let only: Value =
-        serde_json::from_str(&says("libraries", &["absorbers", "--json"], 0).0).unwrap();
-    assert!(only["threats"].is_null());
-    assert_eq!(only["absorbers"][0]["values"]["mechanism.energy_j_kg"], 19460.0);
+    let only = says("libraries", &["absorbers"], 0).0;
+    assert!(only.starts_with("absorbers: ") && !only.contains("m80-ball"), "{only}");
 }
 
 #[test]

@@ -85,7 +85,6 @@ fn what_is_cut_short_says_so_and_draws_no_conclusion() {
             "no answer is drawn from these points",
             "<- cheapest",
         ),
-        ("compare --map v_i,gamma --csv a.csv", " points", "the rest not computed", "   -\n"),
     ] {
         let (page, terminal) = interrupted(words, said);
         assert!(page.contains(marked), "{words}: {page}");

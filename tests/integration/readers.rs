@@ -8,7 +8,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use cmra::files::read::{self, Accepts};
+use cmra::files::read;
 use cmra::files::{read_table, session, write};
 use cmra::model::scene::Scene;
 use cmra::model::units::{self, Bare, Dimension};
@@ -25,7 +25,7 @@ const LONG: usize = 1_000_000 / 6;
 /// Reads a text.
 type Read<'a> = Box<dyn Fn(&str) -> Result<(), String> + 'a>;
 
-/// A reader, what it is fed with, and what it makes of it: `Ok` where it accepts, else what it says.
+/// A reader, what it is fed with, and what it makes of it: `Ok` where it else what it says.
 struct Reader<'a> {
     name: &'static str,
     seeds: Vec<Vec<u8>>,
@@ -193,7 +193,7 @@ fn read_tolerance(text: &str) -> Result<(), String> {
 
 fn read_points(path: &Path, text: &str) -> Result<(), String> {
     fs::write(path, text).unwrap();
-    let points = read_table::curve(path, Accepts::Handed).map_err(|error| error.to_string())?;
+    let points = read_table::curve(path).map_err(|error| error.to_string())?;
     assert!(points.iter().flatten().all(|number| number.is_finite()), "{points:?}");
     Ok(())
 }

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use assert_cmd::Command;
 use cmra::files::error::FileError;
 use cmra::files::preset;
-use cmra::files::read::Accepts;
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
@@ -71,7 +70,7 @@ pub(crate) fn in_folder(place: &Path, arguments: &str) -> Done {
 
 /// The scene of a file.
 pub(crate) fn scene_file(path: &Path) -> Result<Scene, FileError> {
-    preset::from_file(path, Accepts::Handed).map(|preset| preset.scene)
+    preset::from_file(path).map(|preset| preset.scene)
 }
 
 /// A path in the repository.

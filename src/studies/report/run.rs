@@ -1,7 +1,6 @@
 //! Runs: their course in time, their results and their events as tables, and one run as a JSON object. SI, null where a quantity
 //! does not exist.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use serde_json::{Map, Value, json};
@@ -21,8 +20,6 @@ pub mod page;
 pub enum Rows {
     /// The solver's steps and enough between them to draw from.
     Series,
-    /// A uniform grid of this many rows (at least 2) from the first to the last moment, linear between the rows of the series.
-    Grid(usize),
     /// One row per run: its results.
     Results,
     /// The events.
@@ -51,7 +48,7 @@ const NUMBERS: [Column; 10] = [
 /// The names of all columns a table of these rows has.
 pub fn columns(rows: Rows, several: bool) -> Vec<&'static str> {
     match rows {
-        Rows::Series | Rows::Grid(_) => course(&[], several).keys(),
+        Rows::Series => course(&[], several).keys(),
         Rows::Results => results(&[]).keys(),
         Rows::Events => events(&[], several).keys(),
     }
@@ -69,8 +66,8 @@ pub fn csv(
 ) -> Result<String, NoColumn> {
     let several = runs.len() > 1;
     Ok(match rows {
-        Rows::Series | Rows::Grid(_) => {
-            let courses: Vec<Course<'_>> = runs.iter().map(|run| Course::of(rows, run)).collect();
+        Rows::Series => {
+            let courses: Vec<Course<'_>> = runs.iter().map(Course::of).collect();
             let mut table = course(&courses, several);
             table.rows.retain(|(_, row)| *row < most);
             table.chosen(wanted)?.csv()
@@ -87,19 +84,14 @@ pub fn csv(
 
 struct Course<'r> {
     name: &'r str,
-    samples: Cow<'r, [Sample]>,
+    samples: &'r [Sample],
     /// The events of some rows, in their order.
     events: Vec<(usize, String)>,
 }
 
 impl<'r> Course<'r> {
-    fn of(rows: Rows, (name, run): &'r NamedRun) -> Self {
-        let samples = match rows {
-            Rows::Grid(count) => Cow::Owned(grid(&run.series, count)),
-            Rows::Series | Rows::Results | Rows::Events => Cow::Borrowed(&run.series[..]),
-        };
-        let events = placed(&samples, &run.events);
-        Self { name, samples, events }
+    fn of((name, run): &'r NamedRun) -> Self {
+        Self { name, samples: &run.series, events: placed(&run.series, &run.events) }
     }
 
     fn event(&self, row: usize) -> &str {
@@ -229,36 +221,6 @@ fn events(runs: &[NamedRun], several: bool) -> Table<'_, (&str, Event)> {
         "",
         |it| it.1.kind.words(),
     )
-}
-
-/// The series at `count` equal distances in time.
-fn grid(series: &[Sample], count: usize) -> Vec<Sample> {
-    let (Some(first), Some(last)) = (series.first(), series.last()) else {
-        return Vec::new();
-    };
-    let count = count.max(2);
-    let mut after = 0;
-    (0..count)
-        .map(|index| {
-            let share = index as f64 / (count - 1) as f64;
-            let t_s = if index + 1 == count {
-                last.t_s
-            } else {
-                first.t_s + share * (last.t_s - first.t_s)
-            };
-            // Where two rows share a moment, the later one holds from there on.
-            while after < series.len() && series[after].t_s <= t_s {
-                after += 1;
-            }
-            let low = &series[after.saturating_sub(1)];
-            series.get(after).map_or(*low, |high| between(low, high, t_s))
-        })
-        .collect()
-}
-
-fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
-    let share = (t_s - low.t_s) / (high.t_s - low.t_s);
-    Sample { t_s, is_step: share == 0.0, ..Sample::between(low, high, share) }
 }
 
 /// A run of a scene of this name, computed in a given number of seconds, as one object with its keys in the order a reader expects.
@@ -464,17 +426,6 @@ mod tests {
             sample(1.0, 5.0, Mode::Fused),
             sample(2.0, 5.0, Mode::Fused),
         ]
-    }
-
-    #[test]
-    fn a_grid_is_linear_between_rows_and_keeps_jumps() {
-        let grid = grid(&jump(), 5);
-        let depths: Vec<f64> = grid.iter().map(|row| row.penetration_m).collect();
-        assert_eq!(depths, [0.0, 1.0, 5.0, 5.0, 5.0]);
-        assert_eq!(grid[1].mode, Mode::Penetrating);
-        assert_eq!(grid[2].mode, Mode::Fused);
-        assert!(super::grid(&[], 5).is_empty());
-        assert_eq!(super::grid(&jump()[..1], 5).len(), 5);
     }
 
     #[test]

@@ -26,14 +26,11 @@ pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
 pub fn solution(report: &Report, solution: &SeekResult, checked: &Checked) -> String {
     let axis = &report.axis;
     let at = axis.show(solution.place.at, 6);
-    let until = solution.until.map(|it| format!(" to {} (whole interval)", axis.show(it.at, 6)));
-    let is_touch = solution.kind == Kind::Touch;
-    let touch = if is_touch { ", a minimum or maximum" } else { "" };
     let outcome = solution.outcome.map_or("", PointOutcome::word);
     let reached = report.measure.show(solution.place.value, 6);
     let plastic = checked.plastic.map(|it| format!("; {}", it.words(report.measure)));
-    let (until, plastic) = (until.unwrap_or_default(), plastic.unwrap_or_default());
-    format!("{} = {at}{until}: {reached}, {outcome}{touch}{plastic}", axis.symbol())
+    let plastic = plastic.unwrap_or_default();
+    format!("{} = {at}: {reached}, {outcome}{plastic}", axis.symbol())
 }
 
 /// Further remarks: that there is no solution, jumps over the goal, and where there is no value.
@@ -105,9 +102,9 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult>
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
     let own = ["kind", "at", "until", "value", "outcome", "plastic"];
-    let list = |kinds: &[Kind]| {
+    let list = |kind: Kind| {
         let mut table = table(name, report);
-        table.rows.retain(|line| kinds.contains(&line.kind));
+        table.rows.retain(|line| line.kind == kind);
         table.objects(|key| own.contains(&key))
     };
     let place = |place: SamplePoint| json!({ "at": place.at, "value": place.value });
@@ -124,9 +121,9 @@ pub fn json(name: &str, report: &Report) -> Value {
         "criterion": report.criterion.word(),
         "output": report.measure.name,
         "target": report.target,
-        "solutions": list(&[Kind::Solution, Kind::Touch, Kind::Plateau]),
-        "jumps": list(&[Kind::Jump]),
-        "gaps": list(&[Kind::Gap]),
+        "solutions": list(Kind::Solution),
+        "jumps": list(Kind::Jump),
+        "gaps": list(Kind::Gap),
         "nearest": report.of(Kind::Nearest).map(|it| place(it.place)).next(),
         "least": report.range.map(|range| place(range.0)),
         "most": report.range.map(|range| place(range.1)),

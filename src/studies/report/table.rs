@@ -59,24 +59,14 @@ impl<'c, R> Table<'c, R> {
 
     /// With a further column.
     pub fn with<T: Into<Value>>(
-        self,
+        mut self,
         key: &'static str,
         label: impl Into<Cow<'static, str>>,
         unit: &'static str,
         get: impl Fn(&R) -> T + 'c,
     ) -> Self {
-        self.with_column(key, label.into(), unit, Box::new(move |row| get(row).into()))
-    }
-
-    /// Compiled once for each kind of rows.
-    fn with_column(
-        mut self,
-        key: &'static str,
-        label: Cow<'static, str>,
-        unit: &'static str,
-        get: Get<'c, R>,
-    ) -> Self {
-        self.columns.push(Column { key, label, unit, get, shown: None });
+        let get = Box::new(move |row: &R| get(row).into());
+        self.columns.push(Column { key, label: label.into(), unit, get, shown: None });
         self
     }
 
@@ -115,22 +105,42 @@ impl<'c, R> Table<'c, R> {
 
     /// As CSV, RFC 4180: a line of the keys, and a line a row.
     pub fn csv(&self) -> String {
-        lines_of_csv(self, true)
+        let mut head = csv::Writer::from_writer(Vec::new());
+        // Into memory: nothing can fail.
+        drop(head.write_record(self.keys()));
+        text_of(head) + &self.csv_rows()
     }
 
     /// The same without the line of the keys: a piece of a long table.
     pub fn csv_rows(&self) -> String {
-        lines_of_csv(self, false)
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for row in &self.rows {
+            for column in &self.columns {
+                drop(writer.write_field(&*field(&(column.get)(row))));
+            }
+            drop(writer.write_record(None::<&[u8]>));
+        }
+        text_of(writer)
     }
 
     /// As a JSON list of objects, whose keys keep the order of the columns.
     pub fn json(&self) -> String {
-        json(self)
+        pretty(&self.objects(|_| true))
     }
 
     /// Its rows as JSON objects of a line each, separated by commas: a piece of a long list.
     pub fn json_rows(&self) -> String {
-        json_rows(self)
+        let entry = |column: &Column<'_, R>, row: &R| {
+            let value = (column.get)(row);
+            // Shortest digits are JSON as they are.
+            let text = if value.is_f64() { field(&value).into_owned() } else { value.to_string() };
+            format!("\"{}\": {text}", column.key)
+        };
+        let object = |row: &R| {
+            let entries: Vec<String> = self.columns.iter().map(|it| entry(it, row)).collect();
+            format!("    {{ {} }}", entries.join(", "))
+        };
+        self.rows.iter().map(object).collect::<Vec<_>>().join(",\n")
     }
 
     /// The values of a row by their keys, of some columns.
@@ -160,127 +170,55 @@ impl<'c, R> Table<'c, R> {
 
     /// The same with its headings at the left and a column for each row.
     pub fn turned(&self, keys: &[&str], width: usize) -> String {
-        turned(self, keys, width)
+        let lines: Vec<Cells> = keys.iter().flat_map(|key| self.cells(&[key])).collect();
+        let heads = lines.iter().map(|line| line.head.clone()).collect();
+        let column = |row: usize| Cells {
+            head: String::new(),
+            is_text: false,
+            cells: lines.iter().map(|line| line.cells[row].clone()).collect(),
+        };
+        let first = Cells { head: String::new(), is_text: true, cells: heads };
+        let rows = (0..self.rows.len()).map(column);
+        let columns: Vec<Cells> = std::iter::once(first).chain(rows).collect();
+        // No column has a heading then, which leaves its line empty.
+        grid(&columns, width).trim_start_matches('\n').to_owned()
     }
 
     /// The columns with these keys on a page, those of one unit with the same prefix.
     pub fn cells(&self, keys: &[&str]) -> Vec<Cells> {
-        cells(self, keys)
+        let named = |key: &&str| self.columns.iter().find(|column| column.key == *key);
+        let valued = |column| (column, self.values(column));
+        let columns: Vec<(&Column<'_, R>, Vec<Value>)> =
+            keys.iter().filter_map(named).map(valued).collect();
+        let size = |unit: &str| {
+            let alike = columns.iter().filter(|(column, _)| column.unit == unit);
+            let sizes = alike.flat_map(|(_, values)| values).filter_map(Value::as_f64);
+            sizes.fold(0.0, |a: f64, b| a.max(b.abs()))
+        };
+        let of = |(column, values): &(&Column<'_, R>, Vec<Value>)| {
+            let takes_prefix = matches!(column.unit, "m" | "s" | "N" | "J" | "Pa");
+            let prefix = if takes_prefix { Prefix::of(size(column.unit)) } else { Prefix::NONE };
+            let rows = self.rows.iter().zip(values);
+            let gap = if column.unit.is_empty() { "" } else { ", " };
+            Cells {
+                head: format!("{}{gap}{}{}", column.label, prefix.letter, column.unit),
+                is_text: values.iter().any(Value::is_string),
+                cells: rows.map(|(row, value)| column.text(row, value, prefix)).collect(),
+            }
+        };
+        columns.iter().map(of).collect()
+    }
+
+    fn values(&self, column: &Column<'_, R>) -> Vec<Value> {
+        self.rows.iter().map(|row| (column.get)(row)).collect()
     }
 }
 
-/// A table whatever its rows are: what is made of it is compiled once.
-trait Lines {
-    fn rows(&self) -> usize;
-    fn columns(&self) -> usize;
-    fn head(&self, column: usize) -> Head<'_>;
-    fn value(&self, row: usize, column: usize) -> Value;
-    /// The text that a page shows instead of a value.
-    fn shown(&self, row: usize, column: usize, value: &Value) -> Option<String>;
-}
-
-/// The heading of a column.
-#[derive(Clone, Copy)]
-struct Head<'t> {
-    key: &'static str,
-    label: &'t str,
-    unit: &'static str,
-}
-
-impl<R> Lines for Table<'_, R> {
-    fn rows(&self) -> usize {
-        self.rows.len()
-    }
-
-    fn columns(&self) -> usize {
-        self.columns.len()
-    }
-
-    fn head(&self, column: usize) -> Head<'_> {
-        let Column { key, label, unit, .. } = &self.columns[column];
-        Head { key, label, unit }
-    }
-
-    fn value(&self, row: usize, column: usize) -> Value {
-        (self.columns[column].get)(&self.rows[row])
-    }
-
-    fn shown(&self, row: usize, column: usize, value: &Value) -> Option<String> {
-        self.columns[column].shown.as_ref().and_then(|shown| shown(&self.rows[row], value))
-    }
-}
-
-fn lines_of_csv(table: &dyn Lines, has_header: bool) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    // Records of one length go into memory: nothing can fail.
-    if has_header {
-        drop(writer.write_record((0..table.columns()).map(|column| table.head(column).key)));
-    }
-    for row in 0..table.rows() {
-        for column in 0..table.columns() {
-            drop(writer.write_field(&*field(&table.value(row, column))));
-        }
-        drop(writer.write_record(None::<&[u8]>));
-    }
-    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
-}
-
-fn json(table: &dyn Lines) -> String {
-    let entry = |row, column| (table.head(column).key.to_owned(), table.value(row, column));
-    let object = |row| (0..table.columns()).map(|column| entry(row, column)).collect();
-    pretty(&(0..table.rows()).map(object).collect::<Vec<Map<_, _>>>())
-}
-
-fn json_rows(table: &dyn Lines) -> String {
-    let entry = |row, column| {
-        let value = table.value(row, column);
-        // Shortest digits are JSON as they are.
-        let text = if value.is_f64() { field(&value).into_owned() } else { value.to_string() };
-        format!("\"{}\": {text}", table.head(column).key)
-    };
-    let object = |row| {
-        let entries: Vec<String> = (0..table.columns()).map(|column| entry(row, column)).collect();
-        format!("    {{ {} }}", entries.join(", "))
-    };
-    (0..table.rows()).map(object).collect::<Vec<_>>().join(",\n")
-}
-
-fn turned(table: &dyn Lines, keys: &[&str], width: usize) -> String {
-    let lines: Vec<Cells> = keys.iter().flat_map(|key| cells(table, &[key])).collect();
-    let heads = lines.iter().map(|line| line.head.clone()).collect();
-    let column = |row: usize| Cells {
-        head: String::new(),
-        is_text: false,
-        cells: lines.iter().map(|line| line.cells[row].clone()).collect(),
-    };
-    let first = Cells { head: String::new(), is_text: true, cells: heads };
-    let columns: Vec<Cells> = std::iter::once(first).chain((0..table.rows()).map(column)).collect();
-    // No column has a heading then, which leaves its line empty.
-    grid(&columns, width).trim_start_matches('\n').to_owned()
-}
-
-fn cells(table: &dyn Lines, keys: &[&str]) -> Vec<Cells> {
-    let at = |key: &&str| (0..table.columns()).find(|column| table.head(*column).key == *key);
-    let values = |column| (0..table.rows()).map(|row| table.value(row, column)).collect();
-    let columns: Vec<(usize, Vec<Value>)> =
-        keys.iter().filter_map(at).map(|column| (column, values(column))).collect();
-    let size = |unit: &str| {
-        let alike = columns.iter().filter(|(column, _)| table.head(*column).unit == unit);
-        let sizes = alike.flat_map(|(_, values)| values).filter_map(Value::as_f64);
-        sizes.fold(0.0, |a: f64, b| a.max(b.abs()))
-    };
-    let of = |(column, values): &(usize, Vec<Value>)| {
-        let unit = table.head(*column).unit;
-        let takes_prefix = matches!(unit, "m" | "s" | "N" | "J" | "Pa");
-        let prefix = if takes_prefix { Prefix::of(size(unit)) } else { Prefix::NONE };
-        column_cells(table, *column, values, prefix)
-    };
-    columns.iter().map(of).collect()
-}
-
-fn column_cells(table: &dyn Lines, column: usize, values: &[Value], prefix: Prefix) -> Cells {
-    let text = |(row, value): (usize, &Value)| {
-        table.shown(row, column, value).unwrap_or_else(|| match value {
+impl<R> Column<'_, R> {
+    /// What a page shows of a value.
+    fn text(&self, row: &R, value: &Value, prefix: Prefix) -> String {
+        let own = self.shown.as_ref().and_then(|shown| shown(row, value));
+        own.unwrap_or_else(|| match value {
             Value::Null => NO_NUMBER.to_owned(),
             Value::Number(number) if number.is_f64() => {
                 rounded(number.as_f64().unwrap_or(f64::NAN) / prefix.size)
@@ -288,14 +226,11 @@ fn column_cells(table: &dyn Lines, column: usize, values: &[Value], prefix: Pref
             Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
             value => field(value).into_owned(),
         })
-    };
-    let Head { label, unit, .. } = table.head(column);
-    let gap = if unit.is_empty() { "" } else { ", " };
-    Cells {
-        head: format!("{label}{gap}{}{unit}", prefix.letter),
-        is_text: values.iter().any(Value::is_string),
-        cells: values.iter().enumerate().map(text).collect(),
     }
+}
+
+fn text_of(written: csv::Writer<Vec<u8>>) -> String {
+    String::from_utf8(written.into_inner().unwrap_or_default()).unwrap_or_default()
 }
 
 /// A column of a page.

@@ -90,15 +90,17 @@ impl Jobs {
 #[derive(Clone, Debug)]
 pub struct Kept<T> {
     pub scene: Arc<Scene>,
+    pub asked: Option<Asked>,
     pub found: Option<Arc<T>>,
     pub is_complete: bool,
-    /// No more of it follows: it is complete, or a person stopped it.
-    has_ended: bool,
+    /// How long it took; `None` while more of it follows: it is neither complete nor stopped by a person.
+    pub took: Option<Duration>,
 }
 
 impl<T> Default for Kept<T> {
     fn default() -> Self {
-        Self { scene: Arc::default(), found: None, is_complete: false, has_ended: false }
+        let (scene, asked, found, is_complete, took) = Default::default();
+        Self { scene, asked, found, is_complete, took }
     }
 }
 
@@ -115,8 +117,9 @@ impl<T> Kept<T> {
     {
         let Some(found) = news.found::<T>() else { return false };
         let is_complete = is_complete(&found);
-        let (scene, has_ended) = (Arc::clone(&running.scene), news.is_last());
-        *self = Self { scene, found: Some(found), is_complete, has_ended };
+        let (scene, asked) = (Arc::clone(&running.scene), Some(running.asked.clone()));
+        let took = if let ReportBody::Ended { took, .. } = news { Some(*took) } else { None };
+        *self = Self { scene, asked, found: Some(found), is_complete, took };
         true
     }
 
@@ -127,6 +130,6 @@ impl<T> Kept<T> {
 
     /// Whether it belongs to a scene and need not be computed: what a person stopped waits for the key that runs it again.
     pub fn is_there(&self, scene: &Scene) -> bool {
-        self.found.is_some() && self.has_ended && *self.scene == *scene
+        self.found.is_some() && self.took.is_some() && *self.scene == *scene
     }
 }

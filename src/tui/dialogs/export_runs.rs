@@ -40,9 +40,8 @@ pub(super) fn open(app: &mut App) -> Option<Box<dyn Dialog>> {
 }
 
 /// The kinds of table, with their words.
-const KINDS: [(&str, Rows); 4] = [
+const KINDS: [(&str, Rows); 3] = [
     ("time series: solver steps and points between", Rows::Series),
-    ("time series on a uniform grid of 1001 rows", Rows::Grid(1001)),
     ("results: one row per run", Rows::Results),
     ("events with their times", Rows::Events),
 ];
@@ -162,7 +161,7 @@ const FOOT: u16 = 8;
 
 impl ExportRuns {
     fn is_series(&self) -> bool {
-        matches!(KINDS[self.kind].1, Rows::Series | Rows::Grid(_))
+        KINDS[self.kind].1 == Rows::Series
     }
 
     /// Rows there are now: columns only for a series.
@@ -274,11 +273,7 @@ impl ExportRuns {
     fn preview(&self, app: &App) -> String {
         let Some(shown) = &app.shown else { return String::new() };
         let named = [("now".to_owned(), Arc::clone(&shown.run))];
-        let rows = match KINDS[self.kind].1 {
-            Rows::Grid(_) => Rows::Grid(3),
-            rows => rows,
-        };
-        run::csv(rows, &named, &self.chosen(), 2).unwrap_or_default()
+        run::csv(KINDS[self.kind].1, &named, &self.chosen(), 2).unwrap_or_default()
     }
 }
 

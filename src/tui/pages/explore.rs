@@ -17,7 +17,7 @@ use crate::tui::app::show_duration;
 use crate::tui::pages::explore::cursor::no_sweep;
 use crate::tui::pages::explore::curves::panes;
 use crate::tui::pages::explore::plan::at_rest;
-use crate::tui::pages::explore::state::{Picture, SweepResult, sweep_of};
+use crate::tui::pages::explore::state::{Picture, sweep_of};
 use crate::tui::pages::page::draw_setup;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
@@ -69,8 +69,8 @@ impl Page for ExploreTab {
             return;
         }
         // What a person stopped waits for the key that runs it again.
-        let found = app.pages.explore.found().filter(|found| found.took.is_some());
-        if !found.is_some_and(|found| Some(&**found.grid.plan()) == wanted) {
+        let found = app.pages.explore.found().filter(|_| app.pages.explore.result.took.is_some());
+        if !found.is_some_and(|grid| Some(&**grid.plan()) == wanted) {
             return compute(app);
         }
         app.pages.explore.problem = None;
@@ -126,9 +126,9 @@ impl Page for ExploreTab {
             (None, Some(problem), _) => part(Severity::Error, problem.clone()),
             _ if app.sweep_is_old() => Progress::Old("scene").part(),
             (None, None, None) => Progress::Nothing.part(),
-            (None, None, Some(found)) => {
-                let (done, total) = found.grid.progress();
-                match found.took.filter(|_| found.grid.is_complete()) {
+            (None, None, Some(grid)) => {
+                let (done, total) = grid.progress();
+                match app.pages.explore.result.took.filter(|_| grid.is_complete()) {
                     Some(took) => {
                         Progress::Done(format!("{total} points in {}", show_duration(took))).part()
                     }
@@ -136,21 +136,21 @@ impl Page for ExploreTab {
                 }
             }
         }];
-        if let Some(found) = found {
-            let others = found.grid.outcomes().each();
+        if let Some(grid) = found {
+            let others = grid.outcomes().each();
             for (word, count) in others.filter(|(word, count)| *count > 0 && *word != "arrested") {
                 let severity = if word == "separated" { Severity::Note } else { Severity::Warning };
                 parts.push(part(severity, format!("{count} {word}")));
             }
-            let output = app.shown_output(&found.grid).0;
-            if !curves::printed(app, &found.grid, output).is_empty() {
+            let output = app.shown_output(grid).0;
+            if !curves::printed(app, grid, output).is_empty() {
                 let words = "faint: the thesis's own scheme, as printed; the others: corrected";
                 let short = "faint: the printed scheme";
                 parts.push((Severity::Note, words.to_owned(), short.to_owned()));
             }
-            parts.extend(at_rest(&found.grid, output).map(|text| part(Severity::Note, text)));
+            parts.extend(at_rest(grid, output).map(|text| part(Severity::Note, text)));
         }
-        let ends = found.map(|found| found.grid.outside_at_ends.iter().map(|it| it.0));
+        let ends = found.map(|grid| grid.outside_at_ends.iter().map(|it| it.0));
         parts.extend(outside(ends.into_iter().flatten(), " at the ends", " (<tab-log>:Log)"));
         parts.extend(app.validity_part());
         parts
@@ -160,39 +160,35 @@ impl Page for ExploreTab {
         if PrintedSweep::of(&running.asked).is_some() {
             app.pages.explore.printed = news.found::<Grid>().filter(|grid| grid.is_complete());
         }
-        let Some(sweep) = PictureSweep::of(&running.asked) else { return };
-        let show = |app: &mut App, grid, took| {
-            let (scene, picture) = (Arc::clone(&running.scene), sweep.picture);
-            app.pages.explore.show(SweepResult { picture, scene, grid, took });
-        };
-        match (news, news.found::<Grid>()) {
-            (ReportBody::Failed(_), _) => {
+        if PictureSweep::of(&running.asked).is_none() {
+            return;
+        }
+        app.pages.explore.keep(running, news);
+        match news {
+            ReportBody::Failed(_) => {
                 app.pages.explore.problem =
                     Some("this cannot be swept: press <run> to see why".to_owned());
             }
-            (ReportBody::Ended { took, .. }, Some(grid)) => {
-                if !grid.is_complete() {
-                    app.tell(jobs::CANCELLED);
-                }
-                show(app, grid, Some(*took));
+            ReportBody::Ended { found: Some(_), .. } if !app.pages.explore.result.is_complete => {
+                app.tell(jobs::CANCELLED);
             }
-            (_, Some(grid)) => show(app, grid, None),
-            (_, None) => warn_if_long(app, running),
+            ReportBody::Progress { .. } => warn_if_long(app, running),
+            ReportBody::Ended { .. } | ReportBody::Part(_) => {}
         }
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let found = app.pages.explore.found()?;
-        let plan = found.grid.plan();
+        let (grid, kept) = (app.pages.explore.found()?, &app.pages.explore.result);
+        let plan = grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         let file = format!("{}-{}.csv", app.base_stem(), names.join("-"));
         let sweep = Some(Columns::Chosen.sweep(plan));
-        let scene = Arc::new(Scene { sweep, ..Scene::clone(&found.scene) });
-        let (is_complete, (done, total)) = (found.grid.is_complete(), found.grid.progress());
+        let scene = Arc::new(Scene { sweep, ..Scene::clone(&kept.scene) });
+        let (is_complete, (done, total)) = (kept.is_complete, grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
         let own = Arc::clone(plan);
         let notes = move || sweep_file::notes(&own, missing.as_deref());
-        let grid = Arc::clone(&found.grid);
+        let grid = Arc::clone(grid);
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
         Some(table.noted(app.name_of(&scene), &scene, "sweep", notes))
@@ -232,7 +228,7 @@ impl Page for ExploreTab {
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        let grid = &app.pages.explore.found()?.grid;
+        let grid = app.pages.explore.found()?;
         if app.pane() != RESULTS || app.picture() != Picture::Line {
             return None;
         }
@@ -293,10 +289,9 @@ pub(crate) fn compute(app: &mut App) {
 
 /// Move the cursor by points; the scene stays as it is.
 fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
-    let Some(found) = app.pages.explore.found() else {
+    let Some(grid) = app.pages.explore.found().cloned() else {
         return app.tell(no_sweep(app));
     };
-    let grid = Arc::clone(&found.grid);
     let at = app.cursor_point(&grid);
     // Right and up lead to greater values, also on an axis that runs downward.
     let upward = |by: isize, axis: Option<&Axis>| {

@@ -102,9 +102,9 @@ impl App {
             None => section(&mut lines, "Run", [("no run yet".to_owned(), Role::Dim)]),
         }
         let explore = self.pages.explore.found();
-        let explore = explore.map_or(&[][..], |found| &found.grid.outside_at_ends);
-        let search = self.pages.search.shown();
-        let search = search.map_or(&[][..], |found| found.answer.answer().outside_at_ends());
+        let explore = explore.map_or(&[][..], |grid| &grid.outside_at_ends);
+        let search = self.pages.search.answer();
+        let search = search.map_or(&[][..], |answer| answer.outside_at_ends());
         for (heading, ends) in [("Explore", explore), ("Search", search)] {
             if !ends.is_empty() {
                 let ends = ends.iter().map(|end| (format!("! {}", end.1), Role::Warning));

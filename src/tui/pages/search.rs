@@ -20,6 +20,7 @@ use crate::tui::app::notice::outside as validity;
 use crate::tui::pages::page::move_by;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
+use crate::tui::pages::search::answer::Answer;
 use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Bound, Row, Setup};
 use crate::tui::widgets::along;
@@ -64,26 +65,42 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-const BOTH: &[Pane] = &[SETUP, RESULTS];
 /// The pages, in the order of [`state::Page`].
 const PAGES: &[PageSpec] = &{
-    let [seek, front, sensitivity, monte_carlo] = state::Page::TITLES;
-    [
-        PageSpec { name: seek, panes: BOTH },
-        PageSpec { name: front, panes: BOTH },
-        PageSpec { name: sensitivity, panes: BOTH },
-        PageSpec { name: monte_carlo, panes: BOTH },
-    ]
+    let mut pages = [const { PageSpec { name: "", panes: &[SETUP, RESULTS] } }; state::Page::COUNT];
+    let mut at = 0;
+    while at < pages.len() {
+        pages[at].name = state::Page::ALL[at].title();
+        at += 1;
+    }
+    pages
 };
 
-#[rustfmt::skip]
-const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
-    Command::new(Call::Show(RESULTS, Some(0)), "Goal seek", "seek target solve inverse root"),
-    Command::new(Call::Show(RESULTS, Some(1)), "Pareto front", "optimise optimize best designs knee trade-off"),
-    Command::new(Call::Show(RESULTS, Some(2)), "Sensitivity", "sobol tornado importance ranking"),
-    Command::new(Call::Show(RESULTS, Some(3)), "Monte Carlo", "uncertainty scatter spread distribution histogram"),
-];
+/// The tab, then each of its pages.
+const COMMANDS: &[Command] = &{
+    let mut commands =
+        [const { Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design") };
+            state::Page::COUNT + 1];
+    let mut at = 0;
+    while at < state::Page::COUNT {
+        let (page, call) = (state::Page::ALL[at], Call::Show(RESULTS, Some(at)));
+        at += 1;
+        commands[at] = Command::new(call, page.title(), page.synonyms());
+    }
+    commands
+};
+
+/// What a page asks for, and by which rows of the setup.
+struct Study {
+    /// The rows of its setup, headings included.
+    rows: fn(&App) -> Vec<Row>,
+    /// What the setup asks for, over the variables that it varies.
+    request: fn(&App) -> Result<SearchRequest, String>,
+}
+
+/// The studies, in the order of [`state::Page`].
+const STUDIES: [Study; state::Page::COUNT] =
+    [seek::STUDY, front::STUDY, sensitivity::STUDY, monte_carlo::STUDY];
 
 pub(crate) struct SearchTab;
 
@@ -144,15 +161,14 @@ impl Page for SearchTab {
         };
         let running: Option<(&Running, bool)> = app.jobs.study::<SearchRequest>().map(of_page);
         let mut count = None;
-        let progress = match (running, tab.shown()) {
+        let progress = match (running, tab.answer()) {
             (Some((running, true)), _) => {
                 let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
                 Progress::Running(format!("searching{counted}"))
             }
             (Some((_, false)), _) => Progress::Running("another search is running".to_owned()),
             (None, Some(_)) if app.search_is_old() => Progress::Old("setup"),
-            (None, Some(found)) => {
-                let answer = found.answer.answer();
+            (None, Some(answer)) => {
                 count = answer.effort();
                 if answer.is_complete() {
                     Progress::Done("done".to_owned())
@@ -162,14 +178,14 @@ impl Page for SearchTab {
             }
             (None, None) => Progress::Nothing,
         };
-        let problem = tab.problem().is_some() && running.is_none() && tab.shown().is_none();
+        let problem = tab.problem().is_some() && running.is_none() && tab.answer().is_none();
         let refused = || part(Severity::Error, "this cannot be searched for");
         let first = if problem { refused() } else { progress.part() };
         let count = count.map(|runs| part(Severity::Note, runs));
         let answer = tab.answer().filter(|_| running.is_none());
         let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
-        let found = tab.shown().filter(|_| running.is_none() && !app.search_is_old());
-        let ends = found.into_iter().flat_map(|found| found.answer.answer().outside_at_ends());
+        let ends = answer.filter(|_| !app.search_is_old()).into_iter();
+        let ends = ends.flat_map(Answer::outside_at_ends);
         let ends = self::validity(ends.map(|it| it.0), " at the ends", " (<tab-log>:Log)");
         std::iter::once(first).chain(ends).chain(validity).chain(count).collect()
     }
@@ -184,25 +200,23 @@ impl Page for SearchTab {
             if waits {
                 self.enter(app);
             }
-        } else if let Some(answer) = news.found() {
-            let (scene, request) = (Arc::clone(&running.scene), SearchRequest::clone(request));
-            let found = state::SearchResult { scene, request, answer };
-            let is_complete = found.is_complete();
-            tab.found[page] = Some(found);
-            if news.is_last() && is_complete && waits {
-                self.enter(app);
-            }
+        } else if tab.found[page].keep(running, news, |it| it.answer().is_complete())
+            && news.is_last()
+            && tab.found[page].is_complete
+            && waits
+        {
+            self.enter(app);
         }
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let file = format!("{}-{}", app.base_stem(), app.pages.search.page.file());
-        let found = app.pages.search.shown()?.clone();
-        let (scene, is_complete, command) =
-            (Arc::clone(&found.scene), found.is_complete(), found.request.command());
-        let csv = move |name: &str| found.csv(name);
-        let table = PageTable::new("Export the results to CSV", file, is_complete, csv);
-        Some(table.of(app.name_of(&scene), &scene, &command))
+        let kept = app.pages.search.shown()?;
+        let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
+        let (scene, answer) = (Arc::clone(&kept.scene), Arc::clone(kept.found.as_ref()?));
+        let csv = move |name: &str| answer.csv(&scene, name);
+        let table = PageTable::new("Export the results to CSV", file, kept.is_complete, csv);
+        Some(table.of(app.name_of(&kept.scene), &kept.scene, &command))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

@@ -9,7 +9,7 @@ use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::{front, seek};
 use cmra::study::sweep::grid::{Grid, PIECE};
 use cmra::study::{monte_carlo, sensitivity};
-use cmra::tui::pages::search::state::{Page, SearchResult};
+use cmra::tui::pages::search::state::Page;
 use cmra::worker::studies::{SearchAnswer, SearchRequest};
 
 /// Changes to the baseline that between them have another interface, mount, spring, threat and plate.
@@ -60,9 +60,7 @@ fn by_tab(bench: &Bench, request: &SearchRequest) -> Result<String, String> {
             monte_carlo::sample(scene, request, context).map(SearchAnswer::MonteCarlo)
         }
     };
-    let answer = Arc::new(answer.map_err(|error| error.to_string())?);
-    let found = SearchResult { scene: Arc::clone(scene), request: request.clone(), answer };
-    Ok(found.csv(NAME))
+    Ok(answer.map_err(|error| error.to_string())?.csv(scene, NAME))
 }
 
 #[test]

@@ -145,7 +145,7 @@ fn another_spacing_keeps_the_cursor_at_its_value() {
     let mut bench = Bench::ascii(80, 24);
     keys(&mut bench, "2L");
     let at = |bench: &Bench| {
-        let grid = &bench.app.pages.explore.found().expect("a sweep").grid;
+        let grid = bench.app.pages.explore.found().expect("a sweep");
         grid.coordinate(bench.app.cursor_point(grid), 0)
     };
     let before = at(&bench);

@@ -41,7 +41,7 @@ fn a_quantity_a_shot_and_a_line_of_the_comparison_are_found() {
     sweep::answer(&mut bench);
     let outputs = bench.app.scene.sweep.as_ref().expect("a sweep").outputs.len();
     let found = bench.app.pages.explore.found().expect("a map");
-    let title = found.grid.plan().outputs()[outputs - 1].title();
+    let title = found.plan().outputs()[outputs - 1].title();
     bench.keys(&format!("/{title}<Enter>"));
     assert_eq!(bench.app.pages.explore.output, outputs - 1, "{title}");
     let mut bench = limit::open(GlyphSet::Ascii, (120, 36));

@@ -10,8 +10,8 @@ use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::numerics::crossing::{dips, rise, zero};
 use crate::numerics::larger;
 
-/// Steps after which the simulation is the better method.
-pub(super) const STEPS_MAX: usize = 1500;
+/// Steps after which the simulation is the faster method.
+pub(super) const STEPS_MAX: usize = 6000;
 /// Part of its unit below which a step is tried again with a shorter one.
 const SHORT: f64 = 0.02;
 /// The least part of its unit that a step is shortened to at once.

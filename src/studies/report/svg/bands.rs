@@ -72,21 +72,13 @@ pub(super) fn draw_map(out: &mut String, map: &Map<'_>) {
     }
     out.push_str("</g>\n");
     draw_letters(out, plot, map);
-    match &map.contour {
+    if let Some((value, _)) = &map.contour {
+        let path = contour(plot, map, *value);
         // White below black: seen on every colour.
-        Some((value, _)) => draw_contour(
-            out,
-            &contour(plot, map, *value),
-            &["stroke=\"#ffffff\" stroke-width=\"4\"", "stroke=\"#000000\" stroke-width=\"2\""],
-        ),
-        None => {
-            for bound in levels.into_iter().flat_map(|it| (1..count).map(|band| it.band(band).0)) {
-                draw_contour(
-                    out,
-                    &contour(plot, map, bound),
-                    &["stroke=\"#ffffff\" stroke-width=\"0.7\""],
-                );
-            }
+        for ink in
+            ["stroke=\"#ffffff\" stroke-width=\"4\"", "stroke=\"#000000\" stroke-width=\"2\""]
+        {
+            let _ = writeln!(out, "<path d=\"{path}\" fill=\"none\" {ink}/>");
         }
     }
     frame(out, plot);
@@ -194,14 +186,6 @@ fn contour(plot: Plot<'_>, map: &Map<'_>, value: f64) -> String {
         }
     }
     path
-}
-
-fn draw_contour(out: &mut String, path: &str, inks: &[&str]) {
-    if !path.is_empty() {
-        for ink in inks {
-            let _ = writeln!(out, "<path d=\"{path}\" fill=\"none\" {ink}/>");
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
-//! A map of the mass efficiency over two variables, and the line on which it is 1.
+//! A map of the mass efficiency over two variables.
 
 use std::ops::Range;
 
 use crate::model::scene::Scene;
 use crate::model::variables;
 use crate::study::compare::hardware::Hardware;
+use crate::study::compare::hold_spring_mass;
 use crate::study::compare::sized::{Absence, mass_efficiency};
-use crate::study::compare::{hold_spring_mass, is_equal};
 use crate::study::context::{Context, Work};
 use crate::study::sweep::axis::numeric;
 use crate::study::sweep::{Axis, Plan, Spacing, SweepError};
@@ -101,20 +101,6 @@ impl Map {
     pub fn cell(&self, x: u64, y: u64) -> Option<Result<f64, Absence>> {
         let index = usize::try_from(x * self.y().count() + y).ok()?;
         self.cells.get(index).copied()
-    }
-
-    /// Where the mass efficiency is 1 along the row of the second variable's value `y`: values of the first, by linear
-    /// interpolation between points.
-    pub fn line_of_one(&self, y: u64) -> Vec<f64> {
-        let excess = |x: u64| Some(self.cell(x, y)?.ok()? - 1.0);
-        let crossing = |x: u64| {
-            let (here, next) = (excess(x)?, excess(x + 1)?);
-            let share = here / (here - next);
-            let (from, to) = (self.x().value(x), self.x().value(x + 1));
-            let is_noise = is_equal(1.0 + here) && is_equal(1.0 + next);
-            ((here > 0.0) != (next > 0.0) && !is_noise).then_some(from + share * (to - from))
-        };
-        (0..self.x().count() - 1).filter_map(crossing).collect()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Goal seek: which values of one variable give a wanted value of one measure.
 //!
-//! A scan covers the whole interval, then every place where the goal is crossed or nearly reached is refined; so
+//! A scan covers the whole interval, then every place where the goal is crossed is refined; so
 //! all solutions further apart than the scan's spacing are found, and what crosses the goal by a jump, or has no value, is reported
 //! apart from a solution. Must not know files, threads, screens or a clock.
 
@@ -77,23 +77,12 @@ enumeration! {
     }
     /// The goal is reached in passing.
     Solution { word: "solution" }
-    /// The goal is touched, not crossed: a least or greatest value.
-    Touch { word: "touch" }
-    /// The goal is met from here to there: the measure does not depend on the variable.
-    Plateau { word: "plateau" }
     /// The measure jumps over the goal.
     Jump { word: "jump" }
     /// The nearest miss where there is no solution.
     Nearest { word: "nearest" }
     /// A stretch of the scan without a value.
     Gap { word: "gap" }
-}
-
-impl Kind {
-    /// Whether it gives the wanted result.
-    pub fn is_solution(self) -> bool {
-        matches!(self, Self::Solution | Self::Touch | Self::Plateau)
-    }
 }
 
 /// A value of the variable, and what comes of it.
@@ -112,7 +101,7 @@ pub struct SeekResult {
     pub kind: Kind,
     /// Where, and what is reached; the measure is NaN in a gap.
     pub place: SamplePoint,
-    /// The other end of a plateau, a jump or a gap.
+    /// The other end of a jump or a gap.
     pub until: Option<SamplePoint>,
     /// The outcome of the design.
     pub outcome: Option<PointOutcome>,
@@ -156,7 +145,7 @@ pub struct Report {
 impl Report {
     /// The solutions, in the order in which they were checked.
     pub fn solutions(&self) -> impl Iterator<Item = &SeekResult> {
-        self.lines.iter().filter(|line| line.kind.is_solution())
+        self.of(Kind::Solution)
     }
 
     /// The lines of one kind.
@@ -199,20 +188,22 @@ pub fn seek(
         same.next().map(|(_, outcome)| *outcome)
     };
     let (found, jumps): (Vec<Crossing>, Vec<Crossing>) =
-        crossings.into_iter().partition(|crossing| crossing.kind.is_solution());
-    let mut lines = Vec::new();
-    for Crossing { kind, from, to } in found.into_iter().chain(jumps) {
-        let until = matches!(kind, Kind::Plateau | Kind::Jump).then(|| place(to));
-        let outcome = outcome_at(from.at).filter(|_| kind != Kind::Jump);
-        lines.push(SeekResult { until, outcome, ..SeekResult::new(kind, place(from)) });
-    }
-    if !lines.iter().any(|line| line.kind.is_solution()) {
+        crossings.into_iter().partition(|crossing| crossing.kind == Kind::Solution);
+    let mut lines: Vec<SeekResult> = Vec::new();
+    lines.extend(found.iter().map(|Crossing { kind, from, .. }| SeekResult {
+        outcome: outcome_at(from.at),
+        ..SeekResult::new(*kind, place(*from))
+    }));
+    lines.extend(jumps.iter().map(|Crossing { kind, from, to }| SeekResult {
+        until: Some(place(*to)),
+        ..SeekResult::new(*kind, place(*from))
+    }));
+    if found.is_empty() {
         let miss = |seen: &SamplePoint| (seen.value - goal.target).abs();
         let nearest = seen.iter().min_by(|a, b| miss(a).total_cmp(&miss(b)));
         lines.extend(nearest.map(|seen| SeekResult::new(Kind::Nearest, place(*seen))));
     }
-    let solutions = lines.iter().filter(|line| line.kind.is_solution());
-    let designs = solutions.map(|line| space.scene_of(&[line.place.at]));
+    let designs = found.iter().map(|it| space.scene_of(&[axis.at_share(it.from.at)]));
     let mut check = |design: &Scene, known: &[Check]| {
         Checked::of(design, goal.measure, known, &mut || context.goes_on())
     };

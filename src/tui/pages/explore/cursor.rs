@@ -18,7 +18,7 @@ impl App {
     /// Whether the picture belongs to other axes or held variables than those on the screen.
     pub fn sweep_is_old(&self) -> bool {
         let wanted = self.sweep_plan().ok();
-        let shown = self.pages.explore.found().map(|found| &**found.grid.plan());
+        let shown = self.pages.explore.found().map(|grid| &**grid.plan());
         shown.is_some() && shown != wanted.as_ref()
     }
 
@@ -44,7 +44,7 @@ impl App {
 
     /// What is under the cursor, in at most this many columns: units and long names go first.
     pub fn sweep_readout(&self, width: usize) -> Option<String> {
-        let grid = &self.pages.explore.found()?.grid;
+        let grid = self.pages.explore.found()?;
         let all = [Detail::Long, Detail::Short, Detail::Least];
         Some(fitting(all.map(|words| self.readout_with(grid, words)), width))
     }
@@ -93,14 +93,14 @@ impl App {
 
     /// The design under the cursor as a scene, with the values of the axes in words.
     pub fn sweep_design(&self) -> Result<LabelledScene, String> {
-        let Some(found) = self.pages.explore.found() else {
+        let Some(grid) = self.pages.explore.found() else {
             return Err(no_sweep(self));
         };
         if self.sweep_is_old() {
             return Err(old("setup"));
         }
-        let point = self.cursor_point(&found.grid);
-        Ok(placed((*self.scene).clone(), values_at(&found.grid, point)))
+        let point = self.cursor_point(grid);
+        Ok(placed((*self.scene).clone(), values_at(grid, point)))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::study::sweep::grid::{self, Grid};
 use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
 use crate::tui::pages::explore::plan::no_value;
-use crate::tui::pages::explore::state::{Picture, RESULTS, SETUP, SweepResult, nearest};
+use crate::tui::pages::explore::state::{Picture, RESULTS, SETUP, nearest};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::{ROOMY, setup_width};
 use crate::tui::widgets::text::shortened;
@@ -74,14 +74,14 @@ fn surface(body: Rect, left: Rect, rest: Rect) -> SweepPanes {
 
 pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));
-    let Some(found) = app.pages.explore.found() else {
+    let Some(grid) = app.pages.explore.found() else {
         if let Some(area) = panes.plots.first() {
             waiting(app, "Curves", *area, canvas);
         }
         return;
     };
-    let outputs = found.grid.plan().outputs().len();
-    let (shown, _) = app.shown_output(&found.grid);
+    let outputs = grid.plan().outputs().len();
+    let (shown, _) = app.shown_output(grid);
     for (place, area) in panes.plots.iter().enumerate() {
         // The shown output first, then the ones after it.
         let output = (shown + place) % outputs;
@@ -89,7 +89,7 @@ pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'
             waiting(app, "", *area, canvas);
             continue;
         }
-        curves(app, found, output, *area, canvas);
+        curves(app, grid, output, *area, canvas);
     }
 }
 
@@ -107,8 +107,7 @@ fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
     chart::Axis { view, ..axis_of(axis) }.unit(Unit::with_prefix(view.size(), unit))
 }
 
-fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
-    let grid = &found.grid;
+fn curves(app: &App, grid: &Grid, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
     let column = grid.plan().outputs()[output];
     let old = app.sweep_is_old() && app.jobs.running::<PictureSweep>().is_none();
     let axes = grid.plan().axes();
@@ -218,14 +217,14 @@ pub(crate) fn render_map(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>)
     let Some(area) = panes.plots.first().copied() else { return };
     let all = panes.plots.iter().chain(&panes.scale).chain(&panes.slices);
     all.for_each(|area| canvas.pane(*area, RESULTS));
-    let Some(found) = app.pages.explore.found() else {
+    let Some(grid) = app.pages.explore.found() else {
         waiting(app, "Map", area, canvas);
         for area in panes.scale.iter().chain(&panes.slices) {
             PaneFrame::new("").draw(*area, canvas);
         }
         return;
     };
-    let view = ChartView::of(app, &found.grid);
+    let view = ChartView::of(app, grid);
     view.map(app, area, canvas);
     if let Some(area) = panes.scale {
         view.scale(app, area, canvas);

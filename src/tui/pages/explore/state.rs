@@ -6,16 +6,18 @@
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
-use std::time::Duration;
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::variables;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, USUAL_OUTPUTS};
+use crate::tui::app::running::{Kept, Running};
 use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::preset::LabelledScene;
 use crate::tui::widgets::axis::over;
+use crate::worker::ReportBody;
+use crate::worker::studies::{AskedFor, PictureSweep};
 
 pub use crate::tui::widgets::axis::Part;
 pub use crate::worker::studies::Picture;
@@ -49,17 +51,6 @@ impl Default for SetupRow {
     }
 }
 
-#[derive(Clone, Debug)]
-pub struct SweepResult {
-    pub picture: Picture,
-    /// The scene that was swept.
-    pub scene: Arc<Scene>,
-    /// The grid, filled as far as it is.
-    pub grid: Arc<Grid>,
-    /// Time taken; `None` while it grows.
-    pub took: Option<Duration>,
-}
-
 /// How a sweep is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PicturePlan {
@@ -76,7 +67,7 @@ impl Default for PicturePlan {
 #[derive(Clone, Debug, Default)]
 pub struct Sweeping {
     /// The last result, of one picture or the other.
-    pub result: Option<SweepResult>,
+    pub result: Kept<Grid>,
     /// The curves of a figure by the scheme that the thesis prints.
     pub printed: Option<Arc<Grid>>,
     /// The number of the last sweep that was said to take more than a minute.
@@ -95,9 +86,10 @@ pub struct Sweeping {
 }
 
 impl Sweeping {
-    /// The result, where it is of the picture shown.
-    pub fn found(&self) -> Option<&SweepResult> {
-        self.result.as_ref().filter(|it| it.picture == self.plan.picture)
+    /// The grid, filled as far as it is, where it is of the picture shown.
+    pub fn found(&self) -> Option<&Arc<Grid>> {
+        let sweep = PictureSweep::of(self.result.asked.as_ref()?)?;
+        self.result.found.as_ref().filter(|_| sweep.picture == self.plan.picture)
     }
 
     /// The place of the output shown among those of a sweep.
@@ -105,15 +97,17 @@ impl Sweeping {
         self.output.min(sweep.outputs.len() - 1)
     }
 
-    /// Show what was found; over other variables the cursor begins again, over other values of them it stays at its own.
-    pub fn show(&mut self, found: SweepResult) {
-        let before = self.found().map(|found| &*found.grid);
-        if before.is_none_or(|grid| grid.plan().axes() != found.grid.plan().axes()) {
+    /// Keep what was found; over other variables the cursor begins again, over other values of them it stays at its own.
+    pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) {
+        let before = self.found().cloned();
+        if self.result.keep(running, news, Grid::is_complete)
+            && let Some(grid) = &self.result.found
+            && before.as_ref().is_none_or(|it| it.plan().axes() != grid.plan().axes())
+        {
             let at = self.cursor.zip(before);
-            self.cursor = at.and_then(|(at, grid)| same_place(grid, at, &found.grid));
+            self.cursor = at.and_then(|(at, old)| same_place(&old, at, grid));
             self.zoomed = None;
         }
-        self.result = Some(found);
     }
 }
 

@@ -68,6 +68,11 @@ pub(crate) trait Answer {
 }
 
 impl SearchAnswer {
+    /// The results of a scene of this name as a table.
+    pub fn csv(&self, scene: &Scene, name: &str) -> String {
+        self.answer().csv(scene, name)
+    }
+
     pub(crate) fn answer(&self) -> &dyn Answer {
         match self {
             Self::Seek(report) => report,

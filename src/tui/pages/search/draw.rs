@@ -10,7 +10,7 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
     canvas.pane(results, RESULTS);
     draw_setup(app, &app.search_form(), SETUP, setup, canvas);
     let lines = app.search_lines(usize::from(results.width.saturating_sub(2)));
-    let Some(found) = app.pages.search.shown() else {
+    let Some(answer) = app.pages.search.answer() else {
         waiting(app, results, canvas);
         return;
     };
@@ -21,7 +21,7 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
     }
     let (top, rest) = split_bottom(results, below);
     let focused = below == 0 && app.has_focus(RESULTS);
-    found.answer.answer().draw(app, top, focused, canvas);
+    answer.draw(app, top, focused, canvas);
     if below == 0 {
         turn(app, top, canvas);
     } else {

@@ -2,10 +2,11 @@
 
 use crate::numerics::statistics::ascending;
 use crate::study::search::front::{Design, Front};
+use crate::tui::app::running::Kept;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::answer::Answer;
-use crate::tui::pages::search::state::{Page, SearchResult, Searching};
+use crate::tui::pages::search::state::{Page, Searching};
 use crate::tui::widgets::layout::CHART_ROWS;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 
@@ -13,8 +14,9 @@ use crate::worker::studies::{SearchAnswer, SearchRequest};
 const LEAST_WORDS: u16 = 6;
 
 impl Searching {
-    pub fn shown(&self) -> Option<&SearchResult> {
-        self.found[self.page as usize].as_ref()
+    /// The result of the page shown, once there is any.
+    pub fn shown(&self) -> Option<&Kept<SearchAnswer>> {
+        Some(&self.found[self.page as usize]).filter(|kept| kept.found.is_some())
     }
 
     /// Why the page shown cannot be computed.
@@ -23,7 +25,7 @@ impl Searching {
     }
 
     pub fn front(&self) -> Option<&Front> {
-        match &*self.found[Page::Front as usize].as_ref()?.answer {
+        match &**self.found[Page::Front as usize].found.as_ref()? {
             SearchAnswer::Front(front) => Some(front),
             _ => None,
         }
@@ -44,9 +46,9 @@ impl Searching {
         ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
     }
 
-    /// The result of the page shown.
+    /// The same as its page shows it.
     pub(crate) fn answer(&self) -> Option<&dyn Answer> {
-        Some(self.shown()?.answer.answer())
+        Some(self.shown()?.found.as_ref()?.answer())
     }
 
     /// The places of the designs or solutions, in the order of the table.
@@ -170,36 +172,26 @@ impl App {
     /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do not
     /// count: a design of the results may be loaded, and the others stay results.
     pub fn search_is_old(&self) -> bool {
-        let Some(found) = self.pages.search.shown() else { return false };
-        let request = self.search_request(self.pages.search.page).ok();
+        let tab = &self.pages.search;
+        let Some((kept, answer)) = tab.shown().zip(tab.answer()) else { return false };
         let mut scene = (*self.scene).clone();
-        scene.sweep.clone_from(&found.scene.sweep);
-        for axis in found.answer.answer().over() {
-            copy_value(axis, &found.scene, &mut scene);
+        scene.sweep.clone_from(&kept.scene.sweep);
+        for axis in answer.over() {
+            copy_value(axis, &kept.scene, &mut scene);
         }
-        *found.scene != scene || request.as_ref() != Some(&found.request)
+        let asked = kept.asked.as_ref().and_then(SearchRequest::of);
+        let wanted = self.search_request(tab.page).ok();
+        *kept.scene != scene || asked.map(|it| &**it) != wanted.as_ref()
     }
 
     /// The design under the cursor as a scene, and what it is.
     pub fn search_design(&self) -> Result<LabelledScene, String> {
-        let tab = &self.pages.search;
-        let Some(found) = tab.shown() else {
+        let Some(answer) = self.pages.search.answer() else {
             return Err(nothing::<SearchRequest>(self, BEING_COMPUTED, None));
         };
         if self.search_is_old() {
             return Err(old("setup"));
         }
-        found.answer.answer().design(self)
-    }
-}
-
-impl SearchResult {
-    /// The results as a table; the scene has this name.
-    pub fn csv(&self, name: &str) -> String {
-        self.answer.answer().csv(&self.scene, name)
-    }
-
-    pub fn is_complete(&self) -> bool {
-        self.answer.answer().is_complete()
+        answer.design(self)
     }
 }

@@ -9,25 +9,29 @@ use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend};
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note};
 use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::setup::{OBJECTIVES, brief};
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::broken;
+use crate::worker::studies::SearchRequest;
 
-pub(super) fn rows(bounds: impl Iterator<Item = Row>) -> Vec<Row> {
+pub(super) const STUDY: Study = Study { rows, request };
+
+fn rows(app: &App) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Minimise")];
     rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
     rows.extend([Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
-    rows.extend(bounds);
+    rows.extend(app.bound_rows());
     rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
     rows.extend([Row::Heading("Effort"), Row::Designs]);
     rows
 }
 
-/// What the setup asks for, over these variables.
-pub(super) fn request(app: &App, over: Vec<sweep::Axis>) -> Result<front::Request, String> {
+fn request(app: &App) -> Result<SearchRequest, String> {
+    let over = app.varied()?;
     let setup = &app.pages.search.setup;
     let chosen = app.chosen_objectives().into_iter();
     let objectives = chosen.map(|at| Objective::of(USUAL[at], false));
@@ -38,13 +42,13 @@ pub(super) fn request(app: &App, over: Vec<sweep::Axis>) -> Result<front::Reques
             "no objective is chosen: <right> on depth, stroke, mass or mount force".to_owned()
         );
     }
-    Ok(front::Request {
+    Ok(SearchRequest::Front(front::Request {
         over,
         objectives,
         subject_to: setup.subject_to.clone(),
         is_feasible: setup.feasible,
         samples: setup.designs,
-    })
+    }))
 }
 
 impl Answer for Front {

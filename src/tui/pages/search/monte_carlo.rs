@@ -4,27 +4,31 @@ use crate::report::monte_carlo::{perforation, table, warnings};
 use crate::study::monte_carlo::{Report, Request, Summary, USUAL_DEVIATION, usual_tolerances};
 use crate::tui::chart::{Axis, Chart, Curve, Mark, Unit};
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note, table_lines};
 use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::widgets::text::broken;
+use crate::worker::studies::SearchRequest;
 
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
 /// The columns shown.
 const QUANTILES: [&str; 5] = ["output", "q05", "q50", "q95", "nominal"];
 
-pub(super) fn rows() -> Vec<Row> {
+pub(super) const STUDY: Study = Study { rows, request: |app| Ok(request(app)) };
+
+fn rows(_: &App) -> Vec<Row> {
     vec![Row::Heading("Every input"), Row::Percent, Row::Samples, Row::Heading("Show"), Row::Output]
 }
 
-pub(super) fn request(app: &App) -> Request {
+fn request(app: &App) -> SearchRequest {
     let setup = &app.pages.search.setup;
     let deviation = setup.percent / 100.0;
     let is_usual = (deviation - USUAL_DEVIATION).abs() < 1e-12;
     let vary = if is_usual { Vec::new() } else { usual_tolerances(&app.scene, deviation) };
     let samples = Some(setup.samples).filter(|it| *it != Setup::default().samples);
-    Request { vary, samples, ..Request::default() }
+    SearchRequest::MonteCarlo(Request { vary, samples, ..Request::default() })
 }
 
 /// The measure that the page draws, with its values.

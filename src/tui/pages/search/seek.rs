@@ -10,23 +10,29 @@ use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mark};
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, line, note};
 use crate::tui::pages::search::draw::lines_below;
-use crate::tui::pages::search::state::{RESULTS, Row, Searching, Setup};
+use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::widgets::axis::Part;
 use crate::tui::widgets::text::broken;
+use crate::worker::studies::SearchRequest;
 
-pub(super) fn rows() -> Vec<Row> {
+pub(super) const STUDY: Study = Study { rows, request };
+
+fn rows(_: &App) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Goal"), Row::Result, Row::Goal, Row::Heading("Vary")];
     let parts = [Part::Name, Part::From, Part::To, Part::Spacing, Part::Points];
     rows.extend(parts.map(Row::Axis));
     rows
 }
 
-pub(super) fn request(setup: &Setup) -> Result<seek::Request, String> {
+fn request(app: &App) -> Result<SearchRequest, String> {
+    let setup = &app.pages.search.setup;
     let over = sweep::Axis::of(&setup.seek, &SCAN).map_err(|error| error.to_string())?;
     let measure = named(setup.goal.0).map_err(|error| error.to_string())?;
-    Ok(seek::Request { over, goal: Goal { measure, target: setup.goal.1 } })
+    let goal = Goal { measure, target: setup.goal.1 };
+    Ok(SearchRequest::Seek(seek::Request { over, goal }))
 }
 
 impl Answer for Report {

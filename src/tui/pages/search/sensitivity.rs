@@ -4,28 +4,31 @@ use crate::model::run::envelope::Check;
 use crate::report::sensitivity::{condition, indices, table, tornado};
 use crate::study::quantities::{named, usual_of};
 use crate::study::sensitivity::{Report, Request};
-use crate::study::sweep;
 use crate::study::validity;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note, table_lines};
 use crate::tui::pages::search::state::Row;
 use crate::tui::widgets::text::broken;
+use crate::worker::studies::SearchRequest;
 
 /// The columns shown.
 const TORNADO: [&str; 4] = ["variable", "output_at_low", "output_at_high", "bar"];
 const INDICES: [&str; 3] = ["variable", "sobol_first", "sobol_total"];
 
-pub(super) fn rows(bounds: impl Iterator<Item = Row>) -> Vec<Row> {
+pub(super) const STUDY: Study = Study { rows, request };
+
+fn rows(app: &App) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Of"), Row::Output, Row::Heading("Vary")];
-    rows.extend(bounds);
+    rows.extend(app.bound_rows());
     rows
 }
 
-/// What the setup asks for, over these variables.
-pub(super) fn request(app: &App, over: Vec<sweep::Axis>) -> Result<Request, String> {
+fn request(app: &App) -> Result<SearchRequest, String> {
+    let over = app.varied()?;
     let output = named(app.pages.search.setup.output).map_err(|error| error.to_string())?;
     let output = Some(output).filter(|it| it.name != usual_of(&app.scene));
-    Ok(Request { over, output, ..Request::default() })
+    Ok(SearchRequest::Sensitivity(Request { over, output, ..Request::default() }))
 }
 
 impl Answer for Report {

@@ -6,8 +6,8 @@ use crate::study::search::front::{Constraint, USUAL};
 use crate::study::sweep::usual::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::STUDIES;
 use crate::tui::pages::search::state::{Bound, Page, Row};
-use crate::tui::pages::search::{front, monte_carlo, seek, sensitivity};
 use crate::tui::widgets::axis::{Part, meaning, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_meaning};
 use crate::worker::studies::SearchRequest;
@@ -55,13 +55,12 @@ impl App {
 
     /// The rows of the setup of a page, headings included.
     fn search_rows(&self, page: Page) -> Vec<Row> {
-        let bounds = || (0..self.search_bounds().len()).map(Row::Bound);
-        match page {
-            Page::Seek => seek::rows(),
-            Page::Front => front::rows(bounds()),
-            Page::Sensitivity => sensitivity::rows(bounds()),
-            Page::MonteCarlo => monte_carlo::rows(),
-        }
+        (STUDIES[page as usize].rows)(self)
+    }
+
+    /// A row for each variable that can be varied.
+    pub(super) fn bound_rows(&self) -> impl Iterator<Item = Row> {
+        (0..self.search_bounds().len()).map(Row::Bound)
     }
 
     /// The rows that can be selected.
@@ -140,27 +139,22 @@ impl App {
         (0..OBJECTIVES.len()).filter(|at| self.pages.search.setup.objectives[*at]).collect()
     }
 
-    /// The setup of a page.
+    /// What the setup of a page asks for.
     pub fn search_request(&self, page: Page) -> Result<SearchRequest, String> {
-        let setup = &self.pages.search.setup;
-        // The usual variables have no need of being named.
-        let axes = || {
-            if setup.bounds.is_empty() {
-                return Ok(Vec::new());
-            }
-            let varied = self.search_bounds().into_iter().filter(|bound| bound.on);
-            let varied: Vec<Axis> = varied.map(|bound| bound.axis).collect();
-            if varied.is_empty() {
-                return Err("every variable is held: vary one (<right>)".to_owned());
-            }
-            Ok(varied)
-        };
-        Ok(match page {
-            Page::Seek => SearchRequest::Seek(seek::request(setup)?),
-            Page::Front => SearchRequest::Front(front::request(self, axes()?)?),
-            Page::Sensitivity => SearchRequest::Sensitivity(sensitivity::request(self, axes()?)?),
-            Page::MonteCarlo => SearchRequest::MonteCarlo(monte_carlo::request(self)),
-        })
+        (STUDIES[page as usize].request)(self)
+    }
+
+    /// The variables that are varied; none where they are the usual ones, which have no need of being named.
+    pub(super) fn varied(&self) -> Result<Vec<Axis>, String> {
+        if self.pages.search.setup.bounds.is_empty() {
+            return Ok(Vec::new());
+        }
+        let varied = self.search_bounds().into_iter().filter(|bound| bound.on);
+        let varied: Vec<Axis> = varied.map(|bound| bound.axis).collect();
+        if varied.is_empty() {
+            return Err("every variable is held: vary one (<right>)".to_owned());
+        }
+        Ok(varied)
     }
 }
 

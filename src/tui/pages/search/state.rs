@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Scene, SweepAxis};
+use cmra_studies::enumeration;
+
+use crate::model::scene::SweepAxis;
 use crate::study::search::front::{self, Constraint};
 use crate::study::search::seek::SCAN_USUAL;
 use crate::study::sweep::Axis;
+use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
@@ -13,50 +16,40 @@ use crate::worker::studies::{SearchAnswer, SearchRequest};
 pub const SETUP: Pane = Pane::of(Tab::Search, 0);
 pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Page {
-    /// Which values of a variable give a wanted result.
+enumeration! {
+    /// A page, in the order of [`SearchRequest`].
+    #[derive(Default)]
+    pub enum Page in PageRow {
+        /// Its subject, in two or three words.
+        title: &'static str,
+        /// Other words that it is found by.
+        synonyms: &'static str,
+        /// The file proposed for an export.
+        file: &'static str,
+    }
     #[default]
-    Seek,
-    /// The Pareto front: designs that no other one dominates.
-    Front,
-    /// How strongly each variable acts on a quantity.
-    Sensitivity,
-    /// How results spread when inputs do.
-    MonteCarlo,
+    Seek { title: "Goal seek", synonyms: "seek target solve inverse root", file: "seek.csv" }
+    Front {
+        title: "Pareto front", synonyms: "optimise optimize best designs knee trade-off",
+        file: "front.csv"
+    }
+    Sensitivity {
+        title: "Sensitivity", synonyms: "sobol tornado importance ranking", file: "sensitivity.csv"
+    }
+    MonteCarlo {
+        title: "Monte Carlo", synonyms: "uncertainty scatter spread distribution histogram",
+        file: "montecarlo.csv"
+    }
 }
 
 impl Page {
-    pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
-
-    /// Their subject, in two or three words.
-    pub const TITLES: [&str; 4] = ["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"];
-
-    pub fn title(self) -> &'static str {
-        Self::TITLES[self as usize]
-    }
-
-    /// The file proposed for an export.
-    pub fn file(self) -> &'static str {
-        ["seek.csv", "front.csv", "sensitivity.csv", "montecarlo.csv"][self as usize]
-    }
+    /// How many there are.
+    pub const COUNT: usize = Self::ALL.len();
 
     /// The page that asks for it.
     pub fn of(request: &SearchRequest) -> Self {
-        match request {
-            SearchRequest::Seek(_) => Self::Seek,
-            SearchRequest::Front(_) => Self::Front,
-            SearchRequest::Sensitivity(_) => Self::Sensitivity,
-            SearchRequest::MonteCarlo(_) => Self::MonteCarlo,
-        }
+        Self::ALL[request.page()]
     }
-}
-
-#[derive(Clone, Debug)]
-pub struct SearchResult {
-    pub scene: Arc<Scene>,
-    pub request: SearchRequest,
-    pub answer: Arc<SearchAnswer>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -65,11 +58,11 @@ pub struct Searching {
     pub row: Row,
     pub setup: Arc<Setup>,
     /// The results, page by page.
-    pub found: [Option<SearchResult>; 4],
+    pub found: [Kept<SearchAnswer>; Page::COUNT],
     /// Why a page cannot be computed, page by page.
-    pub problem: [Option<String>; 4],
+    pub problem: [Option<String>; Page::COUNT],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
-    pub cursor: [Option<usize>; 4],
+    pub cursor: [Option<usize>; Page::COUNT],
     /// The measure that the designs of a front are sorted by; `None`: the objective across.
     pub sorting: Option<&'static str>,
 }

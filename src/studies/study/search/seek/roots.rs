@@ -1,10 +1,9 @@
 //! All places on 0 to 1 where a function takes a wanted value, whether it is continuous or not, and defined everywhere or not.
 //!
 //! A scan brackets the crossings; the ends of stretches without a value are closed in by bisection, so that a crossing between the
-//! last point of the scan and the edge is not missed; a valley of the distance to the goal that does not change sign is searched
-//! by golden section. Brackets are closed by regula falsi in the Illinois form, safeguarded by bisection.
+//! last point of the scan and the edge is not missed. Brackets are closed by regula falsi in the Illinois form, safeguarded by
+//! bisection.
 
-use crate::numerics::minimum;
 use crate::numerics::statistics::sorted_by;
 use crate::study::search::seek::{Kind, SamplePoint};
 
@@ -14,8 +13,6 @@ const ROUNDS: usize = 120;
 const WIDTH: f64 = 1e-15;
 /// A value this near to the goal, relative to the goal or the spread of values, is the goal: far above the noise of a run.
 const NEAR: f64 = 1e-7;
-/// So near that neighbours of the scan count as a plateau.
-const SAME: f64 = 1e-12;
 /// Edges of stretches without a value that are closed in, at most.
 const EDGES_MAX: usize = 64;
 
@@ -29,7 +26,7 @@ pub struct Stopped;
 /// A crossing of the goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// Its kind: solution, touch, plateau or jump.
+    /// Its kind: solution or jump.
     pub kind: Kind,
     /// Where; the nearer end for a root.
     pub from: SamplePoint,
@@ -146,73 +143,13 @@ impl<'f> RootScan<'f> {
     /// Every crossing along points that all have values.
     fn along(&mut self, points: &[SamplePoint]) -> Result<(), Stopped> {
         let off = |point: &SamplePoint| point.value - self.target;
-        let same = SAME * self.target.abs();
-        let hits = |point: &SamplePoint| (point.value - self.target).abs() <= same;
-        let mut found = Vec::new();
-        for (at, point) in points.iter().enumerate().filter(|(_, point)| hits(point)) {
-            let joins = at > 0 && hits(&points[at - 1]);
-            match found.last_mut() {
-                Some(Crossing { kind, to, .. }) if joins => (*kind, *to) = (Kind::Plateau, *point),
-                _ => found.push(Crossing { kind: Kind::Solution, from: *point, to: *point }),
-            }
-        }
-        self.crossings.extend(found);
-        let crosses = |pair: &[SamplePoint]| off(&pair[0]) * off(&pair[1]) < 0.0;
-        let brackets: Vec<(SamplePoint, SamplePoint)> = points
-            .windows(2)
-            .filter(|pair| crosses(pair) && !hits(&pair[0]) && !hits(&pair[1]))
-            .map(|pair| (pair[0], pair[1]))
-            .collect();
-        let valleys: Vec<(SamplePoint, SamplePoint)> = points
-            .windows(3)
-            .filter(|three| {
-                let (a, b, c) = (off(&three[0]), off(&three[1]), off(&three[2]));
-                let one_side = a * b > 0.0 && b * c > 0.0;
-                one_side && b.abs() <= a.abs() && b.abs() <= c.abs() && !hits(&three[1])
-            })
-            .map(|three| (three[0], three[2]))
-            .collect();
-        for (a, b) in brackets {
-            self.close(a, b)?;
-        }
-        for (a, b) in valleys {
-            self.valley(a, b)?;
-        }
-        Ok(())
-    }
-
-    /// A stretch on one side of the goal with a nearest place inside: it may cross the goal twice, or touch it.
-    fn valley(&mut self, a: SamplePoint, b: SamplePoint) -> Result<(), Stopped> {
-        let target = self.target;
-        let side = (a.value - target).signum();
-        let is_beyond = move |value: f64| (value - target) * side < 0.0;
-        let mut best = a;
-        let mut stopped = false;
-        minimum::in_bracket(a.at, b.at, |share| {
-            // Once the goal is crossed the rest is the business of the brackets.
-            if stopped || is_beyond(best.value) {
-                return (share - best.at).abs();
-            }
-            let found = self.look(share).unwrap_or_else(|Stopped| {
-                stopped = true;
-                None
-            });
-            let Some(found) = found else { return f64::INFINITY };
-            let (miss, least) = ((found.value - target).abs(), (best.value - target).abs());
-            if is_beyond(found.value) || miss < least {
-                best = found;
-            }
-            miss
-        });
-        if stopped {
-            return Err(Stopped);
-        }
-        if is_beyond(best.value) {
-            self.close(a, best)?;
-            return self.close(best, b);
-        }
-        if (best.value - target).abs() <= self.near() {
-            self.crossings.push(Crossing { kind: Kind::Touch, from: best, to: best });
+        let hits = points.iter().filter(|point| off(point) == 0.0);
+        let kind = Kind::Solution;
+        self.crossings.extend(hits.map(|it| Crossing { kind, from: *it, to: *it }));
+        let crosses = |pair: &&[SamplePoint]| off(&pair[0]) * off(&pair[1]) < 0.0;
+        let brackets: Vec<&[SamplePoint]> = points.windows(2).filter(crosses).collect();
+        for pair in brackets {
+            self.close(pair[0], pair[1])?;
         }
         Ok(())
     }
@@ -269,9 +206,7 @@ impl<'f> RootScan<'f> {
     /// In order, each once.
     fn tidy(&mut self) {
         self.crossings = sorted_by(std::mem::take(&mut self.crossings), |it| it.from.at);
-        self.crossings.dedup_by(|b, a| {
-            a.kind != Kind::Plateau && a.kind == b.kind && (b.from.at - a.from.at).abs() < 1e-12
-        });
+        self.crossings.dedup_by(|b, a| a.kind == b.kind && (b.from.at - a.from.at).abs() < 1e-12);
     }
 }
 
@@ -312,16 +247,6 @@ mod tests {
     }
 
     #[test]
-    fn a_touch_differs_from_a_crossing_and_from_a_miss() {
-        let touch = scan(|s| Some((s - 0.372).powi(2) + 1.0), 1.0, 21);
-        assert_eq!((touch.len(), touch[0].kind), (1, Kind::Touch));
-        assert!((touch[0].from.at - 0.372).abs() < 1e-3);
-        let twice = scan(|s| Some((s - 0.372).powi(2) + 1.0), 1.0 + 1e-6, 21);
-        assert_near(&roots(&twice), &[0.371, 0.373]);
-        assert!(scan(|s| Some((s - 0.372).powi(2) + 1.0), 0.99, 21).is_empty());
-    }
-
-    #[test]
     fn a_jump_and_a_pole_are_not_solutions() {
         let step = scan(|s| Some(if s < 0.3217 { 1.0 } else { 3.0 }), 2.0, 17);
         assert_eq!((step.len(), step[0].kind), (1, Kind::Jump));
@@ -354,14 +279,6 @@ mod tests {
         };
         RootScan::new(0.0, function).run(41).unwrap();
         assert!(looks < 41 + EDGES_MAX * (EDGE_STEPS + ROUNDS) + 40 * ROUNDS, "{looks}");
-    }
-
-    #[test]
-    fn a_constant_function_is_one_plateau() {
-        let flat = scan(|_| Some(7.0), 7.0, 11);
-        assert_eq!(flat.len(), 1);
-        assert_eq!((flat[0].kind, flat[0].from.at, flat[0].to.at), (Kind::Plateau, 0.0, 1.0));
-        assert!(scan(|_| Some(7.0), 8.0, 11).is_empty());
     }
 
     #[test]
