@@ -79,35 +79,31 @@ impl Equations<'_> {
         }
     }
 
-    /// The steep law that holds the plate at first, if one does, and the displacement up to which it does, m.
+    /// The steep law that holds the plate at first, if one does, and the displacement up to which a spring does, m: inertia alone would
+    /// let the plate move much farther by the time the law yields, so that it follows the balance of contact and law from there on.
     pub(super) fn holds_at_first(&self) -> Option<(Hold, f64)> {
         let setup = self.setup;
         if !setup.starts_steep() || setup.law != Law::Flow {
             return None;
         }
-        let (spring_n, damper_n) = (self.held_n(Hold::Spring), self.held_n(Hold::Damper));
         let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
         let rate_n_s = self.rate_n_s(&state).abs();
-        let time_s = |held_n: f64| held_n / rate_n_s;
-        // Inertia alone would let the plate move much farther by then: it follows the balance of contact and law from there on.
-        let by_inertia_m_s = |held_n: f64| held_n * time_s(held_n) / (2.0 * setup.plate_kg);
+        let by_inertia_m_s = |held_n: f64| held_n * held_n / rate_n_s / (2.0 * setup.plate_kg);
+        let by_inertia_m = |held_n: f64| by_inertia_m_s(held_n) * held_n / rate_n_s / 3.0;
+        let (spring_n, damper_n) = (self.held_n(Hold::Spring), self.held_n(Hold::Damper));
         let mut held_m = self.mode.held_m;
-        let (hold, held_n) = if spring_n > damper_n {
-            let follows = by_inertia_m_s(spring_n) * time_s(spring_n) / (3.0 * held_m * FOLLOWS);
+        let follows = by_inertia_m(spring_n) / (FOLLOWS * held_m);
+        if follows < 1.0 {
             // The way by inertia grows with the force's third power: below an exponent of a third it is the farther, the earlier.
-            let exponent = held_m * setup.spring.tangent(held_m) / spring_n;
-            let earlier = 1.0 - 3.0 * exponent;
-            if follows < 1.0 && earlier <= 0.0 {
-                return None;
-            }
-            held_m *= if follows < 1.0 { follows.powf(1.0 / earlier) } else { 1.0 };
-            (Hold::Spring, setup.spring.force(held_m))
-        } else if by_inertia_m_s(damper_n) > FOLLOWS * self.held_m_s() {
-            (Hold::Damper, damper_n)
-        } else {
-            return None;
-        };
-        (time_s(held_n) > self.first_moment_s()).then_some((hold, held_m))
+            let earlier = 1.0 - 3.0 * held_m * setup.spring.tangent(held_m) / spring_n;
+            held_m *= if earlier > 0.0 { follows.powf(1.0 / earlier) } else { 0.0 };
+        }
+        let spring_n = if spring_n > 0.0 { setup.spring.force(held_m) } else { 0.0 };
+        let is_followed = by_inertia_m_s(damper_n) > FOLLOWS * self.held_m_s();
+        let damper_n = if is_followed { damper_n } else { 0.0 };
+        let hold = if spring_n > damper_n { Hold::Spring } else { Hold::Damper };
+        let held_s = larger(spring_n, damper_n) / rate_n_s;
+        (held_s > self.first_moment_s()).then_some((hold, held_m))
     }
 
     /// How fast the contact's force on a plate at rest grows, N/s.
@@ -198,22 +194,21 @@ impl Equations<'_> {
         let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
         let counts = spring.energy(x_m) > HELD * self.moving_kg() * w_m_s * w_m_s
             || way_s * larger(slip.abs(), plate.abs()) > self.held_m_s();
-        let comes = self.mode.hold == Hold::Free && way_s > 0.0;
-        // A stop that close has to be met.
-        comes.then_some((way_s, counts || self.setup.stop_at_m.abs() <= x_m.abs()))
+        (self.mode.hold == Hold::Free && way_s > 0.0).then_some((way_s, counts))
     }
 
-    /// Whether the plate is so close to the zero of such a spring that it is as well as far on the other side.
+    /// Whether the plate is so close to the zero of such a spring that it is as well as far on the other side, with no stop between.
     pub(super) fn passes_zero(&self, state: &State) -> bool {
-        self.next_zero(state).is_some_and(|(_, counts)| !counts)
+        let is_clear = self.setup.stop_at_m.abs() > self.displacement_m(state.x_m).abs();
+        is_clear && self.next_zero(state).is_some_and(|(_, counts)| !counts)
     }
 
     /// The time in which the plate comes as close to the zero of a law that is not smooth there as a step may take it, s: short of
     /// that it is as far away as the step is long, where no polynomial is far off. Infinite where so little is left that it may pass.
     pub(super) fn approach_s(&self, state: &State) -> f64 {
-        let by_spring_s = self.next_zero(state).map_or(f64::INFINITY, |(way_s, _)| way_s);
         let Setup { damper, .. } = self.setup;
-        let mut least_s = by_spring_s;
+        let by_spring = self.next_zero(state).filter(|(_, counts)| *counts);
+        let mut least_s = by_spring.map_or(f64::INFINITY, |(way_s, _)| way_s);
         if !damper.is_smooth_at_zero() {
             let w_m_s = state.w_m_s;
             let way_s = -w_m_s / self.accelerations(state).1;

@@ -27,8 +27,8 @@ fn a_row_that_is_decided_is_compared_with_other_steps() {
         assert!(row.stiffness.largest().is_finite(), "{}", case.name);
         assert_eq!(row.shortfall, None, "{}: {:?}", case.name, row.error);
     }
-    // 100 000 oscillations within the contact take more work than a reference may.
-    assert_eq!(without, ["k 1e12, gamma 1e-4"]);
+    // 100 000 oscillations within the contact may take more work than a reference may.
+    assert!(without.iter().all(|name| *name == "k 1e12, gamma 1e-4"), "{without:?}");
     assert!(by_the_engine.is_empty(), "{by_the_engine:?}");
 }
 
