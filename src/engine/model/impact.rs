@@ -54,7 +54,7 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     }
 }
 
-/// As [`run`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
+/// As [`run()`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
 /// long. The scene has no horizon.
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
     let extent = Extent { horizons: FOLLOWED_HORIZONS, ..Extent::BARE };
