@@ -21,6 +21,10 @@ const RECENT_MAX: usize = 10;
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
 const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
 
+/// Edits that can be undone after a restart, and the bytes that their scenes may take.
+pub const UNDO_MAX: usize = 20;
+const UNDO_BYTES_MAX: usize = 1 << 16;
+
 /// The open state of the workbench.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Session {
@@ -36,6 +40,19 @@ pub struct Session {
     pub setup: Setup,
     /// Scene files opened or saved, newest first.
     pub recent: Vec<PathBuf>,
+    /// The last edits that can be undone, oldest first.
+    pub undo: Vec<UndoStep>,
+}
+
+/// An edit of the scene that can be undone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UndoStep {
+    /// What it did: `gamma 1 -> 1.25`.
+    pub label: String,
+    /// The scene before it.
+    pub scene: Scene,
+    /// Name or path of the preset which that came from.
+    pub preset: String,
 }
 
 /// How the workbench was set, as far as a person chose it.
@@ -154,6 +171,8 @@ struct SessionFile {
     setup: Setup,
     #[serde(default)]
     pin: Vec<PinRow>,
+    #[serde(default)]
+    undo: Vec<UndoRow>,
 }
 
 /// What a key has, where that means something: it costs nothing else where it does not.
@@ -166,6 +185,13 @@ fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
 #[derive(Serialize, Deserialize)]
 struct PinRow {
     name: String,
+    scene: String,
+}
+
+#[derive(Serialize, Deserialize)]
+struct UndoRow {
+    label: String,
+    preset: String,
     scene: String,
 }
 
@@ -214,11 +240,26 @@ fn text(path: &Path, session: &Session) -> Result<String, FileError> {
             .iter()
             .map(|(name, scene)| PinRow { name: name.clone(), scene: write::fresh(scene) })
             .collect(),
+        undo: undo_rows(&session.undo),
     };
     let body = toml::to_string_pretty(&file)
         .map_err(|error| FileError::target(path, &error.to_string()))?;
     let version = env!("CARGO_PKG_VERSION");
     Ok(format!("# the last session of cmra {version}\n{body}"))
+}
+
+/// The newest steps that have room, oldest first.
+fn undo_rows(steps: &[UndoStep]) -> Vec<UndoRow> {
+    let mut room = UNDO_BYTES_MAX;
+    let mut rows = Vec::new();
+    for UndoStep { label, scene, preset } in steps.iter().rev() {
+        let scene = write::fresh(scene);
+        let Some(left) = room.checked_sub(scene.len()) else { break };
+        room = left;
+        rows.push(UndoRow { label: label.clone(), preset: preset.clone(), scene });
+    }
+    rows.reverse();
+    rows
 }
 
 /// Load the last session, if there is one. A file that is damaged is backed up with the ending `.broken`, and what can be read
@@ -273,6 +314,17 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
             Err(error) => problems.push(error.to_string()),
         }
     }
+    let mut undo = Vec::new();
+    for UndoRow { label, preset, scene } in file.undo {
+        match read::scene(&scene, &label) {
+            Ok(scene) => undo.push(UndoStep { label, scene, preset }),
+            Err(error) => {
+                // What was before it cannot be reached.
+                undo.clear();
+                problems.push(error.to_string());
+            }
+        }
+    }
     match read::scene(&file.scene, "scene") {
         Ok(scene) => {
             let session = Session {
@@ -282,6 +334,7 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
                 view: file.view,
                 setup: file.setup,
                 recent: file.recent.into_iter().map(PathBuf::from).collect(),
+                undo,
             };
             (Some(session), problems)
         }
@@ -306,6 +359,9 @@ mod tests {
         session.setup.search =
             Some(Search { goal: "stroke_m=0.6".to_owned(), ..Search::default() });
         note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
+        let scene = Scene { title: "before".to_owned(), ..Scene::default() };
+        let (label, preset) = ("gamma 1 -> 2".to_owned(), "cocked".to_owned());
+        session.undo.push(UndoStep { label, scene, preset });
         session
     }
 
@@ -400,8 +456,8 @@ mod tests {
         let path = place.path().join("session.toml");
         save(&path, &example(), &mut Known::default()).unwrap();
         let text = fs::read_to_string(&path).unwrap();
-        // The pin's own scene is the last one in the file.
-        let at = text.rfind("mass_kg").unwrap();
+        // The pin's own scene is the last one before those of edits.
+        let at = text[..text.find("[[undo]]").unwrap()].rfind("mass_kg").unwrap();
         fs::write(&path, format!("{}mass_lb{}", &text[..at], &text[at + 7..])).unwrap();
         let loaded = load(&path);
         let session = loaded.session.unwrap();

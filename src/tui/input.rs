@@ -55,6 +55,7 @@ fn listen(
                 Input::Key(key) => Incoming::Message(Message::Key(key)),
                 Input::Paste(text) => Incoming::Message(Message::Paste(text)),
                 Input::Mouse(mouse) => Incoming::Mouse(mouse),
+                Input::Arrived => Incoming::Arrived,
             };
             if inbox.send(incoming).is_err() {
                 return Ok(());

@@ -1,5 +1,8 @@
 //! When to draw: at once when little has been drawn lately, and never more often than a slow line can bear.
 //!
+//! A frame asks the terminal to report when it has arrived, and the next one is drawn only then: on a slow line the picture is never
+//! older than one frame takes. Of a terminal that does not answer nothing is asked any more.
+//!
 //! A change waits a few milliseconds for the result of the run it started, so that value and curves come in one frame. Knows
 //! no clock: the time is passed in.
 
@@ -17,6 +20,14 @@ const BURST: u32 = 3;
 /// How long a frame waits for the result of a run just started.
 const GRACE: Duration = Duration::from_millis(12);
 
+/// How long a frame waits for the answer to the one before, of a terminal that has answered before, and of one that has not.
+const ARRIVAL: Duration = Duration::from_secs(3);
+const FIRST_ARRIVAL: Duration = Duration::from_secs(1);
+
+/// So many frames in a row without an answer, and the terminal is not asked any more: it has answered before, or not.
+const UNANSWERED: u32 = 5;
+const NEVER_ANSWERED: u32 = 2;
+
 pub(super) struct Pace {
     /// Whether anything has changed since the last frame.
     dirty: bool,
@@ -26,12 +37,26 @@ pub(super) struct Pace {
     waits_until: Option<Instant>,
     /// A job is running and has said so.
     busy: bool,
+    /// When the frame was drawn that has not been reported to have arrived.
+    under_way: Option<Instant>,
+    /// Frames in a row without an answer.
+    unanswered: u32,
+    /// Whether the terminal has ever answered.
+    answers: bool,
 }
 
 impl Pace {
     /// Nothing drawn yet, and everything to draw.
     pub(super) fn new(now: Instant) -> Self {
-        Self { dirty: true, full_at: now, waits_until: None, busy: false }
+        Self {
+            dirty: true,
+            full_at: now,
+            waits_until: None,
+            busy: false,
+            under_way: None,
+            unanswered: 0,
+            answers: false,
+        }
     }
 
     pub(super) fn change(&mut self) {
@@ -61,7 +86,29 @@ impl Pace {
         }
         let spare = self.interval() * (BURST - 1);
         let budget = self.full_at.checked_sub(spare).unwrap_or(self.full_at);
-        Some(self.waits_until.map_or(budget, |until| until.max(budget)))
+        let patience = if self.answers { ARRIVAL } else { FIRST_ARRIVAL };
+        let arrived = self.under_way.map(|drawn| drawn + patience);
+        [self.waits_until, arrived].into_iter().flatten().chain([budget]).max()
+    }
+
+    /// Whether a frame is to ask for its arrival.
+    pub(super) fn asks(&self) -> bool {
+        self.unanswered < if self.answers { UNANSWERED } else { NEVER_ANSWERED }
+    }
+
+    /// Whether an answer is to be expected.
+    pub(super) fn is_asking(&self) -> bool {
+        self.under_way.is_some()
+    }
+
+    /// The last frame has arrived.
+    pub(super) fn arrived(&mut self) {
+        (self.under_way, self.unanswered, self.answers) = (None, 0, true);
+    }
+
+    /// What is under way will not be answered: the terminal was given away meanwhile.
+    pub(super) fn lost(&mut self) {
+        self.under_way = None;
     }
 
     /// A frame has been drawn; one that changed nothing cost the line nothing.
@@ -70,6 +117,9 @@ impl Pace {
         self.waits_until = None;
         if changed {
             self.full_at = self.full_at.max(now) + self.interval();
+            let asked = self.asks();
+            self.unanswered += u32::from(self.under_way.is_some());
+            self.under_way = asked.then_some(now);
         }
     }
 
@@ -111,6 +161,7 @@ mod tests {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         pace.drawn(start, true);
+        pace.arrived();
         let later = start + Duration::from_secs(1);
         pace.change();
         assert!(pace.due().is_some_and(|due| due <= later));
@@ -119,13 +170,57 @@ mod tests {
     #[test]
     fn a_flood_gets_twenty_frames_a_second_and_ten_while_running() {
         let start = Instant::now();
-        let mut pace = Pace::new(start);
+        let mut pace = Pace { unanswered: UNANSWERED, ..Pace::new(start) };
         let ten = Duration::from_secs(10);
         let drawn = frames(&mut pace, start, ten);
         assert!((200..=200 + BURST).contains(&drawn), "{drawn}");
         pace.set_busy(true);
         let drawn = frames(&mut pace, start + ten, ten);
         assert!((98..=100 + BURST).contains(&drawn), "{drawn}");
+    }
+
+    /// A frame of 1900 bytes takes 0.38 s at 5 kB/s.
+    #[test]
+    fn on_a_slow_line_a_frame_is_drawn_when_the_last_one_has_arrived() {
+        let start = Instant::now();
+        let mut pace = Pace::new(start);
+        pace.drawn(start, true);
+        pace.arrived();
+        let (mut now, mut frames) = (start, 0);
+        let mut arrives = None;
+        while now < start + Duration::from_secs(10) {
+            now += Duration::from_millis(1);
+            pace.change();
+            if arrives.is_some_and(|at| at <= now) {
+                pace.arrived();
+                arrives = None;
+            }
+            if pace.due().is_some_and(|due| due <= now) {
+                assert_eq!(arrives, None, "one is under way");
+                pace.drawn(now, true);
+                arrives = Some(now + Duration::from_millis(380));
+                frames += 1;
+            }
+        }
+        assert!((25..=27).contains(&frames), "{frames}");
+    }
+
+    #[test]
+    fn a_terminal_that_does_not_answer_is_asked_no_more() {
+        let start = Instant::now();
+        let mut pace = Pace::new(start);
+        let ten = Duration::from_secs(10);
+        frames(&mut pace, start, ten);
+        assert!(!pace.asks() && !pace.is_asking());
+        let drawn = frames(&mut pace, start + ten, ten);
+        assert!(drawn >= 200, "{drawn}");
+        // One that has answered is given more time.
+        let mut pace = Pace::new(start);
+        pace.drawn(start, true);
+        pace.arrived();
+        pace.drawn(start + ten, true);
+        pace.change();
+        assert_eq!(pace.due(), Some(start + ten + ARRIVAL));
     }
 
     #[test]

@@ -28,6 +28,9 @@ const MESSAGES_PER_TURN: usize = 256;
 /// Most bytes of text sent to the terminal's clipboard: what terminals take at least.
 const CLIPBOARD_MAX: usize = 64 * 1024 / 4 * 3;
 
+/// How long the last frame may take to arrive when the terminal is given back: its answer is not to reach the shell.
+const LAST_ARRIVAL: Duration = Duration::from_secs(1);
+
 /// How long the system may take to stop the process.
 const STOPPING: Duration = Duration::from_millis(150);
 
@@ -124,12 +127,15 @@ impl Shell {
 
     /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted, and what a
     /// person should know of the session, if anything.
-    pub(super) fn leave(self, ending: &Ending) -> (Option<String>, Option<String>) {
+    pub(super) fn leave(mut self, ending: &Ending) -> (Option<String>, Option<String>) {
         let (patience, summary) = match ending {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
             Ending::Signal(_) | Ending::Broken(_) => (FINISH_FORCED, false),
         };
         self.io_thread.session_changed(start::session(&self.app));
+        if matches!(ending, Ending::Quit { .. }) {
+            self.await_arrival();
+        }
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
         let session = match self.io_thread.finish(patience) {
@@ -167,8 +173,8 @@ impl Shell {
             return Ok(Some(Ending::Signal(HUNG_UP)));
         }
         if self.pace.due().is_some_and(|due| due <= now) {
-            let app = &self.app;
-            let changed = self.guard.draw(app.size, |buffer| view::view(app, buffer))?;
+            let (app, asks) = (&self.app, self.pace.asks());
+            let changed = self.guard.draw(app.size, asks, |buffer| view::view(app, buffer))?;
             self.pace.drawn(Instant::now(), changed);
         }
         Ok(None)
@@ -207,9 +213,14 @@ impl Shell {
             Incoming::Signal(Signal::End(status)) => Ok(Some(Ending::Signal(status))),
             // Where no shell could continue it, the system would ignore the signal.
             Incoming::Signal(Signal::Stop) => self.suspend().map(|_stopped| None),
+            Incoming::Arrived => {
+                self.pace.arrived();
+                Ok(None)
+            }
             Incoming::Signal(Signal::Resized) => self.take(size()?),
             Incoming::Signal(Signal::Continued) => {
                 self.guard.enter_again()?;
+                self.pace.lost();
                 self.take(size()?)
             }
         }
@@ -305,6 +316,7 @@ impl Shell {
         if !terminal::could_be_continued() {
             return Ok(false);
         }
+        self.await_arrival();
         terminal::restore();
         terminal::stop()?;
         // The system stops the process a moment after the call; it goes on with a signal. The time runs out while stopped, too:
@@ -319,9 +331,23 @@ impl Shell {
             }
         }
         self.guard.enter_again()?;
+        self.pace.lost();
         // The window may have changed meanwhile.
         self.put_off.push_front(Incoming::Message(size()?));
         Ok(stopped)
+    }
+
+    /// Wait until the last frame has arrived, but not for long.
+    fn await_arrival(&mut self) {
+        let deadline = Instant::now() + LAST_ARRIVAL;
+        while self.pace.is_asking() {
+            let left = deadline.saturating_duration_since(Instant::now());
+            match self.inbox.recv_timeout(left) {
+                Ok(Incoming::Arrived) => self.pace.arrived(),
+                Ok(other) => self.put_off.push_back(other),
+                Err(_) => return,
+            }
+        }
     }
 }
 

@@ -43,6 +43,8 @@ pub(super) enum Signal {
 pub(super) enum Incoming {
     Message(Message),
     Mouse(MouseEvent),
+    /// The last frame has arrived at the terminal.
+    Arrived,
     Signal(Signal),
 }
 

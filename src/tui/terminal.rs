@@ -2,7 +2,8 @@
 //!
 //! Leaving must work from anywhere (return, panic, signal, suspension), so the little state it needs is global and
 //! [`restore`] may be called at any time, any number of times. A frame goes out as begin-synchronised-update, the changed
-//! cells, end, in one write; a frame without a change writes nothing. The terminal is asked nothing.
+//! cells, end, in one write; a frame without a change writes nothing. A frame may end in the one question that the terminal is
+//! ever asked: to report its status, which it does when all before has arrived.
 //! Knows nothing of what is drawn; how cells become bytes is in `encode`.
 
 pub(super) mod decode;
@@ -38,6 +39,9 @@ static MOUSE: AtomicBool = AtomicBool::new(false);
 /// line would have to carry for nothing.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
+
+/// Asks for a status report (DSR); the answer is `ESC [ 0 n`.
+const ASK: &[u8] = b"\x1b[5n";
 
 /// The end of a string (ST): a sequence whose end was discarded would swallow what follows.
 const STRING_END: &[u8] = b"\x1b\\";
@@ -88,10 +92,12 @@ impl Guard {
         Ok(())
     }
 
-    /// Draw one frame of a size in one write; `render` gives where the cursor is to stand. Returns whether anything had changed.
+    /// Draw one frame of a size in one write, with the question whether it has arrived if `asks`; `render` gives where the cursor is
+    /// to stand. Returns whether anything had changed.
     pub(super) fn draw(
         &mut self,
         size: (u16, u16),
+        asks: bool,
         render: impl FnOnce(&mut Buffer) -> Option<Cursor>,
     ) -> io::Result<bool> {
         let area = area(size);
@@ -116,7 +122,7 @@ impl Guard {
             _ => {}
         }
         (self.shown, self.cursor) = (next, cursor);
-        self.commit()
+        self.commit(asks)
     }
 
     /// The next frame clears the screen and draws every cell.
@@ -140,17 +146,17 @@ impl Guard {
     pub(super) fn set_mouse(&mut self, on: bool) -> io::Result<()> {
         MOUSE.store(on, Ordering::SeqCst);
         self.pending.extend_from_slice(if on { MOUSE_ON } else { MOUSE_OFF });
-        self.commit().map(drop)
+        self.commit(false).map(drop)
     }
 
     /// Send a sequence that draws nothing (the clipboard's).
     pub(super) fn send(&mut self, sequence: &impl crossterm::Command) -> io::Result<()> {
         queue!(self.pending, sequence)?;
-        self.commit().map(drop)
+        self.commit(false).map(drop)
     }
 
-    /// Write what has been collected; returns whether there was anything.
-    fn commit(&mut self) -> io::Result<bool> {
+    /// Write what has been collected, and the question; returns whether there was anything.
+    fn commit(&mut self, asks: bool) -> io::Result<bool> {
         if self.pending.is_empty() {
             return Ok(false);
         }
@@ -158,6 +164,9 @@ impl Guard {
         queue!(frame, BeginSynchronizedUpdate)?;
         frame.append(&mut self.pending);
         queue!(frame, EndSynchronizedUpdate)?;
+        if asks {
+            frame.extend_from_slice(ASK);
+        }
         write_all(&frame).map(|()| true)
     }
 }

@@ -22,6 +22,10 @@ const FRAME: &[u8] = b"\x1b[?2026h";
 const FRAME_END: &[u8] = b"\x1b[?2026l";
 const CLEAR: &[u8] = b"\x1b[2J";
 
+/// The question whether all has arrived, and what a terminal answers.
+const ASK: &[u8] = b"\x1b[5n";
+const ANSWER: &[u8] = b"\x1b[0n";
+
 /// The usual size of the screens under test.
 const SIZE: (u16, u16) = (80, 24);
 
@@ -71,6 +75,8 @@ pub(crate) struct Terminal {
     process: Pid,
     /// All bytes drawn so far.
     drawn: Vec<u8>,
+    /// Whether the terminal answers the question whether all has arrived.
+    pub(crate) answers: bool,
     alternate: bool,
     /// The job of the shell that runs in the terminal.
     pub(crate) job: Option<Pid>,
@@ -122,6 +128,7 @@ impl Terminal {
             job: None,
             process,
             drawn: Vec::new(),
+            answers: true,
             modes_before,
             home: Some(home),
         }
@@ -214,6 +221,7 @@ impl Terminal {
     }
 
     fn take(&mut self, bytes: &[u8]) {
+        let before = self.drawn.len();
         self.drawn.extend_from_slice(bytes);
         if self.alternate {
             self.parser.process(bytes);
@@ -222,6 +230,15 @@ impl Terminal {
             let text = String::from_utf8_lossy(bytes);
             let text = text.replace("\x1b[?1049h", "").replace("\x1b[?1049l", "");
             self.parser.process(text.as_bytes());
+        }
+        if self.answers {
+            // A question may have come in two pieces.
+            let from = before.saturating_sub(ASK.len() - 1);
+            let asked = self.drawn[from..].windows(ASK.len()).filter(|found| *found == ASK).count();
+            for _ in 0..asked {
+                // The program may have ended.
+                let _ = self.writer.as_mut().map(|writer| writer.write_all(ANSWER));
+            }
         }
     }
 

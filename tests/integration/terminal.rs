@@ -188,7 +188,12 @@ fn a_limit_on_the_size_of_files_does_not_end_the_workbench() {
 #[test]
 fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     let mut terminal = Terminal::start();
+    // Of one that never answers nothing is asked any more, and frames do not wait for each other.
+    terminal.answers = false;
     terminal.wait_for(DONE);
+    for _ in 0..4 {
+        terminal.sync();
+    }
     terminal.send(":mouse\r");
     terminal.wait_until("mouse reports", |screen| {
         screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
@@ -429,6 +434,27 @@ fn escape_and_a_key_in_one_packet_both_count() {
     });
     terminal.send("q");
     assert_eq!(terminal.wait_exit().exit_code(), 0);
+}
+
+/// When frames are drawn has tests of its own, by a clock that is handed in (`tui::pace`).
+#[test]
+fn frames_ask_whether_they_have_arrived_unless_the_terminal_never_answers() {
+    let asked = |terminal: &Terminal| terminal.text().matches("\x1b[5n").count();
+    let mut terminal = started();
+    terminal.sync();
+    assert!(asked(&terminal) >= 2);
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+    let mut mute = Terminal::start();
+    mute.answers = false;
+    mute.wait_for(DONE);
+    for _ in 0..6 {
+        mute.sync();
+    }
+    // The third is asked while the second may still be answered.
+    assert_eq!(asked(&mute), 3);
+    mute.send("q");
+    assert_eq!(mute.wait_exit().exit_code(), 0);
 }
 
 /// A screen reader follows the cursor, which nobody sees.

@@ -26,6 +26,8 @@ pub(in crate::tui) enum Input {
     Key(KeyEvent),
     Paste(String),
     Mouse(MouseEvent),
+    /// The answer to a request for a status report: all that was sent before the request has arrived.
+    Arrived,
 }
 
 /// Where in a key or a sequence the bytes are.
@@ -44,6 +46,8 @@ enum State {
     /// After an escape in a string: its end, or the beginning of something else.
     TextEscape,
     Paste(Vec<u8>),
+    /// So many bytes of an old mouse report are still to come: its coordinates are not read.
+    Click(u8),
     /// After `ESC [ [`: a function key of the Linux console.
     Console,
 }
@@ -123,6 +127,8 @@ impl Decoder {
                     None => self.state = State::Paste(text),
                 }
             }
+            State::Click(1) => {}
+            State::Click(left) => self.state = State::Click(left - 1),
             State::Console => {
                 if let number @ b'A'..=b'E' = byte {
                     out.push(key(KeyCode::F(number - b'A' + 1)));
@@ -197,6 +203,9 @@ impl Decoder {
         match byte {
             0x1b => self.state = State::Escape,
             b'[' if rest.is_empty() => self.state = State::Console,
+            b'M' if rest.is_empty() => self.state = State::Click(3),
+            // With Shift urxvt ends the number of a key in a `$`.
+            b'$' if !rest.is_empty() && rest.iter().all(u8::is_ascii_digit) => {}
             b' '..=b'?' => {
                 // What is too long to be a key is swallowed all the same.
                 if rest.len() < LONGEST {
@@ -238,6 +247,7 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
     let first = numbers.first().copied().unwrap_or(0);
     match last {
         b'~' => numbered(first).map(|code| with(code, modifiers)),
+        b'n' => (numbers == [0]).then_some(Input::Arrived),
         b'u' => Some(with(spelled(char::from_u32(first.into())?)?, modifiers)),
         b'Z' => Some(key(KeyCode::BackTab)),
         // With other numbers it is the place of the cursor.
@@ -433,7 +443,10 @@ mod tests {
             b"\x1b[999999999999999999~",
             b"\x1b[ q",
             b"\x1bOz",
-            b"\x1b[0n",
+            b"\x1b[3$",
+            b"\x1b[3^",
+            b"\x1b[a",
+            b"\x1b[M\x20\x25\x28",
             b"\xff\xfe\x80",
         ] {
             let with_key = [bytes, b"j"].concat();
@@ -448,6 +461,7 @@ mod tests {
         assert_eq!(one(b"\x1b]j"), [alt(']'), code('j')]);
         assert_eq!(one(b"\x1bXj\x1bPj"), [alt('X'), code('j'), alt('P'), code('j')]);
         assert_eq!(one(b"\x1b[1;5"), []);
+        assert_eq!(one(b"\x1b[0n"), [Input::Arrived]);
     }
 
     #[test]
@@ -482,8 +496,8 @@ mod tests {
         fn packets_make_no_difference(
             pieces in proptest::collection::vec(
                 proptest::sample::select(vec![
-                    &b"\x1b[H"[..], b"\x1b[3~", b"j", b"\x1bOA", b"\x1b\x1b[D", b"\xc3\xb6", b"\x1b[<0;5;8M",
-                    b"\x1b[200~a\x1b[Bb\x1b[201~", b"\x1b]11;rgb:1/2/3\x1b\\", b"\x1b[>41;380;0c", b"\x1b\t",
+                    &b"\x1b[H"[..], b"\x1b[3~", b"j", b"\x1bOA", b"\x1b\x1b[D", b"\xc3\xb6", b"\x1b[3$", b"\x1b[<0;5;8M",
+                    b"\x1b[200~a\x1b[Bb\x1b[201~", b"\x1b]11;rgb:1/2/3\x1b\\", b"\x1b[>41;380;0c", b"\x1b\t", b"\x1b[M\x20\x25\x28",
                     b"\xff", b"\r",
                 ]),
                 1..8,

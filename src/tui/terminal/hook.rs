@@ -166,7 +166,7 @@ mod tests {
     fn another_thread_panics() {
         let mut guard = take_over();
         assert!(thread::spawn(|| panic!("deliberate")).join().is_err());
-        let drawn = guard.draw((80, 24), |buffer| {
+        let drawn = guard.draw((80, 24), false, |buffer| {
             buffer.set_string(0, 0, "still here", Style::new());
             None
         });

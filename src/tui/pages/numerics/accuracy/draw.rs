@@ -17,14 +17,19 @@ const LETTER: u16 = 2;
 const KEYS: [&str; 5] =
     ["method", "run_time_s_to_1e-6", "least_error", "run_time_s_to_1e-9", "observed_order"];
 
-/// Rows of the answer above the chart, and of what leaving out gains below it.
+/// Rows of the answer above the chart, and of what leaving out gains below it: one more where that is long.
 const ANSWER_ROWS: u16 = 1;
 const GAIN_ROWS: u16 = 3;
 
 /// What to use first; the chart beside the methods, or alone; what leaving out gains last.
 pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (answer, rest) = split_top(body, ANSWER_ROWS);
-    let (top, gains) = split_bottom(rest, GAIN_ROWS);
+    let room = usize::from(body.width.saturating_sub(2));
+    let mut lines = app.accuracy_answers().into_iter();
+    let first = lines.next().unwrap_or_default();
+    let below: Vec<String> = lines.flat_map(|line| wrap(&line, room)).collect();
+    let is_long = below.len() > usize::from(GAIN_ROWS);
+    let (top, gains) = split_bottom(rest, GAIN_ROWS + u16::from(is_long));
     let wanted = match body.width {
         _ if app.is_full() => 0,
         0..72 => 29,
@@ -35,13 +40,9 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (left, right) = split_left(top, top.width - wanted.min(top.width));
     chart(app, left, canvas);
     methods(app, right, canvas);
-    let mut lines = app.accuracy_answers().into_iter();
-    let room = usize::from(body.width.saturating_sub(2));
-    let first = lines.next().unwrap_or_default();
     canvas.put(answer, (1, 0), &clip(&first, room), Role::Title);
-    let below = lines.flat_map(|line| wrap(&line, room));
-    for (row, line) in (0..gains.height).zip(below) {
-        canvas.put(gains, (1, row), &line, Role::Text);
+    for (row, line) in (0..gains.height).zip(&below) {
+        canvas.put(gains, (1, row), line, Role::Text);
     }
 }
 
