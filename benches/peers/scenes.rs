@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cmra::model::hybrid::Stepping;
+use cmra::model::impact::Stepping;
 use cmra::model::impact::step_by;
 use cmra::model::reference::Stored;
 use cmra::model::run::Outcome;

@@ -1,21 +1,16 @@
 //! Numerical methods that know no plate, no projectile, no metre and no screen.
 //!
-//! Map of the folder, in reading order: `series` is arithmetic on truncated power series, from which a model builds the
-//! Taylor expansion of its solution; `collocation` is the one method of the new engine for smooth, stiff and steep alike, with its
-//! `step` as polynomials and `locate` for the first event on it; `taylor` chooses the step such an expansion is good for; `implicit` is an
-//! L-stable collocation method for what is too stiff for that; `explicit` are the Runge-Kutta methods it is compared with; `graded` starts where non-integer powers are singular; `event` locates what happens on an accepted step of any of them but
-//! the Taylor steps; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
-//! `maximum` and [`minimum`] search extremes; [`linear`] solves small systems; `monotone` interpolates data; [`random`], [`sobol`] and [`statistics`] serve samples.
+//! `collocation` is the one method of the engine for smooth, stiff and steep alike, `explicit` the Runge-Kutta methods that it is
+//! compared with; both give a `step` as polynomials, on which `locate` finds the first event. [`root`] finds a zero in a bracket,
+//! [`quadrature`] integrates, `maximum` and [`minimum`] search extremes, `monotone` interpolates data; [`random`], [`sobol`] and
+//! [`statistics`] serve samples.
+//!
 //! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
 //! is bounded.
 
 pub(crate) mod collocation;
 pub(crate) mod crossing;
-pub(crate) mod event;
 pub(crate) mod explicit;
-pub(crate) mod graded;
-pub(crate) mod implicit;
-pub mod linear;
 pub(crate) mod locate;
 pub(crate) mod maximum;
 pub mod minimum;
@@ -23,11 +18,9 @@ pub(crate) mod monotone;
 pub mod quadrature;
 pub mod random;
 pub mod root;
-pub(crate) mod series;
 pub mod sobol;
 pub mod statistics;
 pub(crate) mod step;
-pub(crate) mod taylor;
 
 /// The larger of two numbers; NaN when either is NaN (unlike `f64::max`, which hides it).
 pub fn larger(a: f64, b: f64) -> f64 {

@@ -13,8 +13,6 @@ mod crush;
 #[cfg(test)]
 mod decided;
 #[cfg(test)]
-mod engines;
-#[cfg(test)]
 mod estimate;
 #[cfg(test)]
 mod extremes;
@@ -36,8 +34,6 @@ mod models;
 mod monte_carlo;
 #[cfg(test)]
 mod mount_loads;
-#[cfg(test)]
-mod next_engine;
 #[cfg(test)]
 mod optimise;
 #[cfg(test)]
@@ -94,5 +90,7 @@ mod trouble;
 mod units;
 #[cfg(test)]
 mod validation;
+#[cfg(test)]
+mod values;
 #[cfg(test)]
 mod words;

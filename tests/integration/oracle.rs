@@ -165,11 +165,11 @@ impl<'a> Beside<'a> {
         let shot = &self.fine.shot;
         let (deepest, farthest) = (shot.hole_m(), shot.farthest_m);
         let decided_s = run.series.last().map_or(f64::INFINITY, |row| row.t_s);
-        let apart = (shot.deepest_m - shot.state[0]).abs() > self.room_m();
+        let is_out = shot.state[0] < -self.room_m();
         let is_told = run.scene.contact.model == ContactModel::Hydrodynamic
             && shot.exit.is_none()
             && decided_s < shot.t_s;
-        if is_told && run.outcome == Outcome::Arrested && apart && !shot.holds() {
+        if is_told && run.outcome == Outcome::Arrested && is_out {
             found.push(format!("{when}{}, but {:?} at {} s", run.outcome, shot.state, shot.t_s));
         }
         if is_told && run.outcome == Outcome::Separated && shot.state[0] > self.room_m() {

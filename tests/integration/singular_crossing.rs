@@ -1,7 +1,6 @@
-//! Plates that oscillate through the zero of a non-integer power law, which the run crosses in one step
-//! (`src/model/impact/singular_crossing.rs`), against closed forms.
+//! Plates that oscillate through the zero of a power law that is not smooth there, against closed forms.
 
-use cmra::model::run::{EndReason, Mode, Outcome, Run};
+use cmra::model::run::{EndReason, Mode, Outcome, Run, Sample, Warning};
 
 use crate::support::{assert_near, run, says, scene};
 
@@ -21,9 +20,17 @@ const WATCHED_S: f64 = 0.1;
 
 /// Times at which the joined bodies come through zero, and their speed then.
 fn passages(run: &Run) -> Vec<(f64, f64)> {
-    let joined = run.series.iter().filter(|row| row.mode == Mode::Fused && row.is_step);
-    let at_zero = joined.filter(|row| row.plate_displacement_m == 0.0);
-    at_zero.map(|row| (row.t_s, row.plate_velocity_m_s.abs())).collect()
+    let joined: Vec<_> =
+        run.series.iter().filter(|row| row.mode == Mode::Fused && row.is_step).collect();
+    let at_zero = joined.windows(2).filter(|pair| {
+        pair[0].plate_displacement_m * pair[1].plate_displacement_m <= 0.0
+            && pair[0].plate_displacement_m != 0.0
+    });
+    let passage = |pair: &[&Sample]| {
+        let Sample { t_s, plate_displacement_m, plate_velocity_m_s, .. } = *pair[0];
+        (t_s - plate_displacement_m / plate_velocity_m_s, plate_velocity_m_s.abs())
+    };
+    at_zero.map(passage).collect()
 }
 
 /// Half a swing of a mass M with the energy E on a spring k x^n takes 2 X sqrt(M / 2 E) B(1/(n+1), 1/2) / (n+1), with its
@@ -51,7 +58,7 @@ fn undamped_plates_swing_in_the_time_of_the_closed_form() {
     }
 }
 
-/// Taylor steps alone come closer to a singular zero by a sixth of the way each: some hundred and thirty steps for each half swing.
+/// Some thirty steps lead up to a zero that is singular, each half of the way, and as many away from it.
 #[test]
 fn a_swing_takes_few_steps() {
     for pairs in ["n=0.3 b=0", "n=0.5 m=0.5 b=20", "n=1 m=0.3 b=20", "n=2.5 m=1.5 b=0.5"] {
@@ -59,7 +66,7 @@ fn a_swing_takes_few_steps() {
         let turns = found.cost.turns;
         assert!(turns >= 6, "{pairs}: {turns} turns");
         assert!(
-            found.cost.steps < 60 * turns,
+            found.cost.steps < 130 * turns,
             "{pairs}: {} steps, {turns} turns",
             found.cost.steps
         );
@@ -67,10 +74,10 @@ fn a_swing_takes_few_steps() {
     }
 }
 
-/// A plate that is thrown off, oscillates for ever and never meets the slow projectile again within five hundred oscillations.
+/// A plate that is thrown off oscillates for ever, and does not meet the slow projectile again within the work of a run.
 #[test]
 fn an_undecided_oscillation_ends_as_moving_unless_a_horizon_is_set() {
-    let pairs = "n=0.776547 m=1 k=4.36516e7 b=4.40647 d=0.565023 gamma=1.50492e-4 v_i=166.74 S_y=0 C_d=0 interface=plastic";
+    let pairs = "k=7.5e6 d=0.5 gamma=1e-3 v_i=1 S_y=0 C_d=0 h=1 interface=plastic";
     let found = run(scene(pairs));
     assert_eq!((found.outcome, found.end), (Outcome::Moving, EndReason::Oscillates));
     assert!(found.final_penetration_m.is_none() && found.end.is_complete());
@@ -79,27 +86,25 @@ fn an_undecided_oscillation_ends_as_moving_unless_a_horizon_is_set() {
     assert_near(asked.series.last().unwrap().t_s, 1e-4, 1e-12);
 }
 
-/// On a spring with n < 1 a damped plate oscillates ever faster while it dies down: without end in a finite time. It rests once its energy
-/// is below the rounding of all others, so that a horizon far beyond is reached, and the energies still balance.
+/// On a spring with n < 1 a damped plate oscillates ever faster while it dies down: what is left after some hundred oscillations is not
+/// followed to a horizon far beyond; everything else is known by then, and the energies balance.
 #[test]
-fn a_plate_that_decays_in_ever_faster_oscillations_reaches_its_horizon() {
-    const HORIZON_S: f64 = 0.01;
+fn a_plate_that_decays_in_ever_faster_oscillations_is_decided_before_its_horizon() {
     let told = "n=0.5 k=4.88e5 b=246 d=0.00944 gamma=0.313 v_i=226 interface=plastic g=0.12 \
         run.horizon_s=0.01";
     for (thickness, outcome) in [("h=0.00645", Outcome::Perforated), ("h=0.05", Outcome::Arrested)]
     {
         let found = run(scene(&format!("{told} {thickness}")));
-        assert_eq!((found.outcome, found.end), (outcome, EndReason::Decided), "{thickness}");
-        let last = found.series.last().unwrap();
-        assert_near(last.t_s, HORIZON_S, 1e-12);
-        assert!(last.plate_displacement_m == 0.0 && last.plate_velocity_m_s == 0.0);
+        assert_eq!((found.outcome, found.end), (outcome, EndReason::StepBudget), "{thickness}");
+        let told = |it: &Warning| matches!(it, Warning::HorizonNotReached { .. });
+        assert!(found.warnings.iter().any(told), "{thickness}: {:?}", found.warnings);
         assert!(found.ledger.residual().abs() < 1e-12, "{:e}", found.ledger.residual());
-        assert!(found.cost.steps < 100_000, "{} steps", found.cost.steps);
-        // It has swung until nothing was left: both ways, with ever smaller greatest displacements.
+        // It has swung both ways, with ever smaller greatest displacements.
         let farthest = found.max_plate_displacement_m.unwrap();
-        let late = found.series.iter().filter(|row| row.t_s > 0.1 * HORIZON_S);
+        let last_s = found.series.last().unwrap().t_s;
+        let late = found.series.iter().filter(|row| row.t_s > 0.9 * last_s);
         let most = late.map(|row| row.plate_displacement_m.abs()).fold(0.0, f64::max);
-        assert!(most > 0.0 && most < 0.1 * farthest, "{most:e} {farthest:e}");
+        assert!(most > 0.0 && most < 1e-6 * farthest, "{most:e} {farthest:e}");
     }
 }
 

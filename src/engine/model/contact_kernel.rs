@@ -9,16 +9,17 @@
 
 use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
-use crate::model::fixed_plate::plate_is_fixed;
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
 use expansion::{Constants, Series, StepTime};
+use fixed_plate::plate_is_fixed;
 use integration::{Accuracy, Progress};
 use law::{Linear, Power};
 use start::Start;
 
 mod expansion;
+mod fixed_plate;
 mod integration;
 mod law;
 mod start;

@@ -1,24 +1,16 @@
-//! How projectile and plate push on each other: the contact models of thesis section 8.2 and Table 8.1, on one simulation.
+//! How projectile and plate push on each other: the contact models of thesis section 8.2 and Table 8.1, on one loop.
 //!
-//! A model gives the force of each mode, the events that end the mode, and what follows. The simulation does the rest, with
-//! every spring, damper and stop. What a model does not contain is absent from the run: no depth where it knows none, no peak
-//! force where the collision takes no time. The listing of Appendix A is a scheme of its own: see `appendix`.
+//! A model gives its force; `impact` has the modes and events. What a model does not contain is absent from the run: no depth where it
+//! knows none, no peak force where the collision takes no time. The listing of Appendix A is a scheme of its own: see `appendix`.
 
 use std::cell::LazyCell;
-use std::fmt::Debug;
-use std::sync::Arc;
 
 use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::Geometry;
-use crate::model::event_function::ActiveEvents;
-use crate::model::motion::{ContactForce, State};
-use crate::model::run::{Mode, Warning};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::units::engineering;
 
-mod flow_strength;
 mod half_sine;
-mod initial_velocity;
 mod law;
 mod lumped;
 
@@ -29,11 +21,11 @@ impl ContactModel {
     /// What it is.
     pub fn about(self) -> &'static About {
         match self {
-            Self::Hydrodynamic => &flow_strength::ABOUT,
+            Self::Hydrodynamic => &FLOW_STRENGTH,
             Self::HalfSine => &half_sine::ABOUT,
-            Self::InitialVelocity => &initial_velocity::ABOUT,
+            Self::InitialVelocity => &INITIAL_VELOCITY,
             Self::Lumped => &lumped::ABOUT,
-            Self::Appendix => &flow_strength::APPENDIX,
+            Self::Appendix => &APPENDIX,
         }
     }
 }
@@ -49,77 +41,37 @@ pub struct About {
     pub limit: &'static str,
     /// Its parameters in a scene, in words; empty if none have to be chosen.
     pub parameters: fn(&Scene) -> String,
-    of: fn(&Scene, &Geometry) -> Arc<dyn ContactLaw>,
 }
+
+/// The hydrodynamic model, F = A (S + c u²).
+const FLOW_STRENGTH: About = About {
+    place: 1,
+    strength: "simple",
+    limit: "models the contact force as a modified fluid drag",
+    parameters: |_| String::new(),
+};
+
+/// The initial velocity of equations 8.10 and 8.11, `w(0) = m_p v/(m_p + m_2)`: a perfectly inelastic collision that takes no time.
+const INITIAL_VELOCITY: About = About {
+    place: 4,
+    strength: "simple",
+    limit: "the impact takes no time; cannot perforate",
+    parameters: |_| String::new(),
+};
+
+/// The hydrodynamic model by the listing of Appendix A.
+const APPENDIX: About = About {
+    place: 5,
+    strength: "the method of chapter 9",
+    limit: "not in Table 8.1",
+    parameters: |scene| {
+        let step_s = scene.contact.appendix.step_s;
+        format!("dt = {}", shown(step_s, "s", Some(step_s)))
+    },
+};
 
 /// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
 const UNLOAD_PER_LOAD: f64 = 100.0;
-
-pub(super) trait ContactLaw: Debug + Send + Sync {
-    fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce;
-
-    /// Adds the events that end a mode in which the bodies are not joined.
-    fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents);
-
-    /// The mode after common velocity is reached.
-    fn at_common_velocity(&self) -> Mode {
-        Mode::Fused
-    }
-
-    /// The mode of a projectile that goes deeper again after it was on its way out.
-    fn turned_forward(&self) -> Mode {
-        Mode::Closing
-    }
-
-    /// Sizes of the contact.
-    fn scales(&self) -> Scales;
-
-    /// Travel at which contact begins in a hole made by this travel, m.
-    fn slack_m(&self, _deepest_m: f64) -> f64 {
-        0.0
-    }
-
-    /// Travel that stands for the hole's depth, m; `None` where the model knows none.
-    fn hole_m(&self, _deepest_m: f64) -> Option<f64> {
-        None
-    }
-
-    /// The same on a rigid mount, m.
-    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
-        None
-    }
-
-    /// Energy in a contact that comes to rest without joining the bodies, J.
-    fn stored_j(&self, _mode: Mode, _hole: &Hole<'_>) -> Option<f64> {
-        None
-    }
-
-    /// What it does not contain of a run with this first common velocity, s.
-    fn note(&self, _first_arrest_s: Option<f64>) -> Option<Warning> {
-        None
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Hole<'a> {
-    pub(super) geometry: &'a Geometry,
-    pub(super) state: State,
-    /// Greatest travel so far, m.
-    pub(super) deepest_m: f64,
-    pub(super) still: bool,
-}
-
-/// Sizes of a contact, by order of magnitude.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Scales {
-    pub(super) travel_m: f64,
-    pub(super) duration_s: f64,
-    pub(super) force_n: f64,
-}
-
-pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactLaw> {
-    (scene.contact.model.about().of)(scene, geometry)
-}
 
 /// A parameter for readers, with a note where it was left open.
 fn shown(value: f64, unit: &'static str, given: Option<f64>) -> String {

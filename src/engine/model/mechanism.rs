@@ -17,7 +17,7 @@ mod spring;
 pub(super) mod stop;
 
 pub use inertia::{Inertia, OmittedMass, is_uncounted, moving_plate_kg};
-pub use spring::{Elastic, Spring};
+pub use spring::Spring;
 
 /// An odd power law: `coefficient |z|^exponent sgn(z)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub struct PowerLaw {
     pub exponent: f64,
 }
 
-/// How a power law is expanded.
+/// How a power law is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PowerKind {
     /// The coefficient is zero.
@@ -37,7 +37,7 @@ pub enum PowerKind {
     Linear,
     /// A whole exponent from 2 to [`WHOLE_MAX`].
     Whole(usize),
-    /// Anything else: singular at zero.
+    /// Anything else.
     General,
 }
 
@@ -59,17 +59,12 @@ impl PowerLaw {
         if acts { self } else { Self { coefficient: 0.0, ..self } }
     }
 
-    /// Whether it cannot be expanded at zero.
-    pub fn is_singular(self) -> bool {
-        self.kind() == PowerKind::General
-    }
-
     /// Whether its tangent at zero is infinite.
     pub fn is_steep_at_zero(self) -> bool {
         !self.is_absent() && self.exponent < 1.0
     }
 
-    /// How it is expanded.
+    /// How it is computed.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

@@ -23,7 +23,7 @@ pub use warning::{NotModelled, Warning};
 pub struct Settings {
     /// Keep the series to draw from.
     pub series: bool,
-    /// Compute the error estimate (a second, tighter computation).
+    /// Compute the error estimate (a second computation of another order).
     pub estimate: bool,
 }
 
@@ -127,8 +127,8 @@ worded! {
         #[default]
         Decided = "outcome decided",
         Horizon = "horizon reached",
-        /// No horizon was given, and nothing was decided within five hundred oscillations.
-        Oscillates = "undecided after 500 oscillations: set run.horizon_s to follow the plate further",
+        /// No horizon was given, and a plate that oscillates on has used up the work of a run undecided.
+        Oscillates = "undecided after many oscillations: set run.horizon_s to follow the plate further",
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
         NonFinite = "ended early: a value stopped being finite",
@@ -286,9 +286,7 @@ pub struct ResultError {
 /// How an error estimate was obtained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateBasis {
-    /// The result is a closed form, compared with itself by a finer quadrature.
-    ClosedForm,
-    /// Difference to a second computation at a tighter tolerance and another order.
+    /// Difference to a second computation of another order.
     SecondComputation,
     /// Unknown: the second computation ended otherwise, with this outcome.
     OutcomeDiffers(Outcome),
@@ -386,11 +384,11 @@ pub struct Cost {
     pub steps: usize,
     /// Rejected steps.
     pub rejected: usize,
-    /// Times the force on the plate changed its sign, twice an oscillation: each takes steps.
+    /// Times the plate turned, twice an oscillation: each takes steps.
     pub turns: usize,
     /// Events that changed what the bodies do: contact, interface and stop.
     pub events: usize,
-    /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
+    /// Evaluations of the equations of motion.
     pub rhs_evaluations: usize,
     /// The wall-clock time it took with its error estimate, as whoever ran it measured, s; `None` where nobody did.
     pub took_s: Option<f64>,

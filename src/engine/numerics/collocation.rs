@@ -89,7 +89,6 @@ pub(crate) struct Member<const S: usize> {
 
 pub(crate) static NINE: LazyLock<Member<9>> = LazyLock::new(Member::new);
 pub(crate) static THREE: LazyLock<Member<3>> = LazyLock::new(Member::new);
-#[cfg(test)]
 pub(crate) static SEVEN: LazyLock<Member<7>> = LazyLock::new(Member::new);
 
 /// A member that steps to a tolerance.

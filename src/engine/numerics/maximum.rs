@@ -1,7 +1,7 @@
 //! The greatest value of a function on an interval: samples, and Brent's method around each of their maxima that may exceed what
 //! is known (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), chapter 5).
 
-use crate::numerics::{larger, smaller};
+use crate::numerics::larger;
 
 /// Cells of the interval.
 const CELLS: usize = 8;
@@ -9,9 +9,6 @@ const CELLS: usize = 8;
 const INSIDE: f64 = 1e-3;
 /// Part of the interval to which a maximum is located: the value is then right to rounding.
 const LOCATED: f64 = 1e-8;
-/// The same of a rough function, and how far from there a costly one is looked at first.
-const ROUGHLY: f64 = 1e-4;
-const NEAR: f64 = 0.1;
 /// Evaluations after which the best place found is taken.
 const ROUNDS_MAX: usize = 60;
 /// (3 - sqrt 5)/2.
@@ -20,44 +17,14 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// The greatest value of `f` between `from` and `to`, where it has no more than one maximum in each of eight cells. Maxima are
 /// located only if they may exceed `known`.
 pub(crate) fn greatest(from: f64, to: f64, known: f64, f: impl Fn(f64) -> f64) -> f64 {
-    greatest_at(from, to, known, &f, &f)
+    greatest_of(from, to, known, &f)
 }
 
-/// The same of a function that is costly within the interval, where a close one has its maxima, which equals it at the ends.
-pub(crate) fn greatest_at(
-    from: f64,
-    to: f64,
-    known: f64,
-    close: impl Fn(f64) -> f64,
-    exact: impl Fn(f64) -> f64,
-) -> f64 {
-    greatest_by(from, to, known, &close, &|a, b| exact(in_bracket(a, b, LOCATED, &close)))
-}
-
-/// The same where the other function is only `rough`: maxima are looked for near its own.
-pub(crate) fn greatest_of(
-    from: f64,
-    to: f64,
-    known: f64,
-    rough: impl Fn(f64) -> f64,
-    exact: impl Fn(f64) -> f64,
-) -> f64 {
-    greatest_by(from, to, known, &rough, &|a, b| {
-        refined(a, b, in_bracket(a, b, ROUGHLY, &rough), &exact)
-    })
-}
-
-/// The greatest value by samples of `f`; `top` gives the value of a maximum between two places. Compiled once for all functions.
-fn greatest_by(
-    from: f64,
-    to: f64,
-    known: f64,
-    rough: &dyn Fn(f64) -> f64,
-    top: &dyn Fn(f64, f64) -> f64,
-) -> f64 {
+/// Compiled once for all functions.
+fn greatest_of(from: f64, to: f64, known: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     let cell = (to - from) / CELLS as f64;
     let place = |i: usize| if i == CELLS { to } else { from + cell * i as f64 };
-    let values: [f64; CELLS + 1] = std::array::from_fn(|i| rough(place(i)));
+    let values: [f64; CELLS + 1] = std::array::from_fn(|i| f(place(i)));
     let mut best = larger(values[0], values[CELLS]);
     for (i, value) in values.iter().enumerate() {
         let (before, after) = (i.saturating_sub(1), if i == CELLS { i } else { i + 1 });
@@ -66,46 +33,20 @@ fn greatest_by(
             continue;
         }
         let rises_inside = match i {
-            0 => rough(from + INSIDE * cell) > *value,
-            CELLS => rough(to - INSIDE * cell) > *value,
+            0 => f(from + INSIDE * cell) > *value,
+            CELLS => f(to - INSIDE * cell) > *value,
             _ => true,
         };
         if rises_inside {
-            best = larger(top(place(before), place(after)), best);
+            best = larger(f(in_bracket(place(before), place(after), f)), best);
         }
     }
     best
 }
 
-/// The value of a costly function at its maximum between `a` and `b`, near `at`: the vertex of the parabola through three places
-/// close by, twice.
-fn refined(a: f64, b: f64, at: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let (mut x, mut reach) = (at, NEAR * (b - a));
-    let mut best = f(x);
-    for _ in 0..2 {
-        let (left, right) = (larger(x - reach, a), smaller(x + reach, b));
-        let (at_left, at_x, at_right) = (f(left), best, f(right));
-        let (p, q) = ((x - left) * (at_x - at_right), (x - right) * (at_x - at_left));
-        let vertex = x - 0.5 * ((x - left) * p - (x - right) * q) / (p - q);
-        let (mut next, mut at_next) =
-            if at_left > at_right { (left, at_left) } else { (right, at_right) };
-        if vertex > a && vertex < b {
-            let at_vertex = f(vertex);
-            if at_vertex > at_next {
-                (next, at_next) = (vertex, at_vertex);
-            }
-        }
-        if at_next > best {
-            (x, best) = (next, at_next);
-        }
-        reach *= NEAR;
-    }
-    best
-}
-
-/// Where `f` has its maximum between `a` and `b`, to this part of that.
-fn in_bracket(a: f64, b: f64, located: f64, f: &dyn Fn(f64) -> f64) -> f64 {
-    let (mut a, mut b, tolerance) = (a, b, located * (b - a));
+/// Where `f` has its maximum between `a` and `b`.
+fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
+    let (mut a, mut b, tolerance) = (a, b, LOCATED * (b - a));
     let mut x = a + GOLDEN * (b - a);
     let (mut w, mut v) = (x, x);
     let mut at_x = f(x);
@@ -159,7 +100,7 @@ fn in_bracket(a: f64, b: f64, located: f64, f: &dyn Fn(f64) -> f64) -> f64 {
 mod tests {
     use std::cell::Cell;
 
-    use super::{greatest, greatest_of};
+    use super::greatest;
 
     const UNKNOWN: f64 = f64::NEG_INFINITY;
 
@@ -195,24 +136,5 @@ mod tests {
         };
         let _ = greatest(0.0, 1.0, 1.0, count);
         assert_eq!(evaluations.get(), 9);
-    }
-
-    #[test]
-    fn the_value_is_the_exact_functions_own() {
-        let found = greatest_of(0.0, 1.0, UNKNOWN, |s| 7.0 * s * (1.0 - s), |s| s * (1.0 - s));
-        assert!((found - 0.25).abs() < 1e-15, "{found}");
-    }
-
-    /// The rough function has its maximum at 0.5; that of sin on (1.3, 1.9) is at pi/2, 0.45 of the way.
-    #[test]
-    fn a_costly_maximum_beside_the_rough_one_is_found_in_few_evaluations() {
-        let evaluations = Cell::new(0);
-        let exact = |s: f64| {
-            evaluations.set(evaluations.get() + 1);
-            (1.3 + 0.6 * s).sin()
-        };
-        let found = greatest_of(0.0, 1.0, UNKNOWN, |s| 1.0 - (s - 0.5) * (s - 0.5), exact);
-        assert!((found - 1.0).abs() < 1e-13, "{found}");
-        assert!(evaluations.get() <= 7, "{}", evaluations.get());
     }
 }

@@ -252,7 +252,6 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
             "error_estimate_basis",
             run.error_estimate.map_or(Value::Null, |estimate| {
                 Value::from(match estimate.basis {
-                    EstimateBasis::ClosedForm => "closed form",
                     EstimateBasis::SecondComputation => "second computation",
                     EstimateBasis::HalfStep => "half the step",
                     EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",

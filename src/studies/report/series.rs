@@ -70,7 +70,6 @@ impl Channel {
     /// law of the mechanism is drawn over all displacements.
     pub fn points(self, run: &Run, samples: &[Sample]) -> Vec<(f64, f64)> {
         match self.source() {
-            Source::Time(get) if self == Self::ContactForce => with_jumps(samples, get),
             Source::Time(get) => {
                 let value = |it| if self.exists_in(it) { get(it) } else { f64::NAN };
                 samples.iter().map(|sample| (sample.t_s, value(sample))).collect()
@@ -142,24 +141,6 @@ impl Channel {
     }
 }
 
-/// Points over time of what jumps where the mode changes: the sample of the event has the value before it, and the one after it is
-/// carried back to the event from the next two samples.
-fn with_jumps(samples: &[Sample], get: fn(&Sample) -> f64) -> Vec<(f64, f64)> {
-    let point = |sample: &Sample| (sample.t_s, get(sample));
-    let mut points: Vec<(f64, f64)> = samples.first().map(point).into_iter().collect();
-    for (at, pair) in samples.windows(2).enumerate() {
-        let (event_s, (t_s, value)) = (pair[0].t_s, point(&pair[1]));
-        let next = samples.get(at + 2).filter(|_| pair[0].mode != pair[1].mode);
-        let next = next.filter(|next| next.mode == pair[1].mode && next.t_s > t_s);
-        if let Some(next) = next {
-            let slope = (get(next) - value) / (next.t_s - t_s);
-            points.push((event_s, value - slope * (t_s - event_s)));
-        }
-        points.push((t_s, value));
-    }
-    points
-}
-
 /// Fewer points that make the same picture over a linear axis of time.
 ///
 /// The whole time is divided into equal parts, more than a screen has columns of dots. Of each part the first, lowest, highest and
@@ -216,7 +197,6 @@ mod tests {
         assert_eq!(at_event.len(), 2);
         assert!((at_event[0] - run.peak_contact_force_n.unwrap()).abs() < 1e-6 * at_event[0]);
         assert!((at_event[1] - after).abs() < 1e-3 * after, "{at_event:?} {after}");
-        assert_eq!(points.len(), run.series.len() + 1);
     }
 
     #[test]

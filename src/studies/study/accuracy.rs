@@ -8,7 +8,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::hybrid::Stepping;
+use crate::model::impact::Stepping;
 use crate::model::impact::step_by;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};

@@ -5,6 +5,9 @@ use crate::model::run::{EventKind, Mode, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
 
+/// Part of the greatest displacement at which it is reached.
+const REACHED: f64 = 1e-9;
+
 /// The load of a shot on the mechanism and its mount; `None` where there is no such thing, or where it is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Load {
@@ -111,21 +114,18 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     if mechanism.is_absent() && mechanism.stop.is_none() {
         return None;
     }
-    let turn = run.events.iter().find(|event| event.kind == EventKind::GreatestDisplacement);
-    let row = match turn {
-        Some(event) => run.series.iter().rfind(|row| row.t_s <= event.t_s)?,
-        None => run.series.last()?,
+    let lost = |row: &Sample| m_p * cos * (struck - row.projectile_velocity_m_s);
+    let last = run.series.last()?;
+    // At its greatest displacement the plate is at rest for a moment, with a projectile that is in it.
+    let Some(far_m) = run.max_plate_displacement_m else {
+        return Some(lost(last) - moving_plate_kg(scene) * last.plate_velocity_m_s);
     };
-    let lost = m_p * cos * (struck - row.projectile_velocity_m_s);
-    let left = moving_plate_kg(scene) * row.plate_velocity_m_s;
-    // A plate whose greatest displacement is known comes to rest there, with a projectile that is in it. It still moves on in the row
-    // in which it meets a rigid stop.
-    let known_m = run.max_plate_displacement_m.filter(|_| turn.is_none());
-    let moves_on = row.plate_velocity_m_s > 0.0;
-    if known_m.is_none_or(|far_m| far_m <= row.plate_displacement_m && !moves_on) {
-        return Some(lost - left);
-    }
-    Some(if row.mode == Mode::Fused { m_p * cos * struck } else { lost })
+    let farther =
+        |a: &&Sample, b: &&Sample| a.plate_displacement_m.total_cmp(&b.plate_displacement_m);
+    let turn = run.series.iter().max_by(farther)?;
+    let is_there = far_m - turn.plate_displacement_m <= REACHED * far_m.abs();
+    let row = if is_there { turn } else { last };
+    Some(if row.mode == Mode::Fused { m_p * cos * struck } else { lost(row) })
 }
 
 /// Greatest energy in the springs between where the plate starts and its greatest displacement, J.

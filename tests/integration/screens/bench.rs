@@ -357,7 +357,7 @@ impl Shape {
 pub(crate) fn made(scene: &Arc<Scene>) -> Run {
     let rigid = scene.plate.mount == Mount::Rigid;
     let shape = Shape::of(scene);
-    let basis = if rigid { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation };
+    let basis = EstimateBasis::SecondComputation;
     let arrest = shape.sample(ARREST_S);
     let mut run = Run {
         scene: Arc::clone(scene),
@@ -442,8 +442,8 @@ fn cost(rigid: bool) -> Cost {
             steps: 10,
             rejected: 0,
             rhs_evaluations: 10,
-            method: "Taylor 16",
-            reason: "smooth and not stiff",
+            method: "Radau IIA 17",
+            reason: "one implicit method of high order: smooth, stiff and steep alike",
             ..Cost::default()
         }
     }

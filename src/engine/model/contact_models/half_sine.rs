@@ -6,12 +6,9 @@
 //! relative travel that follows: at the first common velocity, or at a later one where a spring throws the plate back.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use super::{About, ContactLaw, Hole, Scales, Values, shown};
-use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
-use crate::model::motion::{ContactForce, Pulse};
-use crate::model::run::{Mode, Warning};
+use super::{About, Values, shown};
+use crate::model::run::Warning;
 use crate::model::scene::Scene;
 
 /// A projectile that arrives at common velocity within this part of the end of the history has not been overrun.
@@ -25,18 +22,9 @@ pub(super) const ABOUT: About = About {
         let duration_s = Values::of(scene).duration_s;
         format!("t_d = {}", shown(duration_s, "s", scene.contact.duration_s))
     },
-    of: |scene, _| Arc::new(HalfSine::of(scene)),
 };
 
-/// A prescribed force history.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct HalfSine {
-    pulse: Pulse,
-    /// On a rigid mount, m.
-    travel_m: f64,
-}
-
-/// The same as a function of time alone.
+/// A prescribed force history, a function of time alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) struct History {
     pub(in crate::model) duration_s: f64,
@@ -83,66 +71,5 @@ impl History {
     /// How far the projectile has come since first contact, m.
     pub(in crate::model) fn travel_m(&self, t_s: f64) -> f64 {
         0.5 * self.velocity_m_s * (t_s + self.duration_s / PI * self.angle(t_s).sin())
-    }
-}
-
-impl HalfSine {
-    fn of(scene: &Scene) -> Self {
-        let duration_s = Values::of(scene).duration_s;
-        let (m_p, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
-        let amplitude_n = 0.5 * PI * m_p * v / duration_s;
-        Self { pulse: Pulse { amplitude_n, duration_s }, travel_m: 0.5 * v * duration_s }
-    }
-}
-
-impl ContactLaw for HalfSine {
-    fn force(&self, mode: Mode, _hole: &Hole<'_>) -> ContactForce {
-        match mode {
-            Mode::Penetrating | Mode::Withdrawing => ContactForce::HalfSine(self.pulse),
-            _ => ContactForce::None,
-        }
-    }
-
-    fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
-        let forwards = match mode {
-            Mode::Penetrating => 1.0,
-            Mode::Withdrawing => -1.0,
-            _ => return,
-        };
-        events.add(EventId::HistoryEnd, EventFunction::time_up_to(self.pulse.duration_s));
-        // On a plate that stays still it is at the end of the history, where the slip is quadratic in time.
-        if !hole.still {
-            events.add(EventId::SlipZero, EventFunction::slip(forwards));
-        }
-    }
-
-    fn at_common_velocity(&self) -> Mode {
-        Mode::Withdrawing
-    }
-
-    fn turned_forward(&self) -> Mode {
-        Mode::Penetrating
-    }
-
-    fn scales(&self) -> Scales {
-        Scales {
-            travel_m: self.travel_m,
-            duration_s: self.pulse.duration_s,
-            force_n: self.pulse.amplitude_n,
-        }
-    }
-
-    fn hole_m(&self, deepest_m: f64) -> Option<f64> {
-        Some(deepest_m)
-    }
-
-    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
-        Some(self.travel_m)
-    }
-
-    fn note(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
-        let duration_s = self.pulse.duration_s;
-        let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
-        early.map(|t_s| Warning::Overruns { t_s, duration_s })
     }
 }

@@ -4,12 +4,7 @@
 //! `delta_max (1 - k_load/k_unload)`, from which it is pressed again along `k_unload` up to where it was. It only pushes.
 //! The dent is the depth; the model has no rear face.
 
-use std::sync::Arc;
-
-use super::{About, ContactLaw, Hole, Scales, Values, shown};
-use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
-use crate::model::motion::{ContactForce, ElasticForce};
-use crate::model::run::Mode;
+use super::{About, Values, shown};
 use crate::model::scene::Scene;
 use crate::model::units;
 
@@ -18,7 +13,6 @@ pub(super) const ABOUT: About = About {
     strength: "simple",
     limit: "needs parameters that no source gives; cannot perforate",
     parameters,
-    of: |scene, _| Arc::new(Lumped::of(scene)),
 };
 
 fn parameters(scene: &Scene) -> String {
@@ -93,26 +87,6 @@ impl Lumped {
         0.5 * force_n * force_n / self.unload_n_m
     }
 
-    /// The interface force of a mode: on its steeper branch but for the way in; none where the bodies are apart.
-    fn elastic(&self, mode: Mode, deepest_m: f64) -> Option<ElasticForce> {
-        let (stiffness_n_m, slack_m) = match mode {
-            Mode::Penetrating => (self.load_n_m, 0.0),
-            Mode::Withdrawing | Mode::Closing => (self.unload_n_m, self.dent_m(deepest_m)),
-            _ => return None,
-        };
-        Some(ElasticForce { stiffness_n_m, slack_m, damping_n_s_m: self.damping_n_s_m })
-    }
-
-    /// The interface force on its steeper branch, times a sign.
-    fn push(&self, deepest_m: f64, sign: f64) -> EventFunction {
-        EventFunction {
-            offset: -sign * self.unload_n_m * self.dent_m(deepest_m),
-            travel: sign * self.unload_n_m,
-            slip: sign * self.damping_n_s_m,
-            ..EventFunction::default()
-        }
-    }
-
     /// How far the interface is pressed in on a rigid mount: m q'' + b q' + k q = 0 from q = 0 at the impact velocity.
     pub(super) fn pressed_on_rigid_mount_m(&self) -> f64 {
         let (m, v) = (self.mass_kg, self.velocity_m_s);
@@ -128,62 +102,5 @@ impl Lumped {
             1.0 / rate
         };
         v * (-rate * to_turn_s).exp() / (self.load_n_m / m).sqrt()
-    }
-}
-
-impl ContactLaw for Lumped {
-    fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce {
-        self.elastic(mode, hole.deepest_m).map_or(ContactForce::None, ContactForce::Elastic)
-    }
-
-    fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
-        let dent_m = self.dent_m(hole.deepest_m);
-        match mode {
-            Mode::Penetrating => events.add(EventId::SlipZero, EventFunction::slip(1.0)),
-            Mode::Withdrawing | Mode::Closing => {
-                events.add(EventId::ContactLost, self.push(hole.deepest_m, 1.0));
-                events.add(EventId::HoleBottom, EventFunction::travel_up_to(hole.deepest_m));
-            }
-            // The damper has let go of a projectile that is still in its dent.
-            Mode::FreeFlight if hole.state.travel_m > dent_m => {
-                events.add(EventId::ContactAgain, self.push(hole.deepest_m, -1.0));
-                events.add(EventId::DentLeft, EventFunction::travel_down_to(dent_m));
-            }
-            Mode::FreeFlight => {
-                events.add(EventId::Recontact, EventFunction::travel_up_to(dent_m));
-            }
-            _ => {}
-        }
-    }
-
-    fn at_common_velocity(&self) -> Mode {
-        Mode::Withdrawing
-    }
-
-    fn scales(&self) -> Scales {
-        let travel_m = self.velocity_m_s * (self.mass_kg / self.load_n_m).sqrt();
-        Scales {
-            travel_m,
-            duration_s: 2.0 * travel_m / self.velocity_m_s,
-            force_n: self.load_n_m * travel_m + self.damping_n_s_m * self.velocity_m_s,
-        }
-    }
-
-    fn slack_m(&self, deepest_m: f64) -> f64 {
-        self.dent_m(deepest_m)
-    }
-
-    fn hole_m(&self, deepest_m: f64) -> Option<f64> {
-        Some(self.dent_m(deepest_m))
-    }
-
-    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
-        Some(self.dent_m(self.pressed_on_rigid_mount_m()))
-    }
-
-    fn stored_j(&self, mode: Mode, hole: &Hole<'_>) -> Option<f64> {
-        let Some(law) = self.elastic(mode, hole.deepest_m) else { return Some(0.0) };
-        let force_n = law.stiffness_n_m * (hole.state.travel_m - law.slack_m);
-        Some(0.5 * force_n * force_n / self.unload_n_m)
     }
 }

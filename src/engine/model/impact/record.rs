@@ -1,27 +1,32 @@
-//! The record of a run: series, events, extremes and work.
+//! What a run leaves: rows, events, work, milestones and extremes, each from the accepted steps.
 
-use crate::model::impact::body::Body;
+use crate::model::contact_models::Law;
+use crate::model::impact::equations::{Equations, Setup, State};
+use crate::model::impact::modes::{self, Contact, Hold, Mode, Touch};
 use crate::model::impact::window::Window;
-use crate::model::motion::{Expansion, Force, Motion, State};
-use crate::model::run::{Arrest, Departure, EnergyLedger, Event, EventKind, Mode, Sample};
-use crate::numerics::root::each_down_crossing;
-use crate::numerics::series::{evaluate, slope};
-use crate::numerics::{larger, maximum, smaller};
+use crate::model::run::{self, Arrest, Departure, EnergyLedger, Event, EventKind, Sample};
+use crate::numerics::locate::{Found, first_fall};
+use crate::numerics::maximum::greatest;
+use crate::numerics::quadrature::GAUSS_16;
+use crate::numerics::{larger, smaller};
 
-/// Points drawn within each Taylor step, its end included.
-const POINTS_PER_STEP: usize = 8;
-
-/// Rows after which only the solver's own steps are kept: as many as its work allows.
-const POINTS_MAX: usize = 20_000;
-
-/// Part of a series' variation by which it may miss its quantity at the end of a step.
-const CONVERGED: f64 = 1e-7;
+/// Rows within each step, its end included: its polynomial has no wiggles that they miss.
+const ROWS_PER_STEP: usize = 16;
+/// Rows after which only the ends of steps are kept: as many as a run's work allows.
+const ROWS_MAX: usize = 20_000;
+/// Hits of the stop slower than this part of the impact velocity are not events to mark.
+const NOTED_HIT: f64 = 1e-9;
+/// Parts of a depth by which rounding may put it off, and by which the laws of an oblique section are cut beside it.
+const SAME_DEPTH: f64 = 1e-9;
+const NEAR_DEPTH: f64 = 1e-2;
 
 /// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Record<'a> {
     pub(super) keep_series: bool,
-    /// Where the run so far is shown, if anywhere.
+    /// No events are marked any more.
+    pub(super) is_over: bool,
+    /// Where rows at equal times, and the run so far, are shown.
     pub(super) window: Option<&'a Window>,
     pub(super) series: Vec<Sample>,
     pub(super) events: Vec<Event>,
@@ -32,265 +37,439 @@ pub(super) struct Record<'a> {
     pub(super) separation: Option<Departure>,
     pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
-    /// Greatest force of spring, damper and elastic stop, where the greatest displacement does not determine it, N.
-    pub(super) peak_mount_n: f64,
-    pub(super) max_displacement_m: f64,
-    pub(super) max_displacement_s: f64,
-    pub(super) min_displacement_m: f64,
-    /// Greatest push and pull through the interface while fused, over A `S_y`, and when the limits were first passed, s.
+    pub(super) loads: Loads,
+    /// Greatest displacement and when it was reached, and the least, m and s.
+    pub(super) farthest_m: f64,
+    pub(super) farthest_s: f64,
+    pub(super) least_m: f64,
+    /// Greatest speed of the plate at the ends of steps, m/s.
+    pub(super) fastest_m_s: f64,
+    /// A steep law held the plate up to the first arrest.
+    pub(super) was_held: bool,
+    pub(super) steps: usize,
+    pub(super) rejected: usize,
+    pub(super) evaluations: usize,
+    /// Events that changed what acts.
+    pub(super) changes: usize,
+    /// Times the plate turned.
+    pub(super) turns: usize,
+}
+
+/// The greatest forces of mount and joined interface.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Loads {
+    /// Of spring, damper and elastic stop, N.
+    pub(super) mount_n: f64,
+    /// Push and pull through the joined interface, over its strength in compression.
     pub(super) push_ratio: Option<f64>,
     pub(super) pull_ratio: f64,
+    /// When a fused one was first pushed, and pulled, by more than its strength, s.
     pub(super) push_exceeded_s: Option<f64>,
     pub(super) pull_exceeded_s: Option<f64>,
+    /// It has no strength.
     pub(super) no_strength: bool,
 }
 
-/// The body on a step, with the equations that hold on it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Setting<'a> {
-    pub(super) body: &'a Body<'a>,
-    pub(super) motion: &'a Motion<'a>,
-}
-
-impl Setting<'_> {
-    pub(super) fn sample(&self, state: &State, is_step: bool) -> Sample {
-        let Self { body, motion } = self;
-        let (problem, mode) = (body.problem, body.mode);
-        let mechanism = &problem.mechanism;
-        let (spring, damper) =
-            (mechanism.spring.force(state.plate_m), mechanism.damper.force(state.plate_m_s));
-        let contact = match mode {
-            Mode::Fused if body.is_still() => 0.0,
-            Mode::Fused => {
-                problem.interface_fraction * (spring + damper + motion.stop_force(state))
-            }
-            _ => motion.contact_force(state),
-        };
-        let stop = if body.rests_on_stop {
-            contact * problem.cos - spring
-        } else {
-            motion.stop_force(state)
-        };
-        Sample {
-            t_s: state.t_s,
-            mode,
-            penetration_m: problem.depth_m(state.travel_m),
-            projectile_displacement_m: state.travel_m
-                + (state.plate_m - problem.start_m) * problem.cos,
-            projectile_velocity_m_s: state.projectile_m_s(problem.cos),
-            plate_displacement_m: state.plate_m,
-            plate_velocity_m_s: state.plate_m_s,
-            contact_force_n: contact,
-            spring_force_n: spring,
-            damper_force_n: damper,
-            stop_force_n: stop,
-            is_step,
-        }
-    }
-}
-
 impl Record<'_> {
-    pub(super) fn event(&mut self, t_s: f64, kind: EventKind) {
-        self.events.push(Event { t_s, kind });
+    /// Notes the first moment.
+    pub(super) fn begin(&mut self, equations: &Equations<'_>, state: &State) {
+        let x_m = equations.displacement_m(state.x_m);
+        (self.farthest_m, self.least_m) = (x_m, x_m);
+        self.peak_contact_n = equations.contact_n(state);
+        if equations.setup.law == Law::AtOnce {
+            self.note(state.t_s, EventKind::FirstArrest);
+            self.work.penetration_j = equations.setup.initial_j() - equations.kinetic_j(state);
+        }
+        self.row(equations, state, true);
     }
 
-    pub(super) fn point(&mut self, setting: &Setting<'_>, state: &State, is_step: bool) {
-        if !self.keep_series {
+    /// Keeps neither rows nor events any more.
+    pub(super) fn stop_drawing(&mut self) {
+        (self.keep_series, self.is_over) = (false, true);
+    }
+
+    /// Notes a step, whose states are given by the part of it.
+    pub(super) fn step(&mut self, equations: &Equations<'_>, at: impl Fn(f64) -> State) {
+        self.steps += 1;
+        self.reach(equations, &at(1.0));
+        self.add_work(equations, &at);
+        self.note_forces(equations, &at);
+        self.draw(equations, ROWS_PER_STEP, &at);
+    }
+
+    fn reach(&mut self, equations: &Equations<'_>, state: &State) {
+        let x_m = equations.displacement_m(state.x_m);
+        if x_m > self.farthest_m {
+            (self.farthest_m, self.farthest_s) = (x_m, state.t_s);
+        }
+        self.least_m = smaller(x_m, self.least_m);
+        self.fastest_m_s = larger(state.w_m_s.abs(), self.fastest_m_s);
+    }
+
+    /// Work in the hole, of the damper and of the elastic stop, by Gauss's rule: exact for the product of two of the step's polynomials.
+    fn add_work(&mut self, equations: &Equations<'_>, at: &impl Fn(f64) -> State) {
+        let moves = !equations.plate_rests();
+        let is_damped = moves && !equations.setup.damper.is_absent();
+        let is_pressed = moves && equations.mode.touch == Touch::Pressed;
+        let slides = equations.slides();
+        if !(slides || is_damped || is_pressed) {
             return;
         }
-        let row = setting.sample(state, is_step);
-        if let Some(window) = self.window {
-            window.reach(&row);
-        }
-        self.series.push(row);
-    }
-
-    /// Note a displacement that may be the greatest, or the least, so far.
-    pub(super) fn reach(&mut self, state: &State) {
-        if state.plate_m > self.max_displacement_m {
-            (self.max_displacement_m, self.max_displacement_s) = (state.plate_m, state.t_s);
-        }
-        self.min_displacement_m = smaller(state.plate_m, self.min_displacement_m);
-    }
-
-    /// Write down a step of an expansion: points to draw, work done, extremes of the forces. `span` is the part
-    /// of the time unit that was used.
-    pub(super) fn step<const N: usize>(
-        &mut self,
-        setting: &Setting<'_>,
-        e: &Expansion<N>,
-        span: f64,
-    ) {
-        let h = e.unit_s;
-        self.work.penetration_j += integral(&e.contact, &e.slip, span) * h;
-        if !setting.motion.damper.is_absent() {
-            self.work.damper_j += integral(&e.damper, &e.plate_speed, span) * h;
-        }
-        let stop = setting.motion.stop;
-        if stop.stiffness_n_m > 0.0 {
-            let mut force = [0.0; N];
-            for (j, force) in force.iter_mut().enumerate() {
-                *force = stop.stiffness_n_m * e.plate[j] + stop.damping_n_s_m * e.plate_speed[j];
-            }
-            force[0] -= stop.stiffness_n_m * stop.slack_m;
-            self.work.stop_j += integral(&force, &e.plate_speed, span) * h;
-        }
-        self.note_extremes(setting, |force, known| {
-            let backwards;
-            let series = match force {
-                Force::Contact => &e.contact,
-                Force::Push => &e.mechanism,
-                Force::Pull => {
-                    backwards = e.mechanism.map(|c| -c);
-                    &backwards
+        let span_s = at(1.0).t_s - at(0.0).t_s;
+        for node in &GAUSS_16 {
+            for place in [-node.at, node.at] {
+                let state = at(0.5 + 0.5 * place);
+                let State { u_m_s, x_m, w_m_s, .. } = state;
+                let part_s = 0.5 * node.weight * span_s;
+                if slides {
+                    self.work.penetration_j += part_s * equations.contact_n(&state) * u_m_s;
                 }
-            };
-            greatest(series, span, known, |s| setting.motion.force(force, &e.state(s)))
-        });
-        self.draw(setting, e.t_s + span * h, POINTS_PER_STEP, |part| e.state(span * part));
+                if is_damped {
+                    self.work.damper_j += part_s * equations.setup.damper.force(w_m_s) * w_m_s;
+                }
+                if is_pressed {
+                    self.work.stop_j += part_s * equations.stop_n(x_m, w_m_s) * w_m_s;
+                }
+            }
+        }
     }
 
-    /// Draws the step to a time by its dense output: rows at equal time steps where they are wanted, and between the ends of a given number
-    /// of equal parts.
+    /// The greatest forces of contact, mount and interface on a step.
+    fn note_forces(&mut self, equations: &Equations<'_>, at: &impl Fn(f64) -> State) {
+        let contact_n = |theta: f64| equations.contact_n(&at(theta));
+        // Friction is no peak.
+        let flows = equations.setup.law == Law::Flow;
+        if equations.mode.contact == Contact::Deepening || (!flows && equations.slides()) {
+            let peak_n = greatest(0.0, 1.0, self.peak_contact_n, contact_n);
+            self.peak_contact_n = larger(peak_n, self.peak_contact_n);
+        }
+        match equations.mode.hold {
+            Hold::Mount => {}
+            // What a plate that is held does not take, the mount does.
+            Hold::OnStop | Hold::Spring | Hold::Damper => {
+                let push_n = |theta: f64| contact_n(theta) * equations.setup.cos;
+                let known_n = self.loads.mount_n;
+                self.loads.mount_n = larger(greatest(0.0, 1.0, known_n, push_n), known_n);
+            }
+            Hold::Free => {
+                let force_n = |theta: f64| {
+                    let state = at(theta);
+                    equations.mechanism_n(state.x_m, state.w_m_s)
+                };
+                self.note_mechanism(equations, at, &force_n);
+                if equations.setup.turning_kg > 0.0 {
+                    let mount_n = |theta: f64| equations.mount_n(&at(theta)).abs();
+                    let known_n = self.loads.mount_n;
+                    self.loads.mount_n = larger(greatest(0.0, 1.0, known_n, mount_n), known_n);
+                }
+            }
+        }
+    }
+
+    /// The greatest forces of the mechanism on a step.
+    fn note_mechanism(
+        &mut self,
+        equations: &Equations<'_>,
+        at: &impl Fn(f64) -> State,
+        force_n: &impl Fn(f64) -> f64,
+    ) {
+        // A power law and a stop push most at an end of the step, where nothing else does: the plate turns only there.
+        let at_ends = equations.is_undamped() && equations.mode.spring.power().is_some();
+        let most_n = |way: f64, known_n: f64| {
+            let force_n = |theta: f64| way * force_n(theta);
+            if at_ends {
+                larger(force_n(0.0), force_n(1.0))
+            } else {
+                greatest(0.0, 1.0, known_n, force_n)
+            }
+        };
+        let (push_n, pull_n) = self.loads.known_n(equations, &at(1.0));
+        let (push_n, pull_n) = (most_n(1.0, push_n), most_n(-1.0, pull_n));
+        let first_s = |way: f64| {
+            let holds = if way > 0.0 { 1.0 } else { equations.setup.grip };
+            let gap_n = |theta: f64| {
+                holds * equations.strength_n(&at(1.0))
+                    - way * equations.setup.interface_fraction() * force_n(theta)
+            };
+            let found = first_fall(1, |theta, gaps| gaps[0] = gap_n(theta));
+            at(if let Found::Fall(_, theta) = found { theta } else { 1.0 }).t_s
+        };
+        self.note_load(equations, &at(1.0), [push_n, pull_n]);
+        self.note_excess(equations, &at(1.0), [push_n, pull_n], first_s);
+    }
+
+    /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it.
+    pub(super) fn note_load(
+        &mut self,
+        equations: &Equations<'_>,
+        state: &State,
+        [push_n, pull_n]: [f64; 2],
+    ) {
+        let loads = &mut self.loads;
+        // Of the force that turns the plate back the mount takes what does not turn the mass geared to it.
+        let part = 1.0 - equations.setup.turning_kg / equations.moving_kg();
+        loads.mount_n = larger(part * larger(push_n, pull_n), loads.mount_n);
+        let is_carried = equations.mode.contact == Contact::Joined && !equations.plate_rests();
+        if !is_carried || equations.setup.law != Law::Flow {
+            return;
+        }
+        let strength_n = equations.strength_n(state);
+        if strength_n <= 0.0 {
+            loads.no_strength = true;
+            return;
+        }
+        let part = equations.setup.interface_fraction() / strength_n;
+        loads.push_ratio = Some(larger(part * push_n, loads.push_ratio.unwrap_or(0.0)));
+        loads.pull_ratio = larger(part * pull_n, loads.pull_ratio);
+    }
+
+    /// Notes when these forces ask too much of a fused interface for the first time.
+    fn note_excess(
+        &mut self,
+        equations: &Equations<'_>,
+        state: &State,
+        [push_n, pull_n]: [f64; 2],
+        first_s: impl Fn(f64) -> f64,
+    ) {
+        let Equations { setup, mode } = equations;
+        let strength_n = equations.strength_n(state);
+        let is_joined = mode.contact == Contact::Joined && !equations.plate_rests();
+        if setup.plastic || !is_joined || strength_n <= 0.0 {
+            return;
+        }
+        let part = setup.interface_fraction() / strength_n;
+        if part * push_n > 1.0 && self.loads.push_exceeded_s.is_none() {
+            let t_s = first_s(1.0);
+            self.loads.push_exceeded_s = Some(t_s);
+            self.note(t_s, EventKind::InterfaceExceeded);
+        }
+        if part * pull_n > setup.grip && self.loads.pull_exceeded_s.is_none() {
+            let t_s = first_s(-1.0);
+            self.loads.pull_exceeded_s = Some(t_s);
+            self.note(t_s, EventKind::InterfaceExceeded);
+        }
+    }
+
+    /// Draws a step in so many parts: its rows at equal times, and those at the ends of the parts.
     pub(super) fn draw(
         &mut self,
-        setting: &Setting<'_>,
-        to_s: f64,
+        equations: &Equations<'_>,
         parts: usize,
-        dense: impl Fn(f64) -> State,
+        at: &impl Fn(f64) -> State,
     ) {
         if !self.keep_series {
             return;
         }
         if let Some(window) = self.window {
-            let from_s = setting.body.state.t_s;
-            let at = |t_s: f64| State { t_s, ..dense((t_s - from_s) / (to_s - from_s)) };
-            window.fill(to_s, |t_s| setting.sample(&at(t_s), false));
+            let (from_s, to_s) = (at(0.0).t_s, at(1.0).t_s);
+            window.fill(to_s, |t_s| {
+                let state = State { t_s, ..at((t_s - from_s) / (to_s - from_s)) };
+                sample(equations, &state, false)
+            });
         }
-        if self.series.len() < POINTS_MAX {
-            let between = (1..parts).map(|part| dense(part as f64 / parts as f64));
-            self.series.extend(between.map(|state| setting.sample(&state, false)));
+        let parts = if self.series.len() < ROWS_MAX { parts } else { 1 };
+        for part in 1..=parts {
+            let state = at(part as f64 / parts as f64);
+            self.series.push(sample(equations, &state, part == parts));
         }
     }
 
-    /// Add the work done in a time `dt_s` at a state: one term of a quadrature.
-    pub(super) fn worked(&mut self, setting: &Setting<'_>, state: &State, dt_s: f64) {
-        let motion = setting.motion;
-        let (work, w) = (&mut self.work, state.plate_m_s);
-        work.penetration_j += dt_s * motion.contact_force(state) * state.slip_m_s;
-        work.damper_j += dt_s * motion.damper.force(w) * w;
-        work.stop_j += dt_s * motion.stop_force(state) * w;
+    fn row(&mut self, equations: &Equations<'_>, state: &State, is_step: bool) {
+        if self.keep_series {
+            let row = sample(equations, state, is_step);
+            if let Some(window) = self.window {
+                window.fill(row.t_s, |_| row);
+            }
+            self.series.push(row);
+        }
     }
 
-    /// Note the greatest forces of a step. `greatest` finds that of one force, as far as it exceeds what is known, N.
-    pub(super) fn note_extremes(
+    fn note(&mut self, t_s: f64, kind: EventKind) {
+        if !self.is_over {
+            self.events.push(Event { t_s, kind });
+        }
+    }
+
+    /// Notes an event and what it led to, from a state to a state.
+    pub(super) fn event(
         &mut self,
-        setting: &Setting<'_>,
-        greatest: impl Fn(Force, f64) -> f64,
+        event: modes::Event,
+        (before, from): (&Equations<'_>, &State),
+        (after, to): (&Equations<'_>, &State),
     ) {
-        let (body, problem) = (setting.body, setting.body.problem);
-        match body.mode {
-            Mode::Closing | Mode::Withdrawing if problem.flows() => {}
-            Mode::Penetrating | Mode::Closing | Mode::Withdrawing => {
-                let peak = greatest(Force::Contact, self.peak_contact_n);
-                self.peak_contact_n = larger(peak, self.peak_contact_n);
-            }
-            Mode::Fused => {
-                // The greatest forces forwards and backwards so far, as far as the interface's strength says.
-                let per_ratio_n = body.interface_n() / problem.interface_fraction;
-                let push_n = self.push_ratio.unwrap_or(0.0) * per_ratio_n;
-                let pull_n = self.pull_ratio * per_ratio_n;
-                self.carried(body, greatest(Force::Push, push_n), greatest(Force::Pull, pull_n));
-            }
-            Mode::FreeFlight | Mode::Perforated => {}
+        self.reach(after, to);
+        self.mark(event, (before, from), (after, to));
+        let lost_j = before.kinetic_j(from) - after.kinetic_j(to);
+        match event {
+            modes::Event::StopReached => self.work.stop_j += lost_j,
+            modes::Event::HistoryEnd => self.work.penetration_j += lost_j,
+            _ => {}
         }
-        if !problem.follows_mount_force() {
-            return;
+        let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
+        self.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
+        if after.mode.contact == Contact::Joined && after.mode.hold == Hold::Free {
+            let force_n = after.mechanism_n(to.x_m, to.w_m_s);
+            self.note_load(after, to, [force_n, -force_n]);
+            self.note_excess(after, to, [force_n, -force_n], |_| to.t_s);
         }
-        // What a plate on its stop does not take, the mount does.
-        let (forces, part): (&[Force], f64) = if body.rests_on_stop {
-            (&[Force::Contact], problem.cos)
-        } else {
-            (&[Force::Push, Force::Pull], 1.0)
+        let acts = |mode: &Mode| (mode.contact, mode.hold, mode.touch);
+        if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
+            self.changes += 1;
+            self.row(after, to, true);
+        } else if let Some(row) = self.series.last_mut().filter(|_| self.keep_series) {
+            *row = sample(after, to, true);
+        }
+    }
+
+    /// The milestones at an event, and what is marked of it.
+    fn mark(
+        &mut self,
+        event: modes::Event,
+        (before, from): (&Equations<'_>, &State),
+        (after, to): (&Equations<'_>, &State),
+    ) {
+        let setup = before.setup;
+        let (old, new) = (before.mode, after.mode);
+        let flows = setup.law == Law::Flow;
+        let departure = Departure { t_s: to.t_s, velocity_m_s: setup.projectile_m_s(to) };
+        match event {
+            // A prescribed history goes on.
+            modes::Event::SlipZero if !flows && old.contact == Contact::PullingOut => {}
+            modes::Event::SlipZero | modes::Event::HistoryEnd => {
+                self.arrest(after, to, old.hold.is_by_law());
+            }
+            modes::Event::PieceEnd if new.contact == Contact::Gone => {
+                self.exit = Some(departure);
+                self.note(to.t_s, EventKind::Perforation);
+            }
+            modes::Event::PieceEnd if new.contact == Contact::Deepening => {
+                self.pass_joint(setup, to);
+            }
+            modes::Event::Recontact => self.note(to.t_s, EventKind::Recontact),
+            modes::Event::SpeedZero
+                if old.w_side > 0.0 && after.displacement_m(to.x_m) >= self.farthest_m =>
+            {
+                self.events.retain(|it| it.kind != EventKind::GreatestDisplacement);
+                self.note(to.t_s, EventKind::GreatestDisplacement);
+            }
+            modes::Event::StopReached if from.w_m_s > NOTED_HIT * setup.velocity_m_s => {
+                self.note(to.t_s, EventKind::StopHit);
+            }
+            _ => {}
+        }
+        let is_new = |contact| {
+            new.contact == contact && (old.contact != contact || event == modes::Event::SlipZero)
         };
-        for force in forces {
-            let peak = part * greatest(*force, self.peak_mount_n / part);
-            self.peak_mount_n = larger(peak, self.peak_mount_n);
+        if is_new(Contact::Deepening) && (flows || event == modes::Event::Bottom) {
+            self.resumed_s.get_or_insert(to.t_s);
+            self.note(to.t_s, EventKind::Resumption);
+        } else if is_new(Contact::PullingOut) && flows {
+            self.note(to.t_s, EventKind::PullOut);
+        } else if new.contact == Contact::Apart && old.contact != Contact::Apart {
+            self.separation = Some(departure);
+            self.note(to.t_s, EventKind::Separation);
+        }
+        match (old.hold, new.hold) {
+            (Hold::Free, Hold::OnStop) => self.note(to.t_s, EventKind::StopHold),
+            (Hold::OnStop, Hold::Free) => self.note(to.t_s, EventKind::StopRelease),
+            _ => {}
         }
     }
 
-    /// Note the greatest forces of the mechanism, forwards and backwards, N; a fused interface carries its fraction of them.
-    pub(super) fn carried(&mut self, body: &Body<'_>, push_n: f64, pull_n: f64) {
-        if body.is_still() || !body.problem.flows() {
-            return;
+    fn arrest(&mut self, after: &Equations<'_>, state: &State, is_held: bool) {
+        let is_first = self.first_arrest.is_none();
+        self.note(state.t_s, if is_first { EventKind::FirstArrest } else { EventKind::Arrest });
+        if is_first {
+            self.was_held = is_held;
+            self.first_arrest = Some(Arrest {
+                t_s: state.t_s,
+                penetration_m: after.setup.geometry.depth_m(state.q_m),
+                plate_displacement_m: after.displacement_m(state.x_m),
+                plate_velocity_m_s: state.w_m_s,
+            });
         }
-        let interface_n = body.interface_n();
-        if interface_n > 0.0 {
-            let part = body.problem.interface_fraction / interface_n;
-            let (push, pull) = (part * push_n, part * pull_n);
-            let known = self.push_ratio.unwrap_or(0.0);
-            self.push_ratio = Some(if push > known { push } else { known });
-            self.pull_ratio = if pull > self.pull_ratio { pull } else { self.pull_ratio };
-        } else {
-            self.no_strength = true;
+    }
+
+    /// The nose is in, or its front at the rear face, where the area law changes there.
+    fn pass_joint(&mut self, setup: &Setup, state: &State) {
+        let geometry = &setup.geometry;
+        let is_at = |depth_m: f64, part: f64| {
+            (geometry.depth_m(state.q_m) - depth_m).abs() < part * depth_m
+        };
+        if is_at(geometry.thickness_m, SAME_DEPTH) {
+            self.note(state.t_s, EventKind::RearFace);
+        } else if is_at(geometry.nose.full_from_m(), NEAR_DEPTH) {
+            self.note(state.t_s, EventKind::NoseBuried);
         }
     }
 }
 
-/// The integral of f·g over the first `span` of the time unit, of all of the product's terms: their decay is not what
-/// the step was chosen by.
-fn integral<const N: usize>(f: &[f64; N], g: &[f64; N], span: f64) -> f64 {
-    // Row by row, so that the inner loop runs over neighbours and becomes vector instructions.
-    let mut product = [0.0; TERMS_MAX];
-    for (i, &f) in f.iter().enumerate() {
-        for (term, &g) in product[i..i + N].iter_mut().zip(g) {
-            *term += f * g;
+impl Loads {
+    /// The greatest force of the mechanism forwards, and backwards, below which nothing new is known of mount and interface, N.
+    pub(super) fn known_n(&self, equations: &Equations<'_>, state: &State) -> (f64, f64) {
+        let strength_n = equations.strength_n(state);
+        let is_carried = equations.mode.contact == Contact::Joined && strength_n > 0.0;
+        if !is_carried {
+            return (self.mount_n, self.mount_n);
         }
+        let per_ratio_n = strength_n / equations.setup.interface_fraction();
+        let known = |ratio: f64| smaller(ratio * per_ratio_n, self.mount_n);
+        (known(self.push_ratio.unwrap_or(0.0)), known(self.pull_ratio))
     }
-    let terms = product[..2 * N - 1].iter().zip(&RECIPROCALS).rev();
-    terms.fold(0.0, |sum, (term, reciprocal)| sum * span + term * reciprocal) * span
 }
 
-/// Terms of the product of two series of the longest expansion, at most.
-const TERMS_MAX: usize = 64;
+impl Equations<'_> {
+    /// Whether the nose rubs or cuts.
+    fn slides(&self) -> bool {
+        matches!(self.mode.contact, Contact::Deepening | Contact::Closing | Contact::PullingOut)
+    }
 
-/// 1, 1/2, 1/3, ...: what the integral of each power of the time is multiplied by.
-const RECIPROCALS: [f64; TERMS_MAX] = {
-    let mut reciprocals = [0.0; TERMS_MAX];
-    let mut order = 0;
-    while order < TERMS_MAX {
-        reciprocals[order] = 1.0 / (order as f64 + 1.0);
-        order += 1;
+    /// Kinetic energy of both bodies, J.
+    pub(super) fn kinetic_j(&self, state: &State) -> f64 {
+        let Setup { projectile_kg, plate_kg, .. } = *self.setup;
+        let (v, w) = (self.setup.projectile_m_s(state), state.w_m_s);
+        0.5 * (projectile_kg * v * v + plate_kg * w * w)
     }
-    reciprocals
-};
+}
 
-/// The greatest value of a quantity on the first `span` of the time unit, as far as it exceeds what is known: at an end, or where
-/// the slope of its series falls through zero. The series only shows where: the value there is that of the state. A series that
-/// has not converged, although those of the state have, says nothing.
-fn greatest<const N: usize>(
-    series: &[f64; N],
-    span: f64,
-    known: f64,
-    value: impl Fn(f64) -> f64,
-) -> f64 {
-    let (start, end) = (series[0], value(span));
-    let best = larger(start, end);
-    // The most by which series and slope may vary.
-    let (mut size, mut bend, mut power) = (0.0, 0.0, 1.0);
-    for (j, c) in series.iter().enumerate().skip(1) {
-        bend += if j > 1 { j as f64 * (c * power).abs() } else { 0.0 };
-        power *= span;
-        size += (c * power).abs();
+/// The row of a state.
+fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
+    let Equations { setup, mode } = equations;
+    let contact_n = match mode.contact {
+        Contact::Joined => equations.carried_n(state),
+        _ => equations.contact_n(state),
+    };
+    let (x_m, w_m_s) = match mode.hold {
+        Hold::Spring | Hold::Damper => equations.balanced(state),
+        _ => (equations.displacement_m(state.x_m), state.w_m_s),
+    };
+    let spring_n = mode.spring.force(x_m);
+    Sample {
+        t_s: state.t_s,
+        mode: match mode.contact {
+            Contact::Deepening => run::Mode::Penetrating,
+            Contact::Closing => run::Mode::Closing,
+            Contact::PullingOut => run::Mode::Withdrawing,
+            Contact::Apart => run::Mode::FreeFlight,
+            Contact::Gone => run::Mode::Perforated,
+            Contact::Joined => run::Mode::Fused,
+        },
+        penetration_m: match setup.law {
+            Law::AtOnce => f64::NAN,
+            _ => setup.geometry.depth_m(state.q_m),
+        },
+        projectile_displacement_m: state.q_m + (x_m - setup.start_m) * setup.cos,
+        projectile_velocity_m_s: setup.projectile_m_s(state),
+        plate_displacement_m: x_m,
+        plate_velocity_m_s: w_m_s,
+        contact_force_n: contact_n,
+        spring_force_n: spring_n,
+        damper_force_n: setup.damper.force(w_m_s),
+        stop_force_n: match mode.hold {
+            Hold::OnStop => contact_n * setup.cos - spring_n,
+            _ if mode.touch == Touch::Pressed => equations.stop_n(state.x_m, w_m_s),
+            _ => 0.0,
+        },
+        is_step,
     }
-    let is_converged = (evaluate(series, span) - end).abs() <= CONVERGED * size;
-    if !is_converged {
-        return larger(maximum::greatest(0.0, span, known, &value), best);
-    }
-    let does_not_matter = bend <= series[1].abs() || start + size <= known;
-    let mut most = best;
-    if !does_not_matter {
-        each_down_crossing(&slope(series), span, |s| most = larger(value(s), most));
-    }
-    most
 }

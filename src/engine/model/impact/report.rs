@@ -1,325 +1,406 @@
-//! The [`Run`] from a finished simulation.
+//! The [`Run`] from what a run has come to.
 
 use std::sync::Arc;
 
-use crate::model::impact::body::MaximumDisplacement;
-use crate::model::impact::problem::{PlateResponse, Problem};
+use crate::model::closed_form::{Ending, Passage};
+use crate::model::contact_models::Law;
+use crate::model::impact::equations::{Equations, Setup, State};
+use crate::model::impact::modes::{Contact, Mode};
+use crate::model::impact::outcome::Farthest;
 use crate::model::impact::record::Record;
-use crate::model::impact::simulation::Simulation;
-use crate::model::mechanism::{PowerKind, Spring, load};
+use crate::model::mechanism::{Inertia, PowerKind, load};
 use crate::model::run::{
-    AtLeast, Cost, EndReason, EnergyLedger, Event, EventKind, MechanismLoad, Mode, NotModelled,
-    Outcome, Run, STILL_WITHIN_CONTACT, Warning,
+    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled, Outcome, Run,
+    STILL_WITHIN_CONTACT, Warning,
 };
-use crate::model::scene::InterfaceLaw;
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
+use crate::numerics::root::in_bracket;
 
-/// Part of the mount's force within which way back and way forward are the same.
-const ROUNDING: f64 = 1e-9;
+/// The end of what is drawn after everything is decided, relative to the end of the contact.
+const TAIL_END: f64 = 1.25;
+/// A plate slowed by a damper to this part of its speed has arrived, to be drawn.
+const ARRIVED_SPEED: f64 = 1e-2;
+/// Part of a load by which it may grow without being followed.
+const GROWTH: f64 = 1e-9;
+/// Part of the greatest displacement by which it counts as reached.
+const REACHED: f64 = 1e-9;
+/// Part of it that no energy may add for it to be final.
+const FINAL: f64 = 1e-12;
 
-pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReason) -> Run {
-    let outcome = simulation
-        .termination
-        .decided
-        .map_or_else(|| simulation.body.outcome(), |decided| decided.0);
-    let ledger = ledger(problem, &simulation);
-    let geometry = &problem.geometry;
-    let hole_m = problem.contact.hole_m(simulation.body.deepest_m);
+/// What a run has come to: all that its results follow from.
+#[derive(Clone, Debug)]
+pub(super) struct Course<'a> {
+    pub(super) scene: &'a Arc<Scene>,
+    pub(super) setup: &'a Setup,
+    pub(super) mode: Mode,
+    pub(super) state: State,
+    pub(super) record: Record<'a>,
+    /// Outcome and greatest displacement, once nothing can change them any more.
+    pub(super) decided: Option<(Outcome, Farthest)>,
+    /// When it ends at the latest, s.
+    pub(super) horizon_s: f64,
+}
+
+impl Course<'_> {
+    pub(super) fn equations(&self) -> Equations<'_> {
+        Equations { setup: self.setup, mode: &self.mode }
+    }
+
+    /// Finds outcome and greatest displacement, once nothing can change them any more.
+    pub(super) fn decide(&mut self) {
+        if self.decided.is_some() {
+            return;
+        }
+        let equations = self.equations();
+        let Some(outcome) = equations.outcome(&self.state) else { return };
+        let farthest = equations.farthest(&self.state, self.record.farthest_m);
+        self.decided = (farthest != Farthest::Pending).then_some((outcome, farthest));
+    }
+
+    /// Whether what follows may load the mount, or the joined interface, more than they have been.
+    pub(super) fn loads_may_grow(&mut self) -> bool {
+        let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
+        let equations = Equations { setup, mode };
+        if equations.plate_rests() || equations.drives_away(state).is_some() {
+            return false;
+        }
+        let energy_j = equations.energy_j(state);
+        let bounds =
+            [equations.push_at_most_n(state, energy_j), equations.pull_at_most_n(state, energy_j)];
+        let most_n = bounds.map(|most_n| most_n / setup.interface_fraction());
+        let known_n = record.loads.known_n(&equations, state);
+        let grows = |(most_n, known_n): (f64, f64)| most_n > known_n * (1.0 + GROWTH);
+        if !(grows((most_n[0], known_n.0)) || grows((most_n[1], known_n.1))) {
+            return false;
+        }
+        let is_joined = mode.contact == Contact::Joined;
+        let exceeds = is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
+        if !setup.damper.is_absent()
+            || setup.stop.is_some()
+            || setup.is_absorbing()
+            || (exceeds && record.loads.push_exceeded_s.is_none())
+        {
+            return true;
+        }
+        // Nothing takes any of the energy on the way to where the spring pushes most, nor back.
+        record.note_load(&equations, state, most_n);
+        false
+    }
+
+    /// When the end of the contact has been drawn, s.
+    pub(super) fn tail_s(&self) -> f64 {
+        let record = &self.record;
+        let contact_s = record.first_arrest.map(|arrest| arrest.t_s);
+        let end_s = contact_s.or_else(|| record.exit.map(|exit| exit.t_s));
+        TAIL_END * end_s.unwrap_or(self.state.t_s)
+    }
+
+    /// Whether there is still something to draw: the end of the contact, or the way to the greatest displacement.
+    pub(super) fn is_drawn(&self) -> bool {
+        let equations = self.equations();
+        if equations.plate_rests() && self.mode.contact == Contact::Joined {
+            return false;
+        }
+        let in_tail = self.state.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON);
+        let is_slow = self.state.w_m_s <= ARRIVED_SPEED * self.record.fastest_m_s;
+        in_tail || self.goes_farther() && (equations.is_undamped() || !is_slow)
+    }
+
+    fn flows(&self) -> bool {
+        self.setup.law == Law::Flow
+    }
+
+    /// The effects that the contact model does not contain.
+    fn notes(&self, depth_m: Option<f64>) -> impl Iterator<Item = Warning> {
+        let (setup, scene) = (self.setup, self.scene);
+        let through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);
+        let is_plastic = scene.interface.law == InterfaceLaw::Plastic;
+        let missing = [
+            through.then_some(NotModelled::RearFace),
+            is_plastic.then_some(NotModelled::PlasticLaw),
+        ];
+        let missing = missing.into_iter().flatten().filter(|_| !self.flows());
+        let arrest_s = self.record.first_arrest.map(|arrest| arrest.t_s);
+        missing.map(Warning::NotModelled).chain(setup.law.overruns(arrest_s))
+    }
+
+    /// Travel of the bottom of the hole, m.
+    fn deepest_m(&self) -> f64 {
+        match self.mode.contact {
+            Contact::Deepening => larger(self.state.q_m, self.mode.deepest_m),
+            _ => self.mode.deepest_m,
+        }
+    }
+
+    /// Whether the plate is on its way to a greatest displacement that is known already.
+    pub(super) fn goes_farther(&self) -> bool {
+        let reached_m = self.record.farthest_m;
+        let far = self.decided.map(|(_, farthest)| farthest);
+        matches!(far, Some(Farthest::Known(far_m)) if far_m - reached_m > REACHED * far_m.abs())
+    }
+
+    /// The greatest displacement, m: where nothing stops the plate, that at the horizon it was given.
+    fn max_displacement_m(&self) -> Option<f64> {
+        let so_far_m = self.record.farthest_m;
+        match self.decided.map(|(_, farthest)| farthest) {
+            Some(Farthest::Known(x_m)) => Some(larger(x_m, so_far_m)),
+            Some(Farthest::Unbounded) => self.scene.run.horizon_s.map(|_| so_far_m),
+            // Of an undecided run as far as there is no energy to go farther.
+            Some(Farthest::Pending) | None => {
+                let equations = self.equations();
+                let reach_m = equations.reach_m(&self.state, equations.energy_left_j(&self.state));
+                (reach_m - so_far_m <= FINAL * so_far_m.abs()).then_some(so_far_m)
+            }
+        }
+    }
+
+    /// The greatest depth for which there is energy left, m: all of it at work at the bottom of the hole. `None` where that would
+    /// be enough to perforate, or where a spring may give more than it has taken.
+    fn depth_at_most_m(&self) -> Option<f64> {
+        let geometry = &self.setup.geometry;
+        self.setup.spring.power().filter(|_| self.flows())?;
+        let deepest_m = self.deepest_m();
+        let energy_j = self.equations().energy_left_j(&self.state);
+        let swept_m3 = geometry.swept_m3(deepest_m) + energy_j / self.setup.strength_pa;
+        if swept_m3.is_nan() || swept_m3 >= geometry.swept_m3(geometry.exit_m) {
+            return None;
+        }
+        let over_m3 = |q_m: f64| geometry.swept_m3(q_m) - swept_m3;
+        Some(geometry.depth_m(in_bracket(deepest_m, geometry.exit_m, over_m3)))
+    }
+
+    /// The final depth of a hole that is so deep now, and may become so deep at most, m; `None` of one that is not known.
+    fn final_m(
+        &self,
+        outcome: Outcome,
+        hole_m: Option<f64>,
+        at_most_m: Option<f64>,
+    ) -> Option<f64> {
+        let geometry = &self.setup.geometry;
+        match outcome {
+            Outcome::Arrested | Outcome::Separated => hole_m,
+            Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
+            // A hole that can grow by less than the error of the run has its final depth.
+            Outcome::Moving => {
+                let (now_m, most_m) = (hole_m?, at_most_m?);
+                (most_m - now_m <= self.scene.run.tolerance * now_m).then_some(now_m)
+            }
+        }
+    }
+
+    /// The depth on a rigid mount, m; `None` where that is perforated.
+    fn baseline_m(&self) -> Option<f64> {
+        let geometry = &self.setup.geometry;
+        if !self.flows() {
+            return self.setup.law.hole_on_rigid_mount_m().map(|q_m| geometry.depth_m(q_m));
+        }
+        match Passage::rigid(self.scene, geometry).ending() {
+            Ending::Arrest { travel_m } => Some(geometry.depth_m(travel_m)),
+            Ending::Exit { .. } => None,
+        }
+    }
+
+    fn ledger(&self) -> EnergyLedger {
+        let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
+        let (setup, state) = (self.setup, &self.state);
+        let added_kg = Inertia::of(self.scene).added_kg();
+        let x_m = self.equations().displacement_m(state.x_m);
+        let stored_j = self.mode.spring.energy(x_m);
+        // An absorber that is being crushed gives back less than was spent on it.
+        let crushed = setup.crushed_at(x_m, self.mode.crushed_m);
+        let spring_j = crushed.map_or(stored_j, |(spring, _)| spring.energy(x_m));
+        EnergyLedger {
+            initial_kinetic_j: kinetic(setup.projectile_kg, setup.velocity_m_s),
+            initial_spring_j: setup.spring.energy(setup.start_m),
+            projectile_j: kinetic(setup.projectile_kg, setup.projectile_m_s(state)),
+            plate_j: kinetic(setup.plate_kg - added_kg, state.w_m_s),
+            inertia_j: kinetic(added_kg, state.w_m_s),
+            spring_j,
+            crush_j: self.mode.crushed_j + stored_j - spring_j,
+            ..self.record.work
+        }
+    }
+
+    fn load(&self, max_displacement_m: Option<f64>) -> MechanismLoad {
+        let spring = &self.setup.spring;
+        let inertia = Inertia::of(self.scene);
+        let ends = max_displacement_m
+            .filter(|_| !self.setup.still)
+            .map(|far_m| [self.setup.start_m, far_m]);
+        let stress_at = |x_m: f64| load::stress_ratio(self.scene, x_m);
+        let stress = ends.and_then(|[from, to]| Some(larger(stress_at(from)?, stress_at(to)?)));
+        let positive = |value: f64| Some(value).filter(|value| *value > 0.0);
+        let speed = self.record.fastest_m_s;
+        MechanismLoad {
+            stored_j: ends.filter(|_| !spring.is_absent()).map(|[from, to]| {
+                // An absorber keeps what crushes it.
+                let crushed = self.setup.crushed_at(to, 0.0);
+                let stored_j = || spring.greatest_energy(from, to);
+                crushed.map_or_else(stored_j, |(crushed, _)| {
+                    larger(spring.energy(from), crushed.energy(to))
+                })
+            }),
+            yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
+            added_kg: positive(inertia.added_kg()),
+            spring_mass_kg: inertia.spring_mass_kg,
+            peak_mount_n: (!self.setup.still).then_some(self.record.loads.mount_n),
+            rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
+        }
+    }
+
+    fn warnings(
+        &self,
+        end: EndReason,
+        ledger: &EnergyLedger,
+        max_displacement_m: Option<f64>,
+    ) -> Vec<Warning> {
+        let (setup, scene, loads) = (self.setup, self.scene, &self.record.loads);
+        let mut list = Vec::new();
+        if !end.is_complete() {
+            let t_s = self.state.t_s;
+            list.push(scene.run.horizon_s.map_or(Warning::EndedEarly(end), |horizon_s| {
+                Warning::HorizonNotReached { reason: end, t_s, horizon_s }
+            }));
+        }
+        if let (Some(t_s), Some(ratio)) = (loads.push_exceeded_s, loads.push_ratio) {
+            list.push(Warning::InterfacePush { ratio, t_s });
+        }
+        if let Some(ratio) = self.tension().filter(|ratio| *ratio > 1.0) {
+            match (loads.pull_exceeded_s, loads.push_exceeded_s) {
+                (Some(t_s), _) => list.push(Warning::InterfacePull { ratio, t_s }),
+                (None, None) => list.push(Warning::InterfaceRebound { ratio }),
+                (None, Some(_)) => {}
+            }
+        }
+        if loads.no_strength && !setup.plastic {
+            list.push(Warning::InterfaceWithoutStrength);
+        }
+        if let Some(t_s) = self.record.resumed_s.filter(|_| setup.plastic) {
+            list.push(Warning::PenetrationResumed { t_s });
+        }
+        list.extend(Warning::of_ledger(ledger));
+        if !setup.still {
+            let far_m = max_displacement_m.unwrap_or(self.record.farthest_m);
+            let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
+            list.extend(load::exceeded(scene, at_m).into_iter().map(Warning::Limit));
+        }
+        list
+    }
+
+    /// The greatest tension that a fused interface carried, over its strength in tension; infinite where it has none, `None` where it
+    /// can let go.
+    fn tension(&self) -> Option<f64> {
+        let loads = &self.record.loads;
+        loads.push_ratio.filter(|_| !self.setup.plastic)?;
+        Some(match (self.setup.grip > 0.0, loads.pull_ratio > 0.0) {
+            (true, _) => loads.pull_ratio / self.setup.grip,
+            (false, true) => f64::INFINITY,
+            (false, false) => 0.0,
+        })
+    }
+
+    fn cost(&self) -> Cost {
+        let record = &self.record;
+        Cost {
+            steps: record.steps,
+            rejected: record.rejected,
+            turns: record.turns,
+            events: record.changes,
+            rhs_evaluations: record.evaluations,
+            took_s: None,
+            method: "Radau IIA 17",
+            reason: "one implicit method of high order: smooth, stiff and steep alike",
+        }
+    }
+
+    fn omitted(&self) -> Vec<&'static str> {
+        let (setup, record) = (self.setup, &self.record);
+        let spring = &setup.spring;
+        let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
+        let rows = [
+            (setup.still, "plate motion"),
+            (spring.is_absent(), "spring"),
+            (setup.damper.is_absent(), "damper"),
+            (setup.stop.is_none(), "stop"),
+            (spring.power().is_some_and(|law| whole(law.kind())), "spring power function"),
+            (whole(setup.damper.kind()), "damper power function"),
+            (setup.geometry.nose.sin == 0.0, "obliquity"),
+            (!self.flows() || self.deepest_m() <= setup.geometry.bend_m, "exit face"),
+            (record.was_held, STILL_WITHIN_CONTACT),
+            (!setup.plastic, "interface law"),
+            (setup.drag_kg_m3 == 0.0, "drag"),
+            (self.goes_farther(), "way to the greatest displacement (energy balance)"),
+            (!record.keep_series, "series"),
+        ];
+        rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
+    }
+}
+
+/// The results of a run that ended for this reason.
+pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
+    let geometry = &course.setup.geometry;
+    let outcome = course.decided.map_or_else(
+        || course.equations().outcome(&course.state).unwrap_or(Outcome::Moving),
+        |(outcome, _)| outcome,
+    );
+    let hole_m = course.setup.law.hole_m(course.deepest_m());
     let hole_m = hole_m.map(|travel_m| geometry.depth_m(travel_m));
-    let final_penetration_m = match outcome {
-        Outcome::Arrested | Outcome::Separated => hole_m,
-        Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
-        Outcome::Moving => None,
-    };
     let penetration_at_most_m =
-        if outcome == Outcome::Moving { simulation.body.depth_at_most_m() } else { None };
-    // A hole that can grow by less than the error of the run has its final depth.
-    let negligible = problem.scene.run.tolerance;
-    let final_penetration_m = final_penetration_m.or_else(|| {
-        let at_most_m = penetration_at_most_m?;
-        hole_m.filter(|depth_m| at_most_m - depth_m <= negligible * depth_m)
-    });
-    let so_far_m = simulation.record.max_displacement_m;
-    let max_displacement = max_displacement_m(&simulation);
-    let mut warnings =
-        warnings(problem, &simulation, end, &ledger, max_displacement.unwrap_or(so_far_m));
-    warnings.extend(notes(problem, &simulation, final_penetration_m));
+        if outcome == Outcome::Moving { course.depth_at_most_m() } else { None };
+    let final_penetration_m = course.final_m(outcome, hole_m, penetration_at_most_m);
+    let max_plate_displacement_m = course.max_displacement_m();
+    let is_pending = !matches!(course.decided, Some((_, Farthest::Unbounded)));
     let at_least = AtLeast {
         penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
-        plate_displacement_m: (max_displacement.is_none()
-            && simulation.termination.max_displacement == MaximumDisplacement::Pending)
-            .then_some(so_far_m),
+        plate_displacement_m: (max_plate_displacement_m.is_none() && is_pending)
+            .then_some(course.record.farthest_m),
     };
+    let ledger = course.ledger();
+    // On a rigid mount both are the same, to the last digit.
+    let is_own = course.setup.still && !course.flows();
+    let baseline_penetration_m =
+        final_penetration_m.filter(|_| is_own).or_else(|| course.baseline_m());
+    let mut warnings = course.warnings(end, &ledger, max_plate_displacement_m);
+    warnings.extend(course.notes(final_penetration_m));
+    // What goes through the first plate of a stack meets the next.
+    if baseline_penetration_m.is_none() && !course.scene.is_stack() {
+        warnings.push(Warning::NoBaseline);
+    }
     if outcome == Outcome::Moving || !at_least.is_empty() {
         warnings.push(Warning::StillMoving { outcome, at_least });
     }
-    let cost = cost(problem, &simulation);
-    let mechanism = load(problem, &simulation, max_displacement);
-    let omitted = omitted(problem, &simulation);
-    let mut record = simulation.record;
-    tidy_events(&mut record);
+    let (mechanism, omitted) = (course.load(max_plate_displacement_m), course.omitted());
+    let (cost, interface_tension_ratio) = (course.cost(), course.tension());
+    let Course { scene, record, .. } = course;
+    let mut events = record.events;
+    // A turn that was passed later, on a stop, was not the greatest displacement.
+    events.retain(|event| {
+        event.kind != EventKind::GreatestDisplacement || event.t_s >= record.farthest_s
+    });
     Run {
-        scene: Arc::clone(&problem.scene),
+        scene: Arc::clone(scene),
         outcome,
         end,
         first_arrest: record.first_arrest,
         final_penetration_m,
-        // On a rigid mount both are the same, to the last digit.
-        baseline_penetration_m: final_penetration_m
-            .filter(|_| problem.rigid && !problem.flows())
-            .or(problem.baseline_m),
+        baseline_penetration_m,
         peak_contact_force_n: hole_m.map(|_| record.peak_contact_n),
-        max_plate_displacement_m: max_displacement,
+        max_plate_displacement_m,
         at_least,
         penetration_at_most_m,
         residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
         exit_time_s: record.exit.map(|exit| exit.t_s),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
-        interface_demand_ratio: record.push_ratio,
-        interface_tension_ratio: tension(problem, &record),
-        error_estimate: None,
-        error_estimates: Vec::new(),
+        interface_demand_ratio: record.loads.push_ratio,
+        interface_tension_ratio,
         series: record.series,
-        events: record.events,
+        events,
         ledger,
         mechanism,
-        stack: None,
-        plastic: None,
         cost,
         omitted,
         warnings,
+        ..Run::default()
     }
-}
-
-/// The greatest tension that a fused interface carried, over its strength; `None` where it can let go.
-fn tension(problem: &Problem, record: &Record<'_>) -> Option<f64> {
-    let is_known = record.push_ratio.is_some() && !problem.plastic;
-    is_known.then(|| tension_ratio(record.pull_ratio, problem.grip))
-}
-
-/// The tension of a fused interface on the way back, after the run, over its strength in tension, where it is too much and nothing
-/// has been before.
-fn rebound(problem: &Problem, simulation: &Simulation<'_>, farthest_m: f64) -> Option<f64> {
-    let (body, record) = (&simulation.body, &simulation.record);
-    let is_exceeded = record.push_exceeded_s.or(record.pull_exceeded_s).is_some();
-    let is_asked = body.mode == Mode::Fused && !problem.plastic && !is_exceeded;
-    let strength_n = Some(body.interface_n()).filter(|strength_n| is_asked && *strength_n > 0.0)?;
-    let pull = body.rebound_pull_n(farthest_m)? / strength_n;
-    Some(tension_ratio(pull, problem.grip)).filter(|ratio| *ratio > 1.0)
-}
-
-/// The greatest tension over the strength in tension, from that over `A S_y`.
-fn tension_ratio(pull: f64, grip: f64) -> f64 {
-    match (grip > 0.0, pull > 0.0) {
-        (true, _) => pull / grip,
-        (false, true) => f64::INFINITY,
-        (false, false) => 0.0,
-    }
-}
-
-/// The maximum displacement of the plate, m; `None` while it is unknown or has no bound.
-fn max_displacement_m(simulation: &Simulation<'_>) -> Option<f64> {
-    let so_far_m = simulation.record.max_displacement_m;
-    match simulation.termination.max_displacement {
-        MaximumDisplacement::Known(x_m) => Some(larger(x_m, so_far_m)),
-        MaximumDisplacement::Pending if simulation.body.displacement_is_greatest(so_far_m) => {
-            Some(so_far_m)
-        }
-        MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => None,
-    }
-}
-
-fn ledger(problem: &Problem, simulation: &Simulation<'_>) -> EnergyLedger {
-    let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
-    let state = &simulation.body.state;
-    let speed = state.projectile_m_s(problem.cos);
-    let spring = &problem.mechanism.spring;
-    let (spring_j, crush_j) = simulation.spring_energies();
-    let added_kg = problem.inertia.added_kg();
-    EnergyLedger {
-        initial_kinetic_j: kinetic(problem.projectile_kg, problem.velocity_m_s),
-        initial_spring_j: spring.energy(problem.start_m),
-        projectile_j: kinetic(problem.projectile_kg, speed),
-        plate_j: kinetic(problem.plate_kg - added_kg, state.plate_m_s),
-        inertia_j: kinetic(added_kg, state.plate_m_s),
-        spring_j,
-        crush_j,
-        ..simulation.record.work
-    }
-}
-
-fn load(
-    problem: &Problem,
-    simulation: &Simulation<'_>,
-    max_displacement: Option<f64>,
-) -> MechanismLoad {
-    let (spring, inertia) = (&problem.mechanism.spring, &problem.inertia);
-    let speed = simulation.body.speed_scale_m_s;
-    let stress_ratio_at = |x: f64| load::stress_ratio(&problem.scene, x);
-    let ends = max_displacement.filter(|_| !problem.rigid).map(|far| [problem.start_m, far]);
-    let stress =
-        ends.and_then(|[from, to]| Some(larger(stress_ratio_at(from)?, stress_ratio_at(to)?)));
-    let positive = |value: f64| Some(value).filter(|value| *value > 0.0);
-    MechanismLoad {
-        stored_j: ends
-            .filter(|_| !spring.is_absent())
-            .map(|[from, to]| spring.greatest_energy(from, to)),
-        yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
-        added_kg: positive(inertia.added_kg()),
-        spring_mass_kg: inertia.spring_mass_kg,
-        peak_mount_n: if problem.follows_mount_force() {
-            Some(simulation.record.peak_mount_n)
-        } else {
-            swinging_mount_n(problem, simulation, max_displacement)
-        },
-        rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
-    }
-}
-
-/// The greatest force of a spring that is a curve and acts alone, N: on the way of the run, and back from there with the energy
-/// that is left.
-fn swinging_mount_n(
-    problem: &Problem,
-    simulation: &Simulation<'_>,
-    max_displacement: Option<f64>,
-) -> Option<f64> {
-    let (body, record) = (&simulation.body, &simulation.record);
-    let greatest = |spring: &Spring, low_m, high_m| {
-        let forces = spring.curve().map(|curve| curve.forces_between(low_m, high_m));
-        forces.map(|(least, most)| larger(least.abs(), most.abs()))
-    };
-    let energy_j = body.energy_j();
-    let reached_m = larger(record.max_displacement_m, body.reach_with(energy_j));
-    let far_m = max_displacement.unwrap_or(reached_m);
-    let on_the_way_n = greatest(&problem.mechanism.spring, record.min_displacement_m, far_m)?;
-    // An absorber that is still being crushed gives back less than was spent on it.
-    let crushed = body.problem.unloaded_spring(far_m).filter(|_| body.state.plate_m_s > 0.0);
-    let back_n = if let Some(spring) = crushed {
-        let back_m = -spring.backward(far_m, spring.energy(far_m));
-        greatest(&spring, back_m, far_m)?
-    } else {
-        let spring = &body.problem.mechanism.spring;
-        greatest(spring, -spring.backward(body.state.plate_m, energy_j), far_m)?
-    };
-    let is_more = back_n > on_the_way_n * (1.0 + ROUNDING);
-    Some(if is_more { back_n } else { on_the_way_n })
-}
-
-fn warnings(
-    problem: &Problem,
-    simulation: &Simulation<'_>,
-    end: EndReason,
-    ledger: &EnergyLedger,
-    far: f64,
-) -> Vec<Warning> {
-    let record = &simulation.record;
-    let mut list = Vec::new();
-    if !end.is_complete() {
-        let (t_s, horizon_s) = (simulation.body.state.t_s, problem.horizon_s);
-        list.push(if problem.horizon_is_given {
-            Warning::HorizonNotReached { reason: end, t_s, horizon_s }
-        } else {
-            Warning::EndedEarly(end)
-        });
-    }
-    if let (Some(t_s), Some(ratio)) = (record.push_exceeded_s, record.push_ratio) {
-        list.push(Warning::InterfacePush { ratio, t_s });
-    }
-    if let Some(t_s) = record.pull_exceeded_s {
-        let ratio = tension_ratio(record.pull_ratio, problem.grip);
-        list.push(Warning::InterfacePull { ratio, t_s });
-    }
-    if let Some(ratio) = rebound(problem, simulation, far) {
-        list.push(Warning::InterfaceRebound { ratio });
-    }
-    if record.no_strength && !problem.plastic {
-        list.push(Warning::InterfaceWithoutStrength);
-    }
-    if let Some(t_s) = record.resumed_s.filter(|_| problem.plastic) {
-        list.push(Warning::PenetrationResumed { t_s });
-    }
-    list.extend(Warning::of_ledger(ledger));
-    if !problem.rigid {
-        let at = if far.abs() < problem.start_m.abs() { problem.start_m } else { far };
-        list.extend(load::exceeded(&problem.scene, at).into_iter().map(Warning::Limit));
-    }
-    // What goes through the first plate of a stack meets the next.
-    let is_alone = !problem.scene.is_stack();
-    if problem.flows() && problem.baseline_m.is_none() && is_alone {
-        list.push(Warning::NoBaseline);
-    }
-    list
-}
-
-/// The effects that the contact model does not contain.
-fn notes(
-    problem: &Problem,
-    simulation: &Simulation<'_>,
-    depth_m: Option<f64>,
-) -> impl Iterator<Item = Warning> {
-    let scene = &problem.scene;
-    let through = depth_m.is_some_and(|depth_m| depth_m > problem.geometry.thickness_m);
-    let plastic = scene.interface.law == InterfaceLaw::Plastic;
-    let notes = [
-        (through && !problem.flows()).then_some(Warning::NotModelled(NotModelled::RearFace)),
-        (plastic && !problem.flows()).then_some(Warning::NotModelled(NotModelled::PlasticLaw)),
-        problem.contact.note(simulation.record.first_arrest.map(|arrest| arrest.t_s)),
-    ];
-    notes.into_iter().flatten()
-}
-
-fn cost(problem: &Problem, simulation: &Simulation<'_>) -> Cost {
-    let closed = problem.plate_response != PlateResponse::Mechanism;
-    let (method, reason) = match (closed, simulation.control.steps, simulation.control.stiff_steps)
-    {
-        (true, 0, _) => ("closed form", "only inertia resists the projectile"),
-        (true, _, 0) => ("closed form + Taylor 16", "contact in closed form, the rest integrated"),
-        (_, _, 0) => ("Taylor 16", "smooth between events"),
-        (_, steps, stiff) if steps == stiff => ("Radau IIA 5", "stiff"),
-        (_, _, _) => ("Taylor 16 + Radau IIA 5", "partly stiff"),
-    };
-    Cost {
-        steps: simulation.control.steps,
-        rejected: simulation.control.rejected,
-        turns: simulation.control.turns,
-        events: simulation.control.event_count,
-        rhs_evaluations: simulation.control.evaluations,
-        took_s: None,
-        method,
-        reason,
-    }
-}
-
-fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> {
-    let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
-    let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
-    let rows = [
-        (problem.rigid, "plate motion"),
-        (spring.is_absent(), "spring"),
-        (damper.is_absent(), "damper"),
-        (problem.mechanism.stop.is_none(), "stop"),
-        (spring.power().is_some_and(|law| whole(law.kind())), "spring power function"),
-        (whole(damper.kind()), "damper power function"),
-        (problem.geometry.nose.sin == 0.0, "obliquity"),
-        (!problem.flows() || simulation.body.deepest_m <= problem.geometry.bend_m, "exit face"),
-        (simulation.control.steps == 0, "integration (closed form)"),
-        (problem.plate_response == PlateResponse::Fixed, STILL_WITHIN_CONTACT),
-        (!problem.plastic, "interface law"),
-        (problem.drag_kg_m3 == 0.0, "drag"),
-        (simulation.goes_farther(), "way to the greatest displacement (energy balance)"),
-        (!simulation.record.keep_series, "series"),
-    ];
-    rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
-}
-
-/// Of the displacement's maxima on the way only the greatest is reported as an event.
-fn tidy_events(record: &mut Record<'_>) {
-    let is_maximum = |event: &Event| event.kind == EventKind::GreatestDisplacement;
-    let last = record.events.iter().rposition(is_maximum);
-    let mut index = 0;
-    record.events.retain(|event| {
-        let is_greatest = Some(index) == last && event.t_s >= record.max_displacement_s;
-        index += 1;
-        !is_maximum(event) || is_greatest
-    });
 }

@@ -18,7 +18,6 @@ struct Even {
     dt_s: f64,
     rows: Vec<Sample>,
     rows_max: usize,
-    last: Option<Sample>,
 }
 
 impl Even {
@@ -42,7 +41,7 @@ impl Window {
 
     /// A window that takes rows at equal time steps, at most this many.
     pub fn with_steps(dt_s: f64, rows_max: usize) -> Self {
-        let even = Even { dt_s, rows: Vec::new(), rows_max, last: None };
+        let even = Even { dt_s, rows: Vec::new(), rows_max };
         Self { even: RefCell::new(Some(even)), ..Self::default() }
     }
 
@@ -59,45 +58,12 @@ impl Window {
         }
     }
 
-    /// Take a row of the solver: what is due before it and has no dense output lies on the cubics through both ends.
-    pub(super) fn reach(&self, row: &Sample) {
-        if let Some(even) = &mut *self.even.borrow_mut() {
-            let last = even.last.replace(*row).unwrap_or(*row);
-            let due: Vec<f64> = even.due(row.t_s).collect();
-            even.rows.extend(due.into_iter().map(|t_s| between(&last, row, t_s)));
-        }
-    }
-
     /// Put in the run so far, if it was requested.
     pub(in crate::model) fn show(&self, so_far: impl FnOnce() -> Run) {
         if self.wanted.replace(false) {
             self.run.replace(Some(so_far()));
         }
     }
-}
-
-/// The row at a time between two: paths as cubics by their velocities, everything else in proportion.
-fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
-    let span_s = high.t_s - low.t_s;
-    let part = if span_s > 0.0 { (t_s - low.t_s) / span_s } else { 1.0 };
-    let path = |at: fn(&Sample) -> f64, speed: fn(&Sample) -> f64| {
-        hermite(part, [low, high].map(at), [low, high].map(|row| span_s * speed(row)))
-    };
-    Sample {
-        t_s,
-        projectile_displacement_m: path(
-            |row| row.projectile_displacement_m,
-            |row| row.projectile_velocity_m_s,
-        ),
-        plate_displacement_m: path(|row| row.plate_displacement_m, |row| row.plate_velocity_m_s),
-        ..Sample::between(low, high, part)
-    }
-}
-
-/// The cubic with these values and slopes at 0 and 1.
-pub(super) fn hermite(part: f64, [low, high]: [f64; 2], [start, end]: [f64; 2]) -> f64 {
-    let (rest, chord) = (1.0 - part, high - low);
-    rest * low + part * high + part * rest * (rest * (start - chord) + part * (chord - end))
 }
 
 #[cfg(test)]

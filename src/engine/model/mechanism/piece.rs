@@ -1,9 +1,9 @@
-//! One analytic stretch of a force law: its force, tangent, energy and Taylor series.
+//! One analytic stretch of a force law: its force, tangent and energy.
 //!
-//! Between two knots a law is one analytic function, and stays so a little beyond them: the integrators look past an event
-//! before they come back to it.
+//! Between two knots a law is one analytic function, and stays so a little beyond them: a step looks past an event before
+//! it comes back to it.
 
-use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::mechanism::PowerLaw;
 
 /// An analytic force over displacement, N over m.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,92 +96,11 @@ impl Piece {
             Self::Cubic { .. } | Self::Link { .. } => false,
         }
     }
-
-    /// Whether it cannot be expanded at zero.
-    pub fn is_singular(&self) -> bool {
-        match self {
-            Self::Power { law, .. } => law.is_singular(),
-            Self::Parallel(laws) => laws.iter().any(Self::is_singular),
-            Self::Cubic { .. } | Self::Link { .. } => false,
-        }
-    }
-
-    /// The highest power in the force's series that is not zero, if there is one.
-    pub fn degree(&self) -> usize {
-        match self {
-            Self::Cubic { c, .. } => (1..4).rev().find(|k| c[*k] != 0.0).unwrap_or(0),
-            Self::Parallel(laws) => laws[0].degree().max(laws[1].degree()),
-            Self::Power { law, .. } if law.kind() == PowerKind::Linear => 1,
-            Self::Link { .. } | Self::Power { .. } => usize::MAX,
-        }
-    }
-
-    /// The Taylor coefficients of the force about x: coefficient k belongs to (x' - x)^k.
-    pub fn jet<const N: usize>(&self, x: f64) -> [f64; N] {
-        let mut jet = [0.0; N];
-        match self {
-            Self::Cubic { from_m, c } => {
-                let z = x - from_m;
-                let shifted = [
-                    c[0] + z * (c[1] + z * (c[2] + z * c[3])),
-                    c[1] + z * (2.0 * c[2] + z * 3.0 * c[3]),
-                    c[2] + 3.0 * z * c[3],
-                    c[3],
-                ];
-                for (term, value) in jet.iter_mut().zip(shifted) {
-                    *term = value;
-                }
-            }
-            Self::Link { force_n, reach_m } => link_jet(&mut jet, x / reach_m, *force_n, *reach_m),
-            Self::Power { law, side } => power_jet(&mut jet, x, *law, *side),
-            Self::Parallel(laws) => {
-                let (a, b): ([f64; N], [f64; N]) = (laws[0].jet(x), laws[1].jet(x));
-                for (term, (a, b)) in jet.iter_mut().zip(a.iter().zip(b)) {
-                    *term = a + b;
-                }
-            }
-        }
-        jet
-    }
-}
-
-/// z to a power; whole powers also for the negative z just beyond the law's end.
-fn raised(z: f64, exponent: f64) -> f64 {
-    if z == 0.0 && exponent == 0.0 { 1.0 } else { z.powf(exponent) }
-}
-
-/// (1 - s²) G' = 1 + s G, term by term about s.
-fn link_jet<const N: usize>(jet: &mut [f64; N], s: f64, force_n: f64, reach_m: f64) {
-    let rest = 1.0 - s * s;
-    let mut g = [0.0; N];
-    g[0] = s.asin() / rest.sqrt();
-    for j in 0..N - 1 {
-        let constant = if j == 0 { 1.0 } else { 0.0 };
-        let n = j as f64;
-        let below = if j == 0 { 0.0 } else { n * g[j - 1] };
-        g[j + 1] = (constant + (2.0 * n + 1.0) * s * g[j] + below) / ((n + 1.0) * rest);
-    }
-    let mut factor = force_n;
-    for (term, g) in jet.iter_mut().zip(g) {
-        *term = factor * g;
-        factor /= reach_m;
-    }
-}
-
-/// The binomial series of a power law on its side of zero.
-fn power_jet<const N: usize>(jet: &mut [f64; N], x: f64, law: PowerLaw, side: f64) {
-    let mut binomial = side * law.coefficient;
-    for (k, term) in jet.iter_mut().enumerate() {
-        let left = law.exponent - k as f64;
-        *term = if binomial == 0.0 { 0.0 } else { binomial * raised(side * x, left) };
-        binomial *= side * left / (k + 1) as f64;
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::series::evaluate;
 
     fn power(coefficient: f64, exponent: f64, side: f64) -> Piece {
         Piece::Power { law: PowerLaw { coefficient, exponent }, side }
@@ -198,17 +117,6 @@ mod tests {
             (power(5e2, 4.0, 1.0), 0.3),
             (Piece::Parallel(Box::new([cubic, link])), 0.13),
         ]
-    }
-
-    #[test]
-    fn the_series_is_the_force_a_little_farther_on() {
-        for (piece, x) in pieces() {
-            let jet: [f64; 17] = piece.jet(x);
-            for step in [-0.015, 0.01, 0.015] {
-                let (sum, force) = (evaluate(&jet, step), piece.force(x + step));
-                assert!((sum - force).abs() < 1e-11 * (1.0 + force.abs()), "{piece:?} {step}");
-            }
-        }
     }
 
     #[test]

@@ -19,15 +19,6 @@ pub enum Spring {
     Curve(Arc<Curve>),
 }
 
-/// The force law within one stretch, as the equations of motion take it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Elastic<'a> {
-    /// A power law.
-    Power(PowerLaw),
-    /// An analytic stretch of a curve.
-    Piece(&'a Piece),
-}
-
 impl Spring {
     /// The law of a valid scene's mechanism, whatever the mount.
     pub fn of(mechanism: &scene::Mechanism) -> Self {
@@ -143,11 +134,6 @@ impl Spring {
         matches!(self, Self::Power(law) if law.is_absent())
     }
 
-    /// Whether it is a power law that cannot be expanded at zero.
-    pub fn is_singular(&self) -> bool {
-        matches!(self, Self::Power(law) if law.is_singular())
-    }
-
     /// Force at x, N.
     pub fn force(&self, x: f64) -> f64 {
         match self {
@@ -246,24 +232,6 @@ impl Spring {
                 let (back, far) = (curve.backward(x, energy_j), curve.forward(x, energy_j));
                 -curve.forces_between(back, far).0
             }
-        }
-    }
-}
-
-impl Elastic<'_> {
-    /// Force at x, N.
-    pub fn force(self, x: f64) -> f64 {
-        match self {
-            Self::Power(law) => law.force(x),
-            Self::Piece(piece) => piece.force(x),
-        }
-    }
-
-    /// dF/dx at x, N/m.
-    pub fn tangent(self, x: f64) -> f64 {
-        match self {
-            Self::Power(law) => law.tangent(x),
-            Self::Piece(piece) => piece.tangent(x),
         }
     }
 }

@@ -265,13 +265,10 @@ pub fn computation(run: &Run, took: Option<Duration>) -> Vec<String> {
 fn error(run: &Run) -> Option<String> {
     let estimate = run.error_estimate?;
     let basis = match estimate.basis {
-        EstimateBasis::ClosedForm => "closed form, rounding only",
-        EstimateBasis::SecondComputation => "from a second, tighter computation",
+        EstimateBasis::SecondComputation => "from a second computation with fewer stages",
         EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
         EstimateBasis::OutcomeDiffers(other) => {
-            return Some(format!(
-                "unknown: outcome differs (a second, tighter computation ends {other})"
-            ));
+            return Some(format!("unknown: outcome differs (a second computation ends {other})"));
         }
     };
     let of = if run.outcome == Outcome::Perforated { "exit time" } else { "depth" };
@@ -362,7 +359,7 @@ mod tests {
         assert!(sentence(&run).contains("its residual velocity is 279.9 m/s"));
         let lines = computation(&run, None).join("\n");
         assert!(
-            lines.contains(" of the exit time (from a second, tighter computation)"),
+            lines.contains(" of the exit time (from a second computation with fewer stages)"),
             "{lines}"
         );
         assert!(!lines.contains("run time"), "{lines}");

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::appendix;
 use crate::model::contact_kernel::Contact;
-use crate::model::hybrid::Stepping;
+use crate::model::impact::Stepping;
 use crate::model::impact::step_by;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::{InterfaceLaw, Reading, Scene};
@@ -175,7 +175,7 @@ enumeration! {
         letter: 'L', name: "contact kernel", has_own_steps: false, ranges: TIGHT,
         run: |job| contact_kernel(&job.scene, job.parameter.value())
     }
-    /// The second engine with nothing omitted: it follows the plate also where its energy says how far it goes.
+    /// The engine with nothing omitted: it follows the plate also where its energy says how far it goes.
     Full {
         letter: 'N', name: "nothing omitted", has_own_steps: true, ranges: TIGHT,
         run: |job| job.by(Stepping::CollocationInFull(job.parameter.value()))

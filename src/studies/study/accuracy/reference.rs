@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use crate::model::hybrid::Stepping;
+use crate::model::impact::Stepping;
 use crate::model::impact::step_by;
 use crate::model::reference::Stored;
 use crate::model::run::Outcome;

@@ -14,22 +14,20 @@ fn a_row_that_is_decided_is_compared_with_other_steps() {
     // Other methods are looked at elsewhere: here their time is up at once.
     let stop = CancelFlag::default();
     let clock = TimeBudget { now_s: &|| 0.0, until_s: -1.0, stop: &stop };
-    let (mut by_the_engine, mut without) = (Vec::new(), Vec::new());
+    let mut without_others = Vec::new();
     for case in cases::CASES.iter() {
         let row = examine(case, clock).unwrap();
         assert!(row.others.iter().all(|verdict| *verdict == Verdict::None(Fault::CutOff)));
         match row.basis {
-            Some(ReferenceSource::Engine) => by_the_engine.push(case.name),
-            Some(_) => {}
             None if row.run.outcome == Outcome::Moving => {}
-            None => without.push(case.name),
+            None | Some(ReferenceSource::Engine) => without_others.push(case.name),
+            Some(_) => {}
         }
         assert!(row.stiffness.largest().is_finite(), "{}", case.name);
         assert_eq!(row.shortfall, None, "{}: {:?}", case.name, row.error);
     }
-    // 100 000 oscillations within the contact, and five difficulties at once, take more work than a reference may.
-    assert_eq!(without, ["k 1e12, gamma 1e-4", "all at once"]);
-    assert!(by_the_engine.is_empty(), "{by_the_engine:?}");
+    // 100 000 oscillations within the contact are too many for other steps.
+    assert_eq!(without_others, ["k 1e12, gamma 1e-4"]);
 }
 
 #[test]

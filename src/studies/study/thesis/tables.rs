@@ -71,7 +71,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         check: |shots| {
             let contact_s = |run: &Run| run.first_arrest.map_or(f64::NAN, |it| it.t_s);
             let rigid_s = contact_s(&shots.run("mount=rigid"));
-            let sprung = shots.run("");
+            let sprung = shots.run_with_series("");
             let (common_s, rest_s) = (contact_s(&sprung), turns_at_s(&sprung));
             let [rigid, common, rest] =
                 [rigid_s, common_s, rest_s].map(|t_s| engineering(t_s, "s", 4));
@@ -329,7 +329,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: NotReproduced,
         preset: Some("thesis-baseline"),
         check: |shots| {
-            let turn_s = turns_at_s(&shots.run(""));
+            let turn_s = turns_at_s(&shots.run_with_series(""));
             let text = format!("the plate turns at {}", engineering(turn_s, "s", 4));
             Check { text, holds: turn_s > 2e-4 }
         },

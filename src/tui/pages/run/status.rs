@@ -90,7 +90,7 @@ impl App {
             let short = format!("stack {}", stack.outcome.word());
             parts.push((severity, stack.sentence(), short));
         } else if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates {
-            parts.push(part(Severity::Warning, "moving after 500 oscillations".to_owned()));
+            parts.push(part(Severity::Warning, "moving after many oscillations".to_owned()));
         }
         parts.extend(demand(run).map(|text| part(Severity::Warning, text)));
         parts.extend(self.validity_part());

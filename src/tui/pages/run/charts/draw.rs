@@ -1,6 +1,6 @@
 //! The charts of the Run tab: as many as have room above each other in one box, each with its number in its title.
 
-use crate::model::run::{Outcome, Run, envelope};
+use crate::model::run::{Outcome, Run, Warning, envelope};
 use crate::model::scene::Mount;
 use crate::report::chart::Below;
 use crate::report::figures::run::{contact_window_s, event_letter, event_marks};
@@ -415,9 +415,10 @@ fn speed(velocity_m_s: f64) -> String {
 
 /// What a plastic interface comes to, where the fused one would have to carry more than its strength.
 fn plastic(run: &Run) -> Option<String> {
-    let exceeds = |ratio: Option<f64>| ratio.is_some_and(|ratio| ratio > 1.0);
+    let is_exceeded =
+        |it: &Warning| matches!(it, Warning::InterfacePush { .. } | Warning::InterfacePull { .. });
+    let fails = run.warnings.iter().any(is_exceeded);
     let is_hit = envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0);
-    let fails = exceeds(run.interface_demand_ratio) || exceeds(run.interface_tension_ratio);
     let plastic = run.plastic.as_ref().filter(|_| fails || is_hit)?;
     if plastic.outcome == Outcome::Perforated {
         return Some(through(plastic));

@@ -1,7 +1,7 @@
 //! Whether a run is decided: bounds by the energy that is left, as pure functions of mode and state.
 
-use crate::model::hybrid::equations::{Equations, State};
-use crate::model::hybrid::modes::{Contact, Hold, Touch, limits_n};
+use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::modes::{Contact, Hold, Touch, limits_n};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::model::scene::StopKind;
@@ -255,6 +255,11 @@ impl Equations<'_> {
     /// The greatest displacement, once the outcome is decided, of a plate that has been so far.
     pub(super) fn farthest(&self, state: &State, so_far_m: f64) -> Farthest {
         let Equations { setup, mode } = self;
+        if mode.hold == Hold::Damper {
+            // However slowly, it creeps to where nothing drives it.
+            let rest_m = mode.elastic.rest_ahead(self.displacement_m(state.x_m));
+            return Farthest::Known(larger(rest_m, so_far_m));
+        }
         if mode.hold == Hold::Mount || self.is_at_rest(state) || self.rests_in_contact(state) {
             return Farthest::Known(so_far_m);
         }
@@ -309,8 +314,8 @@ fn coasting_m(damper: PowerLaw, kg: f64, w_m_s: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::hybrid::equations::Setup;
-    use crate::model::hybrid::modes::{Mode, first};
+    use crate::model::impact::equations::Setup;
+    use crate::model::impact::modes::{Mode, first};
     use crate::model::variables::scene_with;
 
     /// Looks at a state (q, u, x, w) in a hole of 5 mm of travel.
@@ -320,7 +325,7 @@ mod tests {
         [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
         look: impl Fn(&Equations<'_>, &State) -> T,
     ) -> T {
-        let setup = Setup::of(&scene_with(pairs));
+        let setup = Setup::of(&scene_with(pairs), 1e-12);
         let mode = Mode { contact, deepest_m: 5e-3, ..first(&setup).0 };
         let state = State { t_s: 0.0, q_m, u_m_s, x_m, w_m_s };
         look(&Equations { setup: &setup, mode: &mode }, &state)
@@ -393,7 +398,7 @@ mod tests {
     #[test]
     fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
         let pairs = "k=1e7 gamma=1 interface=plastic g=2";
-        let setup = Setup::of(&scene_with(pairs));
+        let setup = Setup::of(&scene_with(pairs), 1e-12);
         let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
         let energy_j = 1.001 * 1.001 * holding_j;

@@ -3,7 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::{Extent, Stepping, equations::Setup, run};
+use super::equations::Setup;
+use super::run::{self, Extent};
+use super::stepping::{Stepping, run_by};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::variables::scene_with;
@@ -11,9 +13,9 @@ use crate::numerics::collocation::{Collocation, NINE, SEVEN};
 
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
-    let found =
-        run(&scene, Extent::BARE, Stepping::Collocation(1e-12), &mut |_| ControlFlow::Continue(()))
-            .unwrap();
+    let found = run_by(&scene, Extent::BARE, Stepping::Collocation(1e-12), &mut |_| {
+        ControlFlow::Continue(())
+    });
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -188,7 +190,7 @@ fn valid_the_lumped_interface_throws_the_projectile_back() {
 fn the_two_members_agree() {
     for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.2", "b=2000 k=1e5", "k=1e5 theta=30deg"] {
         let scene = Arc::new(scene_with(pairs));
-        let setup = Setup::of(&scene);
+        let setup = Setup::of(&scene, 1e-12);
         let go_on = &mut |_: f64| ControlFlow::Continue(());
         let nine = run::run(
             &scene,
@@ -215,11 +217,10 @@ fn the_two_members_agree() {
 fn a_run_that_is_cancelled_says_so() {
     let scene = Arc::new(scene_with("k=1e5"));
     let mut steps = 0;
-    let found = run(&scene, Extent::BARE, Stepping::Collocation(1e-12), &mut |_| {
+    let run = run_by(&scene, Extent::BARE, Stepping::Collocation(1e-12), &mut |_| {
         steps += 1;
         if steps > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    let run = found.unwrap();
     assert_eq!((run.end, run.outcome), (EndReason::Cancelled, Outcome::Moving));
     assert!(run.at_least.penetration_m.unwrap() > 0.0);
 }
@@ -230,8 +231,7 @@ fn valid_every_method_steps_to_the_same_end() {
     for pairs in ["k=1e5", "k=1e5 interface=plastic gamma=0.8 b=50", "h=0.003 v_i=400 k=1e5"] {
         let scene = Arc::new(scene_with(pairs));
         let end = |stepping: Stepping| {
-            let run =
-                run(&scene, Extent::BARE, stepping, &mut |_| ControlFlow::Continue(())).unwrap();
+            let run = run_by(&scene, Extent::BARE, stepping, &mut |_| ControlFlow::Continue(()));
             assert!(run.end.is_complete(), "{pairs}: {stepping:?} {:?}", run.end);
             let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
             [time_s, run.final_penetration_m, run.peak_contact_force_n].map(Option::unwrap)
@@ -258,7 +258,7 @@ fn valid_rows_at_equal_times_lie_on_the_motion() {
     let window = Window::with_steps(1e-6, 1_000);
     let extent = Extent { keep_series: true, window: Some(&window), horizons: 1.0 };
     let go_on = &mut |_: f64| ControlFlow::Continue(());
-    let found = run(&scene, extent, Stepping::Collocation(1e-12), go_on).unwrap();
+    let found = run_by(&scene, extent, Stepping::Collocation(1e-12), go_on);
     let rows = window.rows();
     let end_s = 1.25 * found.first_arrest.unwrap().t_s;
     assert!((rows.len() as f64 - 1.0 - (end_s / 1e-6).floor()).abs() < 0.5, "{}", rows.len());
@@ -289,7 +289,7 @@ fn results_do_not_depend_on_whether_a_series_is_kept() {
         let results = |keep_series: bool| {
             let extent = Extent { keep_series, ..Extent::BARE };
             let go_on = &mut |_: f64| ControlFlow::Continue(());
-            let found = run(&scene, extent, Stepping::Collocation(1e-12), go_on).unwrap();
+            let found = run_by(&scene, extent, Stepping::Collocation(1e-12), go_on);
             assert_eq!(found.series.is_empty(), !keep_series);
             Run { series: Vec::new(), events: Vec::new(), omitted: Vec::new(), ..found }
         };

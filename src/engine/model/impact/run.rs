@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use crate::model::contact_models::Law;
-use crate::model::hybrid::equations::{Equations, Setup, State};
-use crate::model::hybrid::events::{Events, gap};
-use crate::model::hybrid::horizon;
-use crate::model::hybrid::modes::{self, Contact, Event, Hold};
-use crate::model::hybrid::moving::{Both, Driven, Moving, Plate, Projectile};
-use crate::model::hybrid::record::{Loads, Record};
-use crate::model::hybrid::report::{self, Course};
+use crate::model::impact::equations::{Equations, Setup, State};
+use crate::model::impact::events::{Events, gap};
+use crate::model::impact::horizon;
+use crate::model::impact::modes::{self, Contact, Event, Hold};
+use crate::model::impact::moving::{Both, Driven, Moving, Plate, Projectile};
+use crate::model::impact::record::{Loads, Record};
+use crate::model::impact::report::{self, Course};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Observer, Run};
 use crate::model::scene::Scene;
@@ -17,8 +17,8 @@ use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::smaller;
 use crate::numerics::step::{Near, Step, Stepper};
 
-/// Evaluations of the equations after which a run ends undecided: about 0.1 s.
-const EVALUATIONS_MAX: usize = 400_000;
+/// Evaluations of the equations after which a run ends undecided: about 0.2 s.
+const EVALUATIONS_MAX: usize = 800_000;
 /// Length of the first step in passages of a tip radius.
 const FIRST_STEP: f64 = 0.2;
 /// Part of a step that is tried where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
@@ -33,8 +33,8 @@ const SECANTS: usize = 8;
 const NO_TIME: f64 = 1e-15;
 /// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
 const AT_ONCE: f64 = 1e-9;
-/// Turns and changes, five hundred oscillations, after which a run that has used up its work is said to oscillate.
-const TURNS_MAX: usize = 1_000;
+/// Turns and changes after which a run that has used up its work is said to oscillate on.
+const TURNS_MAX: usize = 100;
 /// Turns of the plate to which it is followed for its loads, forward and back, and steps for which it is drawn after the results are known: a
 /// stiff mount may oscillate a million times meanwhile.
 const TURNS_FOLLOWED: usize = 2;
@@ -216,6 +216,13 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     /// An event that rounding, or another event, has put behind the state.
     fn missed(&self) -> Option<Event> {
         let equations = self.course.equations();
+        let held = equations.takes_hold(&self.course.state, self.course.record.farthest_m);
+        if held.is_some() {
+            return held;
+        }
+        if equations.passes_zero(&self.course.state) {
+            return Some(Event::ZeroPassed);
+        }
         let events = Events::of(self.course.setup, &self.course.mode);
         let is_behind = |event: &Event| gap(&equations, *event, &self.course.state) < 0.0;
         events.list().iter().copied().find(|event| is_behind(event) && !self.is_undone_by(*event))
@@ -260,7 +267,9 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             return self.advance_by(&Driven(equations, history));
         }
         match (mode.hold, mode.contact) {
-            (Hold::Free, Contact::Joined | Contact::Gone) => self.advance_by(&Plate(equations)),
+            (Hold::Free, Contact::Joined | Contact::Gone | Contact::Apart) => {
+                self.advance_by(&Plate(equations))
+            }
             (Hold::Free, _) => self.advance_by(&Both(equations)),
             (_, Contact::Joined | Contact::Gone) => self.rest(),
             (_, _) => self.advance_by(&Projectile(equations)),
@@ -283,7 +292,8 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     fn advance_by<const D: usize>(&mut self, law: &impl Moving<D>) -> Option<EndReason> {
         let equations = law.equations();
         let events = Events::of(self.course.setup, equations.mode);
-        let h_s = smaller(self.h_s, self.course.horizon_s - self.course.state.t_s);
+        let left_s = self.course.horizon_s - self.course.state.t_s;
+        let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
         let no_time_s =
             NO_TIME * self.course.setup.geometry.nose.radius_m / self.course.setup.velocity_m_s;
         if h_s < NO_TIME * no_time_s {

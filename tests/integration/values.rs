@@ -1,5 +1,4 @@
-//! Values that the engine misses today, each from a source of its own: closed forms, momentum, energy, or the oracle's tiny steps. The
-//! engine that gets one right takes its `ignore` away.
+//! Values of runs, each from a source of its own: closed forms, momentum, energy, or the oracle's tiny steps.
 
 use cmra::model::run::{EndReason, Mode, Outcome, Sample};
 use cmra::study::quantities;
@@ -26,7 +25,6 @@ fn json(pairs: &str) -> Value {
 }
 
 #[test]
-#[ignore = "next engine"]
 fn valid_rows_at_equal_time_steps_of_a_closed_form_are_where_the_plate_is() {
     for horizon in ["horizon=1.2e-4", "horizon=3e-4"] {
         let pairs = format!("k=0 {horizon}");
@@ -42,7 +40,6 @@ fn valid_rows_at_equal_time_steps_of_a_closed_form_are_where_the_plate_is() {
 
 /// Springs whose exponents differ by nothing that matters are one.
 #[test]
-#[ignore = "next engine"]
 fn valid_two_steep_springs_in_parallel_are_one_spring_of_the_sum() {
     for n in [0.15, 0.35, 0.6] {
         let one = run(scene(&format!("k=1e6 n={n}")));
@@ -51,16 +48,6 @@ fn valid_two_steep_springs_in_parallel_are_one_spring_of_the_sum() {
         assert_near(two.final_penetration_m.unwrap(), one.final_penetration_m.unwrap(), 1e-11);
         assert!(two.cost.steps < 4 * one.cost.steps, "{} {}", two.cost.steps, one.cost.steps);
     }
-}
-
-/// Of springs of one exponent the sum is one spring today, to the last digit; other sums admit what they share with their estimate.
-#[test]
-fn valid_springs_of_one_exponent_in_parallel_are_their_sum() {
-    let depth = |pairs: &str| run(scene(pairs)).final_penetration_m.unwrap().to_bits();
-    let two = "k=5e5 n=0.35 combine=parallel k_2=5e5 n_2=0.35";
-    assert_eq!(depth(two), depth("k=1e6 n=0.35"));
-    let near = run(scene("k=5e5 n=0.35 combine=parallel k_2=5e5 n_2=0.36"));
-    assert!(near.error_estimate.unwrap().relative >= 1e-7);
 }
 
 /// Against a linear damper the whole momentum of the projectile is b x.
@@ -85,7 +72,6 @@ fn valid_a_spring_too_steep_to_move_asks_as_much_of_the_interface_as_one_that_mo
 
 /// After arrest the plate goes on for ever; at the horizon it is where the figure has it.
 #[test]
-#[ignore = "next engine"]
 fn valid_the_displacement_at_the_horizon_of_a_plate_that_nothing_stops() {
     let found: Value = serde_json::from_str(&says("run", &["yang-xi", "--json"], 0).0).unwrap();
     let pairs = "m_p=0.034 gamma=5.735294117647059 v_i=118.2 h=0.01 rho=2600 k=0";
@@ -94,7 +80,6 @@ fn valid_the_displacement_at_the_horizon_of_a_plate_that_nothing_stops() {
 }
 
 #[test]
-#[ignore = "next engine"]
 fn valid_a_straight_table_is_a_straight_spring() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("straight.csv");
@@ -110,7 +95,6 @@ fn valid_a_straight_table_is_a_straight_spring() {
 
 /// Without damping the swing back pulls as hard as the swing forward has pushed, at a tenth of the strength.
 #[test]
-#[ignore = "next engine"]
 fn valid_the_tension_of_the_interface_does_not_depend_on_whether_a_series_is_kept() {
     let found = json("k=1e6");
     let tension = 10.0 * found["interface_demand_ratio"].as_f64().unwrap();
@@ -126,7 +110,6 @@ fn valid_the_tension_of_the_interface_does_not_depend_on_whether_a_series_is_kep
 
 /// The mount turns the body with which the plate is geared: of the contact's force F it takes `(J F + m_2 k x)/(m_2 + J)`.
 #[test]
-#[ignore = "next engine"]
 fn valid_the_mount_of_a_helix_takes_the_reaction_of_the_rotation() {
     let found = run(scene_file(&in_repository("presets/concept-helical-spring.toml")).unwrap());
     let (added_kg, plate_kg) = (found.mechanism.added_kg.unwrap(), found.scene.plate_mass_kg());
@@ -141,7 +124,6 @@ fn valid_the_mount_of_a_helix_takes_the_reaction_of_the_rotation() {
 
 /// What a crushed absorber gives back is the energy of its elastic rise, F²/(2 k).
 #[test]
-#[ignore = "next engine"]
 fn valid_an_absorber_stores_what_it_gives_back() {
     let found = run(scene("spring=crush F_crush=5e3 k_crush=1e7 x_crush=0.1 gamma=1"));
     assert_near(found.mechanism.stored_j.unwrap(), 5e3 * 5e3 / 2e7, 1e-9);
@@ -149,7 +131,6 @@ fn valid_an_absorber_stores_what_it_gives_back() {
 
 /// The plate drifts slower and slower toward its stop, where what is left of its speed can move nothing any more.
 #[test]
-#[ignore = "next engine"]
 fn valid_a_plate_whose_steep_damper_stops_it_short_of_its_stop_is_decided() {
     for (b, m, x) in [(10, 3, 0.02), (100, 4, 0.02), (300, 3, 0.005), (1000, 3, 0.005)] {
         let found = run(scene(&format!("k=0 b={b} m={m} gamma=1 x_stop={x} interface=plastic")));

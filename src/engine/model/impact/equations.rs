@@ -6,7 +6,7 @@
 
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::contact_models::Law;
-use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};
+use crate::model::impact::modes::{Contact, Hold, Mode, Touch};
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
 use crate::numerics::larger;
@@ -14,29 +14,13 @@ use crate::numerics::larger;
 /// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
 const SLOPE_WIDTH: f64 = 1e-6;
 
-/// Length of the first moments in which the contact's force is taken to grow with the time, in passages of a tip radius: they change the
-/// velocities by about the square of this.
-const FIRST_MOMENT: f64 = 1e-6;
-/// Part of the tip radius by which a steep spring, and of the impact velocity by which a steep damper, may yield while it is taken to
-/// hold the plate: the travel is as far off at most.
-const HELD: f64 = 1e-13;
-/// How many times farther, or faster, its inertia alone must let a plate move that is to follow the balance of a law: the square of the
-/// oscillations about that, in radians, which leave a part of one over it.
-const FOLLOWS: f64 = 1e2;
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
-/// Part of a velocity by which the rounding of forces that hold each other is five times below a tolerance of 1e-12: two units of the
-/// last place, ten times as much where the filter of a step's error has damped it least.
-const KNOWN: f64 = 2e-2;
+/// Part of a velocity that is below the rounding of forces that hold each other: ten units of the last place of a double, ten times that
+/// where the filter of a step's error has damped it least.
+const KNOWN: f64 = 2e-14;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
-
-/// The law that holds a plate because it is infinitely steep where that stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Steep {
-    Spring,
-    Damper,
-}
 
 /// The constants of an impact.
 #[derive(Clone, Debug)]
@@ -71,6 +55,8 @@ pub(super) struct Setup {
     pub(super) still: bool,
     /// The plate is followed to its turn also where its energy says how far it goes.
     pub(super) in_full: bool,
+    /// Error of a step relative to what moves.
+    pub(super) tolerance: f64,
 }
 
 /// Time, travel, slip, and displacement from the mode's origin and velocity of the plate.
@@ -91,8 +77,8 @@ pub(super) struct Equations<'a> {
 }
 
 impl Setup {
-    /// Of a valid scene.
-    pub(super) fn of(scene: &Scene) -> Self {
+    /// Of a valid scene, for steps to a tolerance.
+    pub(super) fn of(scene: &Scene, tolerance: f64) -> Self {
         let law = Law::of(scene);
         let flows = law == Law::Flow;
         let geometry = Geometry::of(scene);
@@ -123,6 +109,7 @@ impl Setup {
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             still: scene.is_rigid(),
             in_full: false,
+            tolerance,
         }
     }
 
@@ -352,103 +339,6 @@ impl Equations<'_> {
 }
 
 impl Equations<'_> {
-    fn first_moment_s(&self) -> f64 {
-        FIRST_MOMENT * self.setup.geometry.nose.radius_m / self.setup.velocity_m_s
-    }
-
-    /// The first moments of a contact with an uncocked plate whose spring or damper is steep at zero, by the balance of forces: the
-    /// plate yields to the contact's, which grows with the time unless a damper makes it begin at once, as far as its inertia, its
-    /// spring or its damper lets it, whichever holds it most.
-    pub(super) fn after_first_moment(&self) -> State {
-        let t_s = self.first_moment_s();
-        let setup = self.setup;
-        let v = setup.velocity_m_s;
-        let moment = State { t_s, q_m: v * t_s, u_m_s: v, ..State::default() };
-        let force_n = self.contact_n(&moment);
-        let at_once = self.contact_n(&State { u_m_s: v, ..State::default() }) > 0.0;
-        let grows = if at_once { 0.0 } else { 1.0 };
-        let push_n = force_n * setup.cos;
-        let inertia = (grows + 1.0) * (grows + 2.0) * setup.plate_kg;
-        let by_inertia = (push_n * t_s * t_s / inertia, grows + 2.0);
-        let at_m = setup.spring.at_force(push_n);
-        let by_spring = (at_m, grows * push_n / (at_m * setup.spring.tangent(at_m)));
-        let power = grows / setup.damper.exponent + 1.0;
-        let by_damper = (setup.damper.at_force(push_n) * t_s / power, power);
-        let (x_m, power) = [by_spring, by_damper]
-            .into_iter()
-            .fold(by_inertia, |least, other| if other.0 < least.0 { other } else { least });
-        let w_m_s = power * x_m / t_s;
-        let lost_m_s = force_n * t_s / ((grows + 1.0) * setup.projectile_kg);
-        State {
-            q_m: moment.q_m - setup.cos * x_m,
-            u_m_s: v - lost_m_s - setup.cos * w_m_s,
-            x_m,
-            w_m_s,
-            ..moment
-        }
-    }
-
-    /// Whether a steep law holds the plate at first: its inertia alone would have let it move much farther by the time the law yields
-    /// noticeably, so that it follows the balance of contact and law from then on.
-    pub(super) fn is_held_by_law(&self) -> bool {
-        let setup = self.setup;
-        if !setup.starts_steep() || setup.law != Law::Flow {
-            return false;
-        }
-        let rate_n_s =
-            self.contact_slopes(0.0, setup.velocity_m_s).0 * setup.velocity_m_s * setup.cos;
-        let (holding_n, holds) = self.holding();
-        let t_s = holding_n / rate_n_s;
-        let by_inertia_m_s = holding_n * t_s / (2.0 * setup.plate_kg);
-        t_s > self.first_moment_s()
-            && match holds {
-                Steep::Spring => by_inertia_m_s * t_s / 3.0 > FOLLOWS * self.held_m(),
-                Steep::Damper => by_inertia_m_s > FOLLOWS * self.held_m_s(),
-            }
-    }
-
-    fn held_m(&self) -> f64 {
-        HELD * self.setup.geometry.nose.radius_m
-    }
-
-    fn held_m_s(&self) -> f64 {
-        HELD * self.setup.velocity_m_s
-    }
-
-    /// The greater of the forces that a steep spring holds with a displacement, and a steep damper with a velocity, that does not count,
-    /// N.
-    fn holding(&self) -> (f64, Steep) {
-        let Setup { spring, damper, .. } = self.setup;
-        let by_law = |is_steep: bool, force_n: f64| if is_steep { force_n } else { 0.0 };
-        let spring_n = by_law(spring.is_steep_at_zero(), spring.force(self.held_m()));
-        let damper_n = by_law(damper.is_steep_at_zero(), damper.force(self.held_m_s()));
-        if spring_n > damper_n { (spring_n, Steep::Spring) } else { (damper_n, Steep::Damper) }
-    }
-
-    /// The force that the steep law holds which holds the plate, N.
-    pub(super) fn holding_n(&self) -> f64 {
-        self.holding().0
-    }
-
-    /// Displacement and velocity with which a plate that a steep law has held begins to follow the force.
-    pub(super) fn balanced(&self, state: &State) -> (f64, f64) {
-        let setup = self.setup;
-        let force_n = self.contact_n(state);
-        match self.holding().1 {
-            Steep::Spring => {
-                let slopes = self.contact_slopes(state.q_m, state.u_m_s);
-                let rate_n_s = slopes.0 * state.u_m_s - slopes.1 * force_n / setup.projectile_kg;
-                let x_m = setup.spring.at_force(force_n * setup.cos);
-                (x_m, rate_n_s / setup.spring.tangent(x_m))
-            }
-            // The force has grown with the time, the velocity with its power 1/m.
-            Steep::Damper => {
-                let w_m_s = setup.damper.at_force(force_n * setup.cos);
-                (w_m_s * state.t_s / (1.0 / setup.damper.exponent + 1.0), w_m_s)
-            }
-        }
-    }
-
     /// A velocity of the plate that is lost among errors, m/s.
     pub(super) fn unresolved_m_s(&self) -> f64 {
         UNRESOLVED * self.setup.velocity_m_s
@@ -466,17 +356,21 @@ impl Equations<'_> {
         (1e-9 * self.setup.geometry.nose.radius_m, 1e-6 * self.setup.velocity_m_s)
     }
 
-    /// The same at a displacement and a velocity. The velocity is not known better than to what the rounding of the mechanism's forces,
-    /// which may hold each other, makes of it against its damping and its inertia: no shorter step has less.
+    /// The same at a displacement and a velocity; no shorter step knows the velocity better than rounding.
     pub(super) fn sizes_of_plate(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
         let (x_least_m, w_least_m_s) = self.least_sizes();
+        let w_m_s = larger(w_m_s.abs(), larger(w_least_m_s, self.rounding_m_s(x_m, w_m_s)));
+        (larger(x_m.abs(), x_least_m), w_m_s)
+    }
+
+    /// What the rounding of the mechanism's forces, which may hold each other, makes of the plate's velocity against its damping and its
+    /// inertia, over a tolerance, m/s.
+    pub(super) fn rounding_m_s(&self, x_m: f64, w_m_s: f64) -> f64 {
         let (by_place, by_speed) = self.mechanism_slopes(x_m, w_m_s);
         let spring_n = self.mode.spring.force_in(self.mode.stretch, self.displacement_m(x_m));
         let forces_n =
             spring_n.abs() + by_speed * w_m_s.abs() + by_place.abs() * self.mode.origin_m.abs();
         let resists = by_speed + (by_place.abs() * self.setup.plate_kg).sqrt();
-        let rounding_m_s = if resists > 0.0 { KNOWN * forces_n / resists } else { 0.0 };
-        let w_m_s = larger(w_m_s.abs(), larger(w_least_m_s, rounding_m_s));
-        (larger(x_m.abs(), x_least_m), w_m_s)
+        if resists > 0.0 { KNOWN / self.setup.tolerance * forces_n / resists } else { 0.0 }
     }
 }

@@ -2,10 +2,10 @@
 //! plate that rests.
 
 use crate::model::contact_models::History;
-use crate::model::hybrid::equations::{Equations, Setup, State};
-use crate::model::hybrid::modes::Contact;
-use crate::numerics::smaller;
+use crate::model::impact::equations::{Equations, Setup, State};
+use crate::model::impact::modes::Contact;
 use crate::numerics::step::{Acceleration, Point, Slopes};
+use crate::numerics::{larger, smaller};
 
 /// Part of the way to the zero of a steep law that an iteration may go at once.
 const OF_THE_WAY: f64 = 0.8;
@@ -40,7 +40,7 @@ impl Moving<1> for Plate<'_> {
         ([state.x_m], [state.w_m_s])
     }
 
-    /// A projectile that is through keeps its velocity.
+    /// A projectile that is through, or before the plate, keeps its velocity.
     fn state(&self, start: &State, t_s: f64, ([x_m], [w_m_s]): &Point<1>) -> State {
         let cos = self.0.setup.cos;
         let (mut q_m, mut u_m_s) = (start.q_m, 0.0);
@@ -115,6 +115,8 @@ impl Acceleration<2> for Both<'_> {
     fn sizes(&self, ([q, x], [u, w]): &Point<2>) -> Point<2> {
         let (travel, slip) = self.0.sizes_of_travel(*q, *u);
         let (place, speed) = self.0.sizes_of_plate(*x, *w);
+        // The plate's velocity is a part of the slip.
+        let slip = larger(slip, self.0.rounding_m_s(*x, *w) * self.0.setup.cos);
         ([travel, place], [slip, speed])
     }
 }

@@ -1,6 +1,6 @@
 //! How long a run goes that was given no horizon.
 
-use crate::model::hybrid::equations::Setup;
+use crate::model::impact::equations::Setup;
 use crate::numerics::{larger, smaller};
 
 /// Passages of the projectile at its impact velocity for the contact.
@@ -58,7 +58,7 @@ mod tests {
     use crate::model::variables::scene_with;
 
     fn horizon_s(pairs: &str) -> f64 {
-        of(&Setup::of(&scene_with(pairs)))
+        of(&Setup::of(&scene_with(pairs), 1e-12))
     }
 
     /// The plate of 29.5 g on 100 kN/m oscillates in 3.4 ms; with `b/k` = 20 ms it takes 0.6 s to creep back.

@@ -6,7 +6,7 @@
 
 use crate::model::contact::AreaPiece;
 use crate::model::contact_models::Law;
-use crate::model::hybrid::equations::{Equations, Setup, State};
+use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::mechanism::{Spring, sign};
 use crate::model::scene::StopKind;
 use crate::numerics::larger;
@@ -42,10 +42,18 @@ pub(super) enum Hold {
     Free,
     /// The rigid stop, on which it is pressed.
     OnStop,
-    /// A spring or damper that is infinitely steep where the plate stands, and lets it move by nothing that counts.
-    Law,
+    /// A spring, or a damper, that is infinitely steep where the plate stands, and lets it move by nothing that counts.
+    Spring,
+    Damper,
     /// The rigid mount.
     Mount,
+}
+
+impl Hold {
+    /// Whether a steep law holds the plate.
+    pub(super) fn is_by_law(self) -> bool {
+        matches!(self, Self::Spring | Self::Damper)
+    }
 }
 
 /// The plate and its elastic stop.
@@ -63,6 +71,8 @@ pub(super) enum Touch {
 pub(super) struct Mode {
     pub(super) contact: Contact,
     pub(super) hold: Hold,
+    /// Displacement that a steep spring that holds it does not let it exceed, m.
+    pub(super) held_m: f64,
     pub(super) touch: Touch,
     /// The stretch of the area law in which the nose is.
     pub(super) piece: AreaPiece,
@@ -119,7 +129,12 @@ pub(super) enum Event {
     StopPressed,
     /// Nothing presses the plate on its rigid stop any more.
     StopRelease,
-    /// A steep law lets the plate move noticeably.
+    /// The plate comes through the zero of a spring that is not smooth there.
+    ZeroPassed,
+    /// A steep spring, or a steep damper, takes hold of the plate.
+    SpringHolds,
+    DamperHolds,
+    /// It lets the plate move noticeably.
     Yields,
 }
 
@@ -141,6 +156,7 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
     let mut mode = Mode {
         contact: Contact::Deepening,
         hold: if setup.still { Hold::Mount } else { Hold::Free },
+        held_m: setup.held_m(),
         touch: Touch::Away,
         piece: setup.geometry.piece(0.0),
         deepest_m: 0.0,
@@ -156,8 +172,8 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
     if setup.law == Law::AtOnce {
         join(setup, &mut mode, &mut state);
     }
-    if (Equations { setup, mode: &mode }).is_held_by_law() {
-        mode.hold = Hold::Law;
+    if let Some(held) = (Equations { setup, mode: &mode }).holds_at_first() {
+        (mode.hold, mode.held_m) = held;
     }
     if !setup.still && setup.start_m >= setup.stop_at_m {
         reach_stop(setup, &mut mode, &mut state);
@@ -191,10 +207,26 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
         | Event::StopCleared
         | Event::StopPressed
         | Event::StopRelease => at_stop(setup, mode, event, (&mut next, state)),
+        Event::ZeroPassed => {
+            // What the spring takes on one side it gives on the other.
+            let x_m = mode.origin_m + state.x_m;
+            let way_s = -2.0 * x_m / state.w_m_s;
+            state.t_s += way_s;
+            state.q_m += state.u_m_s * way_s;
+            state.x_m = -x_m - mode.origin_m;
+            next.stretch = mode.spring.stretch(-x_m);
+        }
+        Event::SpringHolds | Event::DamperHolds => {
+            next.hold = if event == Event::SpringHolds { Hold::Spring } else { Hold::Damper };
+            next.held_m = setup.returned_m();
+            state.u_m_s += setup.cos * state.w_m_s;
+            state.w_m_s = 0.0;
+        }
         Event::Yields => {
             next.hold = Hold::Free;
             (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
             state.u_m_s -= setup.cos * state.w_m_s;
+            next.w_side = sign(state.w_m_s);
         }
         _ => at_contact(setup, mode, event, (&mut next, state)),
     }
@@ -233,7 +265,7 @@ fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mod
         }
         Event::ContactLost => next.contact = Contact::Apart,
         Event::SlipZero | Event::HistoryEnd => {
-            if mode.hold == Hold::Law {
+            if mode.hold.is_by_law() {
                 next.hold = Hold::Free;
                 (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
             }
@@ -465,7 +497,7 @@ mod tests {
         event: Event,
         [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
     ) -> (Mode, State) {
-        let setup = Setup::of(&scene_with(pairs));
+        let setup = Setup::of(&scene_with(pairs), 1e-12);
         let (first, state) = first(&setup);
         let mut mode = Mode { contact, deepest_m: 5e-3, ..first };
         if contact == Contact::PullingOut {
@@ -517,7 +549,7 @@ mod tests {
             after_event("k=1e5", Contact::Deepening, Event::PieceEnd, [6e-3, 9.0, 0.0, 1.0]);
         assert_eq!(mode.contact, Contact::Deepening);
         assert_eq!(mode.piece.from_m.to_bits(), state.q_m.to_bits());
-        let setup = Setup::of(&scene_with("k=1e5"));
+        let setup = Setup::of(&scene_with("k=1e5"), 1e-12);
         let mut last = first(&setup).0;
         last.piece = *setup.geometry.pieces().last().unwrap();
         let mut state = State { u_m_s: 9.0, ..State::default() };
@@ -589,10 +621,10 @@ mod tests {
     /// 2.95 kg m/s of both bodies together: at once, and after a history that leaves each the velocity that it has.
     #[test]
     fn valid_bodies_that_become_one_keep_their_momentum() {
-        let (mode, state) = first(&Setup::of(&scene_with("gamma=1 model=initial-velocity")));
+        let (mode, state) = first(&Setup::of(&scene_with("gamma=1 model=initial-velocity"), 1e-12));
         assert_eq!((mode.contact, state.u_m_s.to_bits()), (Contact::Joined, 0));
         assert!((state.w_m_s - 50.0).abs() < 1e-13);
-        let still = first(&Setup::of(&scene_with("mount=rigid model=initial-velocity"))).1;
+        let still = first(&Setup::of(&scene_with("mount=rigid model=initial-velocity"), 1e-12)).1;
         assert_eq!(still.w_m_s.to_bits(), 0);
         let state = [4e-3, -90.0, 1e-4, 95.0];
         let pairs = "gamma=1 model=half-sine";
@@ -628,11 +660,11 @@ mod tests {
     /// 19 kN against k x^n: a spring of 1 MN/m^0.1 yields by 7e-18 m, one of 100 kN/m by 0.19 m.
     #[test]
     fn a_steep_law_holds_the_plate_at_first_and_a_soft_one_does_not() {
-        let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs))).0.hold;
-        assert_eq!(hold("k=1e6 n=0.1"), Hold::Law);
-        assert_eq!(hold("k=1e6 n=0.2"), Hold::Law);
+        let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs), 1e-12)).0.hold;
+        assert_eq!(hold("k=1e6 n=0.1"), Hold::Spring);
+        assert_eq!(hold("k=1e6 n=0.2"), Hold::Spring);
         // 63 N at 1e-11 m/s, where inertia alone would let it go 4e-4 m/s.
-        assert_eq!(hold("b=1e4 m=0.2"), Hold::Law);
+        assert_eq!(hold("b=1e4 m=0.2"), Hold::Damper);
         for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001", "b=100 m=0.5"] {
             assert_eq!(hold(pairs), Hold::Free, "{pairs}");
         }

@@ -1,5 +1,4 @@
-//! Whether the mechanism cannot move the plate noticeably, decided from bounds before the integration. Shared by the simulation
-//! and the contact kernel, so that both treat the same plates as fixed.
+//! Whether the mechanism cannot move the plate noticeably, decided from bounds before the integration.
 
 use std::f64::consts::PI;
 
@@ -17,7 +16,7 @@ const SLOWEST: f64 = 6.0;
 /// `rigid` is the passage into the same plate on a rigid mount. The contact force never exceeds pi R² (S + c v²); against it the
 /// spring yields at most to where its energy equals the work, k x^(n+1)/(n+1) = F x, and the damper at most at the speed
 /// (F/b)^(1/m).
-pub(crate) fn plate_is_fixed(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> bool {
+pub(super) fn plate_is_fixed(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> bool {
     let (geometry, v) = (rigid.geometry, rigid.velocity_m_s);
     let radius = geometry.nose.radius_m;
     let pressure = rigid.strength_pa + rigid.drag_kg_m3 * v * v;
