@@ -3,9 +3,10 @@
 //! A scene inside the file is kept as the text of a scene file and read by the same strict reader. A session that cannot be
 //! read is backed up, never deleted, and never keeps the program from starting.
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use rustix::fs::{FlockOperation, flock};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -210,6 +211,11 @@ pub fn save(
     known: &mut Known,
 ) -> Result<Option<PathBuf>, FileError> {
     let text = text(path, session)?;
+    atomic::make_folder_of(path)?;
+    // Another workbench that saves between the reading and the writing below would be overwritten unseen. Where there are no locks, the
+    // session is saved all the same.
+    let lock = File::create(path.with_extension("lock"));
+    let _locked = lock.as_ref().map(|lock| flock(lock, FlockOperation::LockExclusive));
     let there = read::text_file(path, BYTES_MAX).ok();
     if known.0.as_ref() == Some(&text) && there.is_some() {
         return Ok(None);
@@ -219,7 +225,6 @@ pub fn save(
         Some(other) => Some(recent::keep(&path.with_file_name("recent"), &other.scene)?),
         None => None,
     };
-    atomic::make_folder_of(path)?;
     atomic::write(path, text.as_bytes(), Existing::Replace)?;
     known.0 = Some(text);
     Ok(aside)
@@ -405,6 +410,33 @@ mod tests {
         let loaded = load(&path);
         assert_eq!(loaded.notice, None);
         assert_eq!(loaded.session, Some(session));
+    }
+
+    /// Each round, two that began on the same session save at the same moment: one of them is backed up.
+    #[test]
+    fn two_that_save_at_once_are_both_kept() {
+        for round in 0..40 {
+            let place = tempfile::tempdir().unwrap();
+            let path = place.path().join("session.toml");
+            save(&path, &example(), &mut Known::default()).unwrap();
+            let known = load(&path).known;
+            let barrier = std::sync::Barrier::new(2);
+            std::thread::scope(|scope| {
+                for ratio in [2.0, 3.0] {
+                    let (mut known, barrier, path) = (known.clone(), &barrier, &path);
+                    scope.spawn(move || {
+                        let mut session = example();
+                        session.scene.plate.mass_ratio = ratio;
+                        barrier.wait();
+                        save(path, &session, &mut known).unwrap();
+                    });
+                }
+            });
+            let here = load(&path).session.unwrap().scene.plate.mass_ratio;
+            let aside = fs::read_to_string(place.path().join("recent/unsaved-1.toml")).unwrap();
+            let both = here + read::scene(&aside, "kept").unwrap().plate.mass_ratio;
+            assert!((both - 5.0).abs() < 1e-12, "round {round}: one of them is lost");
+        }
     }
 
     #[test]
