@@ -147,6 +147,17 @@ fn legendre_and_slope(n: usize, x: f64) -> (f64, f64) {
     (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
 }
 
+/// The reciprocals of whole numbers: a number times its own is exactly one as far as they go.
+const RECIPROCALS: [f64; 36] = {
+    let mut all = [0.0; 36];
+    let mut number = 1;
+    while number < all.len() {
+        all[number] = 1.0 / number as f64;
+        number += 1;
+    }
+    all
+};
+
 /// The integral from 0 to theta of the Legendre polynomials of degree below S, shifted to (0, 1).
 pub(crate) fn integrals<const S: usize>(theta: f64) -> [f64; S] {
     let x = 2.0 * theta - 1.0;
@@ -155,9 +166,9 @@ pub(crate) fn integrals<const S: usize>(theta: f64) -> [f64; S] {
         if k == 0 {
             return theta;
         }
-        let k = k as f64;
-        let next = ((2.0 * k + 1.0) * x * now - k * before) / (k + 1.0);
-        let integral = (next - before) / (2.0 * (2.0 * k + 1.0));
+        let degree = k as f64;
+        let next = ((2.0 * degree + 1.0) * x * now - degree * before) * RECIPROCALS[k + 1];
+        let integral = (next - before) * RECIPROCALS[2 * (2 * k + 1)];
         (before, now) = (now, next);
         integral
     })
