@@ -1,28 +1,43 @@
 //! The only place that writes to standard output and standard error.
 
 use std::io::{self, Write};
-use std::os::fd::{AsFd as _, BorrowedFd};
 use std::path::PathBuf;
 use std::process::ExitCode;
-
-use rustix::fs::{OFlags, fcntl_getfl, fstat};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::cli::CliError;
 use crate::files::clean;
 
-/// Whether there is somewhere to write a result to. In place of a closed standard output the runtime opens the null device, to read and
-/// write, where a result would vanish without an error. A shell's `>/dev/null` is opened to write only, and a program that wants to hear
-/// nothing gives the null device as standard error, too.
+/// Whether standard output was closed when the process began. The runtime opens `/dev/null` in its place before `main`: a result
+/// would vanish without an error.
+static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
+
+#[cfg(target_os = "linux")]
+mod before_main {
+    use std::sync::atomic::Ordering;
+    use std::{fs, path::Path};
+
+    #[expect(
+        unsafe_code,
+        reason = "only what runs before `main` can see it; the function takes no argument and calls no C"
+    )]
+    #[unsafe(link_section = ".init_array")]
+    #[used]
+    static LOOK: extern "C" fn() = look;
+
+    extern "C" fn look() {
+        let open = Path::new("/proc/self/fd");
+        let is_closed = open.exists() && fs::symlink_metadata(open.join("1")).is_err();
+        super::WAS_CLOSED.store(is_closed, Ordering::Relaxed);
+    }
+}
+
+/// Whether there is somewhere to write a result to.
 ///
 /// # Errors
 /// [`CliError::Stdout`] where standard output was closed.
 pub(super) fn open() -> Result<(), CliError> {
-    let null = rustix::fs::stat("/dev/null").map(|found| found.st_rdev);
-    let is_null = |to: BorrowedFd<'_>| {
-        fcntl_getfl(to).is_ok_and(|flags| flags.contains(OFlags::RDWR))
-            && fstat(to).map(|found| found.st_rdev) == null
-    };
-    if is_null(io::stdout().as_fd()) && !is_null(io::stderr().as_fd()) {
+    if WAS_CLOSED.load(Ordering::Relaxed) {
         return Err(CliError::Stdout(io::Error::other("it is closed")));
     }
     Ok(())
