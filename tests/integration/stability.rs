@@ -23,7 +23,7 @@ const SCENES: u64 = 10_000;
 /// Greatest relative energy residual.
 const RESIDUAL_MAX: f64 = 1e-8;
 /// Steps a run may take besides those that its oscillations and events need.
-const STEPS_MAX: f64 = 2_500.0;
+const STEPS_MAX: f64 = 8_000.0;
 /// Steps of half a swing, or up to an event and away from it, and how many more lead up to the zero of a law that is not smooth there and
 /// away from it: each halves the way, over ten orders of magnitude.
 const STEPS_OF_SWING: f64 = 10.0;
