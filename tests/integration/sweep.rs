@@ -409,7 +409,7 @@ fn the_page_shows_curves_maps_and_extremes() {
         let timed = |line: &&str| !line.contains(" in ");
         done.out.lines().filter(timed).collect::<Vec<_>>().join("\n")
     };
-    insta::assert_snapshot!("sweep_page_one_axis", page("figure-9.4 --over b=0..2000:41"));
+    insta::assert_snapshot!("sweep_page_one_axis", page("figure-9.4 --over b=0..2050:41"));
     let two = "figure-9.7 --over gamma=0.8..7:21 --over k=0..7.5e6:21";
     insta::assert_snapshot!("sweep_page_two_axes", page(two));
     let three = "--over gamma=0.8..7:3 --over k=0..7.5e6:3 --over v_i=100..400:4";

@@ -185,22 +185,23 @@ impl Equations<'_> {
     }
 
     /// The zero of a spring that is not smooth there: the time until the plate comes to it, s, and whether the energy that is left in the
-    /// spring, and what the other forces do meanwhile, still count; `None` where the plate does not come to one.
+    /// spring still counts; `None` where the plate does not come to one.
     fn next_zero(&self, state: &State) -> Option<(f64, bool)> {
         let spring = &self.setup.spring;
         spring.power().filter(|law| !law.is_smooth_at_zero())?;
         let (x_m, w_m_s) = (self.displacement_m(state.x_m), state.w_m_s);
         let way_s = -x_m / w_m_s;
-        let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
-        let counts = spring.energy(x_m) > HELD * self.moving_kg() * w_m_s * w_m_s
-            || way_s * larger(slip.abs(), plate.abs()) > self.held_m_s();
+        let counts = spring.energy(x_m) > HELD * self.moving_kg() * w_m_s * w_m_s;
         (self.mode.hold == Hold::Free && way_s > 0.0).then_some((way_s, counts))
     }
 
-    /// Whether the plate is so close to the zero of such a spring that it is as well as far on the other side, with no stop between.
+    /// Whether the plate is so close to the zero of such a spring that it is as well as far on the other side: no other force does
+    /// anything meanwhile, and there is no stop between.
     pub(super) fn passes_zero(&self, state: &State) -> bool {
-        let is_clear = self.setup.stop_at_m.abs() > self.displacement_m(state.x_m).abs();
-        is_clear && self.next_zero(state).is_some_and(|(_, counts)| !counts)
+        let Some((way_s, false)) = self.next_zero(state) else { return false };
+        let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
+        way_s * larger(slip.abs(), plate.abs()) < self.held_m_s()
+            && self.setup.stop_at_m.abs() > self.displacement_m(state.x_m).abs()
     }
 
     /// The time in which the plate comes as close to the zero of a law that is not smooth there as a step may take it, s: short of

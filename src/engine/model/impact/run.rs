@@ -14,8 +14,8 @@ use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Observer, Run};
 use crate::model::scene::Scene;
 use crate::numerics::locate::{Found, first_fall};
-use crate::numerics::smaller;
 use crate::numerics::step::{Near, Step, Stepper};
+use crate::numerics::{larger, smaller};
 
 /// Evaluations of the equations after which a run ends undecided: about 0.2 s.
 const EVALUATIONS_MAX: usize = 800_000;
@@ -344,7 +344,8 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
                 match self.land(law, &events, (which, theta * h_s), &step) {
                     Ok(state) => {
                         self.react(events.list()[which], state);
-                        self.h_s = whole_s;
+                        // Events that rounding repeats at one place are left behind by a step that moves the time.
+                        self.h_s = larger(whole_s, no_time_s);
                     }
                     Err(shorter_s) => self.h_s = shorter_s,
                 }
