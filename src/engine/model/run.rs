@@ -211,28 +211,6 @@ pub struct Sample {
     pub is_step: bool,
 }
 
-impl Sample {
-    /// The row at a part of the way from one row to the next: every number in proportion.
-    #[must_use]
-    pub fn between(low: &Self, high: &Self, part: f64) -> Self {
-        let mix = |get: fn(&Self) -> f64| get(low) + part * (get(high) - get(low));
-        Self {
-            t_s: mix(|row| row.t_s),
-            mode: low.mode,
-            penetration_m: mix(|row| row.penetration_m),
-            projectile_displacement_m: mix(|row| row.projectile_displacement_m),
-            projectile_velocity_m_s: mix(|row| row.projectile_velocity_m_s),
-            plate_displacement_m: mix(|row| row.plate_displacement_m),
-            plate_velocity_m_s: mix(|row| row.plate_velocity_m_s),
-            contact_force_n: mix(|row| row.contact_force_n),
-            spring_force_n: mix(|row| row.spring_force_n),
-            damper_force_n: mix(|row| row.damper_force_n),
-            stop_force_n: mix(|row| row.stop_force_n),
-            is_step: false,
-        }
-    }
-}
-
 /// Something that happened at a located moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
