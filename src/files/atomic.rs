@@ -335,7 +335,7 @@ fn copy_over(mut file: NamedTempFile, target: &Path) -> io::Result<()> {
 }
 
 /// A path whose name has a further ending.
-fn with_end(path: &Path, end: &str) -> PathBuf {
+pub(super) fn with_end(path: &Path, end: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(end);
     PathBuf::from(name)

@@ -276,9 +276,7 @@ pub fn load(path: &Path) -> Loaded {
         Err(error) => (None, (None, vec![error.to_string()])),
     };
     let notice = (!problems.is_empty()).then(|| {
-        let mut aside = path.as_os_str().to_owned();
-        aside.push(".broken");
-        let aside = PathBuf::from(aside);
+        let aside = atomic::with_end(path, ".broken");
         let kept = match fs::rename(path, &aside) {
             Ok(()) => format!("it was kept as `{}`", aside.display()),
             Err(error) => format!("and it could not be backed up: {error}"),
