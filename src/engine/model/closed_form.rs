@@ -10,6 +10,9 @@ use crate::model::mechanism::moving_plate_kg;
 use crate::model::scene::Scene;
 use crate::numerics::quadrature::resolved;
 
+/// The part of its value to which the integrand of a time is resolved: the error is about the square of it, which is rounding.
+const RESOLUTION: f64 = 1e-8;
+
 /// One-body penetration with a reduced mass.
 #[derive(Clone, Copy, Debug)]
 pub struct Passage<'a> {
@@ -125,82 +128,33 @@ impl<'a> Passage<'a> {
         s / c * self.exponent(volume).exp_m1()
     }
 
-    /// Times, s, and slips, m/s, at increasing travels from 0 to the end, the end last.
-    pub fn history(&self, ending: Ending, rule: Rule) -> Vec<Moment> {
+    /// How long it takes to this end, to rounding, s.
+    pub fn time_s(&self, ending: Ending) -> f64 {
         match ending {
-            Ending::Arrest { travel_m } => self.history_to_arrest(travel_m, rule),
-            Ending::Exit { .. } => self.history_to_exit(rule),
+            Ending::Arrest { travel_m } => self.time_to_arrest_s(travel_m),
+            Ending::Exit { .. } => self.time_to_exit_s(),
         }
     }
 
-    /// With q = end (1 - s²) the time's integrand 2 end s/u is smooth up to the arrest.
-    fn history_to_arrest(&self, end_m: f64, rule: Rule) -> Vec<Moment> {
+    /// With q = end (1 - s²) the integrand 2 end s/u is smooth up to the arrest.
+    fn time_to_arrest_s(&self, end_m: f64) -> f64 {
         let slip = |s: f64| self.slip_squared_before(end_m * s * s, end_m).sqrt();
         let joints = self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m);
         let joints = joints.map(|piece| ((end_m - piece.to_m) / end_m).sqrt());
         let bounds: Vec<f64> = [1.0].into_iter().chain(joints).chain([0.0]).collect();
-        let time_s = |a, b| resolved(b, a, rule.resolution, |s| 2.0 * end_m * s / slip(s));
-        self.moments(&bounds, rule.points, time_s, |s| (end_m * (1.0 - s) * (1.0 + s), slip(s)))
+        let between =
+            |pair: &[f64]| resolved(pair[1], pair[0], RESOLUTION, |s| 2.0 * end_m * s / slip(s));
+        bounds.windows(2).map(between).sum()
     }
 
-    fn history_to_exit(&self, rule: Rule) -> Vec<Moment> {
-        let slip = |q: f64| self.slip_squared(q).sqrt();
+    fn time_to_exit_s(&self) -> f64 {
         let joints = self.geometry.pieces().iter().map(|piece| piece.to_m);
         let bounds: Vec<f64> = [0.0].into_iter().chain(joints).collect();
-        let time_s = |a, b| resolved(a, b, rule.resolution, |q| 1.0 / slip(q));
-        self.moments(&bounds, rule.points, time_s, |q| (q, slip(q)))
+        let between = |pair: &[f64]| {
+            resolved(pair[0], pair[1], RESOLUTION, |q| 1.0 / self.slip_squared(q).sqrt())
+        };
+        bounds.windows(2).map(between).sum()
     }
-
-    /// Moments at a given number of equal parts of each stretch between two bounds, in whatever variable these are: how long a
-    /// part takes, s, and travel and slip at its end.
-    fn moments(
-        &self,
-        bounds: &[f64],
-        points: usize,
-        time_s: impl Fn(f64, f64) -> f64,
-        place: impl Fn(f64) -> (f64, f64),
-    ) -> Vec<Moment> {
-        let mut moments = vec![Moment { t_s: 0.0, travel_m: 0.0, slip_m_s: self.velocity_m_s }];
-        let mut t_s = 0.0;
-        for pair in bounds.windows(2) {
-            let at = |point: usize| pair[0] + (pair[1] - pair[0]) * point as f64 / points as f64;
-            for point in 0..points {
-                let (from, to) =
-                    (at(point), if point + 1 == points { pair[1] } else { at(point + 1) });
-                t_s += time_s(from, to);
-                let (travel_m, slip_m_s) = place(to);
-                moments.push(Moment { t_s, travel_m, slip_m_s });
-            }
-        }
-        moments
-    }
-}
-
-/// How the time of a closed form is computed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rule {
-    /// Moments on each stretch between two joints of the area law.
-    pub points: usize,
-    /// The part of its value to which the integrand is resolved: the error is about the square of it.
-    pub resolution: f64,
-}
-
-impl Rule {
-    /// To rounding.
-    pub const FINE: Self = Self { points: 1, resolution: 1e-8 };
-    /// To a square of that, for a second computation that the first is compared with.
-    pub const FINEST: Self = Self { points: 1, resolution: 1e-12 };
-}
-
-/// A moment of the relative motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment {
-    /// Time since first contact, s.
-    pub t_s: f64,
-    /// Travel, m.
-    pub travel_m: f64,
-    /// Relative velocity, m/s.
-    pub slip_m_s: f64,
 }
 
 #[cfg(test)]
@@ -232,12 +186,13 @@ mod tests {
         assert!((depth(&rigid) - 7.113_055e-3).abs() < 5e-10);
         let free = passage(&geometry, 1.0);
         assert!((depth(&free) / 4.568_088_344_391_97e-3 - 1.0).abs() < 1e-13);
-        let end = *free.history(free.ending(), Rule::FINE).last().unwrap();
-        assert!((end.t_s / 113.407_312_427_867_64e-6 - 1.0).abs() < 1e-12, "{}", end.t_s);
-        assert_eq!(end.slip_m_s.to_bits(), 0);
+        let end_s = free.time_s(free.ending());
+        assert!((end_s / 113.407_312_427_867_64e-6 - 1.0).abs() < 1e-12, "{end_s}");
+        let Ending::Arrest { travel_m } = free.ending() else { panic!("perforated") };
+        assert_eq!(free.slip_squared_before(0.0, travel_m).to_bits(), 0);
         // The same closed form in 30-digit arithmetic.
-        let end = *rigid.history(rigid.ending(), Rule::FINE).last().unwrap();
-        assert!((end.t_s / 1.850_116_460_604_822e-4 - 1.0).abs() < 1e-14, "{}", end.t_s);
+        let end_s = rigid.time_s(rigid.ending());
+        assert!((end_s / 1.850_116_460_604_822e-4 - 1.0).abs() < 1e-14, "{end_s}");
         assert!((depth(&rigid) / 7.113_054_853_423_409e-3 - 1.0).abs() < 1e-14);
     }
 

@@ -7,7 +7,7 @@
 //! plate that comes back through a singular point, one that a spring or damper holds too stiffly for its steps) are left to the
 //! simulation: [`Contact::run`] returns `None`.
 
-use crate::model::closed_form::{Ending, Passage, Rule};
+use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
 use crate::model::scene::{ContactModel, Mount, Scene};
@@ -165,7 +165,7 @@ impl Contact {
         if !arrested && slip < SLOW_EXIT * velocity_m_s {
             return None;
         }
-        let t_s = passage.history(ending, Rule::FINE).last()?.t_s;
+        let t_s = passage.time_s(ending);
         let fraction = cos * plate_mobility / slip_mobility;
         let plate_displacement_m = self.start_m + fraction * (velocity_m_s * t_s - travel_m);
         Some(ContactEnd {

@@ -5,7 +5,7 @@
 
 use std::cell::LazyCell;
 
-use crate::model::closed_form::{Ending, Passage, Rule};
+use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::units::engineering;
@@ -111,13 +111,13 @@ fn hydrodynamic_on_rigid_mount(scene: &Scene) -> (f64, f64) {
     let geometry = Geometry::of(scene);
     let passage = Passage::rigid(scene, &geometry);
     let ending = passage.ending();
-    let end_s = passage.history(ending, Rule::FINE).last().map(|moment| moment.t_s);
+    let end_s = passage.time_s(ending);
     let at_speed_s = geometry.exit_m / scene.projectile.velocity_m_s;
     let travel_m = match ending {
         Ending::Arrest { travel_m } => travel_m,
         Ending::Exit { .. } => geometry.exit_m,
     };
-    (end_s.filter(|end_s| end_s.is_finite()).unwrap_or(at_speed_s), travel_m)
+    (if end_s.is_finite() { end_s } else { at_speed_s }, travel_m)
 }
 
 #[cfg(test)]
