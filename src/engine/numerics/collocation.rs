@@ -511,14 +511,6 @@ mod tests {
             Slopes { place: [[-self.0]], speed: [[0.0]] }
         }
 
-        fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
-            1.0
-        }
-
-        fn is_steep(&self) -> bool {
-            false
-        }
-
         fn sizes(&self, _: &Point<1>) -> Point<1> {
             ([1.0], [1.0])
         }
@@ -534,14 +526,6 @@ mod tests {
 
         fn slopes(&self, _: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
             Slopes { place: [[0.0]], speed: [[-2.0 * speed[0]]] }
-        }
-
-        fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
-            1.0
-        }
-
-        fn is_steep(&self) -> bool {
-            false
         }
 
         fn sizes(&self, _: &Point<1>) -> Point<1> {

@@ -167,14 +167,6 @@ mod tests {
             Slopes { place: [[-1.0]], speed: [[0.0]] }
         }
 
-        fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
-            1.0
-        }
-
-        fn is_steep(&self) -> bool {
-            false
-        }
-
         fn sizes(&self, _: &Point<1>) -> Point<1> {
             ([1.0], [1.0])
         }

@@ -18,11 +18,15 @@ pub(crate) trait Acceleration<const D: usize> {
 
     fn slopes(&self, place: &[f64; D], speed: &[f64; D]) -> Slopes<D>;
 
-    /// The part of a change of place and speed after which no steep law has passed its zero, where its derivative misleads.
-    fn without_passing(&self, from: Point<D>, to: Point<D>) -> f64;
+    /// Whether a part of the law is infinitely steep at a zero of its own, where its derivative misleads.
+    fn is_steep(&self) -> bool {
+        false
+    }
 
-    /// Whether there is such a law.
-    fn is_steep(&self) -> bool;
+    /// The part of a change of place and speed after which no such part has passed its zero.
+    fn without_passing(&self, _from: Point<D>, _to: Point<D>) -> f64 {
+        1.0
+    }
 
     /// What errors of places and speeds are relative to at a point.
     fn sizes(&self, at: &Point<D>) -> Point<D>;

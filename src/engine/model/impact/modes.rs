@@ -217,8 +217,11 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
             next.stretch = mode.spring.stretch(-x_m);
         }
         Event::SpringHolds | Event::DamperHolds => {
-            next.hold = if event == Event::SpringHolds { Hold::Spring } else { Hold::Damper };
-            next.held_m = setup.returned_m();
+            if event == Event::SpringHolds {
+                (next.hold, next.held_m) = (Hold::Spring, setup.returned_m());
+            } else {
+                next.hold = Hold::Damper;
+            }
             state.u_m_s += setup.cos * state.w_m_s;
             state.w_m_s = 0.0;
         }

@@ -163,14 +163,6 @@ impl Acceleration<1> for Projectile<'_> {
         Slopes { place: [[-by_place / kg]], speed: [[-by_speed / kg]] }
     }
 
-    fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
-        1.0
-    }
-
-    fn is_steep(&self) -> bool {
-        false
-    }
-
     fn sizes(&self, ([q], [u]): &Point<1>) -> Point<1> {
         let (travel, slip) = self.0.sizes_of_travel(*q, *u);
         ([travel], [slip])
