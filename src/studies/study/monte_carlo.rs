@@ -246,10 +246,10 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 ///
 /// # Errors
 /// A [`SweepError`] when something about it is bad: then nothing has run; or when no draw makes sense.
-pub fn sample(
+pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_>,
+    context: &mut Context<'_, Report>,
 ) -> Result<Report, SweepError> {
     let (tolerances, model) = (request.tolerances(scene), request.model(scene));
     let (wanted, seed) = (request.count(), request.seed);
@@ -340,8 +340,8 @@ impl<'t> Draw<'t> {
     pub(in crate::study) fn each_batch(
         &mut self,
         samples: usize,
-        context: &mut Context<'_>,
-        mut evaluate: impl FnMut(&[Vec<f64>], &mut Context<'_>),
+        context: &mut Context<'_, Report>,
+        mut evaluate: impl FnMut(&[Vec<f64>], &mut Context<'_, Report>),
     ) -> Result<(), SweepError> {
         let mut done = 0;
         while done < samples && !context.is_stopped() {

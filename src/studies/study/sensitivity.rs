@@ -154,10 +154,10 @@ pub fn usual_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
 ///
 /// # Errors
 /// A [`SweepError`] when bounds or result are bad, or there are more than [`indices::INPUTS_MAX`] variables: then nothing has run.
-pub fn study(
+pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_>,
+    context: &mut Context<'_, Report>,
 ) -> Result<Report, SweepError> {
     let axes = or_usual(&request.over, || usual_axes(scene))?;
     if axes.len() > indices::INPUTS_MAX {

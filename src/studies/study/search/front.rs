@@ -159,7 +159,7 @@ pub struct Lack {
 
 /// The front.
 #[derive(Clone, Debug, Default)]
-pub struct Front {
+pub struct Report {
     /// What was searched for, with the variables that were varied.
     pub request: Request,
     /// The scene whose other variables were held.
@@ -180,7 +180,7 @@ pub struct Front {
     pub is_complete: bool,
 }
 
-impl Front {
+impl Report {
     /// The scene of one of its designs.
     pub fn scene(&self, design: &Design) -> Scene {
         scene_with(&self.base, &self.request.over, &design.values)
@@ -191,18 +191,18 @@ impl Front {
 ///
 /// # Errors
 /// A [`SweepError`] when bounds, names or the scene make no sense: then nothing has run.
-pub fn optimise(
+pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_, Front>,
-) -> Result<Front, SweepError> {
+    context: &mut Context<'_, Report>,
+) -> Result<Report, SweepError> {
     let over = or_usual(&request.over, || thesis_axes(scene))?;
     let request = Request { over, ..request.clone() };
     let names: Vec<&str> = request.measures().iter().map(|measure| measure.name).collect();
     let plan = Plan::for_designs(scene, request.over.clone(), &names)?.limited(STEPS_MAX);
     context.expect(request.samples);
     let known = Checked::of(scene, request.objectives[0].measure, &[], &mut || true).fails;
-    let front = Front { request, base: scene.clone(), is_complete: true, ..Front::default() };
+    let front = Report { request, base: scene.clone(), is_complete: true, ..Report::default() };
     Ok(Search { plan, known, front }.run(context))
 }
 
@@ -210,11 +210,11 @@ struct Search {
     plan: Plan,
     /// The checks that the scene itself fails.
     known: Vec<Check>,
-    front: Front,
+    front: Report,
 }
 
 impl Search {
-    fn run(mut self, context: &mut Context<'_, Front>) -> Front {
+    fn run(mut self, context: &mut Context<'_, Report>) -> Report {
         let (inputs, samples) = (self.plan.axes().len(), self.front.request.samples);
         // The scene itself is tried, where the bounds hold it.
         let share = |axis: &Axis| axis.share(axis.get(&self.front.base)?);
@@ -241,7 +241,7 @@ impl Search {
     fn judged(
         &mut self,
         points: &[Vec<f64>],
-        context: &mut Context<'_, Front>,
+        context: &mut Context<'_, Report>,
     ) -> Option<Vec<(Judged, EvaluatedDesign)>> {
         let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
         let found = self.plan.evaluate(&designs, context);
@@ -274,7 +274,7 @@ impl Search {
         &self,
         designs: &[Vec<f64>],
         candidates: &[usize],
-        context: &mut Context<'_, Front>,
+        context: &mut Context<'_, Report>,
     ) -> Vec<Vec<Check>> {
         let stop = context.stop();
         let check = |at: &usize| {

@@ -11,7 +11,7 @@ fn request(over: Vec<Axis>, output: &str) -> Request {
 }
 
 fn found(scene: &Scene, axes: Vec<Axis>, output: &str) -> Result<Report, SweepError> {
-    study(scene, &request(axes, output), &mut Context::new(2, &mut to_its_end))
+    run(scene, &request(axes, output), &mut Context::new(2, &mut to_its_end))
 }
 
 #[test]
@@ -31,7 +31,7 @@ fn a_stop_keeps_what_there_is() {
     let asked = axes(&[("gamma", 0.8, 7.0), ("k", 0.0, 7.5e6)]);
     let mut watch = until(10);
     let stopped = &mut Context::new(2, &mut watch);
-    let cut = study(&Scene::default(), &request(asked, "percent_of_baseline"), stopped).unwrap();
+    let cut = run(&Scene::default(), &request(asked, "percent_of_baseline"), stopped).unwrap();
     assert!(cut.sobol.is_none() && cut.bars[0].swing().is_some());
 }
 

@@ -24,8 +24,8 @@ fn at_most(name: &str, bound: f64) -> Constraint {
     Constraint { measure: named(name).unwrap(), at_most: true, bound }
 }
 
-fn solve(scene: &Scene, request: &Request) -> Front {
-    optimise(scene, request, &mut Context::new(2, &mut to_its_end)).unwrap()
+fn solve(scene: &Scene, request: &Request) -> Report {
+    run(scene, request, &mut Context::new(2, &mut to_its_end)).unwrap()
 }
 
 /// A free plate: depth falls and travel of the projectile's momentum rises as gamma falls, so every gamma is on the front; with
@@ -66,12 +66,12 @@ fn constraints_are_kept() {
 fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
     let list = [("gamma", 0.8, 7.0), ("k", 1e3, 7.5e6)];
     let request = request(&list, &["final_penetration_m", "stroke_m"]);
-    let (mut parts, mut stop) = (0, until::<Front>(600));
-    let watch = &mut |progress, front: Option<&Front>| {
+    let (mut parts, mut stop) = (0, until::<Report>(600));
+    let watch = &mut |progress, front: Option<&Report>| {
         parts += usize::from(front.is_some());
         stop(progress, front)
     };
-    let front = optimise(&Scene::default(), &request, &mut Context::new(1, watch)).unwrap();
+    let front = run(&Scene::default(), &request, &mut Context::new(1, watch)).unwrap();
     assert!(parts >= 4 && !front.is_complete && !front.designs.is_empty(), "{parts}");
     assert!(front.runs > 600 && front.runs < 1024);
 }

@@ -18,7 +18,7 @@ fn found(scene: &Scene, request: &Request) -> Report {
 }
 
 fn on(threads: usize, scene: &Scene, request: &Request) -> Result<Report, SweepError> {
-    seek(scene, request, &mut Context::new(threads, &mut to_its_end))
+    run(scene, request, &mut Context::new(threads, &mut to_its_end))
 }
 
 fn close(value: f64, exact: f64, relative: f64) {
@@ -77,7 +77,7 @@ fn no_digit_depends_on_the_threads_and_bad_goals_are_refused() {
     assert!("depth=5mm".parse::<Goal>().unwrap_err().contains("depth"));
     assert!("stroke_m".parse::<Goal>().unwrap_err().contains("QUANTITY=VALUE"));
     assert_eq!(asked.to_string(), "seek --over d=0..0.5:33 --goal percent_of_baseline=50");
-    let stopped = seek(&scene, &asked, &mut Context::new(2, &mut until(0))).unwrap();
+    let stopped = run(&scene, &asked, &mut Context::new(2, &mut until(0))).unwrap();
     assert!(!stopped.is_complete && stopped.solutions().next().is_none());
 }
 
