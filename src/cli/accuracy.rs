@@ -25,10 +25,9 @@ use crate::worker::clock;
 
 const SIZE: draw::Size = (80, 20);
 /// Columns of the table of methods.
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 6] = [
     "letter",
     "method",
-    "observed_order",
     "least_error",
     "run_time_s_to_1e-6",
     "run_time_s_to_1e-9",

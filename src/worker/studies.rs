@@ -250,10 +250,6 @@ impl Study for Measurements {
         Lane::Studies
     }
 
-    fn measures(&self) -> bool {
-        true
-    }
-
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
         let watch = &mut reporter.watch(accuracy::Report::clone);
         let context = &mut Context::new(1, watch);

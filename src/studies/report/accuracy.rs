@@ -69,7 +69,6 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with("rejected", "rejected", "", |row| Some(row.answer()?.rejected))
         .with("rhs_evaluations", "evaluations", "", |row| Some(row.answer()?.evaluations))
         .with("run_time_s_min", "run time", "s", |row| Some(row.measured()?.min_s))
-        .with("observed_order", "order", "", |row| row.method.observed_order())
         .with("refused", "refused", "", |row| Some(row.point.result.err()?.words()))
         .with("reference", "reference", "", |row| Some(row.method.reference?.basis.words()))
         .with("reference_uncertainty", "its uncertainty", "", |row| {
@@ -95,8 +94,6 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
     Table::of(methods)
         .with("letter", "", "", |it| it.method.letter().to_string())
         .with("method", "method", "", |it| it.method.name())
-        .with("observed_order", "order", "", |it| it.observed_order())
-        .shown(|it, _| Some(order(it)))
         .with("run_time_s_to_1e-6", "t(1e-6)", "", time(TARGETS[0]))
         .shown(in_seconds)
         .with("run_time_s_to_1e-9", "t(1e-9)", "", time(TARGETS[1]))
@@ -110,13 +107,6 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
 /// The method of a result, and its parameter.
 pub fn by(found: &Cheapest) -> String {
     format!("by {} at {}", found.method.name(), found.parameter)
-}
-
-/// A method's observed order.
-pub fn order(report: &MethodReport) -> String {
-    // Adding zero takes the sign off a negative zero.
-    let shown = |order: f64| format!("{:.1}", (10.0 * order).round() / 10.0 + 0.0);
-    report.observed_order().map_or_else(|| "-".to_owned(), shown)
 }
 
 /// A part in whole percent.

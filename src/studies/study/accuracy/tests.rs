@@ -34,19 +34,6 @@ fn compared(pairs: &str, ladder: Ladder) -> HashMap<char, MethodReport> {
     methods.map(|method| (method.method.letter(), method)).collect()
 }
 
-#[test]
-fn orders_are_those_of_theory_on_a_smooth_scene() {
-    let methods = compared("k=1e5", Ladder::Full);
-    let order = |letter: char| methods[&letter].observed_order();
-    assert!((order('E').unwrap() - 4.0).abs() < 0.5, "{:?}", order('E'));
-    let least = |letter: char| methods[&letter].least_error().unwrap();
-    assert!(least('R') > 100.0 * least('E'), "{:e} {:e}", least('R'), least('E'));
-    assert!(order('D').unwrap() > 4.0, "{:?}", order('D'));
-    assert!((order('I').unwrap() - 5.0).abs() < 1.0, "{:?}", order('I'));
-    // The printed scheme approaches a limit of its own.
-    assert!((order('T').unwrap() - 1.0).abs() < 0.3, "{:?}", order('T'));
-}
-
 /// 82.65 % of the depth on a rigid mount instead of 64.28 %: an independent computation of both.
 #[test]
 fn valid_the_printed_scheme_is_off_by_its_coupling() {
@@ -181,8 +168,6 @@ fn a_lucky_hit_is_not_the_answer() {
 fn of_points_that_cost_the_same_the_coarsest_answers() {
     let report = made_up(&[(1e-3, 0.0, 1.02), (1e-4, 0.0, 1.0), (1e-5, 0.0, 1.04)]);
     assert_eq!(report.cheapest(1e-6).unwrap().parameter, Parameter::Tolerance(1e-3));
-    // Steps that do not differ show no order.
-    assert_eq!(report.observed_order(), None);
 }
 
 #[test]
