@@ -88,7 +88,7 @@ impl CompareArguments {
             Map::compute(&preset.scene, axes, request.hardware, context)
         })?;
         let name = preset.name.as_str();
-        let warnings = validity::of_points(map.scene(), axes);
+        let warnings = validity::of_axes(map.scene(), axes);
         let page = map_page(name, &map) + &self.study.table.warnings(&warnings);
         let table = self.study.table.of(&self.study.scene, &preset.scene, request);
         if !self.pictures.is_stdout() {

@@ -60,9 +60,6 @@ pub struct RunTable {
 
 impl Destination {
     /// Whether the table and its scene can be written: checked before a long computation, not after it.
-    ///
-    /// # Errors
-    /// [`FileError`].
     pub fn check(&self) -> Result<(), FileError> {
         self.check_beside()?;
         atomic::check(&self.path, self.existing)?;
@@ -110,9 +107,6 @@ impl Destination {
     }
 
     /// Begin a table that is written as it is made, and whose scene goes beside it.
-    ///
-    /// # Errors
-    /// [`FileError`].
     pub fn begin(&self) -> Result<Growing, FileError> {
         self.check()?;
         Growing::begin(&self.path, self.existing)
@@ -152,9 +146,6 @@ impl Destination {
 }
 
 /// Leave a table that is not complete under its name of one that grows, with the scenes beside it; as [`Destination::write`].
-///
-/// # Errors
-/// [`FileError`] of a scene.
 pub fn leave(file: &Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
     let Some(path) = file.partial() else { return Ok(Vec::new()) };
     let mut files = vec![path.clone()];
@@ -202,9 +193,6 @@ fn checksum(text: &str) -> u64 {
 
 impl RunTable {
     /// The table as it goes into the file.
-    ///
-    /// # Errors
-    /// [`FileError::Refused`] when a wanted column does not exist.
     pub fn text(&self) -> Result<String, FileError> {
         Ok(run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?)
     }
@@ -257,9 +245,6 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
 }
 
 /// A sidecar may replace an older sidecar, never a scene that someone wrote or edited.
-///
-/// # Errors
-/// [`FileError::Refused`] when the CSV's name or what lies beside it forbids one.
 fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
         let problem = "it ends like a scene file; name a CSV file, for example run.csv";

@@ -71,9 +71,6 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
 }
 
 /// The entry with this name.
-///
-/// # Errors
-/// [`FileError::Refused`] with the nearest names, or why the user's own entry of this name cannot be read.
 pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry, FileError> {
     let (mut entries, problems) = listed(library, paths);
     if let Some(at) = entries.iter().position(|entry| entry.name == name) {

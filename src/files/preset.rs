@@ -94,9 +94,6 @@ pub fn list(paths: Option<&Paths>) -> List {
 }
 
 /// The scene meant by `name`: a bundled preset, an own one, or the path of a TOML file.
-///
-/// # Errors
-/// [`FileError`] when there is no such scene, or it cannot be read.
 pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     if let Some(preset) = bundled::find(name) {
         return from_bundled(preset);
@@ -124,18 +121,12 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
 }
 
 /// A scene in a file.
-///
-/// # Errors
-/// [`FileError`] when it cannot be read.
 pub fn from_file(path: &Path) -> Result<Preset, FileError> {
     let text = read::text_file(path, read::BYTES_MAX)?;
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
 
 /// A scene in a text; `name` is used in errors.
-///
-/// # Errors
-/// [`FileError::Scene`].
 pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, FileError> {
     let file = match &origin {
         Origin::Bundled => format!("presets/{name}.toml"),
@@ -152,9 +143,6 @@ pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, F
 }
 
 /// The scene everything starts from.
-///
-/// # Errors
-/// None in practice: a test reads every bundled preset.
 pub fn baseline() -> Result<Preset, FileError> {
     resolve(bundled::BASELINE, None)
 }
@@ -206,9 +194,6 @@ pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), F
 }
 
 /// Whether an own preset may have this name.
-///
-/// # Errors
-/// [`FileError::Refused`] with what is allowed.
 pub fn check_name(name: &str) -> Result<(), FileError> {
     const LENGTH_MAX: usize = 64;
     let refuse = |problem: &str| Err(FileError::name(name, problem));

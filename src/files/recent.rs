@@ -14,9 +14,6 @@ use crate::model::scene::Scene;
 const KEPT: u32 = 5;
 
 /// Keep a scene, and give its file: over an older one of the same scene, else where there is none, else over the oldest.
-///
-/// # Errors
-/// [`FileError`].
 pub fn keep(folder: &Path, scene: &Scene) -> Result<PathBuf, FileError> {
     let text = format!("# left unsaved\n{}", write::fresh(scene));
     let files = (1..=KEPT).map(|number| folder.join(format!("unsaved-{number}.toml")));

@@ -201,9 +201,6 @@ pub struct Known(Option<String>);
 
 /// Save the session, whole or not at all. The scene of another workbench that has written there since `known` is kept among the recent
 /// ones first, and where is returned; a session that was saved like this before does not replace it.
-///
-/// # Errors
-/// [`FileError`].
 pub fn save(
     path: &Path,
     session: &Session,

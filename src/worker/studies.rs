@@ -343,9 +343,6 @@ macro_rules! asked_and_found {
             }
 
             /// Searches on a number of threads; `tell` is given the progress and the part so far.
-            ///
-            /// # Errors
-            /// A [`SweepError`] where the request makes no sense for the scene.
             pub fn run(
                 &self,
                 scene: &Scene,

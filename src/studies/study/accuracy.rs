@@ -142,9 +142,6 @@ pub struct Cheapest {
 }
 
 /// Compares all methods on a scene, and shows the report as it grows.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
 pub fn compare(
     scene: &Arc<Scene>,
     effort: ComparisonOptions,

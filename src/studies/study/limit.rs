@@ -238,9 +238,6 @@ impl Report {
 }
 
 /// Find the limit of a scene and its residual-velocity curve.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE);
@@ -272,9 +269,6 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
 }
 
 /// The limit of a scene and nothing else.
-///
-/// # Errors
-/// As [`find`].
 pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len());
@@ -282,9 +276,6 @@ pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, Var
 }
 
 /// The limit velocity of a scene, m/s.
-///
-/// # Errors
-/// Why there is none.
 pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
     let limit = alone(&Arc::new(scene.clone()), &mut Context::new(1, &mut to_its_end));
     let limit = limit.map_err(|error| error.to_string())?;

@@ -131,9 +131,6 @@ pub const SCATTER: f64 = 2.0 * USUAL_DEVIATION;
 
 /// What varies where nothing is named: the variables of Table 9.2 over its ranges, and within [`SCATTER`] whatever else a Monte Carlo
 /// study scatters, as long as no values of theirs exclude each other.
-///
-/// # Errors
-/// None in practice: the table's ranges are sound.
 pub fn usual_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     let mut axes = thesis_axes(scene)?;
     for tolerance in usual_tolerances(scene, USUAL_DEVIATION) {

@@ -84,9 +84,6 @@ pub fn battery(quick: bool) -> Vec<&'static Case> {
 
 /// Run these cases, each measured by the clock `now_s`, and show the rows as they come, in the order of the cases. Fewer than those
 /// when stopped.
-///
-/// # Errors
-/// A [`VariableError`] when a case is not a scene, which a test rules out.
 pub fn run(
     cases: &[&'static Case],
     now_s: &(dyn Fn() -> f64 + Sync),

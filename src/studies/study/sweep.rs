@@ -113,9 +113,6 @@ impl Plan {
     }
 
     /// A plan of designs that are listed later, over any number of axes.
-    ///
-    /// # Errors
-    /// As [`Plan::new`].
     pub fn for_designs(
         scene: &Scene,
         axes: Vec<Axis>,
@@ -162,9 +159,6 @@ impl Plan {
     }
 
     /// The sweep kept with a scene.
-    ///
-    /// # Errors
-    /// As [`Plan::new`]; also where the scene has none.
     pub fn of(scene: &Scene) -> Result<Self, SweepError> {
         let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
         Self::new(scene, Axis::all_of(sweep)?, &sweep.outputs)

@@ -66,21 +66,6 @@ fn breaches(scene: &Scene, run: Option<&Run>) -> Vec<Breach> {
 /// Warnings about results over these axes: those of the scene, and the breaches at the ends of each axis that the scene itself does
 /// not have, the loads of spring, stop and interface among them. Of each breach the worst is given.
 pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
-    along(scene, axes, |text| text)
-}
-
-/// The same for a scene at the first point of its axes: a warning that the last point does not have says where it is from.
-pub fn of_points(scene: &Scene, axes: &[Axis]) -> Vec<String> {
-    let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
-    let last = scene_with(scene, axes, &ends);
-    let last = warnings(&last, run(&last, STEPS_MAX).as_ref());
-    let place = axes.iter().map(|axis| format!("{} = {}", axis.symbol(), shortest(axis.ends().0)));
-    let place = place.collect::<Vec<_>>().join(", ");
-    let labelled = |text: String| format!("at {place}: {text}");
-    along(scene, axes, |text| if last.contains(&text) { text } else { labelled(text) })
-}
-
-fn along(scene: &Scene, axes: &[Axis], labelled: impl Fn(String) -> String) -> Vec<String> {
     let own = run(scene, STEPS_MAX);
     let far = at_ends(scene, own.as_ref(), axes);
     let mut list = warnings(scene, own.as_ref());
@@ -89,7 +74,6 @@ fn along(scene: &Scene, axes: &[Axis], labelled: impl Fn(String) -> String) -> V
             list.retain(|text| *text != breach.to_string());
         }
     }
-    let mut list: Vec<String> = list.into_iter().map(labelled).collect();
     list.extend(far.into_iter().map(|(place, breach)| format!("{place}: {breach}")));
     list
 }
@@ -120,7 +104,7 @@ pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> 
 
 /// Warnings about the results of a sweep: those over its axes, and of what its outputs have to do with each other.
 pub fn of_plan(plan: &Plan) -> Vec<String> {
-    let mut list = of_points(plan.base(), plan.axes());
+    let mut list = of_axes(plan.base(), plan.axes());
     list.extend(of_pair(plan.base(), plan.axes(), plan.outputs()));
     list
 }
@@ -290,18 +274,6 @@ mod tests {
         let list = of_axes(&scene, &axes);
         assert_eq!(count(&list, "at theta = 30: outside validity"), 1, "{list:?}");
         assert_eq!(count(&list, "h/D"), 1, "{list:?}");
-    }
-
-    /// gamma = 0.5 is outside Table 9.2 and gamma = 2 is not; the plate of 2 D is as thick at both.
-    #[test]
-    fn a_warning_of_the_first_point_alone_says_so() {
-        let axes = [Axis::new("gamma", (0.5, 2.0), 4, Spacing::Linear).unwrap()];
-        let list = of_points(&scene("gamma=0.5"), &axes);
-        let starts = |head: &str, word: &str| {
-            list.iter().any(|text| text.starts_with(head) && text.contains(word))
-        };
-        assert!(starts("at gamma = 0.5: ", "gamma = 0.5 is outside"), "{list:?}");
-        assert!(list.iter().any(|it| it.contains("h/D = 2") && !it.starts_with("at ")), "{list:?}");
     }
 
     /// S = 1.1e9 Pa and c = 677.5 kg/m³: 0.551 times the strength of the projectile at 50 m/s, 0.635 at 500 m/s.

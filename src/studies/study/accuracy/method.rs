@@ -195,9 +195,6 @@ enumeration! {
 
 impl Method {
     /// Computes a valid scene.
-    ///
-    /// # Errors
-    /// A [`Refusal`] when the method gives no answer.
     pub fn solve(self, parameter: Parameter, scene: &Scene) -> Result<Answer, Refusal> {
         Job::new(self, parameter, scene).run()
     }
@@ -252,9 +249,6 @@ impl Job {
     }
 
     /// Do it.
-    ///
-    /// # Errors
-    /// A [`Refusal`] when the method gives no answer.
     pub fn run(&self) -> Result<Answer, Refusal> {
         (self.method.run())(self)
     }
@@ -271,9 +265,6 @@ fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
 }
 
 /// The answer of a run that is decided.
-///
-/// # Errors
-/// Why it is not.
 pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     if run.outcome == Outcome::Moving || !run.end.is_complete() {
         return Err(Refusal::Ended(run.end));

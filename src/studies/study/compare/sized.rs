@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::scene::{Mount, Scene, Target};
+use crate::model::scene::{Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware, is_held};
@@ -13,8 +13,6 @@ use crate::study::limit::verdict::{Change, ShotOutcome, change, decide, digits_a
 
 /// Relative width to which the thickness is closed in.
 pub const WIDTH: f64 = 1e-9;
-/// Relative distance from the thickness at which a closure changes that is none.
-const AT_THE_CHANGE: f64 = 1e-4;
 /// How often a bracket is widened by a factor of two before the search is given up.
 const WIDENED_MAX: usize = 20;
 /// The least thickness of the numerical envelope, m.
@@ -118,22 +116,10 @@ impl Sized {
     pub fn mass_efficiency(&self) -> f64 {
         self.solid_areal_kg_m2 / self.areal_kg_m2
     }
-
-    /// Whether the armour or the solid plate is just as thick as the projectile, where a closure by thickness changes.
-    pub(super) fn rests_on_closure(&self) -> bool {
-        let target = &self.scene.target;
-        let change_m = Target::thick_from_m(self.scene.projectile.tip_radius_m);
-        let both_m = [target.thickness_m, self.solid_areal_kg_m2 / target.density_kg_m3];
-        let is_there = |thickness_m: f64| (thickness_m / change_m - 1.0).abs() < AT_THE_CHANGE;
-        self.scene.closure_by_thickness().is_some() && both_m.into_iter().any(is_there)
-    }
 }
 
 /// Mass efficiency of a valid scene at its own impact velocity, its thickness sized to a relative width. Opens no file and keeps
 /// nothing: scene in, number out.
-///
-/// # Errors
-/// Why there is none.
 pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<f64, Absence> {
     if !is_held(scene) {
         return Err(Absence::NothingStops);

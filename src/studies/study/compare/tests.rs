@@ -206,19 +206,6 @@ fn the_map_is_the_closed_form() {
     assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
 }
 
-/// Of a hard core of 6.248 mm against AA6082 a plate of that thickness stops 271 to 287 m/s by one closure and not by the other: the
-/// thinnest armour and solid plate are both of h = D.
-#[test]
-fn a_mass_efficiency_at_the_change_of_closure_comes_with_a_caution() {
-    let core = "m_p=5.3g R=3.124mm rho=2700 Y=260MPa E=70GPa h=12mm k=1 e_spring=18200";
-    let found = |pairs: &str| plain(&format!("{core} closure=by-thickness gamma=41.63 {pairs}"));
-    let at = found("v_i=281");
-    assert!(at.caution().unwrap().contains("closure=double-yield and closure=cavity"));
-    let solid = at.of(Candidate::Rigid).unwrap().sized.as_ref().unwrap();
-    assert!(close(solid.scene.target.thickness_m, 2.0 * 3.124e-3, 1e-8));
-    assert_eq!(found("v_i=200").caution(), None);
-}
-
 #[test]
 fn a_map_over_the_thickness_that_it_sizes_is_refused() {
     let axis = |name| Axis::new(name, (0.01, 0.02), 2, Spacing::Linear).unwrap();
@@ -255,15 +242,4 @@ fn a_request_is_its_command() {
     let head = "compare --size --map v_i=10..200:41:log,gamma=";
     assert!(text.starts_with(head), "{text}");
     assert_eq!(Request::default().to_string(), "compare");
-}
-
-/// The map draws its line of 1 with an `O`.
-#[test]
-fn no_letter_of_the_map_is_that_of_its_line() {
-    let undecided = Absence::Undecided { perforated_m: None, stopped_m: 0.01 };
-    let other =
-        [Absence::NoSolid, Absence::NoThickness, Absence::NothingStops, Absence::NoSpringMass];
-    for absence in [undecided].into_iter().chain(other) {
-        assert_ne!(absence.letter(), 'O', "{}", absence.brief());
-    }
 }

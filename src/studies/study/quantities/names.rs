@@ -11,9 +11,6 @@ pub fn find(name: &str) -> Option<&'static Quantity> {
 
 /// The quantity that is meant by this name: written with blanks or dashes, or without its unit where that means one quantity only
 /// (`stroke`, `limit velocity`).
-///
-/// # Errors
-/// [`SweepError`] with the nearest names.
 pub fn named(name: &str) -> Result<&'static Quantity, SweepError> {
     let written = name.trim();
     let spelled = written.to_lowercase().replace([' ', '-'], "_");

@@ -40,9 +40,6 @@ pub struct Objective {
 
 impl Objective {
     /// One by the name of its measure.
-    ///
-    /// # Errors
-    /// A [`SweepError`] for an unknown name.
     pub fn of(name: &str, maximise: bool) -> Result<Self, SweepError> {
         Ok(Self { measure: named(name)?, maximise })
     }

@@ -210,9 +210,6 @@ fn nearest(values: &[f64], value: f64) -> Option<usize> {
 }
 
 /// That a scene has a map: one plate on a power law, and the hydrodynamic contact.
-///
-/// # Errors
-/// A [`VariableError`] that says what to change.
 pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
     variables::validate(scene)?;
     variables::require_hydrodynamic(scene)?;

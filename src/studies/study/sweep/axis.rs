@@ -62,10 +62,6 @@ impl PartialEq for Axis {
 
 impl Axis {
     /// An axis over the variable `name`, in its stored unit; the ends may be in either order.
-    ///
-    /// # Errors
-    /// [`SweepError`] for an unknown or wordy variable, fewer than two points, equal or impossible ends, and ends that are not
-    /// positive at equal ratios.
     pub fn new(
         name: &str,
         (from, to): (f64, f64),
@@ -78,9 +74,6 @@ impl Axis {
     }
 
     /// The axis a scene requests, where it may have a given number of points.
-    ///
-    /// # Errors
-    /// As [`Axis::new`]; of a list also for a value that stands twice.
     pub fn of(asked: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
         let (variable, number) = numeric(&asked.name)?;
         let mut range = SweepAxis { name: variable.symbol.to_owned(), ..asked.clone() };
@@ -100,9 +93,6 @@ impl Axis {
     }
 
     /// The axes of a sweep as a scene keeps it.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
     pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
         sweep.axes.iter().map(|axis| Self::of(axis, &COUNTS)).collect()
     }

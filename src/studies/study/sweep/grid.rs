@@ -25,9 +25,6 @@ const COARSEST: usize = 16;
 const COARSE_POINTS: usize = 6;
 
 /// That a plan has no more points than a grid.
-///
-/// # Errors
-/// [`SweepError`] where it has more.
 pub fn fits(plan: &Plan) -> Result<(), SweepError> {
     let points = plan.points();
     let most = GRID_MAX;
