@@ -25,14 +25,8 @@ use crate::worker::clock;
 
 const SIZE: draw::Size = (80, 20);
 /// Columns of the table of methods.
-const KEYS: [&str; 6] = [
-    "letter",
-    "method",
-    "least_error",
-    "run_time_s_to_1e-6",
-    "run_time_s_to_1e-9",
-    "cheapest",
-];
+const KEYS: [&str; 6] =
+    ["letter", "method", "least_error", "run_time_s_to_1e-6", "run_time_s_to_1e-9", "cheapest"];
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {

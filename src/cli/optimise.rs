@@ -13,7 +13,7 @@ use crate::model::units::significant;
 use crate::report::front;
 use crate::report::table::{Cells, grid};
 use crate::study::search::front::{
-    Constraint, Report, Objective, Request, SAMPLES, STEPS_MAX, run as search, usual_bounds,
+    Constraint, Objective, Report, Request, SAMPLES, STEPS_MAX, run as search, usual_bounds,
 };
 use crate::study::sweep::Spacing;
 
@@ -87,8 +87,7 @@ impl OptimiseArguments {
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let request = arguments.request()?;
     let preset = arguments.study.load()?;
-    let front =
-        arguments.study.run("runs", |context| search(&preset.scene, &request, context))?;
+    let front = arguments.study.run("runs", |context| search(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let (page, object) = (page(name, &front), front::json(name, &front));
     let warnings = front::warnings(&front);

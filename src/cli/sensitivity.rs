@@ -58,7 +58,8 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         seed: arguments.random.seed,
     };
     let preset = arguments.study.load()?;
-    let report = arguments.study.run("runs", |context| analyse(&preset.scene, &request, context))?;
+    let report =
+        arguments.study.run("runs", |context| analyse(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
         command: request.to_string(),

@@ -475,15 +475,4 @@ mod tests {
             assert_eq!((loaded.session, loaded.notice), (Some(example()), None), "{wrong}");
         }
     }
-
-    #[test]
-    fn recent_files_are_few_and_newest_first() {
-        let mut recent = Vec::new();
-        for number in (0..12).chain([5]) {
-            note_recent(&mut recent, PathBuf::from(format!("{number}.toml")));
-        }
-        assert_eq!(recent.len(), RECENT_MAX);
-        assert_eq!(recent[0], Path::new("5.toml"));
-        assert_eq!(recent[1], Path::new("11.toml"));
-    }
 }

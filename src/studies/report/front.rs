@@ -6,7 +6,7 @@ use crate::model::library;
 use crate::model::run::Outcome;
 use crate::model::units::significant;
 use crate::report::table::Table;
-use crate::study::search::front::{Design, Report, Lack};
+use crate::study::search::front::{Design, Lack, Report};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 

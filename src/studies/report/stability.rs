@@ -13,14 +13,8 @@ use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
 use crate::study::stability::{Row, Shortfall};
 
 /// Columns of a page that say how a scene has run.
-pub const HOW_IT_RAN: [&str; 6] = [
-    "outcome",
-    "energy_residual",
-    "error",
-    "steps",
-    "run_time_s",
-    "stiffness",
-];
+pub const HOW_IT_RAN: [&str; 6] =
+    ["outcome", "energy_residual", "error", "steps", "run_time_s", "stiffness"];
 
 /// A size in five characters: `2e-13`.
 fn brief(value: f64) -> String {

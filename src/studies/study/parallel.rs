@@ -155,26 +155,6 @@ mod tests {
     }
 
     #[test]
-    fn breaking_off_ends_a_sweep_that_would_never_end() {
-        for threads in [1, 2] {
-            let mut taken = 0;
-            let ended = map(
-                threads,
-                Work { count: u64::MAX >> 1, at_once: 1 },
-                || |piece: Range<u64>| piece.start,
-                |news| {
-                    if let Some((_, start)) = news {
-                        assert_eq!(start, taken);
-                        taken += 1;
-                    }
-                    if taken == 100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-                },
-            );
-            assert!(ended.is_break());
-        }
-    }
-
-    #[test]
     fn who_waits_for_a_piece_is_asked_and_stops_it() {
         let stop = AtomicBool::new(false);
         for threads in [1, 2] {

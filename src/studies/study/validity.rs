@@ -247,9 +247,8 @@ pub fn counted(counts: &[(Check, usize)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::quantities::named;
+
     use crate::study::sweep::Spacing;
-    use crate::study::testing::scene;
 
     /// The baseline's interface carries 0.108 of its strength; cocked by 0.5 m, 2.875 times as much as it can.
     #[test]
@@ -307,57 +306,5 @@ mod tests {
                 "{list:?}"
             );
         }
-    }
-
-    #[test]
-    fn a_limit_beside_the_mass_of_its_springs_is_named() {
-        let limit = "limit_velocity_m_s";
-        let of = |pairs: &str, axes: &[Axis], names: [&str; 2]| {
-            of_pair(&scene(pairs), axes, &names.map(|name| named(name).unwrap()))
-        };
-        let text = of("k=1e5", &[], [limit, "areal_mass_kg_m2"]).unwrap();
-        assert!(text.contains("areal_mass_kg_m2 are sized for v_i"), "{text}");
-        let softness = [Axis::new("k", (0.0, 1e5), 2, Spacing::Linear).unwrap()];
-        assert!(of("k=0", &softness, [limit, "system_mass_kg"]).is_some());
-        for (pairs, mass) in [
-            ("k=0", "areal_mass_kg_m2"),
-            ("k=1e5 mount=rigid", "areal_mass_kg_m2"),
-            ("k=1e5", "plate_mass_kg"),
-        ] {
-            assert!(of(pairs, &[], [limit, mass]).is_none(), "{pairs} {mass}");
-        }
-        assert!(of("k=1e5", &[], ["limit_if_spring_survives_m_s", "areal_mass_kg_m2"]).is_none());
-    }
-
-    fn cocked(distance_m: f64) -> Scene {
-        let mut scene = Scene::default();
-        scene.plate.cocking_m = distance_m;
-        scene
-    }
-
-    /// Of the baseline and the baseline cocked by 0.5 m, the second overloads its interface; the scenes alone do not show it.
-    #[test]
-    fn designs_are_counted_by_their_runs_and_after_a_stop_by_their_scenes() {
-        let count = |is_run: bool| {
-            let of =
-                |scene| Checked::of(&scene, named("stroke_m").unwrap(), &[], &mut || is_run).fails;
-            let fails = [0.0, 0.5].map(cocked).map(of);
-            let counts = counts_of(&fails);
-            let of = |check| counts.iter().find(|it| it.0 == check).map_or(0, |it| it.1);
-            (of(Check::Thickness), of(Check::Interface))
-        };
-        assert_eq!((count(true), count(false)), ((2, 1), (2, 0)));
-    }
-
-    #[test]
-    fn the_warnings_of_a_design_are_told_from_those_that_its_scene_has() {
-        let depth = named("final_penetration_m").unwrap();
-        let known = Checked::of(&cocked(0.0), depth, &[], &mut || true).fails;
-        let of = |distance_m| Checked::of(&cocked(distance_m), depth, &known, &mut || true);
-        let has = |list: &[String], words| list.iter().any(|text| text.contains(words));
-        assert!(of(0.0).new.is_empty() && has(&of(0.0).known, "h/D"), "{:?}", of(0.0));
-        let far = of(0.5);
-        assert!(has(&far.new, "interface push is 2.875") && has(&far.known, "h/D"), "{far:?}");
-        assert!(far.fails.contains(&Check::Interface) && far.fails.contains(&Check::Thickness));
     }
 }

@@ -339,29 +339,4 @@ mod tests {
         };
         assert_eq!((at(20.0), at(85.0)), ([false; 2], [true; 2]));
     }
-
-    /// Element 1 is perforated, and a base plate of infinite thickness stops what comes through it.
-    #[test]
-    fn a_stack_is_told_by_the_plate_that_stops_the_shot() {
-        let run = run_of(|scene| {
-            scene.projectile.velocity_m_s = 400.0;
-            scene.stack.base_thickness_m = Some(1.0);
-        });
-        assert_eq!(run.outcome, Outcome::Perforated);
-        assert!(outcome(&run).starts_with("stack: stopped in the base plate"), "{}", outcome(&run));
-        assert_eq!(of_first(&run), " of element 1");
-    }
-
-    #[test]
-    fn a_perforation_is_told_by_its_residual_velocity_and_estimated_by_its_exit_time() {
-        let run = run_of(|scene| scene.projectile.velocity_m_s = 400.0);
-        assert!(outcome(&run).starts_with("perforated, residual velocity 279.9 m/s"));
-        assert!(sentence(&run).contains("its residual velocity is 279.9 m/s"));
-        let lines = computation(&run, None).join("\n");
-        assert!(
-            lines.contains(" of the exit time (from a second computation with fewer stages)"),
-            "{lines}"
-        );
-        assert!(!lines.contains("run time"), "{lines}");
-    }
 }

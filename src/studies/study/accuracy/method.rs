@@ -331,12 +331,4 @@ mod tests {
         assert_eq!(thesis.len(), 5);
         assert!(!Method::Rk4.parameters(1e3, Ladder::Quick).is_empty());
     }
-
-    #[test]
-    fn letters_are_unique() {
-        let mut letters = Method::ALL.map(Method::letter).to_vec();
-        letters.sort_unstable();
-        letters.dedup();
-        assert_eq!(letters.len(), Method::ALL.len());
-    }
 }

@@ -7,7 +7,7 @@ use super::*;
 use crate::model::reference::Stored;
 use crate::model::run::Outcome;
 use crate::study::changed_free_plate;
-use crate::study::context::{to_its_end, until};
+use crate::study::context::to_its_end;
 
 fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
@@ -127,16 +127,6 @@ fn every_error_has_a_reference_of_other_steps_and_none_lies_below_its_uncertaint
             }
         }
     }
-}
-
-#[test]
-fn a_stopped_comparison_keeps_what_it_has() {
-    let mut watch = until(1);
-    let context = &mut Context::new(1, &mut watch);
-    let report =
-        compare(&scene("k=1e5"), ComparisonOptions::QUICK, &mut ticking(), context).unwrap();
-    assert!(!report.is_complete);
-    assert_eq!(report.methods.iter().map(|method| method.points.len()).sum::<usize>(), 2);
 }
 
 /// A report of points with a tolerance, an error and a run time each.

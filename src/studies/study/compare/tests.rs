@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::*;
-use crate::study::compare::map::{Map, usual_axes, usual_axis};
+use crate::study::compare::map::{Map, usual_axis};
 use crate::study::context::{to_its_end, until};
 use crate::study::sweep::{Axis, Spacing};
 use crate::study::testing::scene;
@@ -169,17 +169,6 @@ fn what_does_not_exist_is_absent() {
 }
 
 #[test]
-fn a_stack_is_refused() {
-    let stack = scene("elements=2 h_base=3mm");
-    let mut watch = to_its_end;
-    let context = &mut Context::new(1, &mut watch);
-    let refused = compare(&Arc::new(stack.clone()), Hardware::default(), context).unwrap_err();
-    assert!(refused.to_string().contains("looks at one plate"), "{refused}");
-    assert_eq!(mass_efficiency(&stack, Hardware::default(), WIDTH), Err(Absence::Stack));
-    assert!(limit_if_spring_survives_m_s(&stack).is_err());
-}
-
-#[test]
 fn the_map_is_the_closed_form() {
     let axis = |name, ends, count| Axis::new(name, ends, count, Spacing::Linear).unwrap();
     let axes = [axis("v_i", (10.0, 90.0), 41), axis("gamma", (0.5, 7.0), 4)];
@@ -207,18 +196,6 @@ fn the_map_is_the_closed_form() {
 }
 
 #[test]
-fn a_map_over_the_thickness_that_it_sizes_is_refused() {
-    let axis = |name| Axis::new(name, (0.01, 0.02), 2, Spacing::Linear).unwrap();
-    let axes = [axis("h"), axis("face")];
-    let map = |pairs: &str| {
-        let mut watch = to_its_end;
-        let context = &mut Context::new(1, &mut watch);
-        Map::compute(&scene(pairs), &axes, Hardware::default(), context)
-    };
-    assert!(map("face=0.1").unwrap_err().to_string().contains("does not depend on h"));
-}
-
-#[test]
 fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
     let limit = |pairs: &str| limit_if_spring_survives_m_s(&scene(pairs)).unwrap();
     let pairs = "k=1e3 v_i=20 m_spring=10g";
@@ -232,14 +209,4 @@ fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
     assert!((limit("mount=rigid") - 232.295_378).abs() < 5e-7);
     let beyond = limit_if_spring_survives_m_s(&scene("k=0 gamma=0.05")).unwrap_err();
     assert!(beyond.contains("beyond 3000 m/s"), "{beyond}");
-}
-
-/// The command that is shown asks for the same.
-#[test]
-fn a_request_is_its_command() {
-    let map = usual_axes(&Scene::default());
-    let text = Request { hardware: Hardware::Sized, map }.to_string();
-    let head = "compare --size --map v_i=10..200:41:log,gamma=";
-    assert!(text.starts_with(head), "{text}");
-    assert_eq!(Request::default().to_string(), "compare");
 }

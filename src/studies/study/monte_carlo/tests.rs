@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::*;
-use crate::study::context::{to_its_end, until};
+use crate::study::context::to_its_end;
 use crate::study::limit::closed_form;
 use crate::study::testing::rigid;
 
@@ -91,18 +91,6 @@ fn what_is_impossible_is_drawn_again_and_counted() {
     let share = report.redrawn[0] as f64 / 2000.0;
     assert!((share - 0.1886).abs() < 0.04, "{share}");
     assert_eq!(report.samples, 2000);
-}
-
-#[test]
-fn a_stop_keeps_what_there_is() {
-    let scene = Scene::default();
-    let tolerances = usual_tolerances(&scene, USUAL_DEVIATION);
-    let symbols: Vec<&str> = tolerances.iter().map(Tolerance::symbol).collect();
-    assert_eq!(symbols, ["v_i", "m_p", "R", "h", "rho", "S_y", "C_d", "gamma", "k"]);
-    let asked = task(tolerances, &["percent_of_baseline", "stroke_m"], 3000);
-    let cut = run(&scene, &asked, &mut Context::new(2, &mut until(2100))).unwrap();
-    assert!(!cut.is_complete && cut.samples > 2000 && cut.samples < 3000);
-    assert_eq!(cut.summaries[0].sorted.len(), cut.samples);
 }
 
 #[test]

@@ -369,7 +369,7 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::context::{Progress, to_its_end};
+    use crate::study::context::to_its_end;
 
     fn wanted(size: Size) -> Wanted {
         Wanted { method: FixedStep::Rk4, axis: Axis::B, size }
@@ -420,22 +420,5 @@ mod tests {
         let target = Target::of(&scene).unwrap();
         let limit_s = limit(&scene, FixedStep::Rk4, &target.peaks).unwrap();
         assert!((1e-12..1e-10).contains(&limit_s), "{limit_s:e}");
-    }
-
-    #[test]
-    fn a_map_that_is_stopped_keeps_its_rows() {
-        let mut rows = 0;
-        let stop = &mut |progress: Progress, _: Option<&Map>| {
-            assert_eq!((progress.done, progress.total), (rows, 40));
-            rows += 1;
-            if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
-        let context = &mut Context::new(1, stop);
-        let size = Size { rows: 40, columns: 5 };
-        let map = map(&Scene::default(), wanted(size), context);
-        assert_eq!(map.cells.len(), 200);
-        assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Waiting));
-        assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Waiting));
-        assert_eq!(rows, 3);
     }
 }

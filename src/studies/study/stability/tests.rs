@@ -32,22 +32,3 @@ fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
     let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
     assert_eq!(names, cases.iter().map(|case| case.name).collect::<Vec<_>>());
 }
-
-/// Not only between two scenes: one may take seconds.
-#[test]
-fn a_battery_is_stopped_within_a_scene_and_keeps_what_it_has() {
-    let all = battery(false);
-    let quick = all.iter().find(|case| case.name != "plastic, n 0.22, g 0").unwrap();
-    // It has millions of steps, and is stopped while it runs.
-    let long = all.iter().find(|case| case.name == "plastic, n 0.22, g 0").unwrap();
-    let mut asked = None;
-    let watch = &mut |progress: Progress, _: Option<&[Row]>| {
-        if progress.done > 0 {
-            asked = Some(asked.unwrap_or(0) + 1);
-        }
-        if asked > Some(2) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let context = &mut Context::new(1, watch);
-    let rows = run(&[*quick, *long], &|| 0.0, context).unwrap();
-    assert!(rows.len() == 1 && context.is_stopped());
-}

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::model::run::Outcome;
-use crate::study::context::{CancelFlag, Context, to_its_end, until};
+use crate::study::context::{CancelFlag, Context, to_its_end};
 use crate::study::parallel::{self, Work};
 use crate::study::plain_run;
 use crate::study::testing::scene;
@@ -21,26 +21,6 @@ fn axis(name: &str, from: f64, to: f64, count: u64) -> Axis {
 fn rows(plan: &Plan) -> Rows {
     let stop = CancelFlag::default();
     Evaluator::new(plan, &stop).rows(0..plan.points())
-}
-
-#[test]
-fn the_last_axis_runs_fastest() {
-    let axes = vec![axis("gamma", 1.0, 2.0, 2), axis("k", 0.0, 3.0, 4), axis("n", 1.0, 3.0, 3)];
-    let plan = Plan::new(&Scene::default(), axes, &NONE).unwrap();
-    assert_eq!(plan.points(), 24);
-    let mut index = 0;
-    for gamma in [1.0, 2.0] {
-        for k in [0.0, 1.0, 2.0, 3.0] {
-            for n in [1.0, 2.0, 3.0] {
-                let found = [0, 1, 2].map(|axis| plan.coordinate(index, axis).to_bits());
-                assert_eq!(found, [gamma, k, n].map(f64::to_bits), "{index}");
-                let scene = plan.scene(index);
-                assert_eq!(scene.plate.mass_ratio.to_bits(), f64::to_bits(gamma));
-                assert_eq!(scene.mechanism.spring.exponent.to_bits(), f64::to_bits(n));
-                index += 1;
-            }
-        }
-    }
 }
 
 /// Nothing stops a plate without spring; no shot in range perforates 5 m of it.
@@ -92,14 +72,6 @@ fn each_point_is_in_one_shard_and_in_order() {
         let error = Shard::parse(text).unwrap_err().to_string();
         assert!(error.contains("2/8"), "{error}");
     }
-}
-
-#[test]
-fn great_sweeps_are_enumerated_without_memory() {
-    let axes = vec![axis("gamma", 0.8, 7.0, 10_000), axis("k", 0.0, 7.5e6, 10_000)];
-    let plan = Plan::new(&Scene::default(), axes, &NONE).unwrap();
-    assert_eq!(plan.points(), 100_000_000);
-    assert_eq!(plan.coordinate(99_999_999, 0).to_bits(), 7f64.to_bits());
 }
 
 /// The value of an output by a single full simulation.
@@ -243,18 +215,6 @@ fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
     }
     // k = 0: nothing stops the plate.
     assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Ended(Outcome::Arrested)));
-}
-
-#[test]
-fn a_stopped_grid_keeps_the_finished_part() {
-    let axes = vec![axis("gamma", 0.8, 7.0, 101), axis("n", 0.1, 3.0, 101)];
-    // With a stop every point is a full simulation: none is over before the flag is seen.
-    let plan = Plan::new(&scene("x_stop=2mm"), axes, &USUAL_OUTPUTS).unwrap();
-    let grid = Grid::new(Arc::new(plan)).unwrap().fill(4, &mut Context::new(2, &mut until(20)));
-    let (done, all) = grid.progress();
-    assert!((20..200).contains(&done), "{done} of {all}");
-    assert_eq!(grid.outcomes().total(), done as u64);
-    assert_eq!(grid.outcomes().failed, 0, "a stopped point is not a failed one");
 }
 
 #[test]

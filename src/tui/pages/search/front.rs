@@ -2,7 +2,7 @@
 
 use crate::report::front::{lacks, page_keys, table, warnings};
 use crate::report::table::Cells;
-use crate::study::search::front::{self, Report, Objective, USUAL};
+use crate::study::search::front::{self, Objective, Report, USUAL};
 use crate::study::sweep;
 use crate::study::validity::counted;
 use crate::tui::app::notice::outside;

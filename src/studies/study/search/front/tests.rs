@@ -102,14 +102,3 @@ fn feasible_designs_have_no_warning_on_the_unsafe_side() {
     asked.is_feasible = true;
     assert_eq!(fails(&asked), 0);
 }
-
-#[test]
-fn the_command_of_a_request_has_what_is_not_usual() {
-    assert_eq!(Request::default().to_string(), "optimise");
-    let mut asked = request(&[("gamma", 0.8, 7.0)], &["stroke_m"]);
-    asked.is_feasible = true;
-    assert_eq!(
-        asked.to_string(),
-        "optimise --over gamma=0.8..7:2 --minimise stroke_m --subject-to none --samples 1024"
-    );
-}
