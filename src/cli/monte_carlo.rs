@@ -32,7 +32,7 @@ pub(super) struct MonteCarloArguments {
     )]
     vary: Vec<String>,
     /// Quantities, separated by commas [default: all but those about the computation]
-    #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
     /// Number of samples [default: 10000, or 200 where each takes a limit search]
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]

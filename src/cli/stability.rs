@@ -109,7 +109,6 @@ const LEGEND: &str = "\
 ends        arrested, perforated, separated, moving (undecided at the horizon), or CUT
 error       of final depth (of exit time if perforated), against s stored digits, D DOP853 at 1e-13 or R Radau IIA of order 5 \
 at 1e-12, or t this solver at 1e-13 where both fail
-stiff       largest rate of spring or damper times the contact's duration
 
 ";
 

@@ -162,9 +162,9 @@ struct Source<'a> {
 
 impl Delivery<'_> {
     /// Print the page or the rows, and write the file.
-    pub(super) fn deliver<R>(&self, page: &str, table: Table<'_, R>) -> Result<(), CliError> {
-        let table = marked(table);
-        self.deliver_texts(page, &|| table.json(), &|| table.csv())
+    pub(super) fn deliver<R>(&self, page: &str, rows: Table<'_, R>) -> Result<(), CliError> {
+        let rows = marked(rows);
+        self.deliver_texts(page, &|| rows.json(), &|| rows.csv())
     }
 
     /// The same for a report whose JSON object has more than its rows.

@@ -295,32 +295,6 @@ mod tests {
     }
 
     #[test]
-    fn the_files_of_a_table_are_known_by_any_path() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.csv");
-        let to = Destination { path, existing: Existing::Keep, has_scene: true };
-        for (name, is_own) in [("./a.csv", true), ("a.toml", true), ("a.svg", false)] {
-            assert_eq!(to.has(&folder.path().join(name)), is_own, "{name}");
-        }
-        let alone = Destination { has_scene: false, ..to };
-        assert!(!alone.has(&folder.path().join("a.toml")));
-    }
-
-    #[test]
-    fn a_scene_that_someone_wrote_is_in_the_way_of_a_scene_alone() {
-        let folder = tempfile::tempdir().unwrap();
-        let (path, own) = (folder.path().join("a.csv"), folder.path().join("a.toml"));
-        fs::write(&own, "format = 1").unwrap();
-        let to = Destination { path, existing: Existing::Replace, has_scene: true };
-        let scene = Scene::default();
-        let (notes, command) = (String::new(), "run".to_owned());
-        let beside = Beside { run: None, scene: &scene, notes, command };
-        assert!(to.write(b"1\n", &[beside], true).is_err() && !to.path.exists());
-        assert_eq!(to.write(b"1\n", &[], true).unwrap(), [to.path]);
-        assert_eq!(fs::read_to_string(own).unwrap(), "format = 1");
-    }
-
-    #[test]
     fn a_sidecar_that_someone_edited_is_not_replaced() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
@@ -344,17 +318,6 @@ mod tests {
             assert_eq!(error.contains("is kept in"), !is_complete, "{error}");
             assert_eq!(fs::read_to_string(&own).unwrap(), edited);
             fs::remove_file(own).unwrap();
-        }
-    }
-
-    #[test]
-    fn the_sidecar_stands_beside() {
-        for (csv, run, expected) in [
-            ("out/a.csv", None, "out/a.toml"),
-            ("out/a.CSV", Some("B"), "out/a-B.toml"),
-            ("v1.2", None, "v1.2.toml"),
-        ] {
-            assert_eq!(sidecar_path(Path::new(csv), run), Path::new(expected));
         }
     }
 }

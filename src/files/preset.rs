@@ -328,33 +328,4 @@ mod tests {
         assert!(error.to_string().contains("was not replaced"), "{error}");
         assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));
     }
-
-    #[test]
-    fn unreadable_presets_are_reported() {
-        let place = tempfile::tempdir().unwrap();
-        let paths = Paths::below(place.path());
-        let problems = || -> Vec<String> {
-            list(Some(&paths)).unreadable.iter().map(|it| it.error.to_string()).collect()
-        };
-        // No folder yet: nothing has been saved.
-        assert!(problems().is_empty(), "{:?}", problems());
-        fs::create_dir_all(&paths.presets).unwrap();
-        let long = "n".repeat(65);
-        fs::write(paths.presets.join(format!("{long}.toml")), "format = 1\n").unwrap();
-        fs::write(paths.presets.join("notes.txt"), "no preset").unwrap();
-        assert_eq!(problems().len(), 1);
-        fs::create_dir(paths.preset_file("folder")).unwrap();
-        let error = resolve("folder", Some(&paths)).unwrap_err().to_string();
-        assert!(error.contains("folder.toml`: is a directory"), "{error}");
-        fs::remove_dir(paths.preset_file("folder")).unwrap();
-        assert!(
-            problems()[0].contains(&long) && problems()[0].contains("1 to 64"),
-            "{}",
-            problems()[0]
-        );
-        fs::remove_dir_all(&paths.presets).unwrap();
-        // A folder that cannot be read.
-        fs::write(&paths.presets, "a file").unwrap();
-        assert!(problems()[0].contains("presets"), "{}", problems()[0]);
-    }
 }

@@ -387,33 +387,6 @@ mod tests {
         assert_eq!(load(&path).session, Some(of(3.0)));
     }
 
-    /// Each round, two that began on the same session save at the same moment: one of them is kept aside.
-    #[test]
-    fn two_that_save_at_once_are_both_kept() {
-        for round in 0..40 {
-            let place = tempfile::tempdir().unwrap();
-            let path = place.path().join("session.toml");
-            save(&path, &example(), &mut Known::default()).unwrap();
-            let known = load(&path).known;
-            let barrier = std::sync::Barrier::new(2);
-            std::thread::scope(|scope| {
-                for ratio in [2.0, 3.0] {
-                    let (mut known, barrier, path) = (known.clone(), &barrier, &path);
-                    scope.spawn(move || {
-                        let mut session = example();
-                        session.scene.plate.mass_ratio = ratio;
-                        barrier.wait();
-                        save(path, &session, &mut known).unwrap();
-                    });
-                }
-            });
-            let here = load(&path).session.unwrap().scene.plate.mass_ratio;
-            let aside = fs::read_to_string(place.path().join("recent/unsaved-1.toml")).unwrap();
-            let both = here + read::scene(&aside, "kept").unwrap().plate.mass_ratio;
-            assert!((both - 5.0).abs() < 1e-12, "round {round}: one of them is lost");
-        }
-    }
-
     #[test]
     fn a_session_of_nine_great_scenes_comes_back() {
         let place = tempfile::tempdir().unwrap();

@@ -173,7 +173,7 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
     };
     let absences = found.cells.iter().filter_map(|cell| cell.err());
     let mut marks: Vec<(char, String)> =
-        absences.map(|absence| (absence.letter(), absence.brief())).collect();
+        absences.map(|absence| (absence.letter(), absence.words())).collect();
     marks.sort();
     marks.dedup();
     let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;

@@ -158,9 +158,8 @@ fn closures(closures: &Closures) -> String {
     )
 }
 
-/// The shots, in order of velocity, with what each fitted law says and the limit or what it lies between.
+/// The shots, in order of velocity, with what each fitted law says and the limit.
 pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
-    let (above, below) = report.limit.bracket_m_s();
     let limit_m_s = report.limit.velocity_m_s();
     Table::of(&report.shots)
         .with("scene", "scene", "", move |_| name)
@@ -174,8 +173,6 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
             report.lambert_jonas.map(|law| law.residual_m_s(shot.impact_m_s))
         })
         .with("limit_velocity_m_s", "limit", "m/s", move |_| limit_m_s)
-        .with("limit_above_m_s", "limit above", "m/s", move |_| above)
-        .with("limit_below_m_s", "limit below", "m/s", move |_| below)
 }
 
 fn recht_ipson(law: ResidualLaw) -> Value {
@@ -190,9 +187,8 @@ fn lambert_jonas(law: ResidualLaw) -> Value {
 pub fn json(name: &str, report: &Report) -> Value {
     let (basis, stopped) = match report.limit {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
-        Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => (None, None),
+        Limit::Never | Limit::Always | Limit::Unknown => (None, None),
     };
-    let (above, below) = report.limit.bracket_m_s();
     let load = report.at_limit.as_ref().map(|it| it.load).unwrap_or_default();
     let closures = report.closures.map(|closures| {
         json!({
@@ -218,8 +214,6 @@ pub fn json(name: &str, report: &Report) -> Value {
         "criterion": report.scene.target.criterion.word(),
         "basis": basis,
         "no_limit": report.limit.absence(),
-        "limit_above_m_s": above,
-        "limit_below_m_s": below,
         "stopped_again_at_m_s": stopped,
         "undecided_at_m_s": report.undecided_at_m_s(),
         "impact_velocity_m_s": report.scene.projectile.velocity_m_s,

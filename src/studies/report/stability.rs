@@ -13,8 +13,7 @@ use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
 use crate::study::stability::{Row, Shortfall};
 
 /// Columns of a page that say how a scene has run.
-pub const HOW_IT_RAN: [&str; 6] =
-    ["outcome", "energy_residual", "error", "steps", "run_time_s", "stiffness"];
+pub const HOW_IT_RAN: [&str; 5] = ["outcome", "energy_residual", "error", "steps", "run_time_s"];
 
 /// A size in five characters: `2e-13`.
 fn brief(value: f64) -> String {
@@ -53,10 +52,6 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .with("rejected", "rejected", "", |row| row.run.cost.rejected)
         .with("run_time_s", "time", "", |row| row.took_s)
         .shown(|row, _| Some(engineering(row.took_s, "s", 2)))
-        .with("stiffness", "stiff", "", |row| row.stiffness.largest())
-        .shown(|_, value| Some(brief(value.as_f64()?)))
-        .with("swings_rad", "oscillations", "rad", |row| row.stiffness.swings_rad)
-        .with("decays", "decays", "", |row| row.stiffness.decays)
         .with("shortfall", "pass", "", |row| row.shortfall.map(Shortfall::words))
         .shown(|row, _| Some(if row.shortfall.is_some() { "FAIL" } else { "ok" }.to_owned()))
         .with("why_hard", "difficulty", "", |row| row.case.why)

@@ -164,8 +164,6 @@ pub struct Report {
     pub redrawn: Vec<usize>,
     /// Seed.
     pub seed: u64,
-    /// Samples wanted.
-    pub wanted: usize,
     /// Samples done.
     pub samples: usize,
     /// How they ended.
@@ -255,8 +253,7 @@ pub fn run(
     let (wanted, seed) = (request.count(), request.seed);
     let space = space(scene, request, &tolerances)?;
     let mut draw = Draw::new(scene, &tolerances, seed);
-    let mut report =
-        Report { tolerances: tolerances.clone(), wanted, seed, model, ..Report::default() };
+    let mut report = Report { tolerances: tolerances.clone(), seed, model, ..Report::default() };
     let limit = space.outputs().iter().position(|it| it.name == LIMIT);
     let limit = limit.filter(|_| model != ModelError::default());
     let (mut errors, mut corrected) = (Random::new(!seed), Vec::new());

@@ -42,22 +42,6 @@ enumeration! {
     Error { words: "error" }
 }
 
-/// How stiff a contact is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stiffness {
-    /// The spring's greatest angular frequency times the contact's duration, rad.
-    pub swings_rad: f64,
-    /// The damper's greatest decay rate times the contact's duration.
-    pub decays: f64,
-}
-
-impl Stiffness {
-    /// The largest mechanism rate times the contact's duration.
-    pub fn largest(self) -> f64 {
-        larger(self.swings_rad, self.decays)
-    }
-}
-
 /// One scene of the battery, run.
 #[derive(Clone, Debug)]
 pub struct Row {
@@ -71,8 +55,6 @@ pub struct Row {
     pub error: Option<f64>,
     /// Its reference; `None` while undecided, or where no other computation got through.
     pub basis: Option<ReferenceSource>,
-    /// How stiff the contact is.
-    pub stiffness: Stiffness,
     /// Why `auto` falls short, if it does.
     pub shortfall: Option<Shortfall>,
 }
@@ -113,9 +95,8 @@ fn examine(
     let reference = references.other.or(references.engine);
     let error = reference.and_then(|reference| error_of(&run, &reference));
     let basis = reference.filter(|_| error.is_some()).map(|reference| reference.basis);
-    let stiffness = stiffness(&scene, &run);
     let shortfall = shortfall(&run, error);
-    let row = Row { case, run, took_s, error, basis, stiffness, shortfall };
+    let row = Row { case, run, took_s, error, basis, shortfall };
     (!stop.is_set()).then_some(row)
 }
 
@@ -151,15 +132,6 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
     } else {
         // A reference that ends otherwise makes the error NaN, which is no less short.
         error.filter(|error| error.is_nan() || *error > ERROR_MAX).map(|_| Shortfall::Error)
-    }
-}
-
-/// The largest rates of spring and damper within the contact times its duration.
-fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
-    let peaks = Peaks::of(scene, run).unwrap_or_default();
-    Stiffness {
-        swings_rad: peaks.oscillation * peaks.contact_s,
-        decays: peaks.decay * peaks.contact_s,
     }
 }
 

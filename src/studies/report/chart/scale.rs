@@ -337,22 +337,6 @@ mod tests {
     }
 
     #[test]
-    fn the_crosshair_walks_by_cells_and_stops_at_the_bounds() {
-        let map = Mapping::new(Scale::Linear, ViewRange::new(0.0, 200.0), 41);
-        let steps = [
-            (50.0, 1, 55.0),
-            (50.0, -10, 0.0),
-            (50.0, -11, 0.0),
-            (50.0, i32::MAX, 200.0),
-            (1e9, -1, 195.0),
-            (f64::NAN, 0, 0.0),
-        ];
-        for (from, by, to) in steps {
-            assert!((map.stepped(from, by) - to).abs() < 1e-12, "{from} {by}");
-        }
-    }
-
-    #[test]
     fn rounded_bounds_hold_the_range_and_are_easily_read() {
         let linear = |lo, hi| ViewRange::new(lo, hi).rounded(Scale::Linear);
         assert_eq!(linear(0.0, 7.1), ViewRange::new(0.0, 8.0));

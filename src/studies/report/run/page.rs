@@ -290,7 +290,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::run::EventKind;
+
     use crate::model::simulate::{Settings, simulate};
 
     fn run_of(change: impl Fn(&mut Scene)) -> Run {
@@ -299,20 +299,6 @@ mod tests {
         let settings = Settings { series: false, estimate: true };
         simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(()))
             .expect("a valid scene")
-    }
-
-    #[test]
-    fn a_long_list_of_events_is_cut_in_the_middle() {
-        let event = |index: u32| Event { t_s: f64::from(index), kind: EventKind::StopHit };
-        let with = |count| Run { events: (0..count).map(event).collect(), ..Run::default() };
-        assert_eq!(events_in_brief(&with(20)), events(&with(20)));
-        let lines = events_in_brief(&with(321));
-        assert_eq!(lines.len(), 21);
-        assert!(
-            lines[10].starts_with("... 301 more") && lines[9].contains("9.00000 s"),
-            "{lines:?}"
-        );
-        assert!(lines[11].contains("311.000 s") && lines[20].contains("320.000 s"), "{lines:?}");
     }
 
     /// Without a spring both bodies, of equal mass, share the momentum: half the velocity, half the energy.

@@ -1,7 +1,5 @@
 //! The comparison against closed forms.
 
-use std::ops::ControlFlow;
-
 use super::*;
 use crate::study::compare::map::{Map, usual_axis};
 use crate::study::context::{to_its_end, until};
@@ -77,19 +75,6 @@ fn undecided_runs_of_thicker_plates_do_not_hide_the_thinnest_that_stops_the_shot
 }
 
 #[test]
-fn a_thickness_between_two_says_which_and_gives_no_verdict() {
-    let absence = Absence::Undecided { perforated_m: Some(1.5e-3), stopped_m: 1.6e-3 };
-    let text = absence.words();
-    assert!(
-        text.contains("above 1.50000 mm (perforated) and below 1.60000 mm (stopped)"),
-        "{text}"
-    );
-    let mut report = plain("k=1e5");
-    report.entries[0].sized = Err(absence);
-    assert_eq!((report.verdict(), report.caution()), (Profitability::Unknown, Some(text)));
-}
-
-#[test]
 fn a_rigid_plate_is_its_own_solid_plate() {
     for pairs in ["", "theta=30deg", "C_d=0", "h=3mm"] {
         let found = plain(pairs);
@@ -147,25 +132,6 @@ fn preload_is_the_energy_of_the_cocked_spring_and_a_rigid_stop_has_no_greatest_f
     let stopped = plain("k=1e5 x_stop=5mm");
     assert_eq!(stopped.uncounted, ["stop"]);
     assert!(stopped.of(Candidate::Scene).unwrap().load.mount_force_n.is_none());
-}
-
-#[test]
-fn what_does_not_exist_is_absent() {
-    let found = plain("k=0 b=0");
-    let load = found.of(Candidate::Scene).unwrap().load;
-    assert!(load.stroke_m.is_none() && load.preload_j.is_none() && load.mount_force_n.is_none());
-    // No spring, no mass of a spring: the solid plate is the rigid one.
-    assert_eq!(found.of(Candidate::Scene).unwrap().spring_kg, Some(0.0));
-    let perforated = plain("v_i=400");
-    let own = perforated.of(Candidate::Rigid).unwrap();
-    assert!(own.depth_m.is_none() && own.residual_m_s.is_some());
-    let mut asked = 0;
-    let stop = &mut |_, _: Option<&()>| {
-        asked += 1;
-        if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let cut = compare(&Arc::default(), Hardware::default(), &mut Context::new(1, stop)).unwrap();
-    assert!(!cut.is_complete && cut.entries.is_empty());
 }
 
 #[test]

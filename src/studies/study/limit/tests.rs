@@ -116,14 +116,6 @@ fn undecided_shots_below_a_known_change_leave_the_limit_known() {
     assert_eq!(found("k=1e5").undecided(), None);
 }
 
-#[test]
-fn a_limit_between_two_velocities_says_which() {
-    let limit = Limit::Between { stopped_m_s: Some(157.325), perforated_m_s: Some(157.337) };
-    let text = limit.absence().unwrap();
-    assert!(text.contains("157.325 m/s (stopped)") && text.contains("157.337 m/s (perforated)"));
-    assert_eq!((limit.velocity_m_s(), limit.bracket_m_s().0), (None, Some(157.325)));
-}
-
 /// The plate of a damper goes the less far the nearer the shot is to the limit: 1e-6 below it the stroke was 1.3e-4 too long.
 #[test]
 fn valid_the_stroke_at_the_limit_is_that_of_the_last_shot_that_is_stopped() {

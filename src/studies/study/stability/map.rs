@@ -369,11 +369,6 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::context::to_its_end;
-
-    fn wanted(size: Size) -> Wanted {
-        Wanted { method: FixedStep::Rk4, axis: Axis::B, size }
-    }
 
     #[test]
     fn valid_limits_of_runge_kutta_on_the_axes() {
@@ -398,18 +393,6 @@ mod tests {
             let beyond = cell(&scene, method, 1.1 * limit_s, Some(&target));
             assert_eq!((below, beyond), (Cell::Accurate, Cell::BlownUp), "{method:?}");
         }
-    }
-
-    #[test]
-    fn a_map_has_a_cell_for_every_row_and_column() {
-        let mut watch = to_its_end;
-        let context = &mut Context::new(1, &mut watch);
-        let size = Size { rows: 4, columns: 5 };
-        let map = map(&Scene::default(), wanted(size), context);
-        assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
-        assert_eq!(map.cell(0, 0), Cell::Accurate);
-        assert!(map.limit_s[3] < map.limit_s[1]);
-        assert!(map.largest_stable_dt_s.is_some());
     }
 
     #[test]

@@ -78,7 +78,7 @@ mod tests {
     use crate::model::run::{EndReason, Outcome};
     use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate};
-    use crate::study::context::{to_its_end, until};
+    use crate::study::context::to_its_end;
     use crate::study::quantities::named;
     use crate::study::sweep::Failure;
     use crate::study::testing::axes;
@@ -155,20 +155,5 @@ mod tests {
         assert_eq!(free[1].outcome, PointOutcome::Ended(Outcome::Arrested));
         assert_eq!(found[1].outcome, PointOutcome::Failed(Failure::Early(EndReason::StepBudget)));
         assert_eq!(found[1].values, [None, None]);
-    }
-
-    #[test]
-    fn a_perforated_plate_has_no_depth_and_a_stop_keeps_finished_results() {
-        let space =
-            Plan::for_designs(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
-        let found = whole(&space, &[vec![100.0], vec![800.0]], 1);
-        assert_eq!(found[1].outcome, PointOutcome::Ended(Outcome::Perforated));
-        assert!(found[1].values[0].is_none() && found[0].values[0].is_some());
-        let many = vec![vec![100.0]; 200];
-        let mut watch = until::<()>(40);
-        let mut context = Context::new(1, &mut watch);
-        context.expect(many.len());
-        let part = space.evaluate(&many, &mut context);
-        assert!(context.is_stopped() && part.len() > 40 && part.len() < 200, "{}", part.len());
     }
 }

@@ -7,7 +7,7 @@ use super::*;
 use crate::model::run::Warning;
 use crate::model::run::envelope::{self, Direction};
 use crate::model::simulate::{Settings, simulate};
-use crate::study::context::{to_its_end, until};
+use crate::study::context::to_its_end;
 use crate::study::testing::{axes, scene};
 
 fn request(list: &[(&str, f64, f64)], minimise: &[&str]) -> Request {
@@ -60,20 +60,6 @@ fn constraints_are_kept() {
     assert!(found.designs.iter().all(|design| design.measures[2].unwrap() <= 0.01));
     asked.subject_to.push(at_most("plate_mass_kg", 1e-3));
     assert!(solve(&Scene::default(), &asked).designs.is_empty());
-}
-
-#[test]
-fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
-    let list = [("gamma", 0.8, 7.0), ("k", 1e3, 7.5e6)];
-    let request = request(&list, &["final_penetration_m", "stroke_m"]);
-    let (mut parts, mut stop) = (0, until::<Report>(600));
-    let watch = &mut |progress, front: Option<&Report>| {
-        parts += usize::from(front.is_some());
-        stop(progress, front)
-    };
-    let front = run(&Scene::default(), &request, &mut Context::new(1, watch)).unwrap();
-    assert!(parts >= 4 && !front.is_complete && !front.designs.is_empty(), "{parts}");
-    assert!(front.runs > 600 && front.runs < 1024);
 }
 
 /// Cocked plates are struck while the spring pulls: what the fused interface cannot carry in tension is no more feasible than what
