@@ -10,13 +10,9 @@ use crate::study::accuracy::method::{Answer, Parameter};
 use crate::study::accuracy::reference::References;
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, RESULTS, Report, Saving};
 
-/// A scene's name and its comparison.
-pub type Named = (String, Report);
-
-/// A point with its method and its comparison.
+/// A point with its method.
 #[derive(Clone, Copy)]
 pub struct Row<'r> {
-    of: &'r Named,
     method: &'r MethodReport,
     point: &'r Point,
 }
@@ -31,21 +27,18 @@ impl<'r> Row<'r> {
     }
 }
 
-fn rows(of: &Named) -> impl Iterator<Item = Row<'_>> {
-    of.1.methods
-        .iter()
-        .flat_map(move |method| method.points.iter().map(move |point| Row { of, method, point }))
-}
-
 /// What its scene's entries of a library warn of.
 pub fn warnings(report: &Report) -> Vec<String> {
     library::warnings(&report.scene).map(str::to_owned).collect()
 }
 
-/// The points of all scenes.
-pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
-    Table::of(reports.iter().flat_map(rows))
-        .with("scene", "scene", "", |row| row.of.0.as_str())
+/// The points of all methods on the scene of this name.
+pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
+    let rows =
+        |method: &'r MethodReport| method.points.iter().map(move |point| Row { method, point });
+    let warnings = warnings(report).join("; ");
+    Table::of(report.methods.iter().flat_map(rows))
+        .with("scene", "scene", "", move |_| name)
         .with("method", "method", "", |row| row.method.method.name())
         .with("letter", "letter", "", |row| row.method.method.letter().to_string())
         .with("time_step_s", "time step", "s", |row| match row.point.parameter {
@@ -74,7 +67,7 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with("reference_uncertainty", "its uncertainty", "", |row| {
             row.method.reference?.uncertainty
         })
-        .with(WARNINGS, WARNINGS, "", |row| warnings(&row.of.1).join("; "))
+        .with(WARNINGS, WARNINGS, "", move |_| warnings.clone())
 }
 
 /// Less than this is within the spread of timings.
@@ -157,13 +150,8 @@ pub fn seconds(value: f64) -> String {
 /// The errors for which the run time is answered.
 pub const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
-/// A list with one object a scene.
-pub fn json(reports: &[Named]) -> Value {
-    reports.iter().map(scene).collect()
-}
-
-fn scene(named: &Named) -> Value {
-    let (name, report) = named;
+/// The object of the scene of this name.
+pub fn json(name: &str, report: &Report) -> Value {
     let References { engine, other } = report.references;
     let references = engine.into_iter().chain(other).map(|reference| {
         json!({
@@ -193,7 +181,7 @@ fn scene(named: &Named) -> Value {
         "printed_scheme_off": report.printed_off,
         "run_time_s": report.run_s,
         "omitted": savings(&report.savings).objects(|_| true),
-        "points": table(std::slice::from_ref(named)).objects(|key| key != WARNINGS),
+        "points": table(name, report).objects(|key| key != WARNINGS),
         WARNINGS: warnings(report),
     })
 }

@@ -13,7 +13,7 @@ use crate::study::context::Context;
 use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
 use crate::study::quantities::{Quantity, usual_of};
 use crate::study::sweep::usual::{or_usual, thesis_axes};
-use crate::study::sweep::{Axis, EvaluatedDesign, Plan, Spacing, SweepError};
+use crate::study::sweep::{Axis, Plan, Point, Spacing, SweepError};
 use crate::study::validity;
 use indices::{Sobol, sobol};
 
@@ -171,7 +171,7 @@ pub fn run(
     // The result for each design, NaN where it has none; `None` when stopped.
     let mut values = |designs: &[Vec<f64>]| {
         let found = space.evaluate(designs, context);
-        let value = |found: &EvaluatedDesign| found.values[0].unwrap_or(f64::NAN);
+        let value = |found: &Point| found.values[0].unwrap_or(f64::NAN);
         (!context.is_stopped()).then(|| found.iter().map(value).collect::<Vec<_>>())
     };
     let at_own = values(std::slice::from_ref(&own));

@@ -13,7 +13,7 @@ use crate::study::quantities::{Quantity, named};
 use crate::study::search::sampling::{self, Judged, Sample};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::usual::{or_usual, thesis_axes};
-use crate::study::sweep::{Axis, EvaluatedDesign, Failure, Plan, PointOutcome, SweepError};
+use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity::{self, Checked, Plastic};
 pub use constraint::Constraint;
 
@@ -239,7 +239,7 @@ impl Search {
         &mut self,
         points: &[Vec<f64>],
         context: &mut Context<'_, Report>,
-    ) -> Option<Vec<(Judged, EvaluatedDesign)>> {
+    ) -> Option<Vec<(Judged, Point)>> {
         let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
         let found = self.plan.evaluate(&designs, context);
         let mut judged: Vec<Judged> = found.iter().map(|found| self.judge(found)).collect();
@@ -283,7 +283,7 @@ impl Search {
     }
 
     /// Counts a design that has no value of an objective.
-    fn note_lack(&mut self, found: &EvaluatedDesign) {
+    fn note_lack(&mut self, found: &Point) {
         let mut measures = self.front.request.objectives.iter().map(|it| it.measure);
         let Some(measure) = measures.find(|it| self.value(found, it).is_none()) else { return };
         let outcome = found.outcome;
@@ -295,7 +295,7 @@ impl Search {
     }
 
     /// A measure of a design; `None` where it does not exist, and where the plate is perforated and designs may not be compared by it.
-    fn value(&self, found: &EvaluatedDesign, measure: &Quantity) -> Option<f64> {
+    fn value(&self, found: &Point, measure: &Quantity) -> Option<f64> {
         let is_perforated = found.outcome == PointOutcome::Ended(Outcome::Perforated);
         let at = self.plan.outputs().iter().position(|other| *other == measure)?;
         found.values[at].filter(|_| !is_perforated || measure.tells_of_perforation())
@@ -307,16 +307,16 @@ impl Search {
         axes.zip(shares).map(|(axis, share)| axis.at_share(*share)).collect()
     }
 
-    fn designs(&self, best: &[Sample<EvaluatedDesign>]) -> Vec<Design> {
-        let design = |one: &Sample<EvaluatedDesign>| {
-            let EvaluatedDesign { outcome, values } = one.found.clone();
+    fn designs(&self, best: &[Sample<Point>]) -> Vec<Design> {
+        let design = |one: &Sample<Point>| {
+            let Point { outcome, values, .. } = one.found.clone();
             Design { values: self.place(&one.shares), measures: values, outcome, plastic: None }
         };
         let first = |design: &Design| design.measures[0].unwrap_or(f64::NAN);
         sorted_by(sampling::front(best).into_iter().map(design).collect(), first)
     }
 
-    fn judge(&self, found: &EvaluatedDesign) -> Judged {
+    fn judge(&self, found: &Point) -> Judged {
         let Request { objectives, subject_to, .. } = &self.front.request;
         let value = |objective: &Objective| {
             let value = self.value(found, objective.measure)?;
