@@ -1,4 +1,4 @@
-//! A comparison of methods: one row for each point, and one object for each scene with references and answers.
+//! A comparison of methods: one row for each point, and an object with references and answers.
 
 use serde_json::{Value, json};
 
