@@ -194,7 +194,7 @@ impl ShotRunner<'_, '_, '_> {
             if verdict != ShotOutcome::Perforated {
                 below = Some((velocity, verdict));
                 let is_undecided = verdict == ShotOutcome::Undecided;
-                undecided_m_s = undecided_m_s.or(is_undecided.then_some(velocity));
+                undecided_m_s = undecided_m_s.or_else(|| is_undecided.then_some(velocity));
                 continue;
             }
             // What is stopped only above a range in which everything perforates has no limit velocity either.
