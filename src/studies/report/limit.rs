@@ -175,14 +175,6 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
         .with("limit_velocity_m_s", "limit", "m/s", move |_| limit_m_s)
 }
 
-fn recht_ipson(law: ResidualLaw) -> Value {
-    json!({ "a": law.a, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
-}
-
-fn lambert_jonas(law: ResidualLaw) -> Value {
-    json!({ "a": law.a, "p": law.p, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
-}
-
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
     let (basis, stopped) = match report.limit {
@@ -227,8 +219,8 @@ pub fn json(name: &str, report: &Report) -> Value {
         "closures": closures,
         "jump_m_s": report.jump_m_s.map(|(thin, thick)| [thin, thick]),
         "model_error": known,
-        "recht_ipson": report.recht_ipson.map(recht_ipson),
-        "lambert_jonas": report.lambert_jonas.map(lambert_jonas),
+        "recht_ipson": report.recht_ipson,
+        "lambert_jonas": report.lambert_jonas,
         "shots": shots(name, report).objects(|key| own.contains(&key)),
     })
 }

@@ -261,8 +261,12 @@ pub fn run(
     context.expect(wanted);
     let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.outputs().len()];
-    draw.each_batch(wanted, context, |designs, context| {
-        let found = space.evaluate(designs, context);
+    let mut drawn = 0;
+    while drawn < wanted && !context.is_stopped() {
+        let batch = (drawn..wanted).take(BATCH).map(|_| draw.sample());
+        let designs = batch.collect::<Result<Vec<_>, _>>()?;
+        drawn += designs.len();
+        let found = space.evaluate(&designs, context);
         report.samples += found.len();
         for found in found {
             report.outcomes.add(found.outcome);
@@ -272,7 +276,7 @@ pub fn run(
                 list.extend(value);
             }
         }
-    })?;
+    }
     report.is_complete = !context.is_stopped();
     report.redrawn = draw.redrawn;
     report.perforated = perforated(report.outcomes);
@@ -315,8 +319,8 @@ fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<P
     Plan::for_designs(scene, axes, &request.measures())
 }
 
-/// The stream of samples: the one random source of every Monte Carlo study.
-pub(in crate::study) struct Draw<'t> {
+/// The stream of samples, and how often each input was drawn again.
+struct Draw<'t> {
     tolerances: &'t [Tolerance],
     scene: Scene,
     random: Random,
@@ -324,30 +328,13 @@ pub(in crate::study) struct Draw<'t> {
 }
 
 impl<'t> Draw<'t> {
-    pub(in crate::study) fn new(scene: &Scene, tolerances: &'t [Tolerance], seed: u64) -> Self {
+    fn new(scene: &Scene, tolerances: &'t [Tolerance], seed: u64) -> Self {
         Self {
             tolerances,
             scene: scene.clone(),
             random: Random::new(seed),
             redrawn: vec![0; tolerances.len()],
         }
-    }
-
-    /// Draw a given number of samples and hand them over batch by batch, each a value for every input; until the study is stopped.
-    pub(in crate::study) fn each_batch(
-        &mut self,
-        samples: usize,
-        context: &mut Context<'_, Report>,
-        mut evaluate: impl FnMut(&[Vec<f64>], &mut Context<'_, Report>),
-    ) -> Result<(), SweepError> {
-        let mut done = 0;
-        while done < samples && !context.is_stopped() {
-            let count = BATCH.min(samples - done);
-            let batch = (0..count).map(|_| self.sample()).collect::<Result<Vec<_>, _>>()?;
-            evaluate(&batch, context);
-            done += count;
-        }
-        Ok(())
     }
 
     /// A value for every input, which together make physical sense.

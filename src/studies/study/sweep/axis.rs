@@ -7,7 +7,7 @@ use std::fmt;
 use std::ops::{Range, RangeInclusive};
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
-use crate::model::units::{self, Prefix};
+use crate::model::units;
 use crate::model::variables::{self, Allowed, Number, Variable};
 use crate::numerics::larger;
 use crate::study::error::SweepError;
@@ -126,14 +126,6 @@ impl Axis {
     pub fn show(&self, value: f64, digits: usize) -> String {
         let unit = self.variable.unit();
         format!("{} {unit}", units::significant(value, digits)).trim_end().to_owned()
-    }
-
-    /// The same with the prefix that the unit takes for this value: `25.4 mm`.
-    pub fn show_prefixed(&self, value: f64, digits: usize) -> String {
-        let unit = self.variable.unit();
-        let prefix = Prefix::for_unit(value, unit);
-        let number = units::significant(value / prefix.size, digits);
-        format!("{number} {}{unit}", prefix.letter).trim_end().to_owned()
     }
 
     /// The same axis as a scene file has it.
