@@ -20,3 +20,21 @@ fn a_row_that_is_decided_is_compared_with_other_steps() {
     // 100 000 oscillations within the contact are too many for other steps.
     assert_eq!(without_others, ["k 1e12, gamma 1e-4"]);
 }
+
+/// Each of them, by changing the reference: one that pulls out has them all.
+#[test]
+fn every_result_of_a_row_is_judged() {
+    let case = cases::CASES.iter().find(|case| case.name == "gamma 0.8, plastic").unwrap();
+    let scene = case.scene().unwrap();
+    let run = bare(&scene, false, &mut |_| ControlFlow::Continue(())).unwrap();
+    let right = References::of(&scene).other.unwrap();
+    assert_eq!(shortfall(&run, error_of(&run, &right)), None);
+    for at in 0..right.results.len() {
+        for wrong in [right.results[at].map(|result| result * (1.0 + 1e-6)), None] {
+            let mut other = right;
+            other.results[at] = wrong;
+            let short = shortfall(&run, error_of(&run, &other));
+            assert_eq!(short, Some(Shortfall::Error), "result {at}: {wrong:?}");
+        }
+    }
+}
