@@ -535,7 +535,7 @@ fn the_first_steps_at_every_size() {
             first.lines().map(|line| line.trim_start_matches(['│', '>', ' '])).collect();
         for symbol in MAIN {
             let is_row = |row: &&str| row.split_whitespace().next() == Some(symbol);
-            assert!(rows.iter().any(|row| is_row(row)), "{columns}x{lines}: {symbol}\n{first}");
+            assert!(rows.iter().any(is_row), "{columns}x{lines}: {symbol}\n{first}");
         }
         // The meaning and range of the selected row.
         assert!(first.contains("thesis 0.8 to 7"), "{columns}x{lines}\n{first}");
