@@ -50,7 +50,7 @@ impl List for Help {
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
         let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
         let inner = frame(screen, (92, 48), PaneFrame::new(title), canvas);
-        let about = about(app, inner.width);
+        let about = about(app, inner);
         let top = u16::try_from(about.len()).unwrap_or(u16::MAX);
         canvas.put_lines(inner, 0, about);
         let (_, rest) = split_top(inner, top);
@@ -108,10 +108,26 @@ fn rows(app: &App, typed: &str) -> Vec<HelpRow> {
     ranked(works, |row| rank(typed, &[&row.keys], &row.help))
 }
 
+/// The words and signs of the Run tab.
+const RUN_WORDS: &str = "%: of the depth on a rigid mount. plastic: depth (%) if the interface can yield. travel: greatest plate \
+    displacement. peak: contact force. mount: force of spring, damper and stop. a, b: events, which Log names. !: outside the model's \
+    validity; see Log. error: estimated, of the depth, relative; and the run time. omitted: what this scene need not compute";
+/// Rows that the keys have at least where the words stand above them.
+const KEY_ROWS: usize = 5;
+
 /// What the words and signs of the focused pane mean.
-fn about(app: &App, width: u16) -> Vec<TextLine> {
+fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
     let text = match app.pane() {
-        run::VARIABLES => return variable(app, width),
+        run::VARIABLES | run::CHARTS | run::RUNS => {
+            let is_variable = app.pane() == run::VARIABLES;
+            let mut lines = if is_variable { variable(app, width) } else { Vec::new() };
+            let words = wrapped(RUN_WORDS, width, Role::Text).chain([(String::new(), Role::Text)]);
+            let words: Vec<TextLine> = words.collect();
+            if lines.len() + words.len() + KEY_ROWS < usize::from(height) {
+                lines.extend(words);
+            }
+            return lines;
+        }
         COMPARISON => COMPARISON_WORDS.to_owned(),
         STIFF_SCENES => stiff_scenes_words(),
         _ => return Vec::new(),

@@ -237,6 +237,21 @@ fn help_leaves_out_what_a_page_has_not() {
     assert!(!bench.screen().contains("load this design"), "{}", bench.screen());
 }
 
+/// From the first screen on, by one key.
+#[test]
+fn help_explains_the_words_of_the_first_screen() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("?");
+    let screen = bench.screen();
+    for word in ["plastic: ", "travel: ", "mount: ", "a, b: ", "!: ", "error: ", "omitted: "] {
+        assert!(screen.contains(word), "{word}\n{screen}");
+    }
+    // A small screen keeps its rows for the keys.
+    let mut bench = Bench::ascii(60, 16);
+    bench.keys("?");
+    assert!(bench.screen().contains("change the value by a step"), "{}", bench.screen());
+}
+
 #[test]
 fn help_explains_the_words_of_the_comparison_and_of_the_stiff_scenes() {
     let mut bench = limit::open(GlyphSet::Ascii, (80, 24));
