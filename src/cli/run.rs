@@ -119,6 +119,10 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
     let mut run = simulate::simulate_openly(&scene, &settings, &mut observer, window)?;
     let took = start.elapsed();
     run.cost.took_s = Some(took.as_secs_f64());
+    let loads = [run.interface_demand_ratio, run.interface_tension_ratio];
+    if run.end.is_complete() && loads.into_iter().flatten().any(|ratio| ratio > 1.0) {
+        run.plastic = simulate::plastic_beside(&scene, &mut observer).map(Arc::new);
+    }
     line.clear();
     Ok(Computed { preset, run: Arc::new(run), took })
 }

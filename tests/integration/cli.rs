@@ -615,6 +615,23 @@ fn a_closed_pipe_is_not_an_error() {
     assert_eq!(said, "");
 }
 
+/// Depth and outcome on a plastic interface are those of two integrators that agree to 11 digits.
+#[test]
+fn valid_a_fused_interface_that_is_asked_for_too_much_has_the_plastic_answer_beside_it() {
+    let place = Place::new();
+    let line = |arguments: &str| {
+        let page = place.cmra(arguments).out;
+        page.lines().find(|line| line.contains("if it can yield")).map(str::to_owned)
+    };
+    let stiff = line("run --set gamma=0.8 --set k=7.5e6").unwrap();
+    assert!(stiff.contains("separated, 4.700 mm deep"), "{stiff}");
+    let cocked = line("run --set d=0.5").unwrap();
+    assert!(cocked.contains("perforated"), "{cocked}");
+    for other in ["run --set k=0", "run --set d=0.5 --set interface=plastic"] {
+        assert_eq!(line(other), None, "{other}");
+    }
+}
+
 /// A person reads JSON from its top: the scene, what came out, the rest; rows have the order of the table's columns.
 #[test]
 fn keys_of_json_are_in_reading_order() {

@@ -172,6 +172,7 @@ pub fn results(run: &Run) -> Vec<String> {
         ("stroke so far", known(stroke_so_far, "m")),
         ("stroke", known(run.stroke_m(), "m")),
         ("interface push", push),
+        ("  if it can yield", run.plastic.as_ref().map(|plastic| if_it_yields(plastic))),
     ];
     let margin_words = " (yield strength over the greatest stress)";
     // A single power law stores what the ledger says.
@@ -185,6 +186,20 @@ pub fn results(run: &Run) -> Vec<String> {
     let of_mechanism = of_mechanism.into_iter().filter(|_| !run.scene.mechanism.is_plain());
     let facts = of_run.into_iter().chain(of_mechanism);
     facts.filter_map(|(label, text)| Some(labelled(label, &text?))).collect()
+}
+
+/// What the same shot does on a plastic interface.
+fn if_it_yields(plastic: &Run) -> String {
+    let word = plastic.shot_outcome().word();
+    let left = plastic.residual_velocity_m_s.map(|v| format!(", {} left", short(v, "m/s")));
+    let deep = || {
+        let percent = plastic.percent_of_baseline();
+        let percent = percent.map(|it| format!(", {} %", fixed_significant(it, 4)));
+        let depth = short(plastic.final_penetration_m?, "m");
+        Some(format!(", {depth} deep{}", percent.unwrap_or_default()))
+    };
+    let result = if plastic.shot_outcome() == Outcome::Perforated { left } else { deep() };
+    format!("{word}{} (interface = plastic)", result.unwrap_or_default())
 }
 
 /// The reason why there is no greatest displacement.

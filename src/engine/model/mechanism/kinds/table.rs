@@ -126,7 +126,7 @@ impl Law for Table {
         let ([first, force], [last, _]) = (points[0], points[count - 1]);
         if first > 0.0 || last < 0.0 {
             return refuse(format!(
-                ": it goes from x = {} m, F = {} N to x = {} m, and the force at rest, x = 0, is not measured; add the point                  [0, 0], or subtract the first point from all",
+                ": it goes from x = {} m, F = {} N to x = {} m, and the force at rest, x = 0, is not measured; add the point [0, 0], or subtract the first point from all",
                 units::shortest(first),
                 units::shortest(force),
                 units::shortest(last)
