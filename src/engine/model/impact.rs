@@ -34,7 +34,7 @@ mod tests;
 pub mod window;
 
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
-const LOCAL: f64 = 1e-3;
+const LOCAL: f64 = 1e-2;
 const LEAST: f64 = 1e-13;
 /// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
 const LOOSER: f64 = 10.0;

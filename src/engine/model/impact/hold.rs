@@ -19,7 +19,7 @@ const AGAIN: f64 = 0.5;
 /// Passages of a tip radius for which a damper that takes hold of the plate does not let go: to hold for less saves no steps.
 const SOON: f64 = 1e-3;
 /// How many times what a step may be off by a plate may move that its steep spring has taken hold of again: a fifth of the tolerance of a run.
-const RETURNED: f64 = 2e2;
+const RETURNED: f64 = 2e1;
 /// Part of the way to the zero of a law that is not smooth there that a step goes.
 const APPROACH: f64 = 0.55;
 
