@@ -281,12 +281,7 @@ impl Record<'_> {
     }
 
     /// Draws a step in so many parts: its rows at equal times, and those at the ends of the parts.
-    pub(super) fn draw(
-        &mut self,
-        equations: &Equations<'_>,
-        parts: usize,
-        path: &Path<'_>,
-    ) {
+    pub(super) fn draw(&mut self, equations: &Equations<'_>, parts: usize, path: &Path<'_>) {
         if !self.keep_series {
             return;
         }
