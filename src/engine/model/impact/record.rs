@@ -3,6 +3,7 @@
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{self, Contact, Hold, Mode, Touch};
+use crate::model::impact::path::{LOOKS, Path};
 use crate::model::impact::window::Window;
 use crate::model::run::{self, Arrest, Departure, EnergyLedger, Event, EventKind, Sample};
 use crate::numerics::locate::{Found, first_fall};
@@ -10,8 +11,6 @@ use crate::numerics::maximum::greatest;
 use crate::numerics::quadrature::GAUSS_16;
 use crate::numerics::{larger, smaller};
 
-/// Rows within each step, its end included: its polynomial has no wiggles that they miss.
-const ROWS_PER_STEP: usize = 16;
 /// Rows after which only the ends of steps are kept: as many as a run's work allows.
 const ROWS_MAX: usize = 20_000;
 /// Hits of the stop slower than this part of the impact velocity are not events to mark.
@@ -19,36 +18,6 @@ const NOTED_HIT: f64 = 1e-9;
 /// Parts of a depth by which rounding may put it off, and by which the laws of an oblique section are cut beside it.
 const SAME_DEPTH: f64 = 1e-9;
 const NEAR_DEPTH: f64 = 1e-2;
-
-/// The states on a step by the part of it; those at the sixteenths, where most looks fall, are computed once.
-pub(super) struct Path<'a> {
-    at: &'a dyn Fn(f64) -> State,
-    looks: [State; ROWS_PER_STEP + 1],
-}
-
-impl<'a> Path<'a> {
-    pub(super) fn of(at: &'a dyn Fn(f64) -> State) -> Self {
-        let looks = std::array::from_fn(|look| at(look as f64 / ROWS_PER_STEP as f64));
-        Self { at, looks }
-    }
-
-    pub(super) fn at(&self, part: f64) -> State {
-        let place = part * ROWS_PER_STEP as f64;
-        let look = place as usize;
-        match self.looks.get(look) {
-            Some(state) if look as f64 == place => *state,
-            _ => (self.at)(part),
-        }
-    }
-
-    fn start(&self) -> &State {
-        &self.looks[0]
-    }
-
-    fn end(&self) -> &State {
-        &self.looks[ROWS_PER_STEP]
-    }
-}
 
 /// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
@@ -124,7 +93,7 @@ impl Record<'_> {
         self.reach(equations, path.end());
         self.add_work(equations, path);
         self.note_forces(equations, path);
-        self.draw(equations, ROWS_PER_STEP, path);
+        self.draw(equations, LOOKS, path);
     }
 
     fn reach(&mut self, equations: &Equations<'_>, state: &State) {
