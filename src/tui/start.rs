@@ -124,7 +124,8 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     // The scene last: it is the newest.
     let scenes =
         last.pins.iter().map(|(_, scene)| scene).chain((!untouched).then_some(&last.scene));
-    let kept = scenes.map(|scene| recent::keep(&folder, scene)).collect::<Result<Vec<_>, _>>();
+    let kept =
+        scenes.map(|scene| recent::keep(&folder, scene, None)).collect::<Result<Vec<_>, _>>();
     let pins = counted_pins(last.pins.len());
     Some(match kept {
         Ok(_) => {

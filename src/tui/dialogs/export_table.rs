@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files::atomic::Existing;
 use crate::files::export::Destination;
+use crate::files::report::is_report;
 use crate::report::svg;
 use crate::tui::app::dialog::{Dialog, FootKey, Footer};
 use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
@@ -89,6 +90,13 @@ pub(super) fn export(
     overwrite: bool,
     table: impl FnOnce(&App) -> Result<Content, String>,
 ) -> Result<Option<FileTask>, String> {
+    if is_report(&path) {
+        return Err(format!(
+            "{}: the ending is a report's, and here a .csv table or .svg charts are written: name it so, or save the scene and run \
+             `cmra report FILE.toml -o FILE.html`",
+            path.display()
+        ));
+    }
     let existing = Existing::replaced(overwrite);
     let content = if is_svg(&path) {
         let drawn = pages::pictures(pages::of(app.tab), app);

@@ -96,8 +96,10 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
 impl Work<'_> {
     fn begin(&mut self) {
         let (m, v) = (self.scene.projectile.mass_kg, self.scene.projectile.velocity_m_s);
+        let [x, w] = self.state.plate;
         self.run.ledger.initial_kinetic_j = 0.5 * m * v * v;
-        self.run.ledger.initial_spring_j = self.spring().integral(self.state.plate[0]);
+        self.run.ledger.initial_plate_j = 0.5 * self.scene.plate_mass_kg() * w * w;
+        self.run.ledger.initial_spring_j = self.spring().integral(x);
         let first = self.sample(Mode::Penetrating);
         self.note(first, 0, 1);
     }
