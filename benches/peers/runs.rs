@@ -10,7 +10,7 @@ use cmra::model::scene::Scene;
 use cmra::model::variables::changed;
 use cmra::report::accuracy::{TARGETS, gain, seconds};
 use cmra::study::accuracy::method::Method;
-use cmra::study::accuracy::{ComparisonOptions, Report, compare};
+use cmra::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
 use cmra::study::context::Context;
 
 /// Name and changes to the default scene.
@@ -48,7 +48,7 @@ pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
             cell(by(method).and_then(|it| it.cheapest(target)).map(|found| found.min_s))
         };
         let [loose, tight] = TARGETS;
-        let least = by(Method::Auto).and_then(|it| it.least_error());
+        let least = by(Method::Auto).and_then(MethodReport::least_error);
         let least = least.map_or_else(|| "-".to_owned(), |error| format!("{error:.0e}"));
         let (shown, one, other) =
             (cell(report.run_s), to(Method::Auto, loose), to(Method::Auto, tight));

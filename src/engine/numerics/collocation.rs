@@ -376,10 +376,9 @@ impl<const S: usize> Member<S> {
         let mut defect = ([0.0; D], [0.0; D]);
         for Gauss { at, weight, values, integrals } in &self.gauss {
             let (place, speed) = step.after(integrals);
-            let wanted = law.at(&place, &speed);
-            for d in 0..D {
+            for (d, wanted) in law.at(&place, &speed).into_iter().enumerate() {
                 let given = dot(&step.acceleration[d], values);
-                let missed = h * weight * (wanted[d] - given);
+                let missed = h * weight * (wanted - given);
                 defect.1[d] += missed;
                 defect.0[d] += h * (1.0 - at) * missed;
             }

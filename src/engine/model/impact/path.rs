@@ -17,6 +17,12 @@ impl<'a> Path<'a> {
         Self { at, looks: std::array::from_fn(|look| at(look as f64 / LOOKS as f64)) }
     }
 
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::float_cmp,
+        reason = "only what comes back the same is a look"
+    )]
     pub(super) fn at(&self, part: f64) -> State {
         let place = part * LOOKS as f64;
         let look = place as usize;
