@@ -55,9 +55,6 @@ pub fn columns(rows: Rows, several: bool) -> Vec<&'static str> {
 }
 
 /// The CSV text of some runs, of each at most a given number of rows; `wanted` names the columns in order, empty means all.
-///
-/// # Errors
-/// [`NoColumn`] when a wanted column does not exist.
 pub fn csv(
     rows: Rows,
     runs: &[NamedRun],

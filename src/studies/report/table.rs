@@ -84,9 +84,6 @@ impl<'c, R> Table<'c, R> {
     }
 
     /// With these columns alone, in this order; all where none is named.
-    ///
-    /// # Errors
-    /// [`NoColumn`] for one that it does not have.
     pub fn chosen(mut self, wanted: &[String]) -> Result<Self, NoColumn> {
         if wanted.is_empty() {
             return Ok(self);

@@ -29,7 +29,7 @@ use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::steps::{Input, Press};
-use crate::worker::studies::SearchRequest;
+use crate::worker::studies::{SearchRequest, searches};
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -70,7 +70,7 @@ const PAGES: &[PageSpec] = &{
     let mut pages = [const { PageSpec { name: "", panes: &[SETUP, RESULTS] } }; state::Page::COUNT];
     let mut at = 0;
     while at < pages.len() {
-        pages[at].name = state::Page::ALL[at].title();
+        pages[at].name = STUDIES[at].title;
         at += 1;
     }
     pages
@@ -83,24 +83,45 @@ const COMMANDS: &[Command] = &{
             state::Page::COUNT + 1];
     let mut at = 0;
     while at < state::Page::COUNT {
-        let (page, call) = (state::Page::ALL[at], Call::Show(RESULTS, Some(at)));
+        let (page, call) = (&STUDIES[at], Call::Show(RESULTS, Some(at)));
         at += 1;
-        commands[at] = Command::new(call, page.title(), page.synonyms());
+        commands[at] = Command::new(call, page.title, page.synonyms);
     }
     commands
 };
 
-/// What a page asks for, and by which rows of the setup.
+/// A page: what it is called, what it asks for, and by which rows of the setup.
 struct Study {
+    /// Its subject, in two or three words.
+    title: &'static str,
+    /// Other words that it is found by.
+    synonyms: &'static str,
+    /// The file proposed for an export.
+    file: &'static str,
     /// The rows of its setup, headings included.
     rows: fn(&App) -> Vec<Row>,
     /// What the setup asks for, over the variables that it varies.
     request: fn(&App) -> Result<SearchRequest, String>,
 }
 
-/// The studies, in the order of [`state::Page`].
-const STUDIES: [Study; state::Page::COUNT] =
-    [seek::STUDY, front::STUDY, sensitivity::STUDY, monte_carlo::STUDY];
+macro_rules! studies {
+    ($($(#[$_doc:meta])* $kind:ident $page:ident,)*) => {
+        /// The studies, in the order of [`state::Page`].
+        const STUDIES: [Study; state::Page::COUNT] = [$($page::STUDY),*];
+    };
+}
+searches!(studies);
+
+impl state::Page {
+    fn study(self) -> &'static Study {
+        &STUDIES[self as usize]
+    }
+
+    /// Its subject, in two or three words.
+    pub fn title(self) -> &'static str {
+        self.study().title
+    }
+}
 
 pub(crate) struct SearchTab;
 
@@ -210,7 +231,7 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let file = format!("{}-{}", app.base_stem(), app.pages.search.page.file());
+        let file = format!("{}-{}", app.base_stem(), app.pages.search.page.study().file);
         let kept = app.pages.search.shown()?;
         let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
         let (scene, answer) = (Arc::clone(&kept.scene), Arc::clone(kept.found.as_ref()?));
