@@ -25,7 +25,6 @@ use crate::files::recent;
 use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
-use crate::tui::complete;
 use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask as Task, Message};
 use crate::tui::preset::PresetEntry;
 
@@ -208,7 +207,6 @@ impl FileQueue {
                 let points = read_table::curve(&path).map_err(|error| error.to_string());
                 EffectReport::Curve(path, points)
             }
-            Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
             Task::KeepCopy(text, sent) => {
                 EffectReport::Said(Severity::Note, keep_copy(paths, &text, &sent))
             }
@@ -231,17 +229,15 @@ fn next_request(
     }
 }
 
-/// Drops requests that are out of date: completions and lists that were requested again, and all of them on quitting.
+/// Drops requests that are out of date: lists that were requested again, and on quitting whatever would only be shown.
 fn drop_outdated(waiting: &mut VecDeque<Request>) {
     let leaving = waiting.iter().any(|request| matches!(request, Request::Finish(_)));
     let newest = |question: fn(&Request) -> bool| waiting.iter().rposition(question);
-    let completion = newest(|request| matches!(request, Request::Task(Task::Complete(_))));
     let list = newest(|request| matches!(request, Request::Task(Task::ListPresets(_))));
     let mut at = 0;
     waiting.retain(|request| {
         at += 1;
         match request {
-            Request::Task(Task::Complete(_)) => !leaving && completion == Some(at - 1),
             Request::Task(Task::ListPresets(_)) => !leaving && list == Some(at - 1),
             Request::Task(Task::Load(_) | Task::ReadCurve(..)) => !leaving,
             _ => true,
@@ -283,9 +279,9 @@ fn written(written: Result<Vec<PathBuf>, FileError>) -> ExportOutcome {
 }
 
 fn export(to: &Destination, content: &Content) -> ExportOutcome {
-    let written = atomic::ordinary(&to.path)
-        .and_then(|()| content.text())
-        .and_then(|text| to.write(text.as_bytes(), &content.scenes(), content.is_complete()));
+    let written = atomic::ordinary(&to.path).and_then(|()| {
+        to.write(content.text().as_bytes(), &content.scenes(), content.is_complete())
+    });
     self::written(written)
 }
 
@@ -437,28 +433,19 @@ mod tests {
     }
 
     #[test]
-    fn only_the_newest_of_repeated_requests_is_answered_and_none_on_quitting() {
-        let complete = |text: &str| Request::Task(Task::Complete(text.to_owned()));
+    fn only_the_newest_list_is_made_and_none_on_quitting() {
+        let list = || Request::Task(Task::ListPresets(Vec::new()));
         let copy = || Request::Task(Task::KeepCopy(String::new(), String::new()));
-        let of = |requests: Vec<Request>| -> VecDeque<Request> {
+        let left = |requests: Vec<Request>| {
             let mut waiting = VecDeque::from(requests);
             drop_outdated(&mut waiting);
-            waiting
+            let is_list = |it: &Request| matches!(it, Request::Task(Task::ListPresets(_)));
+            (waiting.len(), waiting.iter().position(is_list))
         };
-        let list = || Request::Task(Task::ListPresets(Vec::new()));
-        let mut left = of(vec![complete("a"), copy(), list(), complete("b"), list(), copy()]);
-        assert!(matches!(
-            left.make_contiguous(),
-            [Request::Task(Task::KeepCopy(..)), Request::Task(Task::Complete(text)), Request::Task(Task::ListPresets(_)), Request::Task(Task::KeepCopy(..))]
-                if text == "b"
-        ));
+        assert_eq!(left(vec![list(), copy(), list(), copy()]), (3, Some(1)));
         let (done, _wait) = mpsc::channel();
         let load = Request::Task(Task::Load(PathBuf::new()));
-        let mut left = of(vec![complete("a"), copy(), load, list(), Request::Finish(done)]);
-        assert!(matches!(
-            left.make_contiguous(),
-            [Request::Task(Task::KeepCopy(..)), Request::Finish(_)]
-        ));
+        assert_eq!(left(vec![copy(), load, list(), Request::Finish(done)]), (2, None));
     }
 
     #[test]

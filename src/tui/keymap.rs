@@ -10,8 +10,6 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use Action as A;
 use Scope::{Everywhere, Listed, With};
 
-use crate::tui::option::OptionRow;
-
 enumeration! {
     /// The tabs, in the order of the title row.
     #[derive(Default, Hash, PartialOrd, Ord)]
@@ -92,8 +90,6 @@ pub enum Target {
     },
     /// A row of the list in the dialog on top.
     DialogRow(usize),
-    /// Beside the dialog on top.
-    Beside,
 }
 
 pub struct PaneSpec {
@@ -173,28 +169,15 @@ pub enum Action {
     Options,
     FullPane,
     Quit,
-    QuitWithSummary,
     Cancel,
     Suspend,
     Redraw,
-    FineLess,
-    FineMore,
     Reset,
     ZoomIn,
     ZoomOut,
     ZoomFit,
-    PanLeft,
-    PanRight,
-    LogX,
-    LogY,
-    EventNext,
-    EventPrevious,
     Window,
-    Difference,
-    ShowHide,
-    Sort,
     ResetAll,
-    Switch(OptionRow),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -442,7 +425,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
     line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load what is under the cursor into the scene"),
     line(Everywhere, &[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
-    line(Everywhere, &[(A::Find, "find", "/")], "find in this pane; variables and claims: show what matches"),
+    line(Everywhere, &[(A::Find, "find", "/")], "show the variables, claims or lines of the log that match"),
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
     line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
     line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),
@@ -451,23 +434,15 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::Run, "run", "r")], "run again what this page computes"),
     line(Everywhere, &[(A::Export, "export", "e"), (A::Copy, "copy", "y")], "export, copy what this page shows"),
     line(Everywhere, &[(A::Presets, "presets", "p"), (A::Save, "save", "s")], "presets, threats, materials and absorbers; save the scene"),
-    line(Everywhere, &[(A::Options, "options", "o")], "options: characters, colours, mouse, threads, models"),
-    line(Everywhere, &[(A::FullPane, "full-pane", "z")], "show this pane alone"),
-    line(Everywhere, &[(A::Quit, "quit", "q"), (A::QuitWithSummary, "quit-with-summary", "Q")], "quit (the session is kept), quit and print a summary"),
+    line(Everywhere, &[(A::Options, "options", "o")], "options: characters, colours, mouse"),
+    line(Listed, &[(A::FullPane, "full-pane", "z")], "show this pane alone"),
+    line(Everywhere, &[(A::Quit, "quit", "q")], "quit (the session is kept)"),
     line(Everywhere, &[(A::Cancel, "cancel", "Ctrl-c")], "cancel the job; pressed twice: quit"),
     line(Everywhere, &[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 
-    line(With(Part::Form), &[(A::FineLess, "fine-less", ","), (A::FineMore, "fine-more", ".")], "change by a tenth of a step: less, more"),
     line(With(Part::Form), &[(A::Reset, "reset", "d Del")], "reset this row"),
-    line(With(Part::Chart), &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-")], "zoom in, zoom out"),
-    line(With(Part::Chart), &[(A::ZoomFit, "zoom-fit", "0")], "show everything"),
-    line(With(Part::Chart), &[(A::PanLeft, "pan-left", "["), (A::PanRight, "pan-right", "]")], "pan left, pan right"),
-    line(With(Part::Chart), &[(A::LogX, "log-x", "X"), (A::LogY, "log-y", "Y")], "logarithmic or linear x axis, y axis"),
-    line(Listed, &[(A::EventNext, "next-event", "n"), (A::EventPrevious, "previous-event", "N")], "cursor to the next event, the previous one"),
+    line(With(Part::Chart), &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-"), (A::ZoomFit, "zoom-fit", "0")], "zoom in, zoom out, show everything"),
     line(Listed, &[(A::Window, "window", "c")], "show the contact only, or the whole response"),
-    line(Listed, &[(A::Difference, "difference", "D")], "show curves as differences to the first pinned run"),
-    line(Listed, &[(A::ShowHide, "show-hide", "V")], "show or hide this curve"),
-    line(Listed, &[(A::Sort, "sort", "S")], "sort by the next column"),
 ];
 
 #[cfg(test)]

@@ -39,10 +39,7 @@ const FINISH_QUIT: Duration = Duration::from_secs(10);
 const FINISH_FORCED: Duration = Duration::from_millis(900);
 
 pub(super) enum Ending {
-    Quit {
-        /// The last summary is wanted on the main screen.
-        summary: bool,
-    },
+    Quit,
     /// A signal, or the terminal is gone: with the exit status that stands for.
     Signal(u8),
     /// The terminal cannot be used any more, though it is there.
@@ -125,24 +122,22 @@ impl Shell {
         }
     }
 
-    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted, and what a
-    /// person should know of the session, if anything.
-    pub(super) fn leave(mut self, ending: &Ending) -> (Option<String>, Option<String>) {
-        let (patience, summary) = match ending {
-            Ending::Quit { summary } => (FINISH_QUIT, *summary),
-            Ending::Signal(_) | Ending::Broken(_) => (FINISH_FORCED, false),
+    /// Leave: save the session, restore the terminal, and give what a person should know of the session, if anything.
+    pub(super) fn leave(mut self, ending: &Ending) -> Option<String> {
+        let patience = match ending {
+            Ending::Quit => FINISH_QUIT,
+            Ending::Signal(_) | Ending::Broken(_) => FINISH_FORCED,
         };
         self.io_thread.session_changed(start::session(&self.app));
-        if matches!(ending, Ending::Quit { .. }) {
+        if matches!(ending, Ending::Quit) {
             self.await_arrival();
         }
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
-        let session = match self.io_thread.finish(patience) {
+        match self.io_thread.finish(patience) {
             Ok(aside) => aside.map(|aside| effects::of_another(&aside)),
             Err(why) => Some(format!("the session was not kept: {why}")),
-        };
-        (summary.then(|| self.app.summary()), session)
+        }
     }
 
     /// Wait for something, deal with all that has come, and draw if it is time.
@@ -287,7 +282,7 @@ impl Shell {
                     )));
                 }
             }
-            Effect::Quit { summary } => return Ok(Some(Ending::Quit { summary })),
+            Effect::Quit => return Ok(Some(Ending::Quit)),
         }
         Ok(None)
     }

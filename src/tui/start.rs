@@ -8,7 +8,7 @@ use crate::files::bundled::BASELINE;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Known, Session, Switch, UNDO_MAX, UndoStep, View};
+use crate::files::session::{self, Known, Session, UNDO_MAX, UndoStep, View};
 use crate::files::{config, recent};
 use crate::model::scene::Scene;
 use crate::tui::app::history::{Edit, History, Snapshot};
@@ -141,13 +141,11 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
 pub(super) fn session(app: &App) -> Session {
     let detected = Theme::detect(environment);
     // Only what a person chose: the next terminal may be able to show more, or less.
-    let Settings { theme, auto_run, threads, .. } = &app.settings;
+    let Settings { theme, .. } = &app.settings;
     let chosen = |word: &str, is_chosen: bool| is_chosen.then(|| word.to_owned());
     let view = View {
         glyphs: chosen(theme.glyphs.word(), theme.glyphs != detected.glyphs),
         colours: chosen(theme.depth.word(), theme.depth != detected.depth),
-        auto_run: (!auto_run).then_some(Switch::Off),
-        threads: *threads,
     };
     Session {
         scene: (*app.scene).clone(),
@@ -249,7 +247,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
         app.pins.push(Pin::new(letter, app.name_of(&scene), Arc::new(scene)));
     }
-    let View { glyphs: set, colours, auto_run, threads } = last.view;
+    let View { glyphs: set, colours } = last.view;
     if glyphs.is_none()
         && let Some(Ok(Some(set))) = set.as_deref().map(GlyphSet::named)
     {
@@ -258,8 +256,6 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     if let Some(depth) = colours.as_deref().and_then(ColourDepth::named) {
         app.settings.theme.depth = depth;
     }
-    app.settings.auto_run = auto_run != Some(Switch::Off);
-    app.settings.threads = threads.filter(|count| *count > 0);
     app.restore_setups(last.setup);
     app.history = undoable(app, last.undo, paths);
     app.tell(greeting(app));
@@ -340,8 +336,6 @@ mod tests {
         Arc::make_mut(&mut app.scene).plate.mass_ratio = 2.5;
         let scene = Arc::clone(&app.base.scene);
         app.pins.push(Pin::new('A', "thesis-baseline".to_owned(), scene));
-        app.settings.auto_run = false;
-        app.settings.threads = Some(1);
         app.settings.theme.glyphs = app.settings.theme.glyphs.next();
         app.files.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);
@@ -350,7 +344,6 @@ mod tests {
             "2<Tab>/shown<Enter>l4/is<Enter><Enter>45<Enter>/variable<Enter><Enter>k<Enter>/to<Enter><Enter>9e6<Enter>/from<Enter><Enter>8e6<Enter>",
         );
         press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
-        app.pages.limit.absorber = Some("some foam".to_owned());
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.
@@ -361,7 +354,7 @@ mod tests {
         let mut again = state();
         restore(&mut again, kept.clone(), None, None);
         assert_eq!(again.scene, app.scene);
-        assert_eq!((again.settings.theme, again.settings.threads), (app.settings.theme, Some(1)));
+        assert_eq!(again.settings.theme, app.settings.theme);
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
         assert_eq!(again.pages.explore.plan, app.pages.explore.plan);
         assert!(again.effects.is_empty());

@@ -5,11 +5,11 @@ pub(crate) mod find;
 pub(crate) mod form;
 pub(crate) mod input;
 pub(crate) mod layout;
+mod map;
 mod moves;
 pub(crate) mod steps;
 pub(crate) mod table;
 pub(crate) mod text;
-pub(crate) mod zoom;
 
 use std::ops::{Deref, DerefMut};
 
@@ -172,11 +172,9 @@ impl<'a> Canvas<'a> {
         });
     }
 
-    /// A dialog covers all that is drawn so far: beside it a click closes it, in it nothing is hit yet.
-    pub(crate) fn cover(&mut self, area: Rect) {
-        if let Some(at) = self.pointer {
-            self.target = (!area.contains(at.into())).then_some(Target::Beside);
-        }
+    /// A dialog takes all clicks from what is drawn so far.
+    pub(crate) fn cover(&mut self) {
+        self.target = None;
     }
 }
 

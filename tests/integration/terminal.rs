@@ -94,19 +94,6 @@ fn chart(screen: &vt100::Screen) -> Vec<String> {
 }
 
 #[test]
-fn a_summary_can_stay_on_the_main_screen() {
-    let mut terminal = started();
-    let depth = depth_mm(&terminal.screen().contents());
-    // All of it is to be seen.
-    terminal.resize(120, 60);
-    terminal.send("Q");
-    assert_eq!(terminal.wait_exit().exit_code(), 0);
-    terminal.assert_restored();
-    let left = terminal.screen().contents();
-    assert!(left.contains("arrested") && left.contains(&depth.to_string()), "{left}");
-}
-
-#[test]
 fn resizing_redraws_in_the_new_size() {
     let mut terminal = started();
     terminal.resize(120, 40);
@@ -492,7 +479,7 @@ fn keys_of_the_configuration_reach_dialogs() {
     let home = tempfile::tempdir().unwrap();
     let folder = home.path().join("config/cmra");
     fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("config.toml"), "[keys]\ndown = [\"n\"]\nnext-event = [\"j\"]\n")
+    fs::write(folder.join("config.toml"), "[keys]\ndown = [\"n\"]\n")
         .unwrap();
     let mut terminal = Terminal::start_with(Start { home: Some(home), ..Start::default() });
     terminal.wait_for(DONE);

@@ -183,7 +183,6 @@ pub(crate) fn unpin(app: &mut App, gone: &Pin) {
 /// Updates after a change of the pins.
 fn follow_pins(app: &mut App) {
     app.pages.run.selected = app.pages.run.selected.min(app.pins.len());
-    app.pages.run.charts.difference &= !app.pins.is_empty();
     jobs::submit_pins(app);
     app.request(Effect::SaveSession);
 }
@@ -227,11 +226,7 @@ pub(crate) fn step(app: &mut App, press: Press) {
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(Stepping::Variable(index)));
     }
-    let hint = match (number.get)(&app.scene) {
-        Some(_) => " (<fine-less> and <fine-more> step finer)",
-        None => "",
-    };
-    app.tell(edge(variable, press.up) + hint);
+    app.tell(edge(variable, press.up));
 }
 
 fn step_number(

@@ -1,4 +1,4 @@
-//! The setups of Explore, Limit and Search as a session keeps them.
+//! The setups of Explore and Search as a session keeps them.
 
 use std::sync::Arc;
 
@@ -15,11 +15,7 @@ impl App {
             curves: Some(explore.plan.curves),
             output: sweep.outputs.swap_remove(explore.output_of(&sweep)),
         };
-        session::Setup {
-            absorber: self.pages.limit.absorber.clone(),
-            explore: Some(picture),
-            search: Some(self.pages.search.setup.kept()),
-        }
+        session::Setup { explore: Some(picture), search: Some(self.pages.search.setup.kept()) }
     }
 
     /// Take over what was kept, as far as it still means something.
@@ -31,7 +27,6 @@ impl App {
         explore.plan.curves = curves.clamp(*CURVES.start(), *CURVES.end());
         let outputs = sweep_of(&self.scene).outputs;
         explore.output = outputs.iter().position(|it| *it == picture.output).unwrap_or(0);
-        self.pages.limit.absorber = kept.absorber;
         let search = kept.search.map_or_else(Setup::default, |kept| Setup::of(&kept));
         self.pages.search.setup = Arc::new(search);
         // Restoring is no edit.

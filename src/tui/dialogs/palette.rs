@@ -2,8 +2,8 @@
 //! with each.
 
 use crate::model::variables::{VARIABLES, Variable, is_offered};
-use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::dialogs::list::{List, Listed, Picker, frame};
+use crate::tui::app::dialog::{Dialog, Outcome};
+use crate::tui::dialogs::list::{List, Picker, frame, listed};
 use crate::tui::dialogs::{presets, words};
 use crate::tui::keymap::{Call, Command};
 use crate::tui::pages::run::editor::shown_value;
@@ -15,7 +15,7 @@ use crate::tui::widgets::text::{clip, wrapped};
 use crate::tui::widgets::{split_bottom, split_top};
 
 pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
-    Listed::typing(Palette)
+    listed(Palette, 0)
 }
 
 #[derive(Clone, Debug)]
@@ -27,14 +27,7 @@ const DOES: u16 = 2;
 impl List for Palette {
     const OPENED_BY: Action = Action::Palette;
     const IS_FILTERED: bool = true;
-
-    fn footer(&self, _: bool) -> Footer {
-        &[
-            (FootKey::Of(Action::Enter), "do it"),
-            (FootKey::Of(Action::Back), "close"),
-            (FootKey::As("Up/Down"), "move"),
-        ]
-    }
+    const FOOTER: &'static str = "<enter> do it  <back> close  Up/Down move";
 
     fn count(&self, app: &App, typed: &str) -> usize {
         app.palette(typed).len()
@@ -67,7 +60,7 @@ impl List for Palette {
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
         let pane = PaneFrame::new("Find an action, variable, preset or page");
         let inner = frame(screen, (76, 20), pane, canvas);
-        picker.draw_filter(app, inner, canvas);
+        picker.draw_filter(inner, canvas);
         let (list, foot) = split_bottom(split_top(inner, 1).1, DOES);
         let found = app.palette(picker.filter.value());
         if found.is_empty() {

@@ -4,13 +4,13 @@ use std::path::Path;
 
 use crate::model::scene::{Mount, PlateSize, Scene};
 use crate::model::variables::VARIABLES;
-use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::edit;
-use crate::tui::dialogs::list::{List, Listed, Picker, frame};
+use crate::tui::dialogs::list::{List, Picker, frame, listed};
 use crate::tui::dialogs::palette::shown_in;
 use crate::tui::message::FileTask;
+use crate::tui::pages::run;
 use crate::tui::pages::run::editor::{index_of, shown_value};
-use crate::tui::pages::run::{self, runs};
 use crate::tui::pages::thesis;
 use crate::tui::prelude::*;
 use crate::tui::preset::PresetEntry;
@@ -20,7 +20,7 @@ use crate::tui::widgets::{split_left, split_top};
 
 pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
     app.list_presets();
-    Listed::typing(Presets)
+    listed(Presets, 0)
 }
 
 #[derive(Clone, Debug)]
@@ -31,16 +31,7 @@ const NAMES: u16 = 32;
 impl List for Presets {
     const OPENED_BY: Action = Action::Presets;
     const IS_FILTERED: bool = true;
-
-    fn footer(&self, _: bool) -> Footer {
-        &[
-            (FootKey::As("type"), "a name or a path"),
-            (FootKey::Of(Action::Enter), "load"),
-            (FootKey::Of(Action::FocusNext), "pin only"),
-            (FootKey::As("Up/Down"), "move"),
-            (FootKey::Of(Action::Back), "close"),
-        ]
-    }
+    const FOOTER: &'static str = "type a name or a path  <enter> load  Up/Down move  <back> close";
 
     fn count(&self, app: &App, typed: &str) -> usize {
         rows(&app.files.presets, typed).len()
@@ -55,7 +46,8 @@ impl List for Presets {
             app.tell("type a name, or move to one: nothing is loaded that was not chosen");
             return Outcome::Stays;
         }
-        match selected(app, picker) {
+        let rows = rows(&app.files.presets, picker.filter.value());
+        match rows.get(picker.selected).map(|entry| (*entry).clone()) {
             Some(entry) => {
                 let before = app.effects.len();
                 take(app, entry);
@@ -75,25 +67,10 @@ impl List for Presets {
         Outcome::Closes
     }
 
-    fn act(&mut self, app: &mut App, picker: &Picker, action: Action) -> Option<Outcome> {
-        if action != Action::FocusNext {
-            return None;
-        }
-        let entry = selected(app, picker)?;
-        match (&entry.problem, entry.scene_on(&app.scene)) {
-            (Some(problem), _) => {
-                app.refuse(format!("{} cannot be pinned: {problem}", entry.name));
-            }
-            (None, Ok(scene)) => runs::pin(app, entry.name, scene.into()),
-            (None, Err(error)) => app.refuse(error.to_string()),
-        }
-        Some(Outcome::Stays)
-    }
-
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
         let pane = PaneFrame::new("Presets, threats, materials, absorbers");
         let inner = frame(screen, (110, 40), pane, canvas);
-        picker.draw_filter(app, inner, canvas);
+        picker.draw_filter(inner, canvas);
         let (_, body) = split_top(inner, 2);
         let rows = rows(&app.files.presets, picker.filter.value());
         let (left, right) = split_left(body, NAMES);
@@ -123,12 +100,6 @@ impl List for Presets {
 /// The presets that match, best first; all of them in their order when nothing is typed.
 fn rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
     ranked(presets.iter(), |entry| rank(typed, &[&entry.name, entry.origin], &entry.scene.title))
-}
-
-/// The preset that is chosen: moved to, or the first that matches what was typed.
-fn selected(app: &App, picker: &Picker) -> Option<PresetEntry> {
-    let rows = rows(&app.files.presets, picker.filter.value());
-    rows.get(picker.selected).map(|entry| (*entry).clone())
 }
 
 /// Title, changes, then comment and notes as far as there is room.

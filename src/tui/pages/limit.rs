@@ -14,8 +14,8 @@ use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
+use crate::tui::widgets::cycled;
 use crate::tui::widgets::{along, cursor_moved, moved};
-use crate::tui::widgets::{around, cycled};
 use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
@@ -26,12 +26,9 @@ const PANES: &[PaneSpec] = &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
         key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo` does"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
-        key(A::Find, "", "find a shot by velocity or outcome"),
     ] },
     PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
-        key(A::View, "absorber", "compare with the next absorber, or with the scene's own"),
-        key(A::Enter, "load", "load the scene with this absorber (<undo> undoes)"),
-        key(A::Find, "", "find a line"),
+        key(A::Down, "scroll", "scroll"),
     ] },
     PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
@@ -44,7 +41,7 @@ const PANES: &[PaneSpec] = &[
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
     Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
-    Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth absorber"),
+    Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth"),
     Command::new(Call::Show(EFFICIENCY_MAP, None), "Efficiency map", "mass efficiency compare worth"),
 ];
 
@@ -59,9 +56,7 @@ impl Page for LimitTab {
         if app.lacks_limit() {
             find(app);
         }
-        let kept = &app.pages.limit.comparison;
-        let lacks = |scene: Scene| app.jobs.lacks::<EqualMass, _>(kept, &scene);
-        if app.compared_scene().map_or(true, lacks) {
+        if app.jobs.lacks::<EqualMass, _>(&app.pages.limit.comparison, &app.scene) {
             compare(app);
         }
     }
@@ -81,8 +76,6 @@ impl Page for LimitTab {
                 Some(by) => app.pages.limit.move_cursor(by.into()),
                 None => return false,
             },
-            (COMPARISON, A::View) => next_absorber(app),
-            (COMPARISON, A::Enter) => load_absorber(app),
             (EFFICIENCY_MAP, A::Enter) => load_cell(app),
             (EFFICIENCY_MAP, A::Mark) => runs::pin_design(app, app.efficiency_design()),
             (EFFICIENCY_MAP, _) => match cursor_moved(action, FAR_CELLS) {
@@ -94,14 +87,10 @@ impl Page for LimitTab {
         true
     }
 
-    fn is_idle(&self, app: &App, action: Action) -> bool {
-        app.pane() == EFFICIENCY_MAP && action == Action::View
-    }
-
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
             RESIDUAL => app.limit_readout(),
-            COMPARISON => note(app.comparison_readout()),
+            COMPARISON => None,
             _ => note(app.efficiency_readout()),
         }
     }
@@ -112,8 +101,7 @@ impl Page for LimitTab {
         let words = |it: &Running| format!("comparing{}", it.counted("of", ""));
         if matches!(app.pane(), COMPARISON | EFFICIENCY_MAP) {
             let of_map = app.pane() == EFFICIENCY_MAP;
-            let scene = if of_map { app.efficiency_scene() } else { app.compared_scene() };
-            let scene = scene.unwrap_or_default();
+            let scene = if of_map { app.efficiency_scene() } else { (*app.scene).clone() };
             let comparing = progress::<EqualMass, _>(app, &tab.comparison, &scene, words);
             let first = comparing.unwrap_or_else(done).part();
             return std::iter::once(first).chain(app.validity_part()).collect();
@@ -204,14 +192,6 @@ impl Page for LimitTab {
         }
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        match app.pane() {
-            RESIDUAL => app.pages.limit.shots().get(row).map(residual::shot_words),
-            COMPARISON => Some(comparison_text(app)?.0.get(row)?.0.clone()),
-            _ => None,
-        }
-    }
-
     fn select(&self, app: &mut App, row: usize) {
         let (pane, tab) = (app.pane(), &mut app.pages.limit);
         match pane {
@@ -261,25 +241,6 @@ fn load_shot(app: &mut App) {
     edit::load_design(app, Ok(LabelledScene { scene, label }));
 }
 
-/// Compare with the next absorber of the library, after the last one with the scene's own.
-fn next_absorber(app: &mut App) {
-    let names = app.absorbers().into_iter().map(|entry| entry.name.as_str());
-    let all: Vec<Option<&str>> = std::iter::once(None).chain(names.map(Some)).collect();
-    let now = app.absorber().map(|entry| entry.name.as_str());
-    app.pages.limit.absorber = around(&all, now, 1).map(str::to_owned);
-    compare(app);
-}
-
-/// The absorber stays chosen: the comparison is one of this scene, and of the one before when it is undone.
-fn load_absorber(app: &mut App) {
-    let Some(absorber) = app.absorber() else {
-        return app.tell("the scene's own spring: <view> takes one of the library");
-    };
-    let label = format!("absorber {}", absorber.name);
-    let design = app.compared_scene().map(|scene| LabelledScene { scene, label });
-    edit::load_design(app, design);
-}
-
 fn load_cell(app: &mut App) {
     let before = Arc::clone(&app.scene);
     edit::load_design(app, app.efficiency_design());
@@ -300,13 +261,7 @@ fn move_on_map(app: &mut App, by: (isize, isize)) {
 }
 
 fn compare(app: &mut App) {
-    match app.compared_scene() {
-        Ok(scene) => {
-            let study = EqualMass { absorber: app.pages.limit.absorber.clone() };
-            jobs::study_of(app, Tab::Limit, &Arc::new(scene), study);
-        }
-        Err(why) => app.refuse(why),
-    }
+    jobs::study(app, Tab::Limit, EqualMass);
 }
 
 /// Turn from the curve through the pages of words, in a circle.

@@ -7,7 +7,6 @@ pub mod state;
 use crate::model::library;
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
-use crate::tui::pages::page::plot_columns;
 use crate::tui::pages::page::prelude::*;
 
 pub use state::{ACCURACY, STABILITY, STIFF_SCENES};
@@ -17,7 +16,6 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[], keys: &[
         key(A::Down, "method", "select another method"),
         key(A::Enter, "use", "run the scene by this method: auto at 1e-6, or as printed"),
-        key(A::Right, "cursor", "move the cursor in run time"),
     ] },
     PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
@@ -26,8 +24,6 @@ const PANES: &[PaneSpec] = &[
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[], keys: &[
         key(A::Down, "scene", "select another scene"),
-        key(A::View, "columns", "show the next columns of the table"),
-        key(A::Find, "find", "find a scene"),
     ] },
 ];
 
@@ -77,7 +73,7 @@ impl Page for NumericsTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match app.pane() {
-            ACCURACY => accuracy::act(app, action, plot_columns(self, app)),
+            ACCURACY => accuracy::act(app, action),
             _ => stability::act(app, action),
         }
     }
@@ -87,7 +83,7 @@ impl Page for NumericsTab {
             return Some((Severity::Warning, why));
         }
         match app.pane() {
-            ACCURACY => note(app.accuracy_readout()),
+            ACCURACY => None,
             STABILITY => note(app.map_readout()),
             _ => app.battery_readout(),
         }
@@ -167,23 +163,8 @@ impl Page for NumericsTab {
         }
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        match app.pane() {
-            ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
-            STIFF_SCENES => {
-                let rows = app.pages.numerics.stability.rows();
-                Some(rows.get(row)?.case.name.to_string())
-            }
-            _ => None,
-        }
-    }
-
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.pages.numerics.stability.cursor = Some(cell);
-    }
-
-    fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {
-        app.pages.numerics.accuracy.place_cursor(value);
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -192,7 +192,6 @@ fn look(app: &mut App) {
     app.focus_on(explore::RESULTS);
     app.pages.explore.output = 0;
     app.pages.explore.cursor = None;
-    app.pages.explore.zoomed = None;
     explore::ExploreTab.enter(app);
 }
 

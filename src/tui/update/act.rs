@@ -10,12 +10,11 @@ use crate::tui::prelude::*;
 use crate::tui::update;
 use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::table::NO_MATCH;
-use crate::tui::widgets::zoom::is_zoom;
 use crate::tui::widgets::{around, cycled, rows_moved, step_of};
 
 /// Do it, in the pane that has the keys.
 pub(crate) fn act(app: &mut App, action: Action) {
-    if !matches!(action, Action::Quit | Action::QuitWithSummary | Action::Cancel) {
+    if !matches!(action, Action::Quit | Action::Cancel) {
         app.jobs.quit_confirmation_shown = false;
     }
     if action != Action::Back {
@@ -40,19 +39,13 @@ pub(crate) fn act(app: &mut App, action: Action) {
     {
         return move_by(page, app, by);
     }
-    if page.across(app).is_some_and(|across| across.change(action)) {
-        return;
-    }
-    if is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
-        return app.tell("nothing to zoom: a map has the ends that its setup says");
-    }
     anywhere(app, action);
 }
 
 /// Whether an action acts on rows of a table.
 fn acts_on_rows(action: Action) -> bool {
     use Action as A;
-    matches!(action, A::Enter | A::Mark | A::ShowHide | A::Export | A::Copy)
+    matches!(action, A::Enter | A::Mark | A::Export | A::Copy)
 }
 
 /// What an action does to the selected row of a form: it takes the next value, or opens its field.
@@ -94,12 +87,7 @@ fn anywhere(app: &mut App, action: Action) {
         A::ResetAll => edit::reset_all(app),
         A::Copy if app.shows_runs() => runs::copy(app),
         A::Copy => copy(app),
-        A::Switch(option) => dialogs::switch(app, option),
-        A::Cancel | A::Back | A::Quit | A::QuitWithSummary => leave(app, action),
-        A::FullPane => {
-            let at = app.tab.index();
-            app.full_pane[at] = !app.full_pane[at];
-        }
+        A::Cancel | A::Back | A::Quit => leave(app, action),
         A::Redraw => app.request(Effect::Redraw),
         A::Suspend => app.request(Effect::Suspend),
         _ => {
@@ -158,7 +146,7 @@ fn leave(app: &mut App, action: Action) {
     if action == Action::Back && update::clear(app) {
         return;
     }
-    let is_quit = matches!(action, Action::Quit | Action::QuitWithSummary);
+    let is_quit = action == Action::Quit;
     let own: Vec<u64> =
         pages::all_jobs(app).filter(|(tab, _)| *tab == app.tab).map(|(_, job)| job).collect();
     let jobs: Vec<u64> = match action {
@@ -200,14 +188,13 @@ fn leave(app: &mut App, action: Action) {
         return app.say(Severity::Warning, question);
     }
     app.request(Effect::SaveSession);
-    app.request(Effect::Quit { summary: action == Action::QuitWithSummary });
+    app.request(Effect::Quit);
 }
 
 /// Esc with nothing to stop: it closes what is open here, and never takes anything away.
 fn back(app: &mut App) {
-    let at = app.tab.index();
-    if app.full_pane[at] {
-        app.full_pane[at] = false;
+    if app.is_full() {
+        app.pages.run.is_full = false;
     } else {
         let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
         let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
@@ -226,10 +213,7 @@ fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
         return app.refuse(pages::nothing_yet(app, "copy"));
     };
-    match Content::Page(table).text() {
-        Ok(text) => app.request(Effect::Copy(text)),
-        Err(why) => app.refuse(why.to_string()),
-    }
+    app.request(Effect::Copy(Content::Page(table).text()));
 }
 
 /// Do what was called by its name, in the pane it belongs to.

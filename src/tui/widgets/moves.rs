@@ -61,8 +61,6 @@ pub(crate) fn step_of(action: Action) -> Option<Press> {
         Action::Right => press(true, Size::Plain),
         Action::FarLeft => press(false, Size::Coarse),
         Action::FarRight => press(true, Size::Coarse),
-        Action::FineLess => press(false, Size::Fine),
-        Action::FineMore => press(true, Size::Fine),
         _ => None,
     }
 }

@@ -48,8 +48,6 @@ impl Press {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Size {
-    /// A tenth of a step.
-    Fine,
     /// One step.
     Plain,
     /// Ten steps.
@@ -63,7 +61,6 @@ impl Size {
 
     fn decade(self) -> i32 {
         match self {
-            Self::Fine => -1,
             Self::Plain => 0,
             Self::Coarse => 1,
         }
@@ -138,10 +135,9 @@ fn logarithmic(number: &Number, value: f64, Press { up, size }: Press) -> f64 {
     }
     let tenths = if up { size.factor() } else { -size.factor() };
     let exponent = value.log10() * 10.0 + tenths;
-    // Near a tenth (or hundredth) of a decade: exactly there, so that up and down meet again.
-    let grid = if size == Size::Fine { 10.0 } else { 1.0 };
-    let snapped = (exponent * grid).round() / grid;
-    let exponent = if (exponent - snapped).abs() < 0.05 / grid { snapped } else { exponent };
+    // Near a tenth of a decade: exactly there, so that up and down meet again.
+    let snapped = exponent.round();
+    let exponent = if (exponent - snapped).abs() < 0.05 { snapped } else { exponent };
     let exact = 10f64.powf(exponent / 10.0);
     format!("{exact:.2e}").parse().unwrap_or(exact)
 }
@@ -191,7 +187,6 @@ mod tests {
         assert_eq!(up("m_p", 0.0295, Size::Plain), Some(0.0296));
         assert_eq!(up("v_i", 100.0, Size::Plain), Some(101.0));
         assert_eq!(up("v_i", 100.0, Size::Coarse), Some(110.0));
-        assert_eq!(up("v_i", 100.0, Size::Fine), Some(100.1));
         assert_eq!(up("S_y", 1.52e8, Size::Plain), Some(1.53e8));
         assert_eq!(up("gamma", 1.0, Size::Plain), Some(1.1));
         assert_eq!(up("theta", 0.0, Size::Plain), Some(1.0));

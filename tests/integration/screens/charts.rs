@@ -4,8 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::{Bench, done};
-use super::sweep::keys;
-use super::{limit, search, stability, sweep};
+use super::{limit, search, stability};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::stability::map::{Axis, Cell, FixedStep};
@@ -48,21 +47,6 @@ fn values_on_the_screen_have_six_digits_at_the_most() {
     bench.keys("/gamma<Enter><Enter>1/3<Enter>");
     let label = &bench.app.history.edits[0].label;
     assert_eq!(label, "gamma 1 -> 0.333333");
-}
-
-/// On a logarithmic time axis zoom and pan go by ratios: the middle of the view stays the middle in decades.
-#[test]
-fn zoom_on_a_logarithmic_axis_goes_by_decades() {
-    let mut bench = Bench::ascii(120, 40);
-    bench.keys("<Tab>X");
-    let (from, to) = bench.app.time_range_s(0);
-    bench.keys("l+");
-    let cursor = bench.app.pages.run.charts.cursor_s.unwrap();
-    let (near, far) = bench.app.time_range_s(0);
-    let decades = |a: f64, b: f64| (b / a).log10();
-    assert!((decades(near, far) / decades(from, to) - 0.5).abs() < 1e-9);
-    let before = decades(from, cursor) / decades(from, to);
-    assert!((decades(near, cursor) / decades(near, far) - before).abs() < 1e-9);
 }
 
 /// The line of a goal stands at its own value, not at that of the nearest label.
@@ -163,25 +147,6 @@ fn the_map_of_mass_efficiency_names_its_axis_across() {
     let screen = bench.screen();
     let below = screen.lines().skip_while(|line| !line.contains("mass efficiency, up: gamma"));
     assert!(below.clone().any(|line| line.contains(" v_i [")), "{screen}");
-}
-
-#[test]
-fn a_logarithmic_scale_of_less_than_a_decade_keeps_its_bands() {
-    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, "2Y");
-    let screen = bench.screen();
-    assert!(screen.matches(" .. ").count() > 4, "{screen}");
-    assert!(screen.contains("Y: linear"), "{screen}");
-    assert!(!screen.contains("Y linear"), "{screen}");
-}
-
-#[test]
-fn the_contour_of_a_map_has_its_value_in_the_picture() {
-    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, "2e<C-u>map.svg<Enter>");
-    let (_, svg, _) = bench.exported().expect("a picture");
-    let note = svg.split('>').find(|text| text.starts_with("— ")).expect("the contour's note");
-    assert!(note.contains(" %"), "{note}");
 }
 
 #[test]

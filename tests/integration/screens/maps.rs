@@ -1,11 +1,10 @@
-//! Zoom of curves in Explore, and what the Limit tab says of a change of closure.
+//! What the Limit tab says of a change of closure.
 
 use std::sync::Arc;
 
 use super::bench::Bench;
-use super::{search, sweep};
+use super::search;
 use cmra::model::scene::Closure;
-use cmra::tui::theme::GlyphSet;
 
 /// A hard core on AA6082, as in `cmra compare`: of 271 to 285 m/s only the change of closure at h = D decides.
 #[test]
@@ -29,22 +28,4 @@ fn the_change_of_closure_is_named_in_the_comparison() {
     };
     let screen = opened().screen();
     assert!(screen.contains("just as thick as the projectile (h = D)"), "{screen}");
-}
-
-/// As in Run, the axis of values is that of what is in view.
-#[test]
-fn curves_that_are_zoomed_have_the_values_in_view() {
-    let labels = |bench: &Bench| {
-        let screen = bench.screen();
-        let of = |line: &str| Some(line.split_once("||")?.1.split_once('+')?.0.trim().parse().ok());
-        let labels: Vec<f64> = screen.lines().filter_map(of).flatten().collect();
-        labels.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b))
-            - labels.iter().fold(f64::INFINITY, |a, b| a.min(*b))
-    };
-    let mut bench = sweep::open("figure-9.4", 21, GlyphSet::Ascii, (80, 24));
-    bench.keys("2");
-    sweep::answer(&mut bench);
-    let whole = labels(&bench);
-    bench.keys("++");
-    assert!(labels(&bench) < 0.5 * whole, "{whole}: {}", bench.screen());
 }

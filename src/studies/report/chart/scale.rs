@@ -53,15 +53,6 @@ impl Scale {
             Self::Log10 => 10_f64.powf(place),
         }
     }
-
-    /// The other scale.
-    #[must_use]
-    pub fn toggled(self) -> Self {
-        match self {
-            Self::Linear => Self::Log10,
-            Self::Log10 => Self::Linear,
-        }
-    }
 }
 
 /// The range of values an axis shows. Always finite, never empty, never reversed.
@@ -188,22 +179,6 @@ impl ViewRange {
     pub fn within(self, bounds: Self) -> Self {
         let (lo, hi) = (self.lo.max(bounds.lo), self.hi.min(bounds.hi));
         if lo < hi { Self { lo, hi } } else { bounds }
-    }
-
-    /// Moved by a fraction of its span, at most to the bounds; positive moves to greater values.
-    pub fn panned(self, scale: Scale, fraction: f64, bounds: Self) -> Self {
-        if !fraction.is_finite() {
-            return self;
-        }
-        let view = self.on(scale);
-        let span = scale.place(view.hi) - scale.place(view.lo);
-        let room = |from: f64, to: f64| (scale.place(to) - scale.place(from)) / span;
-        let down = room(view.lo, bounds.lo).min(0.0);
-        let fraction = fraction.clamp(down, room(view.hi, bounds.hi).max(0.0));
-        self.mapped(scale, |lo, hi| {
-            let by = (hi - lo) * fraction;
-            (lo + by, hi + by)
-        })
     }
 
     /// Changes the bounds in the space of the scale. A result too narrow to show leaves the range as it is.
@@ -401,7 +376,7 @@ mod tests {
             let view = ViewRange::new(a, b);
             let zoomed = view.zoomed(scale, c, d);
             let all = [
-                view, zoomed, view.on(scale), view.panned(scale, c, view), view.within(zoomed), view.padded(scale, 0.1),
+                view, zoomed, view.on(scale), view.within(zoomed), view.padded(scale, 0.1),
                 view.rounded(scale),
             ];
             for range in all {

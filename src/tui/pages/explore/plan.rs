@@ -49,10 +49,6 @@ pub fn no_value(grid: &Grid, output: usize) -> [String; 2] {
     if grid.progress().0 == 0 {
         return ["sweeping the first points".to_owned(), String::new()];
     }
-    if cells(grid).any(|(x, y)| grid.cell(x, y, output).value().is_some()) {
-        let cure = "<log-y>: linear scale".to_owned();
-        return [format!("no {name} above 0: a log scale shows none"), cure];
-    }
     let mut outcomes: Vec<_> = cells(grid).filter_map(|(x, y)| grid.outcome(x, y)).collect();
     outcomes.dedup();
     let why = match outcomes[..] {

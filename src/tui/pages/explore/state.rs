@@ -12,7 +12,6 @@ use crate::model::variables;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, USUAL_OUTPUTS};
 use crate::tui::app::running::{Kept, Running};
-use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::preset::LabelledScene;
 use crate::tui::widgets::axis::over;
@@ -41,8 +40,6 @@ pub enum SetupRow {
     Picture,
     Curves,
     Output,
-    /// A held variable, by index into the table.
-    Held(usize),
 }
 
 impl Default for SetupRow {
@@ -70,17 +67,12 @@ pub struct Sweeping {
     pub result: Kept<Grid>,
     /// The curves of a figure by the scheme that the thesis prints.
     pub printed: Option<Arc<Grid>>,
-    /// The number of the last sweep that was said to take more than a minute.
-    pub warned: Option<u64>,
     /// Why the present axes cannot be swept.
     pub problem: Option<String>,
     pub row: SetupRow,
     /// The point under the cursor; `None`: the one nearest to the scene.
     pub cursor: Option<(usize, usize)>,
-    /// The part of the variable along that is in view; `None`: all of it.
-    pub zoomed: Option<ViewRange>,
     pub output: usize,
-    pub value_scale: Scale,
     /// Curves of a family, and the picture.
     pub plan: PicturePlan,
 }
@@ -97,30 +89,16 @@ impl Sweeping {
         self.output.min(sweep.outputs.len() - 1)
     }
 
-    /// Keep what was found; over other variables the cursor begins again, over other values of them it stays at its own.
+    /// Keep what was found; over other axes the cursor begins again.
     pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) {
         let before = self.found().cloned();
         if self.result.keep(running, news, Grid::is_complete)
             && let Some(grid) = &self.result.found
             && before.as_ref().is_none_or(|it| it.plan().axes() != grid.plan().axes())
         {
-            let at = self.cursor.zip(before);
-            self.cursor = at.and_then(|(at, old)| same_place(&old, at, grid));
-            self.zoomed = None;
+            self.cursor = None;
         }
     }
-}
-
-/// The point of a grid that is nearest to a point of another one over the same variables.
-fn same_place(old: &Grid, at: (usize, usize), new: &Grid) -> Option<(usize, usize)> {
-    let (before, after) = (old.plan().axes(), new.plan().axes());
-    let is_same = before.iter().map(Axis::symbol).eq(after.iter().map(Axis::symbol));
-    let value = |axis: usize| nearest(after.get(axis)?, old.coordinate(at, axis));
-    let is_inside = at.0 < old.counts().0 && at.1 < old.counts().1;
-    if !is_same || !is_inside {
-        return None;
-    }
-    Some((value(0)?, value(1).unwrap_or(0)))
 }
 
 /// The sweep of a scene, with usual axes and outputs where it has none; always two axes.

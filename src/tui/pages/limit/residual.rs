@@ -256,11 +256,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             (_, _) => {}
         }
     }
-    let of = match (old, app.absorber()) {
-        (true, _) => ", of another scene",
-        (false, Some(_)) => ", own spring",
-        (false, None) => "",
-    };
+    let of = if old { ", of another scene" } else { "" };
     chart.title = format!("Residual velocity{of}").into();
     chart.crosshair = tab.shot().map(|shot| shot.impact_m_s);
     chart.focused = app.has_focus(RESIDUAL);
@@ -275,7 +271,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     let focus = app.pane();
     let rows = if body.height < ROOM_FOR_FIGURES { VERDICT_ROWS } else { COMPARISON_ROWS };
-    if app.is_full() || body.height < rows + 8 {
+    if body.height < rows + 8 {
         return (pane == focus).then_some(body);
     }
     let (above, comparison) = split_bottom(body, rows);

@@ -23,8 +23,6 @@ pub struct Ballistic {
     pub cursor: Option<usize>,
     /// The comparison at equal areal mass.
     pub comparison: Kept<Comparison>,
-    /// The absorber of the library it is made with; `None`: the scene's own.
-    pub absorber: Option<String>,
     /// The first line shown of the comparison.
     pub scrolled: usize,
     /// The cell under the cursor of the map of mass efficiency; `None`: the scene's.

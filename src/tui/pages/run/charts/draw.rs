@@ -149,10 +149,9 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if area.height < 3 || !app.visible_runs().is_empty() {
         return;
     }
-    let text = match (&app.shown, &app.jobs.current) {
-        (Some(_), _) => "all runs are hidden: <show-hide> in the table of runs shows them",
-        (None, Some(_)) => "running the first time",
-        (None, None) => NO_RESULTS,
+    let text = match &app.jobs.current {
+        Some(_) => "running the first time",
+        None => NO_RESULTS,
     };
     canvas.put_centred(area, &app.keymap.shown(text));
 }
@@ -180,12 +179,8 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     }
     let range @ (from, to) = app.time_range_s(index);
     let time = ViewRange::new(from, to);
-    let x = Axis::new("t", time)
-        .unit(Unit::with_prefix(time.size(), "s"))
-        .scale(app.pages.run.charts.time_scale);
-    let scale = app.pages.run.charts.value_scales[index];
-    let shown = app.shown.iter().filter(|_| app.pages.run.shows_current);
-    let marks = shown.flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
+    let x = Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s"));
+    let marks = app.shown.iter().flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
     let left = room.saturating_sub(title.chars().count() + 4);
     Chart {
         marks: marks.collect(),
@@ -193,19 +188,13 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
         crosshair: app.pages.run.charts.cursor_s,
         frame,
         note: note(app, index, alike, left).into(),
-        ..Chart::new(title, x, value_axis(app, data, index).scale(scale), curves.collect())
+        ..Chart::new(title, x, value_axis(app, data, index), curves.collect())
     }
 }
 
 /// The plate's thickness, and where the stop stands.
 fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
-    let Some(shown) = app
-        .shown
-        .as_ref()
-        .filter(|_| app.pages.run.shows_current && !app.pages.run.charts.difference)
-    else {
-        return Vec::new();
-    };
+    let Some(shown) = &app.shown else { return Vec::new() };
     let scene = &shown.run.scene;
     match quantity {
         Channel::Penetration => vec![Mark::new(scene.target.thickness_m, "h")],
@@ -271,18 +260,14 @@ fn over_displacement<'a>(
     curves: Vec<Curve<'a>>,
 ) -> Chart<'a> {
     let quantity = app.pages.run.charts.quantities[index];
-    let run = app.shown.as_ref().filter(|_| app.pages.run.shows_current).map(|shown| &shown.run);
+    let run = app.shown.as_ref().map(|shown| &shown.run);
     let law = run.and_then(|run| Law::of(run));
     let points = || data.iter().flat_map(|curve| curve.points.iter());
     let limits = law.iter().flat_map(|law| <[f64; 2]>::from(law.range_m()));
     let x = Axis::over("x", "m", Scale::Linear, points().map(|point| point.0).chain(limits));
-    let scale = app.pages.run.charts.value_scales[index];
-    let y = Axis::over("", quantity.unit(), scale, points().map(|point| point.1));
+    let y = Axis::over("", quantity.unit(), Scale::Linear, points().map(|point| point.1));
     let none = || Axis::new("", ViewRange::default());
-    let (x, mut y) = (x.unwrap_or_else(none), y.unwrap_or_else(none));
-    if scale == Scale::Linear {
-        y = y.with_zero();
-    }
+    let (x, y) = (x.unwrap_or_else(none), y.unwrap_or_else(none).with_zero());
     let levels = if quantity == Channel::Stress { vec![Mark::new(1.0, "yield")] } else { vec![] };
     Chart {
         marks: law.map_or_else(Vec::new, |law| law.marks()),
@@ -296,19 +281,11 @@ fn over_displacement<'a>(
 
 /// A vertical axis that shows all of some curves.
 fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
-    let (scale, unit) =
-        (app.pages.run.charts.value_scales[chart], app.pages.run.charts.quantities[chart].unit());
     let (low, high) = app.value_range(data, chart);
-    let values = match scale {
-        Scale::Linear => ViewRange::new(low, high),
-        Scale::Log10 => ViewRange::new(low, high).on(scale),
-    };
     // Rates at or above zero begin at zero: the eye takes the axis for it.
-    let values = if scale == Scale::Linear && low >= 0.0 && low < 0.5 * high {
-        ViewRange::new(0.0, values.hi())
-    } else {
-        values
-    };
+    let from = if low >= 0.0 && low < 0.5 * high { 0.0 } else { low };
+    let values = ViewRange::new(from, high);
+    let unit = app.pages.run.charts.quantities[chart].unit();
     Axis::new("", values).unit(Unit::with_prefix(values.size(), unit))
 }
 
@@ -322,11 +299,6 @@ fn label(view: &RunView<'_>) -> String {
 fn title(app: &App, chart: usize, room: usize) -> String {
     let quantity = app.pages.run.charts.quantities[chart];
     let name = quantity.title().trim_end_matches(" over displacement");
-    if let Some(pin) =
-        app.reference_pin().filter(|_| app.pages.run.charts.difference && quantity.is_over_time())
-    {
-        return format!("{name} minus that of {}", pin.letter);
-    }
     let window = match app.pages.run.charts.windows[chart] {
         Window::Whole if quantity.is_over_time() => ", whole",
         Window::Whole | Window::Contact => "",
