@@ -95,8 +95,6 @@ pub struct Setup {
 pub struct Explore {
     /// A map, not curves.
     pub is_map: bool,
-    /// How many curves a family has.
-    pub curves: Option<u64>,
     /// The quantity shown.
     pub output: String,
 }

@@ -30,7 +30,7 @@ use crate::tui::message::FileTask;
 use crate::tui::pages::states::States;
 use crate::tui::prelude::*;
 use crate::tui::preset::{Base, PresetEntry};
-use crate::tui::theme::{ColourDepth, Theme};
+use crate::tui::theme::Theme;
 use crate::tui::widgets::input::{Field, TextField};
 use crate::tui::widgets::layout::{Layout, layout};
 
@@ -41,8 +41,6 @@ const LOG_MAX: usize = 2000;
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     pub theme: Theme,
-    /// The most colours the terminal can show.
-    pub best_depth: ColourDepth,
     pub mouse: bool,
 }
 
@@ -105,7 +103,7 @@ impl App {
     pub fn new(base: Base, theme: Theme, directory: PathBuf) -> Self {
         Self {
             size: (80, 24),
-            settings: Settings { theme, best_depth: theme.depth, ..Settings::default() },
+            settings: Settings { theme, ..Settings::default() },
             focus: Tab::ALL.map(|tab| Pane::of(tab, 0)),
             scene: Arc::clone(&base.scene),
             base,
@@ -145,7 +143,7 @@ impl App {
             scene: Arc::clone(&self.scene),
             base: self.base.clone(),
             search: Arc::clone(&self.pages.search.setup),
-            plan: self.pages.explore.plan,
+            picture: self.pages.explore.picture,
             pins: self.pins.iter().map(|pin| Pin { run: None, job: None, ..pin.clone() }).collect(),
         }
     }

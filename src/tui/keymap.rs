@@ -8,7 +8,7 @@ use cmra_studies::enumeration;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use Action as A;
-use Scope::{Everywhere, Listed, With};
+use Scope::{Everywhere, Listed};
 
 enumeration! {
     /// The tabs, in the order of the title row.
@@ -96,8 +96,6 @@ pub struct PaneSpec {
     pub pane: Pane,
     /// Its name in help, palette and messages.
     pub label: &'static str,
-    /// The things in it that keys act on.
-    pub has: &'static [Part],
     /// The meaning of keys in it, the most useful first: the order of the footer, which drops the last ones on a narrow screen.
     pub keys: &'static [PaneKey],
 }
@@ -108,17 +106,6 @@ impl PaneSpec {
         let line = LINES.iter().find(|line| line.keys.iter().any(|(one, ..)| *one == action));
         line.is_none_or(|line| line.works_in(self))
     }
-}
-
-/// The things in a pane that keys can act on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Rows that have a value to change.
-    Form,
-    /// A chart that can be zoomed.
-    Chart,
-    /// A table whose rows a text filters.
-    Table,
 }
 
 pub struct PaneKey {
@@ -138,8 +125,6 @@ pub const fn key(action: Action, short: &'static str, help: &'static str) -> Pan
 #[expect(missing_docs, reason = "each action is described once, in the tables, for people")]
 pub enum Action {
     Tab(Tab),
-    TabNext,
-    TabPrevious,
     FocusNext,
     FocusPrevious,
     Up,
@@ -376,8 +361,6 @@ impl Command {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
     Everywhere,
-    /// In the panes that have such a part.
-    With(Part),
     /// In the panes that list one of its keys.
     Listed,
 }
@@ -396,7 +379,6 @@ impl KeyHelp {
     pub fn works_in(&self, pane: &PaneSpec) -> bool {
         match self.scope {
             Everywhere => true,
-            With(part) => pane.has.contains(&part),
             Listed => pane
                 .keys
                 .iter()
@@ -417,7 +399,6 @@ fn bound() -> impl Iterator<Item = &'static Bound> {
 #[rustfmt::skip]
 pub static LINES: &[KeyHelp] = &[
     line(Everywhere, TAB_KEYS, "go to the tab; again: its next page"),
-    line(Everywhere, &[(A::TabPrevious, "previous-tab", "{"), (A::TabNext, "next-tab", "}")], "previous tab, next tab"),
     line(Everywhere, &[(A::FocusNext, "next-pane", "Tab"), (A::FocusPrevious, "previous-pane", "Shift-Tab")], "next pane, previous pane"),
     line(Everywhere, &[(A::Left, "left", "h Left"), (A::Down, "down", "j Down"), (A::Up, "up", "k Up"), (A::Right, "right", "l Right")], "move the selection or cursor, as arrows do; <left> <right> change values"),
     line(Everywhere, &[(A::FarLeft, "far-left", "H Shift-Left"), (A::FarRight, "far-right", "L Shift-Right")], "move or change by ten steps"),
@@ -440,8 +421,8 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::Cancel, "cancel", "Ctrl-c")], "cancel the job; pressed twice: quit"),
     line(Everywhere, &[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 
-    line(With(Part::Form), &[(A::Reset, "reset", "d Del")], "reset this row"),
-    line(With(Part::Chart), &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-"), (A::ZoomFit, "zoom-fit", "0")], "zoom in, zoom out, show everything"),
+    line(Listed, &[(A::Reset, "reset", "d Del")], "reset this row"),
+    line(Listed, &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-"), (A::ZoomFit, "zoom-fit", "0")], "zoom in, zoom out, show everything"),
     line(Listed, &[(A::Window, "window", "c")], "show the contact only, or the whole response"),
 ];
 

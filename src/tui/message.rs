@@ -83,7 +83,7 @@ pub enum Effect {
     Files(FileTask),
     /// Save the session soon (edits in quick succession are saved once).
     SaveSession,
-    /// Copy to the clipboard of the terminal (OSC 52), and to a file as a fallback.
+    /// Copy to the clipboard of the terminal (OSC 52).
     Copy(String),
     /// Capture the mouse or let it go.
     Mouse(bool),
@@ -113,8 +113,6 @@ pub enum FileTask {
     Load(PathBuf),
     /// Read a measured curve for a spring.
     ReadCurve(PathBuf),
-    /// Write copied text to a file; the second text says where else it went.
-    KeepCopy(String, String),
 }
 
 /// The content of a file to write.

@@ -106,7 +106,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
             Some(depth) => app.settings.theme.depth = depth,
             None => app.say(
                 Severity::Warning,
-                format!("{}: colours = \"{word}\": use none, sixteen, 256 or full", path.display()),
+                format!("{}: colours = \"{word}\": use none, sixteen or 256", path.display()),
             ),
         }
     }
@@ -287,7 +287,7 @@ mod tests {
     use crate::tui::app::edit;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
-    use crate::tui::pages::explore::state::PicturePlan;
+    use crate::tui::pages::explore::state::Picture;
     use crate::tui::update;
     use crate::worker::studies::Asked;
 
@@ -356,7 +356,7 @@ mod tests {
         assert_eq!(again.scene, app.scene);
         assert_eq!(again.settings.theme, app.settings.theme);
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
-        assert_eq!(again.pages.explore.plan, app.pages.explore.plan);
+        assert_eq!(again.pages.explore.picture, app.pages.explore.picture);
         assert!(again.effects.is_empty());
         again.files.recent.clone_from(&app.files.recent);
         assert_eq!(session(&again), kept);
@@ -374,7 +374,7 @@ mod tests {
         let mut app = state();
         press(&mut app, "l");
         let cocked = base_of(preset::resolve("cocked", None).unwrap());
-        edit::load(&mut app, cocked.clone(), PicturePlan::default());
+        edit::load(&mut app, cocked.clone(), Picture::default());
         press(&mut app, "l");
         let mut again = App::new(cocked, app.settings.theme, PathBuf::new());
         restore(&mut again, session(&app), None, None);

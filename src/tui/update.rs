@@ -12,7 +12,7 @@ use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::notice::Notice;
 use crate::tui::app::{Typing, edit, jobs};
 use crate::tui::dialogs;
-use crate::tui::keymap::{Key, Part};
+use crate::tui::keymap::Key;
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
 use crate::tui::prelude::*;
@@ -30,13 +30,13 @@ pub fn start(app: &mut App) -> Vec<Effect> {
 
 /// Change the state by a message; gives what the outside is to do.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
-    let before = (Arc::clone(&app.scene), app.pages.explore.plan);
+    let before = (Arc::clone(&app.scene), app.picture());
     take(app, message);
     let is_edited = app.scene != before.0;
     if is_edited {
         jobs::after_edit(app);
     }
-    if is_edited || app.pages.explore.plan != before.1 {
+    if is_edited || app.picture() != before.1 {
         pages::of(app.tab).edited(app);
     }
     keep_listed(app);
@@ -267,10 +267,9 @@ fn is_filtered(app: &mut App) -> bool {
     filter.is_some_and(|filter| !filter.is_empty())
 }
 
-/// Whether no row of the table that has the keys matches its filter.
+/// Whether no row of the pane that has the keys matches its filter.
 pub(crate) fn matches_nothing(app: &mut App) -> bool {
-    let is_table = pages::spec(app.pane()).has.contains(&Part::Table);
-    is_table && is_filtered(app) && pages::of(app.tab).rows(app).is_some_and(|it| it.count == 0)
+    is_filtered(app) && pages::of(app.tab).rows(app).is_some_and(|rows| rows.count == 0)
 }
 
 /// The selection is on a row that the filter shows, also where the rows have changed.
@@ -384,8 +383,8 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
             let base = Base { name, is_mine: false, scene: Arc::new(*scene) };
-            let plan = app.pages.explore.plan;
-            edit::load(app, base, plan);
+            let picture = app.picture();
+            edit::load(app, base, picture);
         }
         EffectReport::Loaded(Err(text)) => app.refuse(text),
         EffectReport::Session(kept) => session(app, &kept),

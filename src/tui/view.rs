@@ -13,7 +13,7 @@ use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::SMALLEST;
-use crate::tui::widgets::text::{self, clip, columns, fitting};
+use crate::tui::widgets::text::{self, clip, columns};
 
 /// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, and whether it is shown: in a field it
 /// is; on the selected row it is hidden, and a screen reader follows it.
@@ -58,29 +58,11 @@ fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let (columns, rows) = SMALLEST;
     let needed = format!("{columns}x{rows}, here {}x{}", area.width, area.height);
-    let quits = app.keymap.shown("<quit> quits");
-    let long =
-        ["cmra needs more room:", &needed, "", "make the terminal larger", &format!("({quits})")];
-    let short = ["too small", &needed, &quits];
-    let fits = |lines: &[&str]| {
-        lines.iter().all(|line| text::columns(line) <= area.width)
-            && lines.len() <= usize::from(area.height)
-    };
-    let tiny = [&*format!("{columns}x{rows}")];
-    let lines = [&long[..], &short[..]].into_iter().find(|lines| fits(lines));
-    let lines = lines.unwrap_or(&tiny);
-    let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);
-    let top = area.height.saturating_sub(count) / 2;
+    let lines = ["too small".to_owned(), needed, app.keymap.shown("<quit> quits")];
+    let top = area.height.saturating_sub(3) / 2;
     for (row, line) in (top..area.height).zip(lines) {
-        let width = text::columns(line).min(area.width);
-        let x = (area.width - width) / 2;
-        canvas.set_stringn(
-            x,
-            row,
-            line,
-            usize::from(area.width),
-            app.settings.theme.style(Role::Text),
-        );
+        let column = area.width.saturating_sub(text::columns(&line)) / 2;
+        canvas.put(area, (column, row), &line, Role::Text);
     }
 }
 
@@ -192,16 +174,10 @@ fn pair(app: &App, action: Action) -> String {
     }
 }
 
-/// From this width on the title row has the name of the program.
-const ROOMY: u16 = 100;
-
 /// Tabs at the left; preset and whether it is modified at the right.
 pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     // No column is left free on the narrowest screen.
     let mut column = u16::from(area.width > SMALLEST.0);
-    if area.width >= ROOMY {
-        column = canvas.put(area, (1, 0), "cmra", Role::Title) + 2;
-    }
     for tab in Tab::ALL {
         let (title, target) = (tab.title(&app.keymap), Target::Tab(tab));
         column = name(canvas, area, column, &title, tab == app.tab, target) + 1;
@@ -210,21 +186,8 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if room < 6 {
         return;
     }
-    // Everything in words where that leaves room for the name.
-    let wide = room >= usize::from(columns(&app.base.name)) + 32;
-    let changed = match (app.is_modified(), wide) {
-        (false, _) => "",
-        (true, false) => " *",
-        (true, true) => " (modified)",
-    };
-    let mouse = if app.settings.mouse { "  mouse on" } else { "" };
-    let preset = if wide { "preset " } else { "" };
-    // What is on or off is shown in whole words, or not at all; the name has the rest of the room.
-    let states = [mouse, ""].map(|mouse| format!("{changed}{mouse}"));
-    let state = fitting(states, room);
-    let left = room.saturating_sub(usize::from(columns(preset) + columns(&state)));
-    let name = if left < 6 { String::new() } else { clip(&app.base.name, left) };
-    let text = format!("{preset}{name}{state}").trim_start().to_owned();
+    let changed = if app.is_modified() { " *" } else { "" };
+    let text = clip(&app.base.name, room.saturating_sub(changed.len())) + changed;
     let start = area.width.saturating_sub(columns(&text) + 1).max(column);
     canvas.put(area, (start, 0), &text, Role::Text);
 }

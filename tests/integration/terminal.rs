@@ -479,8 +479,7 @@ fn keys_of_the_configuration_reach_dialogs() {
     let home = tempfile::tempdir().unwrap();
     let folder = home.path().join("config/cmra");
     fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("config.toml"), "[keys]\ndown = [\"n\"]\n")
-        .unwrap();
+    fs::write(folder.join("config.toml"), "[keys]\ndown = [\"n\"]\n").unwrap();
     let mut terminal = Terminal::start_with(Start { home: Some(home), ..Start::default() });
     terminal.wait_for(DONE);
     terminal.send("o");

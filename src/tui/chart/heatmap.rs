@@ -134,8 +134,7 @@ fn draw_cursor(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
 
 /// Whether a cell shows two values, one above the other.
 fn halves(theme: Theme) -> bool {
-    let coloured = matches!(theme.depth, ColourDepth::Ansi256 | ColourDepth::Rgb);
-    coloured && theme.glyphs != GlyphSet::Ascii
+    theme.depth == ColourDepth::Ansi256 && theme.glyphs != GlyphSet::Ascii
 }
 
 /// A part of a cell.

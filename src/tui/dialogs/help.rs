@@ -74,7 +74,7 @@ fn rows(app: &App) -> Vec<HelpRow> {
         let explained = move |line: &KeyHelp| pane.keys.iter().any(|row| has(line, row.action));
         let scoped = move |line: &&KeyHelp| match line.scope {
             Scope::Everywhere => everywhere,
-            Scope::With(_) | Scope::Listed => !everywhere && !explained(line),
+            Scope::Listed => !everywhere && !explained(line),
         };
         LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
             keys: app.keymap.line_label(line),

@@ -84,9 +84,7 @@ fn change(app: &mut App, row: OptionRow) {
     let settings = &mut app.settings;
     match row {
         OptionRow::Characters => settings.theme.glyphs = settings.theme.glyphs.next(),
-        OptionRow::Colours => {
-            settings.theme.depth = settings.theme.depth.next(settings.best_depth);
-        }
+        OptionRow::Colours => settings.theme.depth = settings.theme.depth.next(),
         OptionRow::Mouse => {
             settings.mouse = !settings.mouse;
             let mouse = Effect::Mouse(settings.mouse);

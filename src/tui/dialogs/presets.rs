@@ -125,9 +125,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
         if !text.is_empty() {
             lines.push((String::new(), Role::Text));
         }
-        for paragraph in paragraphs(text) {
-            lines.extend(wrapped(&paragraph, width, Role::Dim));
-        }
+        lines.extend(text.lines().flat_map(|line| wrapped(line, width, Role::Dim)));
     }
     canvas.put_lines(area, 0, lines);
 }
@@ -156,27 +154,6 @@ fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
         lines.push((clip(&text, usize::from(width)), Role::Text));
     }
     lines
-}
-
-/// Paragraphs of a comment that was broken into lines for a file: a blank line or a line such as `Expect: ...` begins one.
-fn paragraphs(text: &str) -> Vec<String> {
-    let begins = |line: &str| {
-        let word = line.split_once(':').map(|(word, _)| word);
-        word.is_some_and(|word| !word.is_empty() && word.chars().all(char::is_alphabetic))
-    };
-    let mut paragraphs: Vec<String> = Vec::new();
-    let mut begins_anew = true;
-    for line in text.lines().map(str::trim) {
-        match paragraphs.last_mut() {
-            Some(last) if !begins_anew && !line.is_empty() && !begins(line) => {
-                last.push(' ');
-                last.push_str(line);
-            }
-            _ => paragraphs.push(line.to_owned()),
-        }
-        begins_anew = line.is_empty();
-    }
-    paragraphs
 }
 
 /// Load a preset and show what it is about; put a part of a library into the scene.

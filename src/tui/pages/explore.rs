@@ -27,14 +27,14 @@ pub use state::{RESULTS, SETUP};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: RESULTS, label: "Explore", has: &[], keys: &[
+    PaneSpec { pane: RESULTS, label: "Explore", keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::View, "quantity", "show the next quantity"),
         key(A::Mark, "pin", "pin the design under the cursor"),
         key(A::Down, "curve", "move to another curve, or down the map"),
     ] },
-    PaneSpec { pane: SETUP, label: "Explore setup", has: &[Part::Form], keys: &[
+    PaneSpec { pane: SETUP, label: "Explore setup", keys: &[
         key(A::Enter, "type", "type a variable, an end (0.5, 7.5MN/m), a count or a quantity"),
         key(A::Right, "change", "change the value by a step, or take the next one"),
         key(A::Down, "move", "move to another row"),

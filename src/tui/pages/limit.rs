@@ -14,23 +14,19 @@ use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::widgets::cycled;
-use crate::tui::widgets::{along, cursor_moved, moved};
+use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[], keys: &[
-        key(A::Right, "shot", "move the cursor to the next faster shot"),
+    PaneSpec { pane: RESIDUAL, label: "Residual velocity", keys: &[
         key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo` does"),
-        key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
     ] },
-    PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
-        key(A::Down, "scroll", "scroll"),
+    PaneSpec { pane: COMPARISON, label: "Comparison", keys: &[
     ] },
-    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
+    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin the design under the cursor"),
@@ -69,13 +65,6 @@ impl Page for LimitTab {
                 let v50 = Spread(monte_carlo::Request::v50());
                 jobs::study(app, Tab::Limit, v50);
             }
-            (RESIDUAL, A::Down | A::PageDown) => turn(app, 1),
-            (RESIDUAL, A::Up | A::PageUp) => turn(app, -1),
-            (RESIDUAL, A::Enter) => load_shot(app),
-            (RESIDUAL, _) => match along(action, FAR) {
-                Some(by) => app.pages.limit.move_cursor(by.into()),
-                None => return false,
-            },
             (EFFICIENCY_MAP, A::Enter) => load_cell(app),
             (EFFICIENCY_MAP, A::Mark) => runs::pin_design(app, app.efficiency_design()),
             (EFFICIENCY_MAP, _) => match cursor_moved(action, FAR_CELLS) {
@@ -180,8 +169,8 @@ impl Page for LimitTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             RESIDUAL => {
-                let (count, selected) = (app.pages.limit.shots().len(), app.pages.limit.shot_at());
-                Some(Rows { count, selected, shown: 1 })
+                let (count, shown) = app.limit_words()?;
+                Some(Rows { count: count + 1, selected: app.pages.limit.word, shown })
             }
             COMPARISON => {
                 let (lines, shown) = comparison_text(app)?;
@@ -195,7 +184,7 @@ impl Page for LimitTab {
     fn select(&self, app: &mut App, row: usize) {
         let (pane, tab) = (app.pane(), &mut app.pages.limit);
         match pane {
-            RESIDUAL => tab.cursor = Some(row),
+            RESIDUAL => tab.word = row,
             _ => tab.scrolled = row,
         }
     }
@@ -224,22 +213,8 @@ fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
     Some((lines, usize::from(area.height.saturating_sub(2))))
 }
 
-/// Far along the curve, in shots, and over the map, in cells.
-const FAR: i16 = 5;
+/// Far over the map, in cells.
 const FAR_CELLS: i16 = 10;
-
-fn load_shot(app: &mut App) {
-    if app.limit_is_old() {
-        return app.refuse(old("scene"));
-    }
-    let Some(velocity_m_s) = app.pages.limit.shot().map(|shot| shot.impact_m_s) else {
-        return app.tell("no shot under the cursor: <left> and <right> move it");
-    };
-    let mut scene = (*app.scene).clone();
-    scene.projectile.velocity_m_s = velocity_m_s;
-    let label = format!("v_i = {} m/s", significant(velocity_m_s, 4));
-    edit::load_design(app, Ok(LabelledScene { scene, label }));
-}
 
 fn load_cell(app: &mut App) {
     let before = Arc::clone(&app.scene);
@@ -262,12 +237,6 @@ fn move_on_map(app: &mut App, by: (isize, isize)) {
 
 fn compare(app: &mut App) {
     jobs::study(app, Tab::Limit, EqualMass);
-}
-
-/// Turn from the curve through the pages of words, in a circle.
-fn turn(app: &mut App, by: isize) {
-    let (page, count) = app.limit_pages().map_or((0, 0), |pages| (pages.shown, pages.count));
-    app.pages.limit.page = cycled(page, by, count + 1);
 }
 
 fn find(app: &mut App) {

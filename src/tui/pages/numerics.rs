@@ -13,16 +13,16 @@ pub use state::{ACCURACY, STABILITY, STIFF_SCENES};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[], keys: &[
+    PaneSpec { pane: ACCURACY, label: "Accuracy", keys: &[
         key(A::Down, "method", "select another method"),
         key(A::Enter, "use", "run the scene by this method: auto at 1e-6, or as printed"),
     ] },
-    PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
+    PaneSpec { pane: STABILITY, label: "Stability", keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
         key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
     ] },
-    PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[], keys: &[
+    PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", keys: &[
         key(A::Down, "scene", "select another scene"),
     ] },
 ];

@@ -12,7 +12,7 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::app::running::Running;
     pub(crate) use crate::tui::app::{edit, jobs};
     pub(crate) use crate::tui::chart::{Scale, ViewRange};
-    pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+    pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, key};
     pub(crate) use crate::tui::message::PageTable;
     pub(crate) use crate::tui::prelude::*;
     pub(crate) use crate::tui::preset::LabelledScene;

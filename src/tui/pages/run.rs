@@ -17,7 +17,7 @@ pub use state::{CHARTS, RUNS, VARIABLES};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
+    PaneSpec { pane: VARIABLES, label: "Variables", keys: &[
         key(A::Right, "step", "change the value by a step (<far-left> <far-right> ten steps)"),
         key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
@@ -29,7 +29,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Find, "find", "find a variable by symbol or word"),
         key(A::Reset, "reset", "reset this row to the preset's value"),
     ] },
-    PaneSpec { pane: CHARTS, label: "Charts", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: CHARTS, label: "Charts", keys: &[
         key(A::Enter, "enlarge", "show the selected chart alone, or all of them again"),
         key(A::FullPane, "", "the same"),
         key(A::Window, "contact/whole", "show the contact, or the whole response"),
@@ -39,7 +39,7 @@ const PANES: &[PaneSpec] = &[
         key(A::ZoomIn, "zoom", "zoom about the cursor"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
     ] },
-    PaneSpec { pane: RUNS, label: "Runs", has: &[], keys: &[
+    PaneSpec { pane: RUNS, label: "Runs", keys: &[
         key(A::Enter, "load", "load this pinned run's scene"),
         key(A::Mark, "pin/unpin", "pin the current run, or unpin the selected one"),
         key(A::Down, "move", "select another run"),
@@ -81,9 +81,6 @@ impl Page for RunTab {
             (Action::Mark, RUNS) if app.pages.run.selected > 0 => runs::unpin(app),
             (Action::Mark, _) => runs::pin_scene(app),
             (Action::Enter, RUNS) => runs::load(app),
-            (_, VARIABLES) if edits(action) && !app.pages.run.editor.shows(&app.scene) => {
-                app.tell("no variable is selected: <back> shows all of them");
-            }
             (Action::Enter, VARIABLES) => open(app),
             (Action::Reset, VARIABLES) => edit::reset(app),
             (_, VARIABLES) => match step_of(action) {
@@ -182,11 +179,6 @@ impl Page for RunTab {
             runs::render(app, area, app.has_focus(RUNS), canvas);
         }
     }
-}
-
-/// Whether an action changes the selected variable.
-fn edits(action: Action) -> bool {
-    matches!(action, Action::Enter | Action::Reset) || step_of(action).is_some()
 }
 
 /// Words from which on a list is clearer than going to the next one.

@@ -46,13 +46,13 @@ pub use state::{RESULTS, SETUP};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: SETUP, label: "Search setup", has: &[Part::Form], keys: &[
+    PaneSpec { pane: SETUP, label: "Search setup", keys: &[
         key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off) or a goal"),
         key(A::Right, "change", "take the next value, or switch on and off"),
         key(A::Run, "search", "search with this setup"),
         key(A::Down, "move", "move to another row"),
     ] },
-    PaneSpec { pane: RESULTS, label: "Search results", has: &[Part::Table], keys: &[
+    PaneSpec { pane: RESULTS, label: "Search results", keys: &[
         key(A::Down, "move", "move to the next design or solution"),
         key(A::Enter, "load", "load this design into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin this design"),

@@ -6,7 +6,7 @@ pub mod state;
 use crate::report::thesis;
 use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::pages::explore;
-use crate::tui::pages::explore::state::{Picture, PicturePlan};
+use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::preset::Base;
@@ -18,13 +18,13 @@ pub use state::{CLAIMS, CONCEPTS, PRINCIPLES};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: CLAIMS, label: "Claims", has: &[Part::Table], keys: &[
+    PaneSpec { pane: CLAIMS, label: "Claims", keys: &[
         key(A::Down, "claim", "select another claim"),
         key(A::Enter, "open", "load the preset that shows the claim"),
         key(A::Find, "find", "find a claim"),
     ] },
-    PaneSpec { pane: PRINCIPLES, label: "Principles", has: &[], keys: &[] },
-    PaneSpec { pane: CONCEPTS, label: "Concepts", has: &[], keys: &[] },
+    PaneSpec { pane: PRINCIPLES, label: "Principles", keys: &[] },
+    PaneSpec { pane: CONCEPTS, label: "Concepts", keys: &[] },
 ];
 
 const PAGES: &[PageSpec] = &[
@@ -155,8 +155,8 @@ fn open(app: &mut App) {
 /// Load a scene and show what it is about: a sweep in Explore, else its run.
 pub(crate) fn show(app: &mut App, base: Base) {
     let (name, axes) = (base.name.clone(), axes(&base.scene));
-    let plan = plan_of(app, axes);
-    edit::load(app, base, plan);
+    let picture = picture_of(app, axes);
+    edit::load(app, base, picture);
     look(app);
     if axes > 0 {
         app.tell(format!("{name} loaded, here is its sweep (<undo> undoes)"));
@@ -169,17 +169,17 @@ fn axes(scene: &Scene) -> usize {
 }
 
 /// How a sweep of so many axes is shown: as its preset has it, whatever was looked at before.
-fn plan_of(app: &App, axes: usize) -> PicturePlan {
-    let mut plan = app.pages.explore.plan;
-    if axes > 0 {
-        plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
+fn picture_of(app: &App, axes: usize) -> Picture {
+    match axes {
+        0 => app.picture(),
+        1 => Picture::Line,
+        _ => Picture::Surface,
     }
-    plan
 }
 
 /// Begin with what the scene is about, as if its preset had been loaded.
 pub(crate) fn begin(app: &mut App) {
-    app.pages.explore.plan = plan_of(app, axes(&app.scene));
+    app.pages.explore.picture = picture_of(app, axes(&app.scene));
     look(app);
 }
 

@@ -2,9 +2,9 @@
 
 use crate::tui::app::edit;
 use crate::tui::dialogs;
-use crate::tui::keymap::{Call, Part};
+use crate::tui::keymap::Call;
 use crate::tui::message::Content;
-use crate::tui::pages::run::runs;
+use crate::tui::pages::run::{VARIABLES, runs};
 use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
 use crate::tui::update;
@@ -25,7 +25,9 @@ pub(crate) fn act(app: &mut App, action: Action) {
         app.pages.run.editor.stepped = None;
     }
     let page = pages::of(app.tab);
-    if acts_on_rows(action) && update::matches_nothing(app) {
+    let acts_on_rows = step_of(action).is_some()
+        || matches!(action, Action::Enter | Action::Mark | Action::Reset | Action::Copy);
+    if acts_on_rows && update::matches_nothing(app) {
         return app.tell(NO_MATCH);
     }
     if action == Action::Enter && page.lists_words(app) {
@@ -40,12 +42,6 @@ pub(crate) fn act(app: &mut App, action: Action) {
         return move_by(page, app, by);
     }
     anywhere(app, action);
-}
-
-/// Whether an action acts on rows of a table.
-fn acts_on_rows(action: Action) -> bool {
-    use Action as A;
-    matches!(action, A::Enter | A::Mark | A::Export | A::Copy)
 }
 
 /// What an action does to the selected row of a form: it takes the next value, or opens its field.
@@ -66,7 +62,7 @@ fn in_form(app: &mut App, action: Action) -> bool {
 
 /// Whether an action steps the value of a row: such steps join into one edit.
 fn steps(app: &App, action: Action) -> bool {
-    step_of(action).is_some() && pages::spec(app.pane()).has.contains(&Part::Form)
+    step_of(action).is_some() && (app.pane() == VARIABLES || pages::of(app.tab).form(app).is_some())
 }
 
 /// What an action does where the page has no meaning of its own for it.
@@ -79,8 +75,6 @@ fn anywhere(app: &mut App, action: Action) {
         A::Tab(tab) => go_to(app, tab),
         A::FocusNext => focus(app, 1),
         A::FocusPrevious => focus(app, -1),
-        A::TabNext => go_to(app, around(&Tab::ALL, app.tab, 1)),
-        A::TabPrevious => go_to(app, around(&Tab::ALL, app.tab, -1)),
         A::Find => update::open_find(app),
         A::Undo => edit::undo(app),
         A::Redo => edit::redo(app),
@@ -133,7 +127,7 @@ fn focus(app: &mut App, by: isize) {
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
         if app.tab.pages() < 2 {
-            app.tell("this tab has one pane; <next-tab> and <previous-tab> change tabs");
+            app.tell("this tab has one pane; <tab-run>, <tab-explore> and so on change tabs");
         }
         return next_page(app, by);
     }

@@ -7,11 +7,11 @@ use crate::report::map::{Cell, LINE, Map};
 use crate::tui::chart::heatmap::swatch;
 use crate::tui::chart::{Layout, Scale, Unit, ViewRange};
 use crate::tui::theme::Role;
-use crate::tui::widgets::text::{columns, put, wrap};
+use crate::tui::widgets::text::{columns, put};
 use crate::tui::widgets::{Canvas, split_bottom};
 
 /// Part of the rows that words below a map may take.
-const WORDS: u16 = 8;
+const WORDS: u16 = 10;
 
 /// A letter and what it means; what stands behind a colon or in parentheses is for the printed page.
 fn named(letter: char, words: &str) -> String {
@@ -30,9 +30,18 @@ impl Canvas<'_> {
                 || others.contains(&(letter, true))
         };
         let marks = map.marks.iter().filter(|(letter, _)| is_drawn(*letter));
-        let marks: Vec<String> = marks.map(|(letter, words)| named(*letter, words)).collect();
-        let mut words = wrap(&marks.join("; "), usize::from(area.width).saturating_sub(1));
-        words.truncate(if marks.is_empty() { 0 } else { usize::from(area.height / WORDS) });
+        let mut words: Vec<String> = Vec::new();
+        for text in marks.map(|(letter, words)| named(*letter, words)) {
+            let room = usize::from(area.width).saturating_sub(3);
+            match words.last_mut() {
+                Some(line) if line.len() + text.len() < room => {
+                    line.push_str("; ");
+                    line.push_str(&text);
+                }
+                _ => words.push(text),
+            }
+        }
+        words.truncate(usize::from(area.height / WORDS));
         let bands = u16::from(map.levels.is_some());
         let below = u16::try_from(words.len()).unwrap_or(0);
         let (above, below) = split_bottom(area, below + bands);

@@ -390,14 +390,14 @@ fn loading_a_preset_is_one_edit() {
 #[test]
 fn undoing_a_sweep_brings_the_setup_of_explore_back() {
     let mut bench = bench();
-    let before = bench.app.pages.explore.plan;
+    let before = bench.app.pages.explore.picture;
     let preset = bench.app.files.presets.iter_mut().find(|entry| entry.name == "cocked").unwrap();
     preset.scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
     bench.keys("p<Down><Down><Enter>");
     assert_eq!(bench.app.base.name, "cocked");
-    assert_ne!(bench.app.pages.explore.plan, before);
+    assert_ne!(bench.app.pages.explore.picture, before);
     bench.keys("u");
-    assert_eq!(bench.app.pages.explore.plan, before);
+    assert_eq!(bench.app.pages.explore.picture, before);
 }
 
 #[test]

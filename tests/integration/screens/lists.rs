@@ -212,25 +212,24 @@ fn help_explains_the_words_of_the_comparison_and_of_the_stiff_scenes() {
 
 /// Things are found by their names and by what else people call them; what is in no name matches nothing.
 #[test]
-fn the_palette_finds_by_name_and_synonym_and_describes_enter() {
-    for (typed, name, does) in [
-        ("pareto", "Pareto front", "Enter: pareto front"),
-        ("optimise", "Pareto front", "Enter: pareto front"),
-        ("v50", "Ballistic limit", "Enter: ballistic limit"),
-        ("cocking", "d  cocking distance", "Enter: type d, now 0"),
-        ("k", "k  stiffness", "Enter: type k"),
-        ("gamma", "gamma  mass ratio", "Enter: type gamma"),
-        ("limit", "Limit tab", "Enter: limit tab"),
-        ("efficiency", "Efficiency map", "Enter: efficiency map"),
-        ("worth", "Comparison at equal areal mass", "Enter: comparison"),
-        ("rigid", "rigid-mount", "show it in 1:Run"),
-        ("largest stable", "Stability", "Enter: stability"),
+fn the_palette_finds_by_name_and_synonym() {
+    for (typed, name) in [
+        ("pareto", "Pareto front"),
+        ("optimise", "Pareto front"),
+        ("v50", "Ballistic limit"),
+        ("cocking", "d  cocking distance"),
+        ("k", "k  stiffness"),
+        ("gamma", "gamma  mass ratio"),
+        ("limit", "Limit tab"),
+        ("efficiency", "Efficiency map"),
+        ("worth", "Comparison at equal areal mass"),
+        ("rigid", "rigid-mount"),
+        ("largest stable", "Stability"),
     ] {
         let bench = Bench::ascii(80, 24);
         let found = bench.app.palette(typed);
         let first = found.first().unwrap_or_else(|| panic!("{typed} finds nothing"));
         assert_eq!(first.name(), name, "{typed}");
-        assert!(bench.app.palette_does(first).contains(does), "{}", bench.app.palette_does(first));
     }
     let mut bench = Bench::ascii(80, 24);
     bench.press(":xqzt<Enter>");

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::bench::Bench;
 use super::pointer::{click, find};
-use super::{limit, stability, sweep};
+use super::{stability, sweep};
 use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
@@ -120,12 +120,6 @@ fn a_key_without_effect_says_so() {
 
 #[test]
 fn lists_and_maps_have_their_ends_and_their_pages() {
-    let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
-    let last = bench.app.pages.limit.shots().len() - 1;
-    bench.keys("G");
-    assert_eq!(bench.app.pages.limit.cursor, Some(last));
-    bench.keys("g");
-    assert_eq!(bench.app.pages.limit.cursor, Some(0));
     let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
     let (column, row) = bench.app.pages.numerics.stability.cursor().unwrap();
     // On the scene itself its words stay in one row: a second one would move the map.

@@ -2,7 +2,7 @@
 
 use super::bench::Bench;
 use super::sweep::{answer, open_map};
-use super::{accuracy, limit, search, stability};
+use super::{accuracy, search, stability};
 use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
 use cmra::tui::keymap::Tab;
@@ -168,23 +168,6 @@ fn a_click_in_accuracy_selects_a_method() {
     let at = find(&bench, "RK4 + events");
     click(&mut bench, at);
     assert_eq!(bench.app.pages.numerics.accuracy.method(), Method::Rk4Events);
-}
-
-#[test]
-fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
-    let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
-    let far = bench.app.pages.limit.shots().len() - 1;
-    let screen = bench.screen();
-    // The greatest residual velocity is the highest `o` of the plot, below the row of the legend.
-    let mark = |line: &str| line.chars().take(58).collect::<String>().rfind('o');
-    let found = screen.lines().enumerate().skip(4).find_map(|(row, line)| Some((mark(line)?, row)));
-    let (column, row) = found.unwrap();
-    click(&mut bench, (u16::try_from(column).unwrap(), u16::try_from(row).unwrap()));
-    assert_eq!(bench.app.pages.limit.cursor, Some(far));
-    bench.send(Message::Wheel(true, None));
-    assert_eq!(bench.app.pages.limit.cursor, Some(far - 1));
-    bench.send(Message::Wheel(false, None));
-    assert_eq!(bench.app.pages.limit.cursor, Some(far));
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::worker::studies::PictureSweep;
 impl App {
     /// The display of Explore: curves or a map.
     pub fn picture(&self) -> Picture {
-        self.pages.explore.plan.picture
+        self.pages.explore.picture
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.

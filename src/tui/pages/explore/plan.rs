@@ -3,7 +3,7 @@
 use crate::model::scene::ContactModel;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Plan, SweepError};
-use crate::tui::pages::explore::state::{Picture, has_family, sweep_of};
+use crate::tui::pages::explore::state::{CURVES, Picture, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 
 impl App {
@@ -32,7 +32,7 @@ impl App {
             Picture::Line if has_family(scene) => {
                 let second = axis(1)?;
                 let (name, ends) = (second.symbol(), second.ends());
-                axes.push(Axis::new(name, ends, self.pages.explore.plan.curves, second.spacing())?);
+                axes.push(Axis::new(name, ends, CURVES, second.spacing())?);
             }
             Picture::Line => {}
             Picture::Surface => axes.push(axis(1)?),

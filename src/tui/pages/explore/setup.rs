@@ -6,11 +6,9 @@ use crate::model::variables::{self, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
-use crate::tui::pages::explore::state::{
-    CURVES, Picture, SetupRow, Sweeping, completed, has_family, sweep_of,
-};
+use crate::tui::pages::explore::state::{Picture, SetupRow, completed, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
-use crate::tui::widgets::axis::{Part, numeric, over, place, whole};
+use crate::tui::widgets::axis::{Part, numeric, over, place};
 use crate::tui::widgets::form::{Form, FormRow, quantity_after};
 use crate::tui::widgets::steps::Input;
 use crate::tui::widgets::{around, cycled};
@@ -27,8 +25,8 @@ impl App {
         rows.extend([R::Heading("Across"), R::Axis(1, Part::Name)]);
         if has_two {
             rows.extend([R::Axis(1, Part::From), R::Axis(1, Part::To)]);
-            let count = if is_map { R::Axis(1, Part::Points) } else { R::Curves };
-            rows.extend([count, R::Axis(1, Part::Spacing)]);
+            rows.extend(is_map.then_some(R::Axis(1, Part::Points)));
+            rows.push(R::Axis(1, Part::Spacing));
         }
         rows
     }
@@ -68,8 +66,6 @@ impl App {
                     "curves: one for each value of the variable across, if any; map: colours over both",
                 )
             }
-            SetupRow::Curves => FormRow::typed("curves", self.pages.explore.plan.curves.to_string())
-                .means("how many curves, their values spread over the range"),
             SetupRow::Output => {
                 FormRow::quantity(&sweep.outputs[self.pages.explore.output_of(sweep)])
             }
@@ -95,17 +91,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
         }
         (SetupRow::Picture, Input::Step(press)) => {
             let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
-            tried(app, |sweeping| sweeping.plan.picture = next)?;
-        }
-        (SetupRow::Curves, _) => {
-            let curves = app.pages.explore.plan.curves;
-            let next = match input {
-                Input::Text(text) => whole(text, &CURVES)?,
-                Input::Step(press) => curves
-                    .saturating_add_signed(press.by() as i64)
-                    .clamp(*CURVES.start(), *CURVES.end()),
-            };
-            tried(app, |sweeping| sweeping.plan.curves = next)?;
+            show_as(app, next)?;
         }
         (SetupRow::Output, _) => {
             let name = &sweep.outputs[app.pages.explore.output_of(&sweep)];
@@ -167,25 +153,16 @@ fn stood_in(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     completed(&app.scene, sweep)
 }
 
-/// Change how a picture is shown, unless the picture cannot be made then.
-fn tried(app: &mut App, change: impl FnOnce(&mut Sweeping)) -> Result<(), String> {
+/// Show curves or a map, unless that cannot be made.
+fn show_as(app: &mut App, picture: Picture) -> Result<(), String> {
     let state = app.snapshot();
-    change(&mut app.pages.explore);
+    app.pages.explore.picture = picture;
     if let Err(error) = app.sweep_plan() {
-        app.pages.explore.plan = state.plan;
+        app.pages.explore.picture = state.picture;
         return Err(error.to_string());
     }
-    let (before, after) = (state.plan, app.pages.explore.plan);
-    if after == before {
-        return Ok(());
-    }
-    let label = if before.picture == after.picture {
-        format!("curves {} -> {}", before.curves, after.curves)
-    } else {
-        let word = if after.picture == Picture::Line { "curves" } else { "a map" };
-        format!("show {word}")
-    };
-    edit::note(app, state, label, None);
+    let word = if picture == Picture::Line { "curves" } else { "a map" };
+    edit::note(app, state, format!("show {word}"), None);
     Ok(())
 }
 

@@ -4,7 +4,6 @@
 //! none, usual ones stand in until something is changed. The cursor only looks: until it is moved it stands on the grid point nearest
 //! to the scene.
 
-use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
@@ -25,10 +24,8 @@ pub use crate::worker::studies::Picture;
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
 pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
 
-/// How many curves a family may have.
-pub(crate) const CURVES: RangeInclusive<u64> = 2..=7;
-/// Curves of a family unless another number is chosen.
-const USUAL_CURVES: u64 = 5;
+/// Curves of a family.
+pub(crate) const CURVES: u64 = 5;
 /// The axes that stand in where a scene has none: those of Figure 9.7, 9.10 and 9.11.
 const USUAL_AXES: [(&str, f64, f64, usize); 3] =
     [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
@@ -38,26 +35,12 @@ pub enum SetupRow {
     Heading(&'static str),
     Axis(usize, Part),
     Picture,
-    Curves,
     Output,
 }
 
 impl Default for SetupRow {
     fn default() -> Self {
         Self::Axis(0, Part::Name)
-    }
-}
-
-/// How a sweep is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PicturePlan {
-    pub curves: u64,
-    pub picture: Picture,
-}
-
-impl Default for PicturePlan {
-    fn default() -> Self {
-        Self { curves: USUAL_CURVES, picture: Picture::Line }
     }
 }
 
@@ -73,15 +56,14 @@ pub struct Sweeping {
     /// The point under the cursor; `None`: the one nearest to the scene.
     pub cursor: Option<(usize, usize)>,
     pub output: usize,
-    /// Curves of a family, and the picture.
-    pub plan: PicturePlan,
+    pub picture: Picture,
 }
 
 impl Sweeping {
     /// The grid, filled as far as it is, where it is of the picture shown.
     pub fn found(&self) -> Option<&Arc<Grid>> {
         let sweep = PictureSweep::of(self.result.asked.as_ref()?)?;
-        self.result.found.as_ref().filter(|_| sweep.picture == self.plan.picture)
+        self.result.found.as_ref().filter(|_| sweep.picture == self.picture)
     }
 
     /// The place of the output shown among those of a sweep.

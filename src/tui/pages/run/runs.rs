@@ -1,13 +1,9 @@
 //! The run on the screen and the pinned ones: their table, their names, pinning and copying.
 
-use std::fmt::Write as _;
-
 use crate::model::run::{Outcome, Run};
-use crate::model::units;
 use crate::model::variables::{VARIABLES, Value};
 use crate::report::run::{Compared, comparison};
 use crate::report::table::Table;
-use crate::study::quantities;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::page::prelude::*;
@@ -194,26 +190,9 @@ pub(crate) fn load(app: &mut App) {
 }
 
 pub(crate) fn copy(app: &mut App) {
-    let Some(shown) = &app.shown else {
+    if app.shown.is_none() {
         return app.refuse("nothing to copy yet: <run> runs the scene");
-    };
-    let run = &shown.run;
-    let mut text = format!("scene\t{}\noutcome\t{}\n", app.name_of(&run.scene), run.shot_outcome());
-    for quantity in COPIED.into_iter().filter_map(quantities::find) {
-        let value = quantity.value(run).map_or_else(|| "-".to_owned(), units::shortest);
-        let _ = writeln!(text, "{}\t{value}", quantity.name);
     }
+    let text = app.compared_runs().csv();
     app.request(Effect::Copy(text));
 }
-
-/// The quantities that are copied beside the outcome.
-const COPIED: [&str; 8] = [
-    "first_arrest_penetration_m",
-    "first_arrest_time_s",
-    "final_penetration_m",
-    "percent_of_baseline",
-    "peak_contact_force_n",
-    "max_plate_displacement_m",
-    "residual_velocity_m_s",
-    "interface_demand_ratio",
-];

@@ -171,7 +171,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.
     let room = usize::from(place.area.width.saturating_sub(5));
-    let alike = alike(data);
+    let alike = alike(app, index, data);
     let taken = if alike.is_empty() { 0 } else { alike.len() + 4 };
     let title = title(app, index, room.saturating_sub(taken));
     if !quantity.is_over_time() {
@@ -207,11 +207,13 @@ fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
 }
 
 /// The pins that coincide with the current run in a chart: `A = now`.
-fn alike(data: &[Data<'_>]) -> String {
-    let now = data.iter().find(|curve| curve.view.letter.is_none());
+fn alike(app: &App, chart: usize, data: &[Data<'_>]) -> String {
+    let quantity = app.pages.run.charts.quantities[chart];
+    let range = app.time_range_s(chart);
+    let now = data.iter().find(|curve| curve.view.letter.is_none()).map(|curve| curve.view.run);
     let alike = data.iter().filter_map(|curve| {
         let letter = curve.view.letter?;
-        now.filter(|now| coincide(now, curve)).map(|_| format!("{letter} = now"))
+        coincide(quantity, now?, curve.view.run, range).then(|| format!("{letter} = now"))
     });
     alike.collect::<Vec<_>>().join(", ")
 }
@@ -228,27 +230,17 @@ fn note(app: &App, chart: usize, alike: String, room: usize) -> String {
 /// Parts of a range that nobody sees apart.
 const APART: f64 = 0.01;
 
-/// Whether two curves are one on the screen.
-fn coincide(one: &Data<'_>, other: &Data<'_>) -> bool {
-    let all = || one.points.iter().chain(&other.points).filter(|point| point.1.is_finite());
-    let size = all().fold(0.0_f64, |most, point| most.max(point.1.abs()));
-    let lies_on = |points: &[(f64, f64)], (t, value): (f64, f64)| {
-        let after = points.partition_point(|point| point.0 < t);
-        let right = points.get(after)?;
-        let left = points.get(after.saturating_sub(1))?;
-        let width = right.0 - left.0;
-        let share = if width > 0.0 { (t - left.0) / width } else { 1.0 };
-        let there = left.1 + share * (right.1 - left.1);
-        let near = |there: f64| (there - value).abs() <= APART * size;
-        // Where it jumps, either value will do.
-        let mut same = points[after..].iter().take_while(|point| point.0.total_cmp(&t).is_eq());
-        Some(near(there) || near(left.1) || same.any(|point| near(point.1)))
-    };
-    let on = |curve: &Data<'_>, other: &Data<'_>| {
-        let mut points = curve.points.iter().filter(|point| point.1.is_finite());
-        points.all(|point| lies_on(&other.points, *point).unwrap_or(false))
-    };
-    all().next().is_some() && on(one, other) && on(other, one)
+/// Whether a quantity of two runs is one curve on the screen over a range of times.
+fn coincide(quantity: Channel, one: &Run, other: &Run, (from, to): (f64, f64)) -> bool {
+    let times = (0..=100).map(|step| from + (to - from) * f64::from(step) / 100.0);
+    let at = |t_s| (quantity.at(one, t_s), quantity.at(other, t_s));
+    let pairs: Vec<(Option<f64>, Option<f64>)> = times.map(at).collect();
+    let values = pairs.iter().flat_map(|pair| [pair.0, pair.1]).flatten();
+    let size = values.fold(0.0_f64, |most, value| most.max(value.abs()));
+    pairs.into_iter().all(|pair| match pair {
+        (Some(a), Some(b)) => (a - b).abs() <= APART * size,
+        (a, b) => a.is_none() && b.is_none(),
+    })
 }
 
 /// What depends on the plate's displacement, with what the current run used of its mechanism, and its limits.
