@@ -34,8 +34,6 @@ pub(crate) struct Canvas<'a> {
     pub(crate) cursor: Option<(u16, u16)>,
     /// Where the selected row begins, of what was drawn last.
     pub(crate) selected: Option<(u16, u16)>,
-    /// Columns of the plot that the crosshair walks through, where one is drawn.
-    pub(crate) plot_columns: Option<u16>,
     /// The charts and maps drawn, as SVG, where they are collected.
     pub(crate) pictures: Option<Vec<String>>,
     pointer: Option<(u16, u16)>,
@@ -45,9 +43,9 @@ pub(crate) struct Canvas<'a> {
 impl<'a> Canvas<'a> {
     /// A canvas over all cells of a buffer.
     pub(crate) fn new(buffer: &'a mut Buffer, theme: Theme) -> Self {
-        let (cursor, selected, plot_columns, pictures) = (None, None, None, None);
+        let (cursor, selected, pictures) = (None, None, None);
         let (pointer, target) = (None, None);
-        Self { buffer, theme, cursor, selected, plot_columns, pictures, pointer, target }
+        Self { buffer, theme, cursor, selected, pictures, pointer, target }
     }
 
     /// The same, to learn what is drawn at a cell.

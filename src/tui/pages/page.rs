@@ -261,30 +261,13 @@ pub(crate) fn nothing_yet(app: &App, what: &str) -> String {
     format!("nothing to {what} yet: press <run> to compute it")
 }
 
-const FEW_COLUMNS: u16 = 40;
-
-/// The columns of the plot that the crosshair walks through, as it is drawn.
-pub(crate) fn plot_columns(page: &dyn Page, app: &App) -> u16 {
-    let columns = drawn(page, app, None).0;
-    columns.filter(|columns| *columns > 1).unwrap_or(FEW_COLUMNS)
-}
-
 /// The charts and maps on the screen, as SVG; none where the page shows none.
 pub(crate) fn pictures(page: &dyn Page, app: &App) -> Vec<String> {
-    drawn(page, app, Some(Vec::new())).1.unwrap_or_default()
-}
-
-/// What the drawing of the page says beside its cells: the columns of its plot, and its pictures where they are collected.
-fn drawn(
-    page: &dyn Page,
-    app: &App,
-    pictures: Option<Vec<String>>,
-) -> (Option<u16>, Option<Vec<String>>) {
     let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let mut canvas = Canvas::new(&mut buffer, app.settings.theme);
-    canvas.pictures = pictures;
+    canvas.pictures = Some(Vec::new());
     if let Some(body) = app.layout().body {
         page.draw(app, body, &mut canvas);
     }
-    (canvas.plot_columns, canvas.pictures)
+    canvas.pictures.unwrap_or_default()
 }

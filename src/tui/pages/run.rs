@@ -8,7 +8,7 @@ mod status;
 
 use crate::model::variables::Kind;
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::page::{open_field, plot_columns};
+use crate::tui::pages::page::open_field;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::steps::{Input, Press};
@@ -75,8 +75,7 @@ impl Page for RunTab {
                 app.pages.run.is_full = !app.pages.run.is_full;
             }
             (_, CHARTS) | (Action::Window, VARIABLES) => {
-                let columns = plot_columns(self, app);
-                return charts::act(app, action, columns);
+                return charts::act(app, action);
             }
             (Action::Mark, RUNS) if app.pages.run.selected > 0 => runs::unpin(app),
             (Action::Mark, _) => runs::pin_scene(app),

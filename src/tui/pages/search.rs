@@ -59,30 +59,25 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-/// The pages, in the order of [`state::Page`].
-const PAGES: &[PageSpec] = &{
-    let mut pages = [const { PageSpec { name: "", panes: &[SETUP, RESULTS] } }; state::Page::COUNT];
-    let mut at = 0;
-    while at < pages.len() {
-        pages[at].name = state::Page::ALL[at].title();
-        at += 1;
-    }
-    pages
-};
+/// A page of [`state::Page`], and the command that shows it.
+const fn page(at: usize) -> PageSpec {
+    PageSpec { name: state::Page::ALL[at].title(), panes: &[SETUP, RESULTS] }
+}
 
-/// The tab, then each of its pages.
-const COMMANDS: &[Command] = &{
-    let mut commands =
-        [const { Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design") };
-            state::Page::COUNT + 1];
-    let mut at = 0;
-    while at < state::Page::COUNT {
-        let (page, call) = (state::Page::ALL[at], Call::Show(RESULTS, Some(at)));
-        at += 1;
-        commands[at] = Command::new(call, page.title(), page.synonyms());
-    }
-    commands
-};
+const fn command(at: usize) -> Command {
+    let page = state::Page::ALL[at];
+    Command::new(Call::Show(RESULTS, Some(at)), page.title(), page.synonyms())
+}
+
+const PAGES: &[PageSpec; state::Page::COUNT] = &[page(0), page(1), page(2), page(3)];
+
+const COMMANDS: &[Command] = &[
+    Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
+    command(0),
+    command(1),
+    command(2),
+    command(3),
+];
 
 /// What a page asks for, and by which rows of the setup.
 struct Study {

@@ -97,27 +97,6 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     }
 }
 
-/// One press moves the crosshair by one column of the plot as it is drawn.
-#[test]
-fn the_crosshair_goes_column_by_column() {
-    for size in [(60, 16), (80, 24), (120, 40), (200, 60)] {
-        let mut bench = Bench::ascii(size.0, size.1);
-        bench.keys("<Tab>l");
-        for _ in 0..30 {
-            bench.press("H");
-        }
-        let is_plot = |x: &u16| matches!(target(&bench.app, (*x, 3)), Some(Target::Value { .. }));
-        let columns = (0..size.0).filter(is_plot).count();
-        let (from, to) = bench.app.time_range_s(0);
-        assert_eq!(bench.app.pages.run.charts.cursor_s, Some(from));
-        for _ in 1..columns {
-            assert!(bench.app.pages.run.charts.cursor_s < Some(to));
-            bench.press("l");
-        }
-        assert_eq!(bench.app.pages.run.charts.cursor_s, Some(to), "{size:?}");
-    }
-}
-
 /// The curve and the map of the Limit tab are high enough to be read at 80 by 24.
 #[test]
 fn the_charts_of_the_limit_tab_can_be_read() {

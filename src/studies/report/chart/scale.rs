@@ -264,17 +264,6 @@ impl Mapping {
         let from_start = self.span * f64::from(cell) / f64::from(last);
         self.scale.back(self.from + from_start)
     }
-
-    /// A value moved by a given number of cells, and held in the view: how the crosshair walks. From outside it starts at the nearer
-    /// bound.
-    pub fn stepped(self, value: f64, by: i32) -> f64 {
-        let inside =
-            if value.is_nan() { self.view.lo } else { value.clamp(self.view.lo, self.view.hi) };
-        let cell = i32::from(self.cell(inside).unwrap_or(0));
-        let last = i32::from(self.cells.saturating_sub(1));
-        let target = cell.saturating_add(by).clamp(0, last);
-        self.value(u16::try_from(target).unwrap_or(0))
-    }
 }
 
 /// The whole number just below a position, if it is one of `count` places from 0. The one conversion from floating point to
@@ -320,22 +309,6 @@ mod tests {
         assert_eq!(map.cell(202.0), Some(40));
         assert_eq!(map.cell(203.0), None);
         assert_eq!(map.position(f64::NAN), None);
-    }
-
-    #[test]
-    fn the_crosshair_walks_by_cells_and_stops_at_the_bounds() {
-        let map = Mapping::new(Scale::Linear, ViewRange::new(0.0, 200.0), 41);
-        let steps = [
-            (50.0, 1, 55.0),
-            (50.0, -10, 0.0),
-            (50.0, -11, 0.0),
-            (50.0, i32::MAX, 200.0),
-            (1e9, -1, 195.0),
-            (f64::NAN, 0, 0.0),
-        ];
-        for (from, by, to) in steps {
-            assert!((map.stepped(from, by) - to).abs() < 1e-12, "{from} {by}");
-        }
     }
 
     #[test]

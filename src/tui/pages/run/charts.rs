@@ -9,7 +9,6 @@ use crate::numerics::{larger, smaller};
 use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
 use crate::tui::app::pins::RunView;
-use crate::tui::chart::Mapping;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::state::Window;
@@ -25,6 +24,9 @@ pub struct Curve<'a> {
 
 /// An event so near to the crosshair is under it, as a share of the range in view: half a column of a narrow chart.
 const NEAR: f64 = 0.01;
+
+/// How far a press moves the crosshair, as a share of the range in view.
+const STEP: f64 = 0.01;
 
 /// How much less, or more, of the time a zoom shows.
 const ZOOM: f64 = 2.0;
@@ -140,14 +142,13 @@ impl App {
         }
     }
 
-    /// Move the crosshair by columns of a plot so wide; it starts in the middle and stays in the range.
-    pub fn move_cursor(&mut self, columns: i32, width: u16) {
+    /// Move the crosshair by hundredths of the range in view; it starts in the middle.
+    pub fn move_cursor(&mut self, by: i16) {
         let (from, to) = self.time_range_s(self.pages.run.charts.selected);
-        let view = Mapping::new(Scale::Linear, ViewRange::new(from, to), width);
-        let middle = || view.value(width / 2);
-        let moved =
-            self.pages.run.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
-        self.pages.run.charts.cursor_s = Some(moved);
+        let middle = f64::midpoint(from, to);
+        let moved = |here: f64| (here + f64::from(by) * STEP * (to - from)).clamp(from, to);
+        self.pages.run.charts.cursor_s =
+            Some(self.pages.run.charts.cursor_s.map_or(middle, moved));
     }
 
     /// The event of the current run under the crosshair.
@@ -185,8 +186,8 @@ impl App {
     }
 }
 
-/// Do what a key means in a plot of this many columns.
-pub(crate) fn act(app: &mut App, action: Action, columns: u16) -> bool {
+/// Do what a key means.
+pub(crate) fn act(app: &mut App, action: Action) -> bool {
     use Action as A;
     let selected = app.pages.run.charts.selected;
     match action {
@@ -201,7 +202,7 @@ pub(crate) fn act(app: &mut App, action: Action, columns: u16) -> bool {
             app.pages.run.charts.quantities[selected] = next;
         }
         _ => match along(action, 10) {
-            Some(by) => app.move_cursor(by.into(), columns),
+            Some(by) => app.move_cursor(by),
             None => return false,
         },
     }

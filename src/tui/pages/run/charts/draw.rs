@@ -47,7 +47,6 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let areas: Vec<Rect> = places.iter().map(|place| place.area).collect();
     align_gutters(&mut charts, &areas);
     canvas.pane(area, CHARTS);
-    // The crosshair walks through the columns of the chart that has the keys.
     for (chart, place) in charts.iter().zip(&places) {
         if let Some(why) = &place.absent {
             absent(app, place, why, chart.focused, canvas);
@@ -61,7 +60,6 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 
 /// Say what the areas of a chart are to the mouse.
 fn hits(app: &App, chart: usize, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
-    canvas.plot_columns.get_or_insert(layout.plot.width);
     if app.pages.run.charts.quantities[chart].is_over_time() {
         canvas.plot(layout, |value, _| Some(Target::Value { pane: CHARTS, chart, value }));
     }
