@@ -142,17 +142,6 @@ mod tests {
     }
 
     #[test]
-    fn a_change_after_a_pause_is_drawn_at_once() {
-        let start = Instant::now();
-        let mut pace = Pace::new(start);
-        pace.drawn(start, true);
-        pace.arrived();
-        let later = start + Duration::from_secs(1);
-        pace.change();
-        assert!(pace.due().is_some_and(|due| due <= later));
-    }
-
-    #[test]
     fn a_flood_gets_twenty_frames_a_second() {
         let start = Instant::now();
         let mut pace = Pace { unanswered: UNANSWERED, ..Pace::new(start) };

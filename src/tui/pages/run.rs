@@ -7,8 +7,8 @@ pub mod state;
 mod status;
 
 use crate::model::variables::Kind;
-use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::page::open_field;
+use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::steps::{Input, Press};

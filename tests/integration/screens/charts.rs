@@ -8,11 +8,9 @@ use super::{limit, search, stability};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::stability::map::{Axis, Cell, FixedStep};
-use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::target;
 use cmra::worker::studies::Found;
 
 #[test]

@@ -147,8 +147,7 @@ impl App {
         let (from, to) = self.time_range_s(self.pages.run.charts.selected);
         let middle = f64::midpoint(from, to);
         let moved = |here: f64| (here + f64::from(by) * STEP * (to - from)).clamp(from, to);
-        self.pages.run.charts.cursor_s =
-            Some(self.pages.run.charts.cursor_s.map_or(middle, moved));
+        self.pages.run.charts.cursor_s = Some(self.pages.run.charts.cursor_s.map_or(middle, moved));
     }
 
     /// The event of the current run under the crosshair.
