@@ -4,7 +4,7 @@
 #
 #   tests/anywhere.sh             each surrounding once, in the usual profile
 #   tests/anywhere.sh --quick     the surroundings that cost little, the tests of the terminal and of files only
-#   tests/anywhere.sh --long      all, with the release profile too, and the hundred times
+#   tests/anywhere.sh --long      each surrounding with the release profile, which is faster than any test may expect; then the hundred times
 set -euo pipefail
 cd "$(dirname "$0")/.."
 how=${1:-}
@@ -38,8 +38,10 @@ surrounding() { name=$1; shift; before=("$@"); }
 named=(worker:: progress:: terminal:: trouble:: hostile:: effects:: pages::tests mount_loads exports sweep::an_interrupted)
 only=()
 if [ "$how" = --quick ]; then only=("${named[@]}"); fi
+profile=()
+if [ "$how" = --long ]; then profile=(--release); fi
 
-build
+build "${profile[@]}"
 surrounding "a folder with spaces for temporary files" env TMPDIR="$work/a folder with spaces"
 all "${only[@]}"
 surrounding "no HOME" env -u HOME
@@ -65,9 +67,5 @@ if [ "$(id -u)" = 0 ] && "${other[@]}" test -r "$PWD/Cargo.toml"; then
 fi
 if [ "$how" = --long ]; then
     surrounding "the named tests, again and again" env
-    for _ in $(seq 100); do all "${named[@]}"; done
-    build --release
-    surrounding "the release profile" env
-    all
     for _ in $(seq 100); do all "${named[@]}"; done
 fi

@@ -146,8 +146,9 @@ impl Job<'_> {
             && !table.json
         {
             // Rows with all columns have their own.
-            for warning in validity::of_plan(self.plan) {
-                output::note(&format!("warning: {warning}"));
+            let warnings = table.warnings(&validity::of_plan(self.plan));
+            if !warnings.is_empty() {
+                output::note(warnings.trim());
             }
         }
         if !matches!(table.target(), TableDestination::None) && !table.json {

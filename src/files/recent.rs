@@ -13,19 +13,30 @@ use crate::model::scene::Scene;
 /// How many scenes are kept.
 const KEPT: u32 = 5;
 
-/// Keep a scene, and give its file: over an older one of the same scene, else where there is none, else over the oldest.
+/// Keep a scene, and give its file: over an older one of the same scene, else over the one that was kept `before`, else where there is
+/// none, else over the oldest.
 ///
 /// # Errors
 /// [`FileError`].
-pub fn keep(folder: &Path, scene: &Scene) -> Result<PathBuf, FileError> {
-    let text = format!("# left unsaved\n{}", write::fresh(scene));
+pub fn keep(
+    folder: &Path,
+    scene: &Scene,
+    before: Option<(&Path, &Scene)>,
+) -> Result<PathBuf, FileError> {
+    let text_of = |scene: &Scene| format!("# left unsaved\n{}", write::fresh(scene));
+    let text = text_of(scene);
     let files = (1..=KEPT).map(|number| folder.join(format!("unsaved-{number}.toml")));
     let files: Vec<PathBuf> = files.collect();
-    let is_same =
-        |path: &&PathBuf| read::text_file(path, read::BYTES_MAX).is_ok_and(|there| there == text);
+    let has = |path: &Path, text: &str| {
+        read::text_file(path, read::BYTES_MAX).is_ok_and(|there| there == text)
+    };
+    let is_same = |path: &&PathBuf| has(path, &text);
+    // Someone else may have taken its place.
+    let older = || before.filter(|(path, scene)| has(path, &text_of(scene)));
+    let older = || older().and_then(|(path, _)| files.iter().find(|it| *it == path));
     let free = || files.iter().find(|path| fs::symlink_metadata(path).is_err());
     let oldest = || files.iter().min_by_key(|path| modified(path));
-    let chosen = files.iter().find(is_same).or_else(free).or_else(oldest);
+    let chosen = files.iter().find(is_same).or_else(older).or_else(free).or_else(oldest);
     let path = chosen.cloned().unwrap_or_else(|| folder.join("unsaved-1.toml"));
     atomic::make_folder_of(&path)?;
     atomic::write(&path, text.as_bytes(), Existing::Replace)?;
@@ -63,7 +74,7 @@ mod tests {
         };
         let scene_in = |path: &Path| preset::from_file(path).unwrap().scene;
         for ratio in [1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 6.0] {
-            let path = keep(&folder, &of(ratio)).unwrap();
+            let path = keep(&folder, &of(ratio), None).unwrap();
             assert_eq!(scene_in(&path), of(ratio));
         }
         assert_eq!(list(&folder).len(), 5);

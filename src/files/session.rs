@@ -3,6 +3,7 @@
 //! A scene inside the file is kept as the text of a scene file and read by the same strict reader. A session that cannot be
 //! read is backed up, never deleted, and never keeps the program from starting.
 
+use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -182,12 +183,36 @@ struct UndoRow {
     scene: String,
 }
 
-/// The content that this workbench last read or wrote there, by which it notices another writer of the same file.
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct Known(Option<String>);
+/// What this workbench knows of the file, by which it notices another writer of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    /// What it last read or wrote there, but for the first line.
+    body: Option<String>,
+    /// This workbench, as its first line names it.
+    writer: String,
+    /// Other writers whose scenes were kept aside: the last scene of each, and where.
+    kept: HashMap<String, (PathBuf, Scene)>,
+}
+
+impl Default for Known {
+    fn default() -> Self {
+        let writer = std::process::id().to_string();
+        Self { body: None, writer, kept: HashMap::new() }
+    }
+}
+
+/// What a first line says before its writer.
+const WRITER: &str = ", process ";
+
+/// The writer that a session's first line names, and the rest of it.
+fn parts(text: &str) -> (&str, &str) {
+    let (first, body) = text.split_once('\n').unwrap_or(("", text));
+    (first.split_once(WRITER).map_or("", |(_, writer)| writer), body)
+}
 
 /// Save the session, whole or not at all. The scene of another workbench that has written there since `known` is kept among the recent
-/// ones first, and where is returned; a session that was saved like this before does not replace it.
+/// ones first, and where is returned, in the place of an earlier one of the same workbench; a session that was saved like this before
+/// does not replace it.
 ///
 /// # Errors
 /// [`FileError`].
@@ -199,22 +224,30 @@ pub fn save(
     atomic::make_folder_of(path)?;
     // Another workbench that saves between the reading and the writing below would be overwritten unseen.
     let _lock = atomic::wait_for_lock(&path.with_extension("lock"));
-    let text = text(path, session)?;
+    let body = body(path, session)?;
     let there = read::text_file(path, BYTES_MAX).ok();
-    if known.0.as_ref() == Some(&text) && there.is_some() {
+    if known.body.as_ref() == Some(&body) && there.is_some() {
         return Ok(None);
     }
-    let other = there.filter(|there| known.0.as_ref() != Some(there));
-    let aside = match other.and_then(|there| parse(&there).0) {
-        Some(other) => Some(recent::keep(&path.with_file_name("recent"), &other.scene)?),
-        None => None,
-    };
+    let other = there.filter(|there| known.body.as_deref() != Some(parts(there).1));
+    let mut aside = None;
+    if let Some(there) = other
+        && let Some(Session { scene, .. }) = parse(&there).0
+    {
+        let (writer, folder) = (parts(&there).0, path.with_file_name("recent"));
+        let before = known.kept.get(writer).map(|(path, scene)| (path.as_path(), scene));
+        let place = recent::keep(&folder, &scene, before)?;
+        known.kept.insert(writer.to_owned(), (place.clone(), scene));
+        aside = Some(place);
+    }
+    let (version, writer) = (env!("CARGO_PKG_VERSION"), &known.writer);
+    let text = format!("# the last session of cmra {version}{WRITER}{writer}\n{body}");
     atomic::write(path, text.as_bytes(), Existing::Replace)?;
-    known.0 = Some(text);
+    known.body = Some(body);
     Ok(aside)
 }
 
-fn text(path: &Path, session: &Session) -> Result<String, FileError> {
+fn body(path: &Path, session: &Session) -> Result<String, FileError> {
     let file = SessionFile {
         format: read::FORMAT,
         preset: session.preset.clone(),
@@ -229,10 +262,7 @@ fn text(path: &Path, session: &Session) -> Result<String, FileError> {
             .collect(),
         undo: undo_rows(&session.undo),
     };
-    let body = toml::to_string_pretty(&file)
-        .map_err(|error| FileError::target(path, &error.to_string()))?;
-    let version = env!("CARGO_PKG_VERSION");
-    Ok(format!("# the last session of cmra {version}\n{body}"))
+    toml::to_string_pretty(&file).map_err(|error| FileError::target(path, &error.to_string()))
 }
 
 /// The newest steps that have room, oldest first.
@@ -276,7 +306,8 @@ pub fn load(path: &Path) -> Loaded {
         format!("{lost}; {kept}: {}", problems.join("; "))
     });
     // A session that was backed up is gone.
-    let known = Known(text.filter(|_| notice.is_none()));
+    let body = text.filter(|_| notice.is_none()).map(|text| parts(&text).1.to_owned());
+    let known = Known { body, ..Known::default() };
     Loaded { session, notice, known }
 }
 
@@ -375,6 +406,34 @@ mod tests {
         fs::remove_file(&path).unwrap();
         assert_eq!(save(&path, &of(3.0), &mut first).unwrap(), None);
         assert_eq!(load(&path).session, Some(of(3.0)));
+    }
+
+    /// One that works on beside another keeps the last of its scenes, and pushes no others out.
+    #[test]
+    fn two_that_work_in_turn_leave_older_scenes_where_they_are() {
+        let place = tempfile::tempdir().unwrap();
+        let (path, folder) = (place.path().join("session.toml"), place.path().join("recent"));
+        let of = |ratio: f64| {
+            let mut session = example();
+            session.scene.plate.mass_ratio = ratio;
+            session
+        };
+        recent::keep(&folder, &of(0.5).scene, None).unwrap();
+        let known = |writer: &str| Known { writer: writer.to_owned(), ..load(&path).known };
+        let mut first = known("1");
+        save(&path, &of(1.0), &mut first).unwrap();
+        let mut second = known("2");
+        for turn in 1..10 {
+            save(&path, &of(10.0 + f64::from(turn)), &mut second).unwrap();
+            save(&path, &of(20.0 + f64::from(turn)), &mut first).unwrap();
+        }
+        let kept = recent::list(&folder).into_iter().map(|path| {
+            let text = fs::read_to_string(path).unwrap();
+            read::scene(&text, "kept").unwrap().plate.mass_ratio
+        });
+        let mut kept: Vec<f64> = kept.collect();
+        kept.sort_by(f64::total_cmp);
+        assert_eq!(kept, [0.5, 19.0, 28.0]);
     }
 
     /// Each round, two that began on the same session save at the same moment: one of them is kept aside.

@@ -53,7 +53,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
 #[rustfmt::skip]
 static GENERAL: &[Command] = &[
     named(Action::Help, "Help", "keys"),
-    named(Action::Options, "Options", "settings preferences menu"),
+    named(Action::Options, "Options", "settings preferences menu characters colours mouse"),
     named(Action::Presets, "Presets", "load open threats materials absorbers scenes file"),
     named(Action::Save, "Save the scene", "preset write store"),
     named(Action::Export, "Export", "csv svg write file table picture chart"),

@@ -124,7 +124,8 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     // The scene last: it is the newest.
     let scenes =
         last.pins.iter().map(|(_, scene)| scene).chain((!untouched).then_some(&last.scene));
-    let kept = scenes.map(|scene| recent::keep(&folder, scene)).collect::<Result<Vec<_>, _>>();
+    let kept =
+        scenes.map(|scene| recent::keep(&folder, scene, None)).collect::<Result<Vec<_>, _>>();
     let pins = counted_pins(last.pins.len());
     Some(match kept {
         Ok(_) => {
@@ -341,9 +342,9 @@ mod tests {
         app.size = (80, 24);
         press(
             &mut app,
-            "2<Tab>/shown<Enter>l4/is<Enter><Enter>45<Enter>/variable<Enter><Enter>k<Enter>/to<Enter><Enter>9e6<Enter>/from<Enter><Enter>8e6<Enter>",
+            "2<Tab>kl4gj<Enter>45<Enter>j<Enter>k<Enter>jj<Enter>9e6<Enter>k<Enter>8e6<Enter>",
         );
-        press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
+        press(&mut app, "4glgjjjjjj<Enter>1..5<Enter>jjl");
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.

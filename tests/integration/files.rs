@@ -153,7 +153,7 @@ fn value_of(kind: &Kind, size: f64, share: f64) -> Value {
             let wanted = match number.allowed {
                 Allowed::Between(low, high) | Allowed::Below(low, high) => within(low, high),
                 Allowed::Positive | Allowed::NonNegative => size.abs(),
-                Allowed::Any => size,
+                Allowed::Any | Allowed::Closing => size,
             };
             if number.allowed.contains(wanted) { Value::Number(wanted) } else { Value::Number(0.5) }
         }
@@ -184,7 +184,8 @@ prop_compose! {
         }
         if validate(&scene).is_err() {
             // The rules between two values: the stop lies behind the plate's start, a bistable's unstable position beyond
-            // its second stable one, another model needs a power law.
+            // its second stable one, a plate that is too fast for the projectile, another model needs a power law.
+            scene.plate.velocity_m_s = -scene.plate.velocity_m_s.abs();
             scene.mechanism.stop.position_m = scene.mechanism.stop.position_m.map(f64::abs);
             scene.mechanism.spring.bistable.unstable_m = None;
             scene.mechanism.combination = Combination::Alone;

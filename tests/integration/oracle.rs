@@ -255,6 +255,11 @@ fn valid_random_scenes_against_tiny_steps_of_the_law_itself() {
 }
 
 #[test]
+fn valid_random_plates_that_move_at_first_contact_against_tiny_steps() {
+    compare_many(draw::moving, (60, 4_032));
+}
+
+#[test]
 fn valid_random_springs_of_other_kinds_against_tiny_steps() {
     let kinds = compare_many(draw::curved, (80, 6_002));
     assert!(kinds.len() >= 13, "{kinds:?}");

@@ -84,4 +84,7 @@ fn indices_of_a_result_that_is_not_everywhere_are_conditional_from_the_first_lin
     let conditional = first(&[]);
     assert!(conditional.contains("Sobol's indices are of") && conditional.contains("of 64"));
     assert!(!first(&["--set", "h=100mm"]).contains("only"));
+    // Also where the scene itself has none.
+    let page = output(&[&asked[..], &["--output", "residual_velocity_m_s"], &QUICK].concat());
+    assert!(page.contains("of the variance") && !page.contains("no run has this result"), "{page}");
 }

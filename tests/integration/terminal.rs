@@ -49,7 +49,7 @@ fn a_session_from_the_first_chart_to_the_prompt() {
     terminal.wait_for("oA   v_i=150");
 
     terminal.send("e");
-    terminal.wait_for("Export to CSV");
+    terminal.wait_for("Export the runs to CSV");
     // Ctrl-U empties the field.
     terminal.send("\x15here.csv\r");
     terminal.wait_for("written");
@@ -181,10 +181,7 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     for _ in 0..4 {
         terminal.sync();
     }
-    terminal.send(":mouse\r");
-    terminal.wait_until("mouse reports", |screen| {
-        screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
-    });
+    switch_mouse_on(&mut terminal);
     shoot_at_150(&mut terminal);
     terminal.stop_taking();
     draw_until_stuck(&mut terminal);
@@ -195,6 +192,19 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     terminal.assert_restored();
     let kept = fs::read_to_string(terminal.session_file()).expect("the session was saved");
     assert!(kept.contains("150"), "{kept}");
+}
+
+/// The last row of the options.
+fn switch_mouse_on(terminal: &mut Terminal) {
+    terminal.send(":mouse\r");
+    terminal.wait_for("characters");
+    terminal.send("jj\r");
+    terminal.wait_until("mouse reports", |screen| {
+        screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
+    });
+    terminal.send("\x1b");
+    terminal
+        .wait_until("the options are closed", |screen| !screen.contents().contains("characters"));
 }
 
 /// Have frames drawn until a thread waits for room in the terminal, which takes no bytes.
@@ -292,10 +302,7 @@ fn stops_and_comes_back(stop: impl Fn(&mut Terminal, Pid)) {
 fn the_mouse_belongs_to_the_terminal_until_it_is_switched_on() {
     let mut terminal = started();
     assert_eq!(terminal.screen().mouse_protocol_mode(), vt100::MouseProtocolMode::None);
-    terminal.send(":mouse\r");
-    terminal.wait_until("mouse reports", |screen| {
-        screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
-    });
+    switch_mouse_on(&mut terminal);
     // The wheel, one notch down, over the list of variables (SGR report, button 65).
     terminal.send("\x1b[<65;5;8M");
     terminal.wait_for("> d ");

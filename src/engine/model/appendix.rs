@@ -80,7 +80,7 @@ pub struct Scheme {
     velocity_m_s: f64,
     /// Of the coupling between force, plate and slip.
     cos: f64,
-    start_m: f64,
+    start: [f64; 2],
     /// `None` when it is rigid.
     plate: Option<Plate>,
 }
@@ -148,20 +148,24 @@ impl Scheme {
                 Reading::Printed => 1.0,
                 Reading::Corrected => faces.cos,
             },
-            start_m: scene.start_m(),
+            start: [scene.start_m(), scene.plate_velocity_m_s()],
             plate,
         }
     }
 
-    /// First contact.
+    /// First contact. As printed, the relative velocity of the first step is the projectile's own.
     pub fn start(&self) -> State {
+        let plate_m_s = match self.listing.coupling {
+            Reading::Printed => 0.0,
+            Reading::Corrected => self.cos * self.start[1],
+        };
         State {
             pen_m: 0.0,
             travel_m: 0.0,
             velocity_m_s: self.velocity_m_s,
-            plate: [self.start_m, 0.0],
-            plate_before: [self.start_m, 0.0],
-            slip_m_s: self.velocity_m_s,
+            plate: self.start,
+            plate_before: self.start,
+            slip_m_s: self.velocity_m_s - plate_m_s,
             depth_m: 0.0,
             area_m2: 0.0,
             force_n: 0.0,
@@ -324,6 +328,19 @@ mod tests {
                 assert!((depth_mm - expected).abs() < 2e-3, "{cocking_m}: {depth_mm}");
             }
         }
+    }
+
+    /// The relative travel of a free plate is that of one at rest and a slower shot; as printed the first step takes the shot's own velocity.
+    #[test]
+    fn valid_a_plate_that_moves_at_first_contact() {
+        let depth_m = |pairs: &str| {
+            contact(&listing(pairs), 1e-7, Reading::Corrected, 1_000_000).unwrap().depth_m
+        };
+        let (moving, resting) = (depth_m("k=0 v_i=100 w_0=20"), depth_m("k=0 v_i=80"));
+        assert!((moving / resting - 1.0).abs() < 1e-9, "{moving}, not {resting}");
+        let printed = Listing::coupled(1e-6, Reading::Printed);
+        let start = Scheme::of(&listing("d=0.01 w_0=20"), printed).start();
+        assert_eq!((start.plate, start.slip_m_s), ([-0.01, 20.0], 100.0));
     }
 
     #[test]

@@ -49,7 +49,7 @@ impl<'a> Passage<'a> {
         Self::unsprung(scene, geometry, false)
     }
 
-    /// The same on a plate that moves freely, or not at all.
+    /// The same on a plate that moves freely, or not at all; velocities are those relative to the plate.
     pub fn unsprung(scene: &Scene, geometry: &'a Geometry, moves: bool) -> Self {
         let cos = geometry.nose.cos;
         let plate = if moves { cos * cos / moving_plate_kg(scene) } else { 0.0 };
@@ -58,7 +58,11 @@ impl<'a> Passage<'a> {
             mobility_per_kg: 1.0 / scene.projectile.mass_kg + plate,
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
-            velocity_m_s: scene.projectile.velocity_m_s,
+            velocity_m_s: if moves {
+                scene.closing_velocity_m_s()
+            } else {
+                scene.projectile.velocity_m_s
+            },
         }
     }
 

@@ -56,7 +56,7 @@ pub struct Contact {
     scale_s: Option<f64>,
     /// How far the plate comes at least on a spring that starts steep at zero, m.
     steep_reach_m: Option<f64>,
-    /// A spring that is not a power law, a stop, or another interaction model.
+    /// A spring that is not a power law, a stop, another interaction model, or a plate that moves at first contact.
     left_to_others: bool,
 }
 
@@ -112,7 +112,8 @@ impl Contact {
             steep_reach_m: None,
             left_to_others: mechanism.spring.curve().is_some()
                 || mechanism.stop.is_some()
-                || scene.contact.model != ContactModel::Hydrodynamic,
+                || scene.contact.model != ContactModel::Hydrodynamic
+                || scene.plate_velocity_m_s() != 0.0,
         };
         contact.scale_s = contact.scale();
         let is_steep = contact.is_singular_spring() && contact.spring.exponent < STEEP_BELOW;

@@ -272,11 +272,13 @@ pub enum EstimateBasis {
     HalfStep,
 }
 
-/// Where the energy went, in J. Every term is what has left the projectile's initial kinetic energy and the spring's preload.
+/// Where the energy went, in J. Every term is what has left the bodies' initial kinetic energy and the spring's preload.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct EnergyLedger {
     /// Projectile's kinetic energy at the start.
     pub initial_kinetic_j: f64,
+    /// Plate's kinetic energy at the start, with what moves with it.
+    pub initial_plate_j: f64,
     /// Energy preloaded in the cocked spring.
     pub initial_spring_j: f64,
     /// Projectile's kinetic energy at the end.
@@ -300,7 +302,7 @@ pub struct EnergyLedger {
 impl EnergyLedger {
     /// All energy at the start, J.
     pub fn initial_j(&self) -> f64 {
-        self.initial_kinetic_j + self.initial_spring_j
+        self.initial_kinetic_j + self.initial_plate_j + self.initial_spring_j
     }
 
     /// All energy accounted for at the end, J.

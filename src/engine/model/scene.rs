@@ -147,6 +147,16 @@ impl Scene {
         if self.is_rigid() { 0.0 } else { 0.0 - self.plate.cocking_m }
     }
 
+    /// The plate's velocity at first contact along its normal, m/s; 0 on a rigid mount.
+    pub fn plate_velocity_m_s(&self) -> f64 {
+        if self.is_rigid() { 0.0 } else { self.plate.velocity_m_s }
+    }
+
+    /// The velocity with which the projectile meets the plate, along its own axis, m/s.
+    pub fn closing_velocity_m_s(&self) -> f64 {
+        self.projectile.velocity_m_s - self.plate_velocity_m_s() * self.cos_obliquity()
+    }
+
     /// Gives the plate's size by `size`, and lets gamma follow.
     pub fn resize(&mut self, size: PlateSize) {
         self.plate.size = size;

@@ -77,9 +77,12 @@ pub fn plates(scene: &Scene) -> Vec<Scene> {
         (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
         plates.push(own);
     }
+    for behind in plates.iter_mut().skip(1) {
+        behind.plate.velocity_m_s = 0.0;
+    }
     let mut base = alone;
     base.plate.mount = Mount::Rigid;
-    base.plate.cocking_m = 0.0;
+    (base.plate.cocking_m, base.plate.velocity_m_s) = (0.0, 0.0);
     base.mechanism.stop.position_m = None;
     base.target.thickness_m = scene.stack.base_thickness_m.unwrap_or(base.target.thickness_m);
     if let Some(strength_pa) = scene.stack.base_strength_pa {

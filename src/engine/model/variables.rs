@@ -145,6 +145,8 @@ pub enum Allowed {
     NonNegative,
     /// Any finite number.
     Any,
+    /// A velocity of the plate at which the projectile reaches it: a rule between values.
+    Closing,
     /// From the first to the second, both included.
     Between(f64, f64),
     /// From the first, included, to below the second.
@@ -158,7 +160,7 @@ impl Allowed {
             && match self {
                 Self::Positive => value > 0.0,
                 Self::NonNegative => value >= 0.0,
-                Self::Any => true,
+                Self::Any | Self::Closing => true,
                 Self::Between(low, high) => (low..=high).contains(&value),
                 Self::Below(low, high) => (low..high).contains(&value),
             }
@@ -173,6 +175,7 @@ impl Allowed {
             Self::Positive => format!("a number greater than 0{unit}"),
             Self::NonNegative => format!("0{unit} or more"),
             Self::Any => "any finite number".to_owned(),
+            Self::Closing => "below v_i/cos(theta)".to_owned(),
             Self::Between(low, high) => format!("{} to {}{unit}", show(low), show(high)),
             Self::Below(low, high) => format!("{} to less than {}{unit}", show(low), show(high)),
         }

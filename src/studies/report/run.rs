@@ -287,8 +287,9 @@ const fn part(key: &'static str, label: &'static str, get: fn(&EnergyLedger) -> 
     LedgerPart { key, label, get }
 }
 
-const ENERGY: [LedgerPart; 10] = [
+const ENERGY: [LedgerPart; 11] = [
     part("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
+    part("initial_plate", "plate", |it| it.initial_plate_j),
     part("initial_spring", "cocked spring", |it| it.initial_spring_j),
     part("projectile", "projectile", |it| it.projectile_j),
     part("plate", "plate", |it| it.plate_j),
@@ -300,7 +301,7 @@ const ENERGY: [LedgerPart; 10] = [
     part("stop", "stop", |it| it.stop_j),
 ];
 /// How many of them were there at the start.
-const AT_START: usize = 2;
+const AT_START: usize = 3;
 
 /// A term of the energy ledger.
 pub struct EnergyTerm {

@@ -341,7 +341,7 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
     if candidate == Candidate::Solid {
         own.target.thickness_m = areal_kg_m2? / scene.target.density_kg_m3;
     }
-    own.plate.cocking_m = 0.0;
+    (own.plate.cocking_m, own.plate.velocity_m_s) = (0.0, 0.0);
     own.plate.mount = if candidate == Candidate::Free { Mount::Sprung } else { Mount::Rigid };
     own.mechanism.stop.position_m = None;
     own.mechanism.remove_springs();

@@ -304,7 +304,8 @@ pub fn closed_form(scene: &Scene) -> Option<f64> {
     }
     let geometry = Geometry::of(scene);
     let passage = Passage::unsprung(scene, &geometry, !rigid);
-    Some(passage.limit_velocity_m_s())
+    let plate_m_s = scene.plate_velocity_m_s() * scene.cos_obliquity();
+    Some(passage.limit_velocity_m_s() + plate_m_s)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The load of the mount in a run: the greatest force, the impulse, and the energy in the springs.
 
-use crate::model::mechanism::{Mechanism, moving_plate_kg};
+use crate::model::mechanism::{Inertia, Mechanism, moving_plate_kg};
 use crate::model::run::{EventKind, Mode, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
@@ -75,7 +75,9 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
     let rows = || run.series.iter().map(force).fold(0.0, larger);
     let on_the_way = run.mechanism.peak_mount_n.unwrap_or_else(rows);
     let spring = &mechanism.spring;
-    let turned = run.max_plate_displacement_m.filter(|_| mechanism.stop.is_none());
+    // There the mount takes not all of the spring's force where it turns a mass with the plate; the run knows how much.
+    let tells = mechanism.stop.is_none() && Inertia::of(&run.scene).rotation_kg == 0.0;
+    let turned = run.max_plate_displacement_m.filter(|_| tells);
     let turn = turned.map_or(0.0, |farthest| spring.force(farthest).abs());
     Some(larger(larger(on_the_way, turn), spring.force(run.scene.start_m()).abs()))
         .filter(|f| f.is_finite())

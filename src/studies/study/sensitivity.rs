@@ -111,9 +111,11 @@ pub struct Report {
 }
 
 impl Report {
-    /// Whether neither the scene nor any end of a variable has the result.
+    /// Whether neither the scene nor any end of a variable nor any sample has the result.
     pub fn is_empty(&self) -> bool {
-        self.own.is_none() && self.bars.iter().all(|bar| bar.swing().is_none())
+        self.own.is_none()
+            && self.bars.iter().all(|bar| bar.swing().is_none())
+            && self.sobol.as_ref().is_none_or(|sobol| sobol.used == 0)
     }
 
     /// The variables by Sobol's total index, the greatest first; by the tornado where there is none.

@@ -23,7 +23,7 @@ pub mod others;
 
 /// Greatest relative energy residual a row of `auto` may have.
 pub const RESIDUAL_MAX: f64 = 1e-8;
-/// Greatest relative error of final depth (or exit time) a row of `auto` may have.
+/// Greatest relative error of any result a row of `auto` may have.
 pub const ERROR_MAX: f64 = 1e-8;
 /// Part of the plate's greatest displacement, or speed, from which on its tangent counts: at zero it may be infinite.
 const COUNTS_FROM: f64 = 1e-2;
@@ -69,7 +69,7 @@ pub struct Row {
     pub run: Run,
     /// Time of that run, s.
     pub took_s: f64,
-    /// The relative error of its depth, or of the exit time of a perforation; NaN where its outcome is not the reference's.
+    /// The greatest error of its results: depth, times, displacement, velocity, forces; NaN where its outcome is not the reference's.
     pub error: Option<f64>,
     /// Its reference; `None` while undecided, or where no other computation got through.
     pub basis: Option<ReferenceSource>,
@@ -147,13 +147,13 @@ fn bare(scene: &Arc<Scene>, estimate: bool, observer: Observer<'_>) -> Result<Ru
     simulate(scene, &Settings { series: false, estimate }, observer)
 }
 
-/// The error of a run's depth or exit time; nothing while undecided.
+/// The greatest error of a run's results; nothing while undecided.
 fn error_of(run: &Run, reference: &Reference) -> Option<f64> {
     let answer = answer_of(run).ok()?;
     if answer.outcome != reference.outcome {
         return Some(f64::NAN);
     }
-    Some(reference.error_of_shot(&run.scene, &answer.results))
+    Some(reference.error_of_all(&run.scene, &answer.results))
 }
 
 fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {

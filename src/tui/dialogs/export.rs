@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::files::atomic::Existing;
 use crate::files::export::{Destination, RunTable};
+use crate::files::report::is_report;
 use crate::report::run::NamedRun;
 use crate::report::svg;
 use crate::tui::app::dialog::Dialog;
@@ -53,6 +54,13 @@ impl Purpose for Export {
         overwrite: bool,
     ) -> Result<Option<FileTask>, String> {
         let path = ask.path(app, "table.csv")?;
+        if is_report(&path) {
+            return Err(format!(
+                "{}: the ending is a report's, and here a .csv table or .svg charts are written: name it so, or save the scene and run \
+                 `cmra report FILE.toml -o FILE.html`",
+                path.display()
+            ));
+        }
         let content = if is_svg(&path) {
             let drawn = pages::pictures(pages::of(app.tab), app);
             let none = "no chart on the screen can be drawn as SVG: write the table to a .csv file";

@@ -123,7 +123,9 @@ pub(crate) fn over(
         let most = match number.allowed {
             Allowed::Between(_, high) => high,
             Allowed::Below(_, high) => 0.75 * high,
-            Allowed::Positive | Allowed::NonNegative | Allowed::Any => f64::INFINITY,
+            Allowed::Positive | Allowed::NonNegative | Allowed::Any | Allowed::Closing => {
+                f64::INFINITY
+            }
         };
         (from, if to < most { to } else { most })
     });

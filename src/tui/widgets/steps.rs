@@ -136,7 +136,7 @@ fn clamp(number: &Number, value: f64, next: f64) -> f64 {
         Allowed::Between(low, high) => next.clamp(low, high),
         Allowed::Below(low, _) if next < low => low,
         Allowed::NonNegative if next < 0.0 && value > 0.0 => 0.0,
-        Allowed::Positive | Allowed::NonNegative | Allowed::Any | Allowed::Below(..) => next,
+        _ => next,
     }
 }
 

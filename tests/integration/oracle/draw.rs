@@ -72,6 +72,17 @@ pub(crate) fn plain(random: &mut Random) -> String {
     around(random, &law)
 }
 
+/// The same with a plate that moves at first contact.
+pub(crate) fn moving(random: &mut Random) -> String {
+    loop {
+        let words =
+            format!("{} w_0={}", plain(random), random.of(&[1.0, -1.0]) * random.log(0.1, 60.0));
+        if variables::validate(&read(&words)).is_ok() {
+            return words;
+        }
+    }
+}
+
 /// A moderate scene with a spring of any other kind, alone or beside a power law.
 pub(crate) fn curved(random: &mut Random) -> String {
     loop {

@@ -47,12 +47,12 @@ fn point(method: Method, parameter: Parameter) -> Point {
     let measured = Measured {
         answer: Answer {
             outcome: Outcome::Arrested,
-            results: [Some(END.1), Some(END.0), None, None, None],
+            results: [Some(END.1), Some(END.0), None, None, None, None, None],
             steps: whole,
             rejected: 0,
             evaluations: 4 * whole,
         },
-        errors: [Some(error), Some(error), None, None, None],
+        errors: [Some(error), Some(error), None, None, None, None, None],
         floor: 1e-15,
         min_s,
     };
@@ -64,7 +64,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
     let reference = Reference {
         basis: ReferenceSource::Stored("S2"),
         outcome: Outcome::Arrested,
-        results: [Some(END.1), Some(END.0), None, None, None],
+        results: [Some(END.1), Some(END.0), None, None, None, None, None],
         uncertainty: Some(1e-15),
     };
     let of = |method: Method| {

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
+use super::sweep;
 use cmra::files::atomic::Existing;
 use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
@@ -798,6 +799,20 @@ fn pinning_can_be_undone_and_done_again() {
     assert!(bench.message().contains("undone: pin A"), "{}", bench.message());
     bench.keys("<C-r>");
     assert_eq!(bench.app.pins[0].scene, pinned);
+}
+
+/// A report is not made of what is on the screen: its ending gets no table.
+#[test]
+fn an_export_named_as_a_report_is_refused_with_the_cure() {
+    for page in ["", "2"] {
+        let mut bench = Bench::ascii(120, 36);
+        bench.keys(page);
+        sweep::answer(&mut bench);
+        bench.keys("e<C-u>figure.html<Enter>");
+        assert!(bench.exported().is_none(), "{page}");
+        let screen = bench.screen();
+        assert!(screen.contains("cmra report FILE.toml -o FILE.html"), "{page}\n{screen}");
+    }
 }
 
 /// A path that ends in `.svg` gets the charts on the screen: all three, or one with two axes.

@@ -120,6 +120,14 @@ fn a_figure_has_the_curves_of_the_printed_scheme_beside_its_own() {
 }
 
 #[test]
+fn a_figure_as_a_map_says_where_the_printed_scheme_is_drawn() {
+    let mut bench = open("figure-9.8", 7, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2<Tab>kl");
+    assert_eq!(bench.app.picture(), Picture::Surface);
+    assert!(bench.message().contains("the corrected physics alone"), "{}", bench.message());
+}
+
+#[test]
 fn one_curve() {
     let mut bench = open("figure-9.4", 41, GlyphSet::Ascii, (80, 24));
     keys(&mut bench, "2vlll");

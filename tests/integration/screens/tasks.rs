@@ -102,11 +102,12 @@ fn the_cheapest_method_for_1e_6_is_used_with_2_keys() {
 }
 
 #[test]
-fn the_ballistic_limit_and_v50_take_2() {
+fn the_ballistic_limit_takes_1_and_v50_1_more() {
     let mut task = Counted::start();
     task.key("3");
     limit::answer(&mut task.bench);
     assert!(task.bench.screen().contains("v_bl 232.300 m/s"), "{}", task.bench.screen());
+    assert_eq!(task.presses, 1);
     task.key("v");
     limit::answer(&mut task.bench);
     assert!(task.bench.screen().contains("V50 "), "{}", task.bench.screen());

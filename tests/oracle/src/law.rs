@@ -90,7 +90,9 @@ impl<'a> Shot<'a> {
     /// At first contact, in steps of `step_s`.
     pub fn new(scene: &'a Scene, step_s: f64) -> Self {
         let sprung = scene.plate.mount == Mount::Sprung;
-        let start_m = if sprung { -scene.plate.cocking_m } else { 0.0 };
+        let plate = scene.plate;
+        let [start_m, w] = if sprung { [-plate.cocking_m, plate.velocity_m_s] } else { [0.0; 2] };
+        let closing = scene.projectile.velocity_m_s - w * scene.cos_obliquity();
         let law = Law::new(&scene.mechanism);
         let mut shot = Self {
             scene,
@@ -105,7 +107,7 @@ impl<'a> Shot<'a> {
             exit_m: exit_m(scene),
             step_s,
             t_s: 0.0,
-            state: [0.0, scene.projectile.velocity_m_s, start_m, 0.0],
+            state: [0.0, closing, start_m, w],
             deepest_m: 0.0,
             fused: false,
             first_arrest: None,

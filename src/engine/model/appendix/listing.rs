@@ -11,8 +11,8 @@ use crate::model::appendix::{Refusal, Scheme, State};
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::{
-    Arrest, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, NotModelled, Observer, Outcome,
-    Run, Sample, Settings, Warning,
+    Arrest, AtLeast, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, NotModelled, Observer,
+    Outcome, Run, Sample, Settings, Warning,
 };
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Reading, Scene};
 use crate::numerics::larger;
@@ -48,7 +48,7 @@ pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Ob
     let mut run = simulate(scene, settings, observer);
     if scene.is_rigid() {
         run.baseline_penetration_m = run.final_penetration_m;
-    } else if run.end.is_complete() {
+    } else {
         let mut rigid = Scene::clone(scene);
         rigid.plate.mount = Mount::Rigid;
         rigid.run.horizon_s = None;
@@ -81,7 +81,8 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
         keep,
         t_s: 0.0,
         deepest_m: 0.0,
-        max_displacement_m: state.plate[0],
+        // The listing puts a zero before the plate's positions: a cocked plate that stays behind neutral has gone as far as neutral.
+        max_displacement_m: 0.0,
         peak_n: 0.0,
         before: None,
     };
@@ -96,8 +97,10 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
 impl Work<'_> {
     fn begin(&mut self) {
         let (m, v) = (self.scene.projectile.mass_kg, self.scene.projectile.velocity_m_s);
+        let [x, w] = self.state.plate;
         self.run.ledger.initial_kinetic_j = 0.5 * m * v * v;
-        self.run.ledger.initial_spring_j = self.spring().integral(self.state.plate[0]);
+        self.run.ledger.initial_plate_j = 0.5 * self.scene.plate_mass_kg() * w * w;
+        self.run.ledger.initial_spring_j = self.spring().integral(x);
         let first = self.sample(Mode::Penetrating);
         self.note(first, 0, 1);
     }
@@ -211,20 +214,26 @@ impl Work<'_> {
 
     fn note_ending(&mut self, ending: Outcome) {
         self.run.outcome = ending;
+        // The listing writes the projectile's state after a step with the time before it.
+        let late_s = match self.scheme.listing.stopping {
+            Reading::Printed => self.scheme.listing.step_s,
+            Reading::Corrected => 0.0,
+        };
+        let t_s = self.t_s - late_s;
         let kind = if ending == Outcome::Perforated {
-            self.run.exit_time_s = Some(self.t_s);
+            self.run.exit_time_s = Some(t_s);
             self.run.residual_velocity_m_s = Some(self.state.velocity_m_s);
             EventKind::Perforation
         } else {
             self.run.first_arrest = Some(Arrest {
-                t_s: self.t_s,
+                t_s,
                 penetration_m: self.state.depth_m,
                 plate_displacement_m: self.state.plate[0],
                 plate_velocity_m_s: self.state.plate[1],
             });
             EventKind::FirstArrest
         };
-        self.run.events.push(Event { t_s: self.t_s, kind });
+        self.run.events.push(Event { t_s, kind });
     }
 
     /// A.5: the plate on its mechanism, with or without the projectile.
@@ -248,11 +257,10 @@ impl Work<'_> {
         let (flying_m_s, start_m) = (self.state.velocity_m_s, self.state.pen_m - y[0]);
         for step in 1..=AFTER_STEPS_MAX {
             if until_s.is_some_and(|until_s| self.t_s + 0.5 * dt_s > until_s) {
-                return if is_free || self.run.max_plate_displacement_m.is_some() {
-                    EndReason::Decided
-                } else {
-                    EndReason::Horizon
-                };
+                let turned = self.run.max_plate_displacement_m.is_some();
+                // What the listing prints is the greatest displacement within the time it was given.
+                self.run.max_plate_displacement_m = horizon_s.map(|_| self.max_displacement_m);
+                return if is_free || turned { EndReason::Decided } else { EndReason::Horizon };
             }
             if step.is_multiple_of(LOOK) && observer(self.t_s) == ControlFlow::Break(()) {
                 return EndReason::Cancelled;
@@ -310,6 +318,11 @@ impl Work<'_> {
         self.run.warnings.push(Warning::EnergyDrift { residual });
         if !end.is_complete() {
             self.run.warnings.push(Warning::EndedEarly(end));
+            self.run.at_least = AtLeast {
+                penetration_m: depth_m.filter(|_| self.run.outcome == Outcome::Moving),
+                plate_displacement_m: (sprung && self.run.max_plate_displacement_m.is_none())
+                    .then_some(self.max_displacement_m),
+            };
         }
         let plastic = self.scene.interface.law == InterfaceLaw::Plastic;
         let stopped = sprung && self.scene.mechanism.stop.position_m.is_some();

@@ -254,16 +254,61 @@ fn valid_the_error_of_the_printed_coupling() {
     }
 }
 
+/// `impdur`, `MaxPen`, `PeakForce` and `MaxDisp` of a port of the listing line by line, with the stop time `tmax` for the horizon.
 #[test]
-fn valid_the_listing_as_printed_is_the_case_of_an_independent_port() {
-    // m_2 = 0.1 kg, rho = 2780, nothing on the plate: 6.8806 mm at 0.151 ms, 19.257 kN, 22.67 against 22.91 m/s.
-    let run = listing("m_2=0.1 k=0 rho=2780");
-    assert!((depth_mm(&run) - 6.8806).abs() < 1e-3);
-    assert!(close(run.peak_contact_force_n.unwrap(), 19_257.0, 1e-3));
-    let arrest = run.first_arrest.unwrap();
-    assert!((arrest.t_s - 0.151e-3).abs() < 1.5e-6, "{}", arrest.t_s);
-    assert!((arrest.plate_velocity_m_s - 22.91).abs() < 0.01);
-    assert!(run.max_plate_displacement_m.is_none());
+fn valid_the_listing_prints_what_an_independent_port_of_it_prints() {
+    for (pairs, impdur_ms, depth_mm, peak_kn, displacement_mm) in [
+        (
+            "m_2=0.1 k=0 rho=2780 horizon=2e-4",
+            0.150,
+            6.880_580_860_392,
+            19.256_917_122_32,
+            2.512_974_287_221,
+        ),
+        ("horizon=2e-4", 0.109, 5.871_654_900_887, 19.095_300_870_21, 6.554_956_162_982),
+        ("horizon=2e-3", 0.109, 5.871_654_900_887, 19.095_300_870_21, 38.174_613_125_89),
+        // The list of positions begins with a zero: these plates are still behind it.
+        ("d=0.5 horizon=2e-4", 0.045, 2.855_855_941_699, 13.389_516_170_97, 0.0),
+        ("d=0.01 b=2000 horizon=2e-4", 0.170, 7.116_038_466_753, 19.292_006_755_39, 0.0),
+        (
+            "h=0.003 v_i=300 horizon=2e-4",
+            0.076,
+            9.488_956_883_539,
+            17.978_646_182_61,
+            3.856_748_279_311,
+        ),
+        (
+            "gamma=2 k=1e6 n=0.5 b=100 horizon=3e-4",
+            0.186,
+            7.169_136_517_047,
+            19.316_904_863_97,
+            0.671_413_638_827_7,
+        ),
+    ] {
+        let run = listing(pairs);
+        let contact_s = run.first_arrest.map_or(run.exit_time_s, |arrest| Some(arrest.t_s));
+        for (found, expected) in [
+            (1e3 * contact_s.unwrap(), impdur_ms),
+            (1e3 * run.final_penetration_m.unwrap(), depth_mm),
+            (1e-3 * run.peak_contact_force_n.unwrap(), peak_kn),
+            (1e3 * run.max_plate_displacement_m.unwrap(), displacement_mm),
+        ] {
+            assert!((found - expected).abs() <= 1e-10 * expected, "{pairs}: {found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn a_listing_without_a_stop_time_says_how_far_the_plate_is_when_its_steps_are_used_up() {
+    // The damper lets the plate creep towards neutral, which it does not reach.
+    let run = listing("d=0.1 b=1000 n=2.5 dt=1e-7");
+    assert_eq!(run.end, EndReason::StepBudget);
+    assert_eq!(
+        (run.max_plate_displacement_m, run.at_least.plate_displacement_m),
+        (None, Some(0.0))
+    );
+    assert!(run.baseline_penetration_m.is_some());
+    assert!(listing("k=0").max_plate_displacement_m.is_none());
 }
 
 #[test]

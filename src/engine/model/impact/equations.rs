@@ -47,8 +47,13 @@ pub(super) struct Setup {
     pub(super) drag_kg_m3: f64,
     /// Strength in tension over that in compression.
     pub(super) grip: f64,
+    /// Of projectile and closing velocity at first contact the greater: what velocities are compared with.
     pub(super) velocity_m_s: f64,
+    /// Displacement and velocity of the plate at first contact.
     pub(super) start_m: f64,
+    pub(super) start_m_s: f64,
+    /// Velocity with which the projectile meets it.
+    pub(super) closing_m_s: f64,
     /// The interface yields after the first arrest.
     pub(super) plastic: bool,
     /// The mount is rigid.
@@ -84,6 +89,7 @@ impl Setup {
         let geometry = Geometry::of(scene);
         let mechanism = Mechanism::of(scene);
         let cos = geometry.nose.cos;
+        let closing_m_s = scene.closing_velocity_m_s();
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = moving_plate_kg(scene);
         let absorber = scene.mechanism.spring.law().absorber();
@@ -104,8 +110,10 @@ impl Setup {
             strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
             drag_kg_m3: if flows { scene.drag_kg_m3() } else { 0.0 },
             grip: scene.interface.grip,
-            velocity_m_s: scene.projectile.velocity_m_s,
+            velocity_m_s: larger(scene.projectile.velocity_m_s, closing_m_s),
             start_m: scene.start_m(),
+            start_m_s: scene.plate_velocity_m_s(),
+            closing_m_s,
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             still: scene.is_rigid(),
             in_full: false,
@@ -145,15 +153,24 @@ impl Setup {
         self.spring.is_steep_at_zero() || self.damper.is_steep_at_zero()
     }
 
-    /// Whether the plate begins, without force, where one of its laws is infinitely steep.
+    /// Whether the plate begins at rest, without force, where one of its laws is infinitely steep.
     pub(super) fn starts_steep(&self) -> bool {
-        let is_at_zero = !self.still && self.start_m == 0.0 && self.spring.force(0.0) == 0.0;
+        let is_at_zero = !self.still
+            && (self.start_m, self.start_m_s) == (0.0, 0.0)
+            && self.spring.force(0.0) == 0.0;
         is_at_zero && self.is_steep() && self.law != Law::AtOnce
     }
 
-    /// Energy of the projectile at first contact, J.
+    /// Kinetic energy of projectile and plate at first contact, J.
+    pub(super) fn initial_kinetic_j(&self) -> [f64; 2] {
+        let v = self.closing_m_s + self.start_m_s * self.cos;
+        [(self.projectile_kg, v), (self.plate_kg, self.start_m_s)]
+            .map(|(kg, speed)| 0.5 * kg * speed * speed)
+    }
+
+    /// Both together, J.
     pub(super) fn initial_j(&self) -> f64 {
-        0.5 * self.projectile_kg * self.velocity_m_s * self.velocity_m_s
+        self.initial_kinetic_j().into_iter().sum()
     }
 
     /// The velocity of the projectile.

@@ -3,7 +3,7 @@
 use crate::model::impact::equations::Setup;
 use crate::numerics::{larger, smaller};
 
-/// Passages of the projectile at its impact velocity for the contact.
+/// Passages of the projectile at the closing velocity for the contact.
 const PASSAGES: f64 = 50.0;
 /// Oscillations of the spring with all energy in it: the first half decides over a joined body; one that slips in its hole loses energy
 /// for many of them.
@@ -19,14 +19,13 @@ const DECAY_MAX: f64 = 50.0;
 /// Long enough for the contact, many oscillations of the spring with all energy in it, and a plate that creeps back against its
 /// damper, s.
 pub(super) fn of(setup: &Setup) -> f64 {
-    let passage_s = setup.geometry.exit_m / setup.velocity_m_s;
+    let passage_s = setup.geometry.exit_m / setup.closing_m_s;
     let contact_s = PASSAGES * setup.law.duration_s().unwrap_or(passage_s);
     if setup.still {
         return contact_s;
     }
     let spring = &setup.spring;
-    let energy_j = 0.5 * setup.projectile_kg * setup.velocity_m_s * setup.velocity_m_s
-        + spring.energy(setup.start_m);
+    let energy_j = setup.initial_j() + spring.energy(setup.start_m);
     let speed = (2.0 * energy_j / setup.plate_kg).sqrt();
     // An absorber holds the plate on one side only.
     let ways = [spring.forward(setup.start_m, energy_j), spring.backward(setup.start_m, energy_j)];

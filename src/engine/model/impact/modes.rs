@@ -168,16 +168,25 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         crushed_j: 0.0,
         w_side: 1.0,
     };
-    let mut state = State { u_m_s: setup.velocity_m_s, x_m: setup.start_m, ..State::default() };
+    let mut state = State {
+        u_m_s: setup.closing_m_s,
+        x_m: setup.start_m,
+        w_m_s: setup.start_m_s,
+        ..State::default()
+    };
+    if setup.start_m_s != 0.0 {
+        mode.w_side = sign(setup.start_m_s);
+        face(setup, &mut mode, &state);
+    }
     if setup.law == Law::AtOnce {
         join(setup, &mut mode, &mut state);
     }
     if let Some(held) = (Equations { setup, mode: &mode }).holds_at_first() {
         (mode.hold, mode.held_m) = held;
     }
-    if !setup.still && setup.start_m >= setup.stop_at_m {
+    if !setup.still && setup.start_m >= setup.stop_at_m && setup.start_m_s >= 0.0 {
         reach_stop(setup, &mut mode, &mut state);
-        mode.w_side = 1.0;
+        mode.w_side = if state.w_m_s < 0.0 { -1.0 } else { 1.0 };
     }
     (mode, state)
 }

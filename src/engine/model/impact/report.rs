@@ -210,8 +210,10 @@ impl Course<'_> {
         // An absorber that is being crushed gives back less than was spent on it.
         let crushed = setup.crushed_at(x_m, self.mode.crushed_m);
         let spring_j = crushed.map_or(stored_j, |(spring, _)| spring.energy(x_m));
+        let [initial_kinetic_j, initial_plate_j] = setup.initial_kinetic_j();
         EnergyLedger {
-            initial_kinetic_j: kinetic(setup.projectile_kg, setup.velocity_m_s),
+            initial_kinetic_j,
+            initial_plate_j,
             initial_spring_j: setup.spring.energy(setup.start_m),
             projectile_j: kinetic(setup.projectile_kg, setup.projectile_m_s(state)),
             plate_j: kinetic(setup.plate_kg - added_kg, state.w_m_s),

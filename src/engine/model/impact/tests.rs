@@ -94,6 +94,47 @@ fn valid_rigid_and_free_plates() {
     }
 }
 
+/// Seen from a free plate it is at rest, and the projectile comes with the difference of both velocities.
+#[test]
+fn valid_a_free_plate_that_moves_is_struck_as_one_at_rest_by_a_slower_shot() {
+    for (plate_m_s, theta) in [(30.0, 0.0_f64), (-40.0, 0.0), (30.0, 30.0)] {
+        let along_m_s = plate_m_s * theta.to_radians().cos();
+        for v in [100.0, 500.0] {
+            let of =
+                |v: f64, w: f64| shot(&format!("gamma=1 k=0 theta={theta}deg v_i={v} w_0={w}"));
+            let (moving, resting) = (of(v, plate_m_s), of(v - along_m_s, 0.0));
+            assert_eq!(moving.outcome, resting.outcome);
+            let same = |it: fn(&Run) -> Option<f64>, more: f64| {
+                let (own, other) = (it(&moving), it(&resting));
+                assert_eq!(own.is_some(), other.is_some());
+                let pair = own.zip(other);
+                assert!(pair.is_none_or(|(own, other)| is_near(own, other + more, 1e-12)));
+            };
+            same(|run| run.first_arrest.map(|it| it.penetration_m), 0.0);
+            same(|run| run.first_arrest.map(|it| it.t_s), 0.0);
+            same(|run| run.exit_time_s, 0.0);
+            same(|run| run.peak_contact_force_n, 0.0);
+            same(|run| run.residual_velocity_m_s, along_m_s);
+            same(|run| run.first_arrest.map(|it| it.plate_velocity_m_s), plate_m_s);
+        }
+    }
+}
+
+/// At the turn the spring has all energy but what the hole took, by a formula of its own for k x^n.
+#[test]
+fn valid_a_plate_that_moves_at_first_contact_brings_its_energy() {
+    for (n, k) in [(1.0, 1e5), (1.5, 1e6), (0.5, 2e4)] {
+        for w in [40.0, -40.0] {
+            let run = shot(&format!("gamma=1 d=0.002 k={k} n={n} w_0={w}"));
+            let stored_j = |x_m: f64| k * x_m.powf(n + 1.0) / (n + 1.0);
+            let initial_j = 0.5 * 0.0295 * (100.0 * 100.0 + w * w) + stored_j(0.002);
+            let spent_j =
+                run.ledger.penetration_j + stored_j(run.max_plate_displacement_m.unwrap());
+            assert!(is_near(spent_j, initial_j, 1e-10), "{n} {w}: {spent_j} J, not {initial_j} J");
+        }
+    }
+}
+
 /// A rigid stop under the fused law: all momentum of the joined body is gone, and the stop is the greatest displacement.
 #[test]
 fn valid_a_rigid_stop_is_the_greatest_displacement() {

@@ -139,8 +139,10 @@ fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
     let cocked_j = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);
     let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
-    let momentum = m_p * scene.projectile.velocity_m_s * cos;
-    let bodies_kg = m_p * cos * cos + scene.plate_mass_kg();
+    let plate_kg = scene.plate_mass_kg();
+    let momentum =
+        m_p * scene.projectile.velocity_m_s * cos + plate_kg * scene.plate_velocity_m_s();
+    let bodies_kg = m_p * cos * cos + plate_kg;
     // m e = U_cocked + momentum²/(2 (bodies + part m)) is quadratic in m.
     let part = spring.moving_part();
     let half = 0.5 * (bodies_kg * energy_j_kg - part * cocked_j);

@@ -118,7 +118,7 @@ pub fn thickness_ratio(scene: &Scene) -> f64 {
 
 /// Pressure on the nose at impact, S + c v², over the strength of hardened steel.
 pub fn nose_pressure_ratio(scene: &Scene) -> f64 {
-    let v = scene.projectile.velocity_m_s;
+    let v = scene.closing_velocity_m_s();
     (scene.flow_strength_pa() + scene.drag_kg_m3() * v * v) / PROJECTILE_STRENGTH_PA
 }
 
@@ -255,7 +255,7 @@ fn face(scene: &Scene) -> Option<Breach> {
 }
 
 fn velocity(scene: &Scene) -> Option<Breach> {
-    let (v, (slow, fast)) = (scene.projectile.velocity_m_s, VELOCITIES_M_S);
+    let (v, (slow, fast)) = (scene.closing_velocity_m_s(), VELOCITIES_M_S);
     let (degree, fault) = if v < slow {
         (-slow / v, format!("below the {slow} m/s of measurements"))
     } else if v > fast {
@@ -263,7 +263,8 @@ fn velocity(scene: &Scene) -> Option<Breach> {
     } else {
         return None;
     };
-    let text = format!("v_i = {} m/s is {fault}", significant(v, 4));
+    let symbol = if scene.plate_velocity_m_s() == 0.0 { "v_i" } else { "v_i - w_0 cos(theta)" };
+    let text = format!("{symbol} = {} m/s is {fault}", significant(v, 4));
     Some(breach(Check::Velocity, Direction::Unknown, degree, text))
 }
 

@@ -78,9 +78,12 @@ parts! {
             is(MASS_RATIO).searched(0.8, 7.0).used_when(is_sprung).from(TABLE_9_2);
         /// The input that defines the plate's size; the mass ratio follows from it, unless it is the input itself.
         pub size: PlateSize = PlateSize::Ratio => each(sizes);
-        pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d, at rest",
+        pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d",
             number(Length, NonNegative).searched(0.0, 0.5)
             .used_when(|scene| is_sprung(scene) && (scene.mechanism.has_springs() || has_stop(scene))).from(TABLE_9_2);
+        pub velocity_m_s: f64 = 0.0 => "w_0", "plate speed", "plate velocity at first contact, away from the shot",
+            number(Velocity, Closing).called("plate_velocity").seldom().used_when(is_sprung)
+            .from("thesis Appendix A.1, y(2), and section 4.3.2; 0 throughout chapter 9; in a stack it is that of the first plate");
     }
 }
 

@@ -4,7 +4,7 @@ use super::VariableError;
 use crate::model::scene::{
     self, ClosureInEffect, Combination, ContactModel, Layer, OwnMass, Scene, Stack, Target,
 };
-use crate::model::units::shortest;
+use crate::model::units::{shortest, significant};
 
 /// A refusal of values that make no sense together.
 fn refuse(text: String) -> Result<(), VariableError> {
@@ -14,6 +14,7 @@ fn refuse(text: String) -> Result<(), VariableError> {
 /// All rules between values, in the order in which they are reported.
 pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     check_stop(scene)?;
+    check_closing(scene)?;
     check_closure(scene)?;
     check_interface_spring(scene)?;
     check_springs(scene)?;
@@ -32,6 +33,20 @@ fn check_stop(scene: &Scene) -> Result<(), VariableError> {
     refuse(format!(
         "x_stop (mechanism.stop.position_m) = {position} m lies behind the plate's start at -d = {start} m: it must be {start} m \
          or more; move the stop or reduce d"
+    ))
+}
+
+/// The projectile reaches the plate.
+fn check_closing(scene: &Scene) -> Result<(), VariableError> {
+    if scene.closing_velocity_m_s() > 0.0 {
+        return Ok(());
+    }
+    let most_m_s = scene.projectile.velocity_m_s / scene.cos_obliquity();
+    refuse(format!(
+        "w_0 (plate.velocity_m_s) = {} m/s takes the plate away before the projectile reaches it: it must be below \
+         v_i / cos(theta) = {} m/s; reduce w_0 or raise v_i",
+        shortest(scene.plate.velocity_m_s),
+        significant(most_m_s, 6)
     ))
 }
 
@@ -130,6 +145,13 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
     for (index, Layer { target, plate, mechanism }) in stack.layers.iter().enumerate() {
         let mut own = Scene { stack: Stack::default(), ..scene.clone() };
         (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
+        if plate.velocity_m_s != 0.0 {
+            return refuse(format!(
+                "stack.layer {}: w_0 (plate.velocity_m_s) = {} m/s: only the plate that is struck first can have a velocity; set it to 0",
+                index + 1,
+                shortest(plate.velocity_m_s)
+            ));
+        }
         super::validate(&own)
             .map_err(|error| VariableError(format!("stack.layer {}: {error}", index + 1)))?;
     }

@@ -14,18 +14,22 @@ use crate::model::impact::step_by;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::{InterfaceLaw, Reading, Scene};
 use crate::model::simulate::{Settings, simulate};
+use crate::study::quantities;
 
 /// The results that are compared: their keys in files, and words.
-pub const RESULTS: [(&str, &str); 5] = [
+pub const RESULTS: [(&str, &str); 7] = [
     ("penetration_error", "depth"),
     ("time_error", "time"),
     ("displacement_error", "displacement"),
     ("force_error", "force"),
-    ("residual_velocity_error", "residual velocity"),
+    ("last_velocity_error", "last velocity"),
+    ("last_time_error", "last time"),
+    ("mount_force_error", "mount force"),
 ];
 
 /// Depth of the hole, m (of an arrested projectile); time of first arrest or of exit, s; the plate's greatest displacement, m; peak
-/// contact force, N; velocity after a perforation, m/s. `None` of what does not exist, or the method does not know.
+/// contact force, N; velocity of a projectile that leaves the plate through either face, m/s, and when, s; greatest force into the
+/// mount, N. `None` of what does not exist, or the method does not know.
 pub type Results = [Option<f64>; RESULTS.len()];
 
 /// Steps of the printed scheme, at most.
@@ -288,7 +292,9 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
             time_s,
             run.max_plate_displacement_m,
             run.peak_contact_force_n,
-            run.residual_velocity_m_s,
+            run.residual_velocity_m_s.or_else(|| Some(run.separation?.velocity_m_s)),
+            run.exit_time_s.or_else(|| Some(run.separation?.t_s)),
+            quantities::find("peak_mount_force_n").and_then(|force| force.value(run)),
         ],
         steps: cost.steps,
         rejected: cost.rejected,
@@ -318,7 +324,8 @@ fn of_contact(
     t_s: f64,
     (steps, evaluations): (usize, usize),
 ) -> Answer {
-    let results = [depth_m, Some(t_s), None, None, None];
+    let mut results = [None; RESULTS.len()];
+    (results[0], results[1]) = (depth_m, Some(t_s));
     Answer { outcome, results, steps, rejected: 0, evaluations }
 }
 

@@ -82,14 +82,23 @@ impl Reference {
         Self { basis, outcome, results, uncertainty: None }
     }
 
-    /// The errors of a method's results: relative, of the residual velocity over the impact velocity.
+    /// The errors of a method's results: relative, of the last velocity over the impact velocity.
     pub fn errors(&self, scene: &Scene, results: &Results) -> Results {
         let shot = &scene.projectile;
-        let least = [0.0, 0.0, NO_LENGTH * shot.tip_radius_m, 0.0, shot.velocity_m_s];
+        let least = [0.0, 0.0, NO_LENGTH * shot.tip_radius_m, 0.0, shot.velocity_m_s, 0.0, 0.0];
         std::array::from_fn(|at| {
             let (own, right) = (results[at]?, self.results[at]?);
-            Some((own - right).abs() / larger(right.abs(), least[at]))
+            let scale = larger(right.abs(), larger(least[at], f64::MIN_POSITIVE));
+            Some((own - right).abs() / scale)
         })
+    }
+
+    /// The greatest error of all results; NaN where one of them exists on one side only.
+    pub fn error_of_all(&self, scene: &Scene, results: &Results) -> f64 {
+        if results.map(|own| own.is_some()) != self.results.map(|right| right.is_some()) {
+            return f64::NAN;
+        }
+        self.errors(scene, results).into_iter().flatten().fold(0.0, larger)
     }
 
     /// The error of depth, or of the time of a perforation, which has no depth of its own.

@@ -56,12 +56,13 @@ fn valid_the_printed_scheme_is_off_by_its_coupling() {
     assert!(report.savings.iter().any(|it| it.part == "motion after the contact"));
 }
 
-/// The whole run: greatest displacement and peak force of a sprung plate, residual velocity behind a thin one.
+/// The whole run: greatest displacement and forces of a sprung plate, velocity and time behind a thin one, or of one that pulls out.
 #[test]
 fn whole_runs_are_compared_in_every_result_they_have() {
     for (pairs, results) in [
-        ("k=1e5 b=50", [true, true, true, true, false]),
-        ("h=0.003 v_i=400", [false, true, false, true, true]),
+        ("k=1e5 b=50", [true, true, true, true, false, false, true]),
+        ("h=0.003 v_i=400", [false, true, false, true, true, true, false]),
+        ("k=7.5e6 interface=plastic", [true, true, true, true, true, true, true]),
     ] {
         let methods = compared(pairs, Ladder::Quick);
         for letter in ['A', 'N', 'D', 'I', 'E'] {
@@ -69,10 +70,12 @@ fn whole_runs_are_compared_in_every_result_they_have() {
             assert_eq!(finest.errors.map(|error| error.is_some()), results, "{pairs}: {letter}");
             let within = if letter == 'E' { 1e-6 } else { 1e-9 };
             assert!(finest.error() < within, "{pairs}: {letter} {:?}", finest.errors);
+            assert!(finest.errors[6].is_none_or(|error| error < 1e-6), "{pairs}: {letter}");
         }
-        // The kernel has neither displacement nor velocity beyond the contact.
-        let (_, contact) = methods[&'L'].measured().next_back().unwrap();
-        assert_eq!(contact.errors[2..], [None; 3]);
+        // The kernel knows nothing beyond the contact.
+        for (_, contact) in methods[&'L'].measured() {
+            assert_eq!(contact.errors[2..], [None; 5]);
+        }
     }
 }
 
@@ -155,10 +158,10 @@ fn a_stopped_comparison_keeps_what_it_has() {
 /// A report of points with a tolerance, an error and a run time each.
 fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
     let point = |(tolerance, depth_error, min_s): &(f64, f64, f64)| {
-        let errors = [Some(*depth_error), Some(0.0), None, None, None];
+        let errors = [Some(*depth_error), Some(0.0), None, None, None, None, None];
         let answer = Answer {
             outcome: Outcome::Arrested,
-            results: [Some(1.0), Some(1.0), None, None, None],
+            results: errors.map(|error| error.map(|_| 1.0)),
             steps: 1,
             rejected: 0,
             evaluations: 1,

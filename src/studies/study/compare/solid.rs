@@ -38,7 +38,9 @@ fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> 
         geometry.swept_m3(through_m)
     };
     let geometry = Geometry::of(scene);
-    let passage = Passage { velocity_m_s: limit_m_s, ..Passage::unsprung(scene, &geometry, moves) };
+    let plate_m_s = if moves { scene.plate_velocity_m_s() * scene.cos_obliquity() } else { 0.0 };
+    let velocity_m_s = limit_m_s - plate_m_s;
+    let passage = Passage { velocity_m_s, ..Passage::unsprung(scene, &geometry, moves) };
     // At the limit the perforation takes just the volume that stops the shot, which does not depend on the thickness.
     let volume = passage.stopping_volume_m3()?;
     let (mut thin, mut thick) = (scene.target.thickness_m, scene.target.thickness_m);

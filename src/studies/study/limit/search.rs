@@ -261,8 +261,13 @@ fn shoot(
     impact_m_s: f64,
     observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> (Shot, ShotOutcome) {
-    // The scene has been found valid, and so is any velocity above zero.
-    decide(&aimed(scene, impact_m_s), observer).map_or(
+    let aimed = aimed(scene, impact_m_s);
+    if aimed.closing_velocity_m_s() <= 0.0 {
+        let shot = Shot { impact_m_s, outcome: Outcome::Separated, residual_m_s: None };
+        return (shot, ShotOutcome::Stopped);
+    }
+    // The scene has been found valid, and so is any velocity that reaches the plate.
+    decide(&aimed, observer).map_or(
         (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, ShotOutcome::Undecided),
         |(run, verdict)| {
             let (outcome, residual_m_s) = (run.shot_outcome(), run.shot_residual_m_s());

@@ -47,18 +47,19 @@ pub(super) fn least_peak_n(run: &Run) -> Option<f64> {
     run.at_least.plate_displacement_m.and_then(|_| load::peak_so_far_n(run))
 }
 
-/// Whether the force into the mount has to be looked for in the rows of a run: other models than the simulation do not locate it.
+/// Whether the force into the mount has to be looked for in the rows of a run: the listing of Appendix A does not locate it.
 pub(super) fn needs_course(scene: &Scene) -> bool {
-    let is_simulated = scene.contact.model == ContactModel::Hydrodynamic;
-    scene.plate.mount == Mount::Sprung && !is_simulated && !turn_tells_force(scene)
+    let is_listing = scene.contact.model == ContactModel::Appendix;
+    scene.plate.mount == Mount::Sprung && is_listing && !turn_tells_force(scene)
 }
 
 /// Whether the greatest force into the mount follows from where the plate starts and turns: of a power law, which is odd, without
-/// stop and damper.
+/// stop, damper and anything that turns.
 pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
     let mechanism = Mechanism::of(scene);
     let is_odd = mechanism.spring.power().is_some();
-    is_odd && mechanism.stop.is_none() && mechanism.damper.coefficient == 0.0
+    let is_alone = mechanism.stop.is_none() && mechanism.damper.coefficient == 0.0;
+    is_odd && is_alone && Inertia::of(scene).rotation_kg == 0.0
 }
 
 /// The force into the mount of a spring alone, from where the plate starts and turns; `None` where that is not all.

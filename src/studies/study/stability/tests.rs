@@ -57,3 +57,20 @@ fn a_battery_is_stopped_within_a_scene_and_keeps_what_it_has() {
     let rows = run(&[*quick, *long], &|| LATE_S, context).unwrap();
     assert!(rows.len() == 1 && context.is_stopped());
 }
+/// Each of them, by changing the reference: one that pulls out has them all.
+#[test]
+fn every_result_of_a_row_is_judged() {
+    let case = cases::CASES.iter().find(|case| case.name == "gamma 0.8, plastic").unwrap();
+    let scene = case.scene().unwrap();
+    let run = bare(&scene, false, &mut |_| ControlFlow::Continue(())).unwrap();
+    let right = References::of(&scene).other.unwrap();
+    assert_eq!(shortfall(&run, error_of(&run, &right)), None);
+    for at in 0..right.results.len() {
+        for wrong in [right.results[at].map(|result| result * (1.0 + 1e-6)), None] {
+            let mut other = right;
+            other.results[at] = wrong;
+            let short = shortfall(&run, error_of(&run, &other));
+            assert_eq!(short, Some(Shortfall::Error), "result {at}: {wrong:?}");
+        }
+    }
+}

@@ -328,7 +328,7 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
     let limit = match number.allowed {
         Allowed::Positive => Some("a value above 0".to_owned()),
         Allowed::NonNegative => Some("0".to_owned()),
-        Allowed::Any => None,
+        Allowed::Any | Allowed::Closing => None,
         Allowed::Between(low, high) => Some(units::shortest(if end < low { low } else { high })),
         Allowed::Below(low, _) if end < low => Some(units::shortest(low)),
         Allowed::Below(_, high) => Some(format!("a value below {}", units::shortest(high))),

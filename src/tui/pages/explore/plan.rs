@@ -7,10 +7,15 @@ use crate::tui::pages::explore::state::{CURVES, Picture, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 
 impl App {
+    /// Whether the scene is a figure of the thesis, drawn with the corrected physics.
+    pub(crate) fn is_corrected_figure(&self) -> bool {
+        self.base.name.starts_with("figure-")
+            && self.scene.contact.model == ContactModel::Hydrodynamic
+    }
+
     /// The plan of a figure's curves by the scheme that the thesis prints; `None` where the scene is no figure, or drawn by it.
     pub(crate) fn printed_plan(&self) -> Option<Plan> {
-        let is_figure = self.base.name.starts_with("figure-") && self.picture() == Picture::Line;
-        if !is_figure || self.scene.contact.model != ContactModel::Hydrodynamic {
+        if !self.is_corrected_figure() || self.picture() != Picture::Line {
             return None;
         }
         let mut scene = Scene::clone(&self.scene);

@@ -92,6 +92,9 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
         (SetupRow::Picture, Input::Step(press)) => {
             let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
             show_as(app, next)?;
+            if next == Picture::Surface && app.is_corrected_figure() {
+                app.tell("a map shows the corrected physics alone; as curves it has the printed scheme beside it");
+            }
         }
         (SetupRow::Output, _) => {
             let name = &sweep.outputs[app.pages.explore.output_of(&sweep)];
