@@ -85,9 +85,6 @@ pub(crate) enum Glyphs {
 }
 
 /// The same as [`run()`], with the clock that decides when the progress of a long computation is shown.
-///
-/// # Errors
-/// Those of [`run()`].
 pub fn run_by(
     clock: Clock,
     arguments: impl Iterator<Item = OsString>,
@@ -97,9 +94,6 @@ pub fn run_by(
 }
 
 /// Carry out a command line; the first argument is the program's name.
-///
-/// # Errors
-/// [`CliError`], which knows its exit code; [`fail`] prints it.
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
     progress::survive_large_files();
     let written: Vec<OsString> = arguments.collect();

@@ -7,7 +7,6 @@
 //! Every task submitted gets exactly one last report: `Ended` or `Failed`.
 
 pub mod clock;
-pub mod quiet;
 mod runs;
 pub mod studies;
 pub mod study;
@@ -21,7 +20,6 @@ use std::thread;
 use std::time::Duration;
 
 use clock::Clock;
-use quiet::Quiet;
 use studies::{Asked, Finding, Found};
 use study::{Lane, Reporter};
 
@@ -127,7 +125,6 @@ pub struct Worker {
 /// The state shared by the threads and their owner.
 struct Shared {
     lanes: [Queue; Lane::ALL.len()],
-    quiet: Quiet,
     clock: Clock,
     make: Make,
     sink: Box<Sink>,
@@ -198,9 +195,9 @@ impl Worker {
         make: Make,
         sink: impl Fn(Report) + Send + Sync + 'static,
     ) -> std::io::Result<Self> {
-        let (quiet, sink) = (Quiet::default(), Box::new(sink));
+        let sink = Box::new(sink);
         let lanes = Default::default();
-        let shared = Arc::new(Shared { lanes, quiet, clock, make, sink });
+        let shared = Arc::new(Shared { lanes, clock, make, sink });
         for (lane, name) in Lane::ALL {
             let shared = Arc::clone(&shared);
             let serve = move || shared.serve(lane);
@@ -263,13 +260,7 @@ impl Shared {
             let begun = (self.clock)();
             let send = |body| (self.sink)(Report { id: task.id, body });
             let reporter = Reporter::new(self, &task, &send, &cancel);
-            let work = || reporter.finish(|| (self.make)(&task, &reporter));
-            let body = match (lane, task.asked.study().measures()) {
-                // A person waits for the run of an edit, also while run times are measured.
-                (Lane::Runs, _) => work(),
-                (_, true) => self.quiet.alone(&cancel, work),
-                (_, false) => self.quiet.together(&cancel, work),
-            };
+            let body = reporter.finish(|| (self.make)(&task, &reporter));
             // Free before the report: its receiver may submit at once.
             queue.lock().running = None;
             send(body);

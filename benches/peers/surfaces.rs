@@ -17,7 +17,7 @@ use cmra::model::simulate::{Settings, simulate};
 use cmra::study::context::CancelFlag;
 use cmra::study::parallel::{self, Work, cores};
 use cmra::study::quantities::named;
-use cmra::study::sweep::evaluate::{Evaluator, Rows};
+use cmra::study::sweep::evaluate::{Evaluator, Point};
 use cmra::study::sweep::grid::PIECE;
 use cmra::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
 
@@ -119,16 +119,16 @@ fn seconds(work: impl FnOnce()) -> f64 {
 }
 
 /// The engine, all of it: placing, contacts, threads, results in order.
-fn rows(plan: &Plan, threads: usize) -> Vec<Rows> {
+fn rows(plan: &Plan, threads: usize) -> Vec<Point> {
     let stop = CancelFlag::default();
     let mut all = Vec::new();
     let worker = || {
         let mut evaluator = Evaluator::new(plan, &stop);
-        move |piece: Range<u64>| evaluator.rows(piece)
+        move |piece: Range<u64>| evaluator.points(&piece.collect::<Vec<u64>>())
     };
     let work = Work { count: plan.points(), at_once: PIECE };
     let _whole = parallel::map(threads, work, worker, |news| {
-        all.extend(news.map(|(_, rows)| rows));
+        all.extend(news.into_iter().flat_map(|(_, points)| points));
         ControlFlow::Continue(())
     });
     all
@@ -150,12 +150,11 @@ fn simulated(plan: &Plan) -> Vec<(usize, [Option<f64>; 2])> {
 }
 
 /// The greatest relative error; infinite where one has a value and the other has none.
-fn worst(known: &[(usize, [Option<f64>; 2])], found: &[Rows]) -> f64 {
-    let piece = found.first().map_or(1, Rows::len);
+fn worst(known: &[(usize, [Option<f64>; 2])], found: &[Point]) -> f64 {
     let mut worst = 0.0f64;
     for (index, exact) in known {
         for (place, exact) in exact.iter().enumerate() {
-            let value = found[index / piece].value(index % piece, place);
+            let value = found[*index].values[place];
             let error = match (value, exact) {
                 (Some(value), Some(exact)) => (value - exact).abs() / exact.abs().max(NANOMETRE),
                 (None, None) => 0.0,

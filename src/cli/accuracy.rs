@@ -1,21 +1,20 @@
-//! `cmra accuracy [SCENE]...`: error against run time of every method, as a chart with a table and answers, CSV or JSON.
+//! `cmra accuracy [SCENE]`: error against run time of every method, as a chart with a table and answers, CSV or JSON.
 
-use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
 
+use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::text::{chart_size, width};
-use crate::cli::{CliError, draw, output, progress, scene};
-use crate::files::bundled;
+use crate::cli::{CliError, draw, output, progress};
+use crate::files::preset::Preset;
 use crate::model::run::Outcome;
 use crate::model::units::engineering;
 use crate::report::accuracy::{
-    self, ANSWERS, Named, TARGETS, advice, by, error_over_time, methods, printed_scheme, savings,
-    seconds,
+    self, ANSWERS, TARGETS, advice, by, error_over_time, methods, printed_scheme, savings, seconds,
 };
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::reference::Reference;
@@ -25,23 +24,13 @@ use crate::worker::clock;
 
 const SIZE: draw::Size = (80, 20);
 /// Columns of the table of methods.
-const KEYS: [&str; 7] = [
-    "letter",
-    "method",
-    "observed_order",
-    "least_error",
-    "run_time_s_to_1e-6",
-    "run_time_s_to_1e-9",
-    "cheapest",
-];
+const KEYS: [&str; 6] =
+    ["letter", "method", "least_error", "run_time_s_to_1e-6", "run_time_s_to_1e-9", "cheapest"];
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
-    /// Presets' names or paths of TOML files [default: thesis-baseline]
-    #[arg(value_name = "SCENE")]
-    scenes: Vec<OsString>,
     #[command(flatten)]
-    changes: scene::Changes,
+    scene: SceneArguments,
     /// Fewer points and shorter timings
     #[arg(long)]
     quick: bool,
@@ -49,66 +38,35 @@ pub(super) struct AccuracyArguments {
     table: TableArguments,
 }
 
-/// Compare the methods on each scene; exit status 1 when `auto` gave no answer somewhere.
+/// Compare the methods on the scene; exit status 1 when `auto` gave no answer somewhere.
 pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
-    if arguments.scenes.len() > 1 {
-        arguments.table.check()?;
-    } else {
-        arguments.table.check_beside()?;
-    }
-    let baseline = [OsString::from(bundled::BASELINE)];
-    let names = if arguments.scenes.is_empty() { &baseline[..] } else { &arguments.scenes };
+    arguments.table.check_beside()?;
+    let Preset { name, scene, .. } = arguments.scene.load()?;
     let effort = if arguments.quick { ComparisonOptions::QUICK } else { ComparisonOptions::FULL };
-    let mut presets = Vec::new();
-    for name in names {
-        let mut preset = scene::named(name)?;
-        arguments.changes.apply(&mut preset.scene)?;
-        presets.push(preset);
-    }
-    let mut reports: Vec<Named> = Vec::new();
-    let scenes = presets.clone();
-    for preset in presets {
-        let report = progress::study(1, "points", |context| {
-            compare(&Arc::new(preset.scene), effort, &mut clock::processor_s, context)
-        })?;
-        let whole = report.is_complete;
-        reports.push((preset.name, report));
-        if !whole {
-            break;
-        }
-    }
-    let (page, json) = (page(&reports, &arguments.table), accuracy::json(&reports));
-    let only = scenes.first().filter(|_| scenes.len() == 1);
-    let table = arguments.table.of_scene(&arguments.changes, only.map(|it| &it.scene), effort);
-    table.deliver_report(&page, json, accuracy::table(&reports))?;
-    let failures: Vec<String> = reports.iter().flat_map(auto_failures).collect();
+    let report = progress::study(1, "points", |context| {
+        compare(&Arc::new(scene.clone()), effort, &mut clock::processor_s, context)
+    })?;
+    let table = &arguments.table;
+    let page = page(&name, &report) + &table.warnings(&accuracy::warnings(&report));
+    let (object, rows) = (accuracy::json(&name, &report), accuracy::table(&name, &report));
+    table.of(&arguments.scene, &scene, effort).deliver_report(&page, object, rows)?;
+    let failures: Vec<String> = auto_failures(&report).collect();
     for failure in &failures {
-        output::note(failure);
+        output::note(&format!("{name}: {failure}"));
     }
     Ok(progress::exit_code(failures.is_empty()))
 }
 
 /// Where `auto` gave no answer, in words: the step or tolerance, and why.
-fn auto_failures((scene, report): &Named) -> Vec<String> {
+fn auto_failures(report: &Report) -> impl Iterator<Item = String> {
     let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
-    auto.flat_map(|method| &method.points)
-        .filter_map(|point| {
-            let why = point.result.as_ref().err()?.words();
-            Some(format!("{scene}: auto gave no answer at {}: {why}", point.parameter))
-        })
-        .collect()
+    auto.flat_map(|method| &method.points).filter_map(|point| {
+        let why = point.result.as_ref().err()?.words();
+        Some(format!("auto gave no answer at {}: {why}", point.parameter))
+    })
 }
 
-/// The pages of all scenes, one under the other.
-fn page(reports: &[Named], table: &TableArguments) -> String {
-    let page = |(name, report): &Named| {
-        page_of(name, report) + &table.warnings(&accuracy::warnings(report))
-    };
-    let pages: Vec<String> = reports.iter().map(page).collect();
-    pages.join("\n")
-}
-
-fn page_of(name: &str, report: &Report) -> String {
+fn page(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: error against run time\n\n");
     if report.is_complete {
         let _ = writeln!(page, "{}", advice(report));

@@ -88,7 +88,7 @@ impl CompareArguments {
             Map::compute(&preset.scene, axes, request.hardware, context)
         })?;
         let name = preset.name.as_str();
-        let warnings = validity::of_points(map.scene(), axes);
+        let warnings = validity::of_axes(map.scene(), axes);
         let page = map_page(name, &map) + &self.study.table.warnings(&warnings);
         let table = self.study.table.of(&self.study.scene, &preset.scene, request);
         if !self.pictures.is_stdout() {
@@ -198,21 +198,4 @@ fn map_page(name: &str, map: &Map) -> String {
     };
     page.push_str(&draw::map(&drawn, chart_size(MAP)));
     page
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_map_has_two_different_variables() {
-        let scene = Scene::default();
-        let [x, y] = axes(&scene, "v_i=10..90:5,gamma").unwrap();
-        assert_eq!((x.symbol(), x.count(), y.symbol(), y.count()), ("v_i", 5, "gamma", 41));
-        for (text, word) in
-            [("v_i", "two variables"), ("v_i,v_i", "both variables"), ("v_i,gama", "gama")]
-        {
-            assert!(axes(&scene, text).unwrap_err().to_string().contains(word), "{text}");
-        }
-    }
 }

@@ -75,7 +75,7 @@ fn head(page: &mut String, report: &Report) {
             let _ =
                 writeln!(page, "limit velocity  {}, {}", velocity(velocity_m_s, 6), basis.words());
         }
-        Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => {
+        Limit::Never | Limit::Always | Limit::Unknown => {
             let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
         }
     }

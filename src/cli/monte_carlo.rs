@@ -11,7 +11,7 @@ use crate::cli::text::width;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo::{self, perforation, table};
-use crate::study::monte_carlo::{LIMIT, Report, Request, Tolerance, sample};
+use crate::study::monte_carlo::{LIMIT, Report, Request, Tolerance, run as study};
 use crate::study::quantities::{Quantity, named};
 
 #[derive(Debug, Args)]
@@ -32,7 +32,7 @@ pub(super) struct MonteCarloArguments {
     )]
     vary: Vec<String>,
     /// Quantities, separated by commas [default: all but those about the computation]
-    #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
     /// Number of samples [default: 10000, or 200 where each takes a limit search]
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
@@ -90,7 +90,7 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     let request = arguments.request(&preset.scene)?;
-    let report = arguments.study.run("runs", |context| sample(&preset.scene, &request, context))?;
+    let report = arguments.study.run("runs", |context| study(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
         command: request.to_string(),

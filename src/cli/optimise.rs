@@ -13,7 +13,7 @@ use crate::model::units::significant;
 use crate::report::front;
 use crate::report::table::{Cells, grid};
 use crate::study::search::front::{
-    Constraint, Front, Objective, Request, SAMPLES, STEPS_MAX, optimise, usual_bounds,
+    Constraint, Objective, Report, Request, SAMPLES, STEPS_MAX, run as search, usual_bounds,
 };
 use crate::study::sweep::Spacing;
 
@@ -87,8 +87,7 @@ impl OptimiseArguments {
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let request = arguments.request()?;
     let preset = arguments.study.load()?;
-    let front =
-        arguments.study.run("runs", |context| optimise(&preset.scene, &request, context))?;
+    let front = arguments.study.run("runs", |context| search(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let (page, object) = (page(name, &front), front::json(name, &front));
     let warnings = front::warnings(&front);
@@ -98,7 +97,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     Ok(progress::exit_code(!front.designs.is_empty()))
 }
 
-fn page(name: &str, front: &Front) -> String {
+fn page(name: &str, front: &Report) -> String {
     let request = &front.request;
     let objective = |it: &Objective| {
         let most = if it.maximise { "greatest " } else { "least " };
@@ -122,7 +121,7 @@ fn page(name: &str, front: &Front) -> String {
     page
 }
 
-fn designs(page: &mut String, front: &Front) {
+fn designs(page: &mut String, front: &Report) {
     let count = front.designs.len();
     let kind = match (front.request.objectives.len(), count) {
         (_, 0) if front.lacks.iter().any(|it| it.count == front.runs) => "no design".to_owned(),

@@ -33,9 +33,6 @@ mod before_main {
 }
 
 /// Whether there is somewhere to write a result to.
-///
-/// # Errors
-/// [`CliError::Stdout`] where standard output was closed.
 pub(super) fn open() -> Result<(), CliError> {
     if WAS_CLOSED.load(Ordering::Relaxed) {
         return Err(CliError::Stdout(io::Error::other("it is closed")));

@@ -1,7 +1,6 @@
 //! The scene a command works on: SCENE, then entries of the libraries, then every `--set` in order.
 
 use std::ffi::{OsStr, OsString};
-use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
 
@@ -18,7 +17,7 @@ use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{Closure, Mechanism, PlateSize, Scene, Spring, SpringKind, Table};
 use crate::model::units::{self, Bare, Dimension, shortest};
-use crate::model::variables::{self, VARIABLES, Variable, is_used, used_where};
+use crate::model::variables::{self, Variable, is_used, used_where};
 
 const VELOCITY: &str = "projectile.velocity_m_s";
 
@@ -61,9 +60,7 @@ impl SceneArguments {
             Some(name) if name == "-" => from_stdin()?,
             name => named(name.unwrap_or_else(|| OsStr::new(bundled::BASELINE)))?,
         };
-        let before = preset.scene.clone();
         self.changes.apply(&mut preset.scene)?;
-        say_changed(&before, &mut preset.scene);
         self.changes.say_unused(&preset.scene);
         Ok(preset)
     }
@@ -194,16 +191,6 @@ fn bent_law(variable: &Variable, value: &str, scene: &Scene) -> Option<PowerLaw>
     let is_bent =
         is_in(linear) && !is_in(Dimension::Number) && (exponent - 1.0).abs() > f64::EPSILON;
     Some(PowerLaw { coefficient: (number.get)(scene)?, exponent }).filter(|_| is_bent)
-}
-
-/// Marks the title of a scene whose inputs were changed.
-fn say_changed(before: &Scene, scene: &mut Scene) {
-    let has_changed = |it: &&Variable| is_used(it, scene) && it.show(before) != it.show(scene);
-    let changed = VARIABLES.iter().filter(has_changed).count();
-    if !scene.title.is_empty() && changed > 0 {
-        let plural = if changed == 1 { "" } else { "s" };
-        let _ = write!(scene.title, ", {changed} input{plural} changed");
-    }
 }
 
 fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {

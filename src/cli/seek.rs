@@ -9,7 +9,7 @@ use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::{CliError, progress};
 use crate::model::units::shortest;
 use crate::report::seek::{self, remarks, solution};
-use crate::study::search::seek::{Goal, Report, Request, SCAN, SCAN_USUAL, seek as solve};
+use crate::study::search::seek::{Goal, Report, Request, SCAN, SCAN_USUAL, run as solve};
 use crate::study::sweep::{Axis, Spacing};
 
 #[derive(Debug, Args)]

@@ -12,7 +12,7 @@ use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
 use crate::study::quantities::named;
-use crate::study::sensitivity::{Report, Request, SAMPLES, SCATTER, study};
+use crate::study::sensitivity::{Report, Request, SAMPLES, SCATTER, run as analyse};
 use crate::study::validity;
 
 /// Cells of the longest bar.
@@ -58,7 +58,8 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         seed: arguments.random.seed,
     };
     let preset = arguments.study.load()?;
-    let report = arguments.study.run("runs", |context| study(&preset.scene, &request, context))?;
+    let report =
+        arguments.study.run("runs", |context| analyse(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
         command: request.to_string(),

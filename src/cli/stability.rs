@@ -109,11 +109,6 @@ const LEGEND: &str = "\
 ends        arrested, perforated, separated, moving (undecided at the horizon), or CUT
 error       the greatest of depth, times, displacement, velocity and forces, against s stored digits, D DOP853 at 1e-13 or R Radau IIA of order 5 \
 at 1e-12, or t this solver at 1e-13 where both fail
-stiff       largest rate of spring or damper times the contact's duration
-expl, impl  error of depth (of exit time if perforated) of DOP853 and Radau IIA 5 at 1e-9, within the work of one run
-th-6, th-7  the thesis's Appendix A as printed with dt = 1e-6 and 1e-7 s: ok (error below 1e-6, thesis 1e-2), else the error, \
-or end! wrong outcome, DIV diverged, stop no progress, many too many steps, late out of time, - not applicable, or nothing to \
-compare with
 
 ";
 

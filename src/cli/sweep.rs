@@ -26,9 +26,10 @@ use crate::files::sweep::notes;
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, Piece, Sheet, json_tail};
 use crate::study::context::{Context, Work};
+use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities;
 use crate::study::sweep::grid::{Grid, PIECE};
-use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
+use crate::study::sweep::{Evaluator, Plan, Shard};
 use crate::study::validity;
 use axes::PointArguments;
 
@@ -99,12 +100,12 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
     let ended = job.rows(arguments, columns, file, &mut kept)?;
     if !rows_wanted && !arguments.pictures.is_stdout() {
-        let text = job.page(&ended, kept.as_ref(), start.elapsed().as_secs_f64())
+        let text = job.page(ended, kept.as_ref(), start.elapsed().as_secs_f64())
             + &arguments.table.warnings(&validity::of_plan(&plan));
         output::print(&fitted(&(arguments.scene.changes.changed() + &text)))?;
     }
     arguments.pictures.write(&arguments.table, || page::pictures(kept.as_ref(), columns))?;
-    Ok(job.ended(&ended, columns, &arguments.table, start))
+    Ok(job.ended(ended, columns, &arguments.table, start))
 }
 
 /// A sweep and who makes it.
@@ -121,21 +122,21 @@ impl Job<'_> {
     }
 
     /// That points are missing after an interrupt, in words; `None` where every point was computed.
-    fn missing(&self, ended: &Summary) -> Option<String> {
-        let (done, all) = (ended.points(), self.count());
+    fn missing(&self, ended: OutcomeCounts) -> Option<String> {
+        let (done, all) = (ended.total(), self.count());
         (done < all).then(|| format!("not complete: {done} of {all} points"))
     }
 
     /// Say what it came to beside the result; 0 where every point was computed.
     fn ended(
         &self,
-        ended: &Summary,
+        ended: OutcomeCounts,
         columns: Columns,
         table: &TableArguments,
         start: Instant,
     ) -> ExitCode {
         if self.missing(ended).is_some() {
-            let (done, all) = (ended.points(), self.count());
+            let (done, all) = (ended.total(), self.count());
             output::note(&format!(
                 "interrupted: {done} of {all} points were finished and are kept"
             ));
@@ -153,22 +154,19 @@ impl Job<'_> {
         }
         if !matches!(table.target(), TableDestination::None) && !table.json {
             let took = page::duration(start.elapsed().as_secs_f64());
-            output::note(&format!("{} points in {took}: {}", ended.points(), ended.outcomes));
+            output::note(&format!("{} points in {took}: {}", ended.total(), ended));
         }
-        if ended.outcomes.failed > 0 {
-            output::note(&format!(
-                "{} points failed: see the column `error`",
-                ended.outcomes.failed
-            ));
+        if ended.failed > 0 {
+            output::note(&format!("{} points failed: see the column `error`", ended.failed));
             return ExitCode::FAILURE;
         }
         ExitCode::SUCCESS
     }
 
-    fn page(&self, summary: &Summary, kept: Option<&Grid>, took_s: f64) -> String {
+    fn page(&self, ended: OutcomeCounts, kept: Option<&Grid>, took_s: f64) -> String {
         let head = page::Head { name: &self.preset.name, threads: self.threads, took_s };
-        let missing = self.missing(summary).map_or_else(String::new, |it| it + "\n\n");
-        missing + &page::text(self.plan, &head, summary, kept)
+        let missing = self.missing(ended).map_or_else(String::new, |it| it + "\n\n");
+        missing + &page::text(self.plan, &head, ended, kept)
     }
 
     /// Computes all points, and writes their rows where they are to go.
@@ -178,7 +176,7 @@ impl Job<'_> {
         columns: Columns,
         mut file: Option<Growing>,
         kept: &mut Option<Grid>,
-    ) -> Result<Summary, CliError> {
+    ) -> Result<OutcomeCounts, CliError> {
         let target = arguments.table.target();
         let (has_csv, has_json) = (!matches!(target, TableDestination::None), arguments.table.json);
         let scene = self.preset.name.as_str();
@@ -198,21 +196,21 @@ impl Job<'_> {
         let mut is_first = true;
         let streamed = self.stream(&sheet, |piece| {
             if let Some(grid) = kept {
-                grid.extend(&piece.rows);
+                grid.extend(&piece.points);
             }
             if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
                 write(b"", ",\n")?;
             }
             write(piece.csv.as_bytes(), &piece.json)
         });
-        let summary = match (streamed, &file) {
+        let ended = match (streamed, &file) {
             (Err(CliError::File(problem)), Some(file)) => {
                 return Err(export::kept(file, problem).into());
             }
             (streamed, _) => streamed?,
         };
-        let missing = self.missing(&summary);
-        let tail = json_tail(summary.points(), missing.is_none());
+        let missing = self.missing(ended);
+        let tail = json_tail(ended.total(), missing.is_none());
         output::print(if has_json { &tail } else { "" })?;
         if let (Some(file), TableDestination::File(to)) = (file, target) {
             let sweep = Some(columns.sweep(self.plan));
@@ -227,7 +225,7 @@ impl Job<'_> {
                 Some(_) => export::leave(&file, &scenes)?,
             });
         }
-        Ok(summary)
+        Ok(ended)
     }
 
     /// Compute all points, give each piece away in order, and show how far it is.
@@ -235,8 +233,8 @@ impl Job<'_> {
         &self,
         sheet: &Sheet<'_>,
         mut take: impl FnMut(&Piece) -> Result<(), CliError>,
-    ) -> Result<Summary, CliError> {
-        let mut summary = Summary::new(self.plan.outputs());
+    ) -> Result<OutcomeCounts, CliError> {
+        let mut counts = OutcomeCounts::default();
         let mut problem = None;
         let (shard, count) = (self.shard, self.count());
         let stop = interruptible();
@@ -251,14 +249,14 @@ impl Job<'_> {
         progress::study(self.threads, "points", |context: &mut Context<'_>| {
             context.expect(usize::try_from(count).unwrap_or(usize::MAX));
             context.each(work, worker, |context, piece, found| {
-                summary.add(piece.clone().map(|row| shard.point(row)), &found.rows);
-                context.count(found.rows.len());
-                let is_whole = found.rows.len() as u64 == piece.end - piece.start;
+                found.points.iter().for_each(|point| counts.add(point.outcome));
+                context.count(found.points.len());
+                let is_whole = found.points.len() as u64 == piece.end - piece.start;
                 problem = take(&found).err();
                 // A piece by the contact kernel is done before it looks whether it should stop.
                 context.goes_on() && is_whole && problem.is_none()
             });
         });
-        problem.map_or(Ok(summary), Err)
+        problem.map_or(Ok(counts), Err)
     }
 }

@@ -128,17 +128,7 @@ impl TableArguments {
         scene: &'a Scene,
         command: impl fmt::Display,
     ) -> Delivery<'a> {
-        self.of_scene(&typed.changes, Some(scene), command)
-    }
-
-    /// The same of a scene by its changes; of several scenes there is none to go beside the file.
-    pub(super) fn of_scene<'a>(
-        &'a self,
-        changes: &'a Changes,
-        scene: Option<&'a Scene>,
-        command: impl fmt::Display,
-    ) -> Delivery<'a> {
-        let command = command.to_string();
+        let (changes, command) = (&typed.changes, command.to_string());
         Delivery { table: self, source: Some(Source { changes, scene, command }) }
     }
 
@@ -156,15 +146,15 @@ pub(super) struct Delivery<'a> {
 /// The scene, the arguments that made it, and the command that makes the table of it.
 struct Source<'a> {
     changes: &'a Changes,
-    scene: Option<&'a Scene>,
+    scene: &'a Scene,
     command: String,
 }
 
 impl Delivery<'_> {
     /// Print the page or the rows, and write the file.
-    pub(super) fn deliver<R>(&self, page: &str, table: Table<'_, R>) -> Result<(), CliError> {
-        let table = marked(table);
-        self.deliver_texts(page, &|| table.json(), &|| table.csv())
+    pub(super) fn deliver<R>(&self, page: &str, rows: Table<'_, R>) -> Result<(), CliError> {
+        let rows = marked(rows);
+        self.deliver_texts(page, &|| rows.json(), &|| rows.csv())
     }
 
     /// The same for a report whose JSON object has more than its rows.
@@ -206,8 +196,12 @@ impl Delivery<'_> {
     fn write(&self, to: &Destination, text: &str) -> Result<(), FileError> {
         let notes = not_complete().map_or_else(String::new, |missing| format!("# {missing}\n"));
         let is_complete = notes.is_empty();
-        let source = self.source.as_ref().and_then(|it| Some((it.scene?, it.command.clone())));
-        let beside = source.map(|(scene, command)| Beside { run: None, scene, notes, command });
+        let beside = self.source.as_ref().map(|source| Beside {
+            run: None,
+            scene: source.scene,
+            notes,
+            command: source.command.clone(),
+        });
         output::note_written(&to.write(text.as_bytes(), beside.as_slice(), is_complete)?);
         Ok(())
     }

@@ -43,9 +43,6 @@ pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), File
 }
 
 /// Make the folder of a file, where it is missing.
-///
-/// # Errors
-/// [`FileError::Write`].
 pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
     let folder = directory_of(path);
     fs::create_dir_all(folder).map_err(|source| FileError::write(folder, source))
@@ -53,18 +50,12 @@ pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
 
 /// Whether a file could be written here now: its name is free or may be replaced, and its directory takes files. Nothing is left
 /// behind.
-///
-/// # Errors
-/// As [`write()`].
 pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
     Growing::prepare(path, existing, hidden).map(drop)
 }
 
 /// Whether only an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
 /// terminal that is drawn on.
-///
-/// # Errors
-/// [`FileError::Refused`].
 pub fn ordinary(path: &Path) -> Result<(), FileError> {
     match fs::metadata(path) {
         Ok(found) if !found.is_file() && !found.is_dir() => Err(FileError::special(path)),
@@ -167,9 +158,6 @@ enum Place {
 
 impl Growing {
     /// Begin.
-    ///
-    /// # Errors
-    /// [`FileError::Exists`] or [`FileError::Write`].
     pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
         let mut file = Self::prepare(path, existing, visible)?;
         file.add(b"")?;
@@ -220,9 +208,6 @@ impl Growing {
     }
 
     /// Add a piece.
-    ///
-    /// # Errors
-    /// [`FileError::Write`].
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
         let written = match &mut self.place {
             Place::Beside(file) => file.as_file_mut().write_all(content),

@@ -38,9 +38,6 @@ fn lists<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, Vec<Stri
 }
 
 /// Reads the configuration; empty if there is no file.
-///
-/// # Errors
-/// A sentence with the place, the problem and what is allowed.
 pub fn load(path: &Path) -> Result<Config, String> {
     let text = match read::text_file(path, read::BYTES_MAX) {
         Ok(text) => text,

@@ -56,9 +56,6 @@ pub struct RunTable {
 
 impl Destination {
     /// Whether the table and its scene can be written: checked before a long computation, not after it.
-    ///
-    /// # Errors
-    /// [`FileError`].
     pub fn check(&self) -> Result<(), FileError> {
         self.check_beside()?;
         atomic::check(&self.path, self.existing)?;
@@ -106,9 +103,6 @@ impl Destination {
     }
 
     /// Begin a table that is written as it is made, and whose scene goes beside it.
-    ///
-    /// # Errors
-    /// [`FileError`].
     pub fn begin(&self) -> Result<Growing, FileError> {
         self.check()?;
         Growing::begin(&self.path, self.existing)
@@ -148,9 +142,6 @@ impl Destination {
 }
 
 /// Leave a table that is not complete under its name of one that grows, with the scenes beside it; as [`Destination::write`].
-///
-/// # Errors
-/// [`FileError`] of a scene.
 pub fn leave(file: &Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
     let Some(path) = file.partial() else { return Ok(Vec::new()) };
     let mut files = vec![path.clone()];
@@ -250,9 +241,6 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
 }
 
 /// A sidecar may replace an older sidecar, never a scene that someone wrote or edited.
-///
-/// # Errors
-/// [`FileError::Refused`] when the CSV's name or what lies beside it forbids one.
 fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
         let problem = "it ends like a scene file; name a CSV file, for example run.csv";
@@ -303,32 +291,6 @@ mod tests {
     }
 
     #[test]
-    fn the_files_of_a_table_are_known_by_any_path() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.csv");
-        let to = Destination { path, existing: Existing::Keep, has_scene: true };
-        for (name, is_own) in [("./a.csv", true), ("a.toml", true), ("a.svg", false)] {
-            assert_eq!(to.has(&folder.path().join(name)), is_own, "{name}");
-        }
-        let alone = Destination { has_scene: false, ..to };
-        assert!(!alone.has(&folder.path().join("a.toml")));
-    }
-
-    #[test]
-    fn a_scene_that_someone_wrote_is_in_the_way_of_a_scene_alone() {
-        let folder = tempfile::tempdir().unwrap();
-        let (path, own) = (folder.path().join("a.csv"), folder.path().join("a.toml"));
-        fs::write(&own, "format = 1").unwrap();
-        let to = Destination { path, existing: Existing::Replace, has_scene: true };
-        let scene = Scene::default();
-        let (notes, command) = (String::new(), "run".to_owned());
-        let beside = Beside { run: None, scene: &scene, notes, command };
-        assert!(to.write(b"1\n", &[beside], true).is_err() && !to.path.exists());
-        assert_eq!(to.write(b"1\n", &[], true).unwrap(), [to.path]);
-        assert_eq!(fs::read_to_string(own).unwrap(), "format = 1");
-    }
-
-    #[test]
     fn a_sidecar_that_someone_edited_is_not_replaced() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
@@ -352,17 +314,6 @@ mod tests {
             assert_eq!(error.contains("is kept in"), !is_complete, "{error}");
             assert_eq!(fs::read_to_string(&own).unwrap(), edited);
             fs::remove_file(own).unwrap();
-        }
-    }
-
-    #[test]
-    fn the_sidecar_stands_beside() {
-        for (csv, run, expected) in [
-            ("out/a.csv", None, "out/a.toml"),
-            ("out/a.CSV", Some("B"), "out/a-B.toml"),
-            ("v1.2", None, "v1.2.toml"),
-        ] {
-            assert_eq!(sidecar_path(Path::new(csv), run), Path::new(expected));
         }
     }
 }

@@ -71,9 +71,6 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
 }
 
 /// The entry with this name.
-///
-/// # Errors
-/// [`FileError::Refused`] with the nearest names, or why the user's own entry of this name cannot be read.
 pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry, FileError> {
     let (mut entries, problems) = listed(library, paths);
     if let Some(at) = entries.iter().position(|entry| entry.name == name) {
@@ -181,11 +178,9 @@ fn leaves(path: &str, value: &Spanned<DeValue<'_>>, keys: &mut Vec<String>) {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
 
     use super::*;
     use crate::model::library::warnings;
-    use crate::model::scene::ClosureInEffect;
 
     #[test]
     fn bundled_entries_are_all_read_and_cite_a_source() {
@@ -222,26 +217,6 @@ mod tests {
     }
 
     #[test]
-    fn a_material_takes_the_closure_that_suits_the_thickness() {
-        let material = find(Library::Materials, "aa6061-t6511", None).unwrap();
-        let mut scene = Scene::default();
-        material.apply(&mut scene).unwrap();
-        // Of a diameter of 12.7 mm, and after a change of the thickness alone.
-        for (thickness_m, closure, drag) in
-            [(0.003, ClosureInEffect::DoubleYield, 0.5), (0.0127, ClosureInEffect::Cavity, 1.0)]
-        {
-            scene.target.thickness_m = thickness_m;
-            assert_eq!(scene.closure(), closure);
-            assert_eq!(scene.dishing(), closure == ClosureInEffect::DoubleYield);
-            assert_eq!(scene.drag_kg_m3().to_bits(), (0.5 * drag * 2710.0_f64).to_bits());
-        }
-        let mut scene = Scene::default();
-        scene.target.thickness_m = 0.003;
-        material.apply(&mut scene).unwrap();
-        assert_eq!(scene.flow_strength_pa().to_bits(), 552e6f64.to_bits());
-    }
-
-    #[test]
     fn coils_store_the_energy_of_the_formula() {
         for (name, tau, rho, g) in [
             ("steel-coil-700", 700e6_f64, 7850.0, 79.3e9),
@@ -259,33 +234,5 @@ mod tests {
         // Without an entry: the wire of the scene, decisions of the project: 196.8 J/kg.
         let own = Scene::default().mechanism.specific_energy_j_kg().unwrap();
         assert!((own - 196.8).abs() < 0.05, "{own}");
-    }
-
-    #[test]
-    fn a_wrong_own_entry_is_reported_and_loses_no_other() {
-        let place = tempfile::tempdir().unwrap();
-        let paths = Paths::below(place.path());
-        let file = paths.library_file("threats");
-        fs::create_dir_all(file.parent().unwrap()).unwrap();
-        let whole = "[mine]\ntitle = \"a\"\nstatus = \"measured\"\nsource = \"my own shots\"\nprojectile.mass_kg = 0.001\n";
-        fs::write(
-            &file,
-            format!(
-                "{whole}[bad]\ntitle = \"b\"\nstatus = \"sure\"\nprojectile.mas_kg = 1\n\
-                 [m80-ball]\ntitle = \"c\"\nstatus = \"typical\"\nsource = \"none\"\n"
-            ),
-        )
-        .unwrap();
-        let (entries, problems) = list(Some(&paths));
-        assert!(entries.iter().any(|entry| entry.name == "mine" && entry.own.is_some()));
-        let told: Vec<String> = problems.iter().map(ToString::to_string).collect();
-        let told = told.join("\n");
-        for words in ["no source", "measured, standard or typical", "threats.toml:9:", "mass_kg"] {
-            assert!(told.contains(words), "{words}: {told}");
-        }
-        assert!(told.contains("a bundled threat has it"), "{told}");
-        fs::write(&file, "[mine\n").unwrap();
-        let (entries, problems) = list(Some(&paths));
-        assert!(entries.len() > 20 && problems[0].to_string().contains("threats.toml:1:"));
     }
 }

@@ -18,18 +18,12 @@ pub struct Paths {
 }
 
 /// Where `man` and the shells look for what this user has installed: `$XDG_DATA_HOME`, by default `~/.local/share`.
-///
-/// # Errors
-/// [`FileError::NoHome`] when the system knows no home directory.
 pub fn share_of_user() -> Result<PathBuf, FileError> {
     BaseDirs::new().map(|dirs| dirs.data_dir().to_owned()).ok_or(FileError::NoHome)
 }
 
 impl Paths {
     /// The paths of this user.
-    ///
-    /// # Errors
-    /// [`FileError::NoHome`] when the system knows no home directory.
     pub fn of_user() -> Result<Self, FileError> {
         let dirs = ProjectDirs::from("", "", "cmra").ok_or(FileError::NoHome)?;
         Ok(Self {

@@ -94,9 +94,6 @@ pub fn list(paths: Option<&Paths>) -> List {
 }
 
 /// The scene meant by `name`: a bundled preset, an own one, or the path of a TOML file.
-///
-/// # Errors
-/// [`FileError`] when there is no such scene, or it cannot be read.
 pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     if let Some(preset) = bundled::find(name) {
         return from_bundled(preset);
@@ -124,18 +121,12 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
 }
 
 /// A scene in a file.
-///
-/// # Errors
-/// [`FileError`] when it cannot be read.
 pub fn from_file(path: &Path) -> Result<Preset, FileError> {
     let text = read::text_file(path, read::BYTES_MAX)?;
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
 
 /// A scene in a text; `name` is used in errors.
-///
-/// # Errors
-/// [`FileError::Scene`].
 pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, FileError> {
     let file = match &origin {
         Origin::Bundled => format!("presets/{name}.toml"),
@@ -152,9 +143,6 @@ pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, F
 }
 
 /// The scene everything starts from.
-///
-/// # Errors
-/// None in practice: a test reads every bundled preset.
 pub fn baseline() -> Result<Preset, FileError> {
     resolve(bundled::BASELINE, None)
 }
@@ -206,9 +194,6 @@ pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), F
 }
 
 /// Whether an own preset may have this name.
-///
-/// # Errors
-/// [`FileError::Refused`] with what is allowed.
 pub fn check_name(name: &str) -> Result<(), FileError> {
     const LENGTH_MAX: usize = 64;
     let refuse = |problem: &str| Err(FileError::name(name, problem));
@@ -342,34 +327,5 @@ mod tests {
         let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
         assert!(error.to_string().contains("was not replaced"), "{error}");
         assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));
-    }
-
-    #[test]
-    fn unreadable_presets_are_reported() {
-        let place = tempfile::tempdir().unwrap();
-        let paths = Paths::below(place.path());
-        let problems = || -> Vec<String> {
-            list(Some(&paths)).unreadable.iter().map(|it| it.error.to_string()).collect()
-        };
-        // No folder yet: nothing has been saved.
-        assert!(problems().is_empty(), "{:?}", problems());
-        fs::create_dir_all(&paths.presets).unwrap();
-        let long = "n".repeat(65);
-        fs::write(paths.presets.join(format!("{long}.toml")), "format = 1\n").unwrap();
-        fs::write(paths.presets.join("notes.txt"), "no preset").unwrap();
-        assert_eq!(problems().len(), 1);
-        fs::create_dir(paths.preset_file("folder")).unwrap();
-        let error = resolve("folder", Some(&paths)).unwrap_err().to_string();
-        assert!(error.contains("folder.toml`: is a directory"), "{error}");
-        fs::remove_dir(paths.preset_file("folder")).unwrap();
-        assert!(
-            problems()[0].contains(&long) && problems()[0].contains("1 to 64"),
-            "{}",
-            problems()[0]
-        );
-        fs::remove_dir_all(&paths.presets).unwrap();
-        // A folder that cannot be read.
-        fs::write(&paths.presets, "a file").unwrap();
-        assert!(problems()[0].contains("presets"), "{}", problems()[0]);
     }
 }

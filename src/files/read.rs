@@ -26,9 +26,6 @@ pub const FORMAT: i64 = 1;
 pub const BYTES_MAX: u64 = 1 << 20;
 
 /// The text of a file of at most this many bytes.
-///
-/// # Errors
-/// [`FileError`] when it cannot be read, is too large, is not UTF-8, or is not accepted.
 pub fn text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let failed = |source| FileError::read(path, source);
     let found = fs::metadata(path).map_err(failed)?;
@@ -55,9 +52,6 @@ fn is_of_system(path: &Path) -> bool {
 
 /// The text that a source of at most this many bytes gives; `path` is the name used in errors. A device may never end: no more is
 /// read than is accepted.
-///
-/// # Errors
-/// As [`text_file`].
 pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let mut bytes = Vec::new();
     source
@@ -79,9 +73,6 @@ pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<Strin
 }
 
 /// Read a scene from text; `file` is the name used in errors.
-///
-/// # Errors
-/// [`SceneErrors`] with every problem found.
 pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
     let mut reader = Reader::new(text, file);
     let mut scene = Scene::default();

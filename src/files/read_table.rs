@@ -58,9 +58,6 @@ pub(super) fn points(
 /// The points of a measured curve in a CSV file; see `Csv` for how it may be written. Displacement and force stand in the columns
 /// whose headings have a unit of their kind or such a name, `time_s,displacement_mm,force_N` for example, else in the first two. They
 /// are in m and N where no unit is given. An end of a heading in brackets or after `_` or `/` must be a unit.
-///
-/// # Errors
-/// [`FileError`] when the file cannot be read, or names the file, the line, what is wrong and the cure.
 pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
     let text = read::text_file(path, read::BYTES_MAX)?;
     points_in(&text, path).map_err(FileError::Refused)

@@ -15,9 +15,6 @@ const KEPT: u32 = 5;
 
 /// Keep a scene, and give its file: over an older one of the same scene, else over the one that was kept `before`, else where there is
 /// none, else over the oldest.
-///
-/// # Errors
-/// [`FileError`].
 pub fn keep(
     folder: &Path,
     scene: &Scene,

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use crate::files::paths::Paths;
-use crate::files::{clean, library as library_files, write};
-use crate::model::library::{self, Entry};
+use crate::files::{clean, write};
+use crate::model::library;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
@@ -64,8 +63,9 @@ impl Subject<'_> {
         let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
         let outcome = run.stack.as_ref().map_or_else(|| sentence(run), |stack| stack.sentence());
         let mut document = Document { title, blocks: vec![Block::Paragraph(outcome)] };
-        let entries = library_files::list(Paths::of_user().ok().as_ref()).0;
-        document.blocks.extend(notes(scene, &entries).into_iter().map(Block::Paragraph));
+        // Warnings have a section of their own.
+        let notes = scene.notes.lines().filter(|line| !library::is_warning(line));
+        document.blocks.extend(notes.map(|line| Block::Paragraph(line.to_owned())));
         let warnings = envelope::warnings(run);
         let warnings = if warnings.is_empty() {
             vec![Block::Paragraph(
@@ -113,25 +113,6 @@ impl Subject<'_> {
             Block::Code("cmra run scene.toml\ncmra report scene.toml -o report.html".to_owned()),
         ]
     }
-}
-
-/// The notes of a scene in paragraphs: one for each entry of a library, with the values that were changed since. Warnings have a
-/// section of their own.
-fn notes(scene: &Scene, entries: &[Entry]) -> Vec<String> {
-    let (mut paragraphs, mut prose) = (Vec::new(), Vec::new());
-    for line in scene.notes.lines().filter(|line| !library::is_warning(line)) {
-        let Some(entry) = entries.iter().find(|entry| line.starts_with(&entry.note_start())) else {
-            prose.push(line);
-            continue;
-        };
-        paragraphs.push(std::mem::take(&mut prose).join("\n"));
-        let changed = entry.changed(scene).join(", ");
-        let since = if changed.is_empty() { "" } else { "; changed since: " };
-        paragraphs.push([line, since, &changed].concat());
-    }
-    paragraphs.push(prose.join("\n"));
-    paragraphs.retain(|text| !text.is_empty());
-    paragraphs
 }
 
 fn block(picture: Picture) -> Block {

@@ -213,9 +213,6 @@ fn parts(text: &str) -> (&str, &str) {
 /// Save the session, whole or not at all. The scene of another workbench that has written there since `known` is kept among the recent
 /// ones first, and where is returned, in the place of an earlier one of the same workbench; a session that was saved like this before
 /// does not replace it.
-///
-/// # Errors
-/// [`FileError`].
 pub fn save(
     path: &Path,
     session: &Session,
@@ -523,16 +520,5 @@ mod tests {
             let loaded = load(&path);
             assert_eq!((loaded.session, loaded.notice), (Some(example()), None), "{wrong}");
         }
-    }
-
-    #[test]
-    fn recent_files_are_few_and_newest_first() {
-        let mut recent = Vec::new();
-        for number in (0..12).chain([5]) {
-            note_recent(&mut recent, PathBuf::from(format!("{number}.toml")));
-        }
-        assert_eq!(recent.len(), RECENT_MAX);
-        assert_eq!(recent[0], Path::new("5.toml"));
-        assert_eq!(recent[1], Path::new("11.toml"));
     }
 }

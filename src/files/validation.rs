@@ -6,9 +6,6 @@ use crate::study::context::Context;
 use crate::study::validation::{Row, compute, measurements};
 
 /// Every case, computed from its bundled preset; fewer than all when stopped.
-///
-/// # Errors
-/// [`FileError`] should a preset be missing.
 pub fn report(context: &mut Context<'_>) -> Result<Vec<Row>, FileError> {
     let cases = measurements().cases.iter();
     let all: Vec<_> = cases

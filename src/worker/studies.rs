@@ -1,7 +1,7 @@
 //! What can be asked of the worker: runs, and studies of many runs; and what it finds.
 
 use std::error::Error;
-use std::fmt::Debug;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -191,9 +191,9 @@ pub struct Spread(pub monte_carlo::Request);
 
 impl Study for Spread {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let watch = &mut reporter.progress();
+        let watch = &mut reporter.watch(monte_carlo::Report::clone);
         let context = &mut Context::new(reporter.threads(), watch);
-        Ok(monte_carlo::sample(scene, &self.0, context)?.into())
+        Ok(monte_carlo::run(scene, &self.0, context)?.into())
     }
 }
 
@@ -243,10 +243,6 @@ pub struct Measurements(pub ComparisonOptions);
 impl Study for Measurements {
     fn lane(&self) -> Lane {
         Lane::Studies
-    }
-
-    fn measures(&self) -> bool {
-        true
     }
 
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
@@ -303,24 +299,34 @@ impl Study for Claims {
     }
 }
 
-/// The studies of the Search tab: what each is asked, what it answers, and how it is made.
+/// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.
 macro_rules! searches {
-    ($($(#[$doc:meta])* $kind:ident($request:ty) => $answer:ty: $make:expr;)*) => {
+    ($make:ident) => {
+        $make! {
+            /// Which values of a variable give a wanted result.
+            Seek seek,
+            /// The Pareto front: designs that no other one dominates.
+            Front front,
+            /// How strongly each variable acts on a quantity.
+            Sensitivity sensitivity,
+            /// How results scatter when inputs do.
+            MonteCarlo monte_carlo,
+        }
+    };
+}
+pub(crate) use searches;
+
+macro_rules! asked_and_found {
+    ($($(#[$doc:meta])* $kind:ident $study:ident,)*) => {
         /// What is searched for.
         #[derive(Clone, Debug, PartialEq)]
         pub enum SearchRequest {
-            $($(#[$doc])* $kind($request),)*
+            $($(#[$doc])* $kind($study::Request),)*
         }
 
         #[derive(Clone, Debug)]
         pub enum SearchAnswer {
-            $($kind($answer),)*
-        }
-
-        /// Which study it is, in the order of the pages.
-        #[derive(Clone, Copy)]
-        enum Place {
-            $($kind,)*
+            $($kind(Box<$study::Report>),)*
         }
 
         impl SearchRequest {
@@ -331,55 +337,33 @@ macro_rules! searches {
                 }
             }
 
-            /// The place of its page.
-            pub fn page(&self) -> usize {
-                match self {
-                    $(Self::$kind(_) => Place::$kind as usize,)*
-                }
-            }
-        }
-
-        impl Study for SearchRequest {
-            fn make(
+            /// Searches on a number of threads; `tell` is given the progress and the part so far.
+            pub fn run(
                 &self,
-                scene: &Arc<Scene>,
-                reporter: &Reporter<'_>,
-            ) -> Result<Found, Box<dyn Error>> {
-                let threads = reporter.threads();
-                let answer = match self {
+                scene: &Scene,
+                threads: usize,
+                tell: &dyn Fn(Progress, &dyn Fn() -> Option<Found>) -> ControlFlow<()>,
+            ) -> Result<SearchAnswer, SweepError> {
+                match self {
                     $(Self::$kind(request) => {
-                        let make: Make<$request, $answer> = $make;
-                        SearchAnswer::$kind(make(scene, request, threads, reporter)?)
+                        let answer = |report| SearchAnswer::$kind(Box::new(report));
+                        let watch = &mut |progress, part: Option<&$study::Report>| {
+                            tell(progress, &|| Some(answer(part?.clone()).into()))
+                        };
+                        $study::run(scene, request, &mut Context::new(threads, watch)).map(answer)
                     })*
-                };
-                Ok(answer.into())
+                }
             }
         }
     };
 }
+searches!(asked_and_found);
 
-/// Makes an answer of a scene and a request, on a number of threads.
-type Make<Q, A> = fn(&Scene, &Q, usize, &Reporter<'_>) -> Result<A, SweepError>;
-
-searches! {
-    /// Which values of a variable give a wanted result.
-    Seek(seek::Request) => seek::Report: |scene, request, threads, reporter| {
-        seek::seek(scene, request, &mut Context::new(threads, &mut reporter.progress()))
-    };
-    /// The Pareto front: designs that no other one dominates.
-    Front(front::Request) => Box<front::Front>: |scene, request, threads, reporter| {
-        let part = |front: &front::Front| SearchAnswer::Front(Box::new(front.clone()));
-        let watch = &mut reporter.watch(part);
-        front::optimise(scene, request, &mut Context::new(threads, watch)).map(Box::new)
-    };
-    /// How strongly each variable acts on a quantity.
-    Sensitivity(sensitivity::Request) => sensitivity::Report: |scene, request, threads, reporter| {
-        sensitivity::study(scene, request, &mut Context::new(threads, &mut reporter.progress()))
-    };
-    /// How results scatter when inputs do.
-    MonteCarlo(monte_carlo::Request) => monte_carlo::Report: |scene, request, threads, reporter| {
-        monte_carlo::sample(scene, request, &mut Context::new(threads, &mut reporter.progress()))
-    };
+impl Study for SearchRequest {
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+        let tell = |progress, part: &dyn Fn() -> Option<Found>| reporter.tell(progress, part);
+        Ok(self.run(scene, reporter.threads(), &tell)?.into())
+    }
 }
 
 #[cfg(test)]

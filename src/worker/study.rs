@@ -11,7 +11,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use super::clock::Clock;
-use super::quiet::Quiet;
 use super::studies::Found;
 use super::{JobProgress, ReportBody, Shared, Task};
 use crate::model::scene::Scene;
@@ -21,11 +20,6 @@ use crate::study::context as study;
 pub(super) trait Study {
     fn lane(&self) -> Lane {
         Lane::Searches
-    }
-
-    /// Whether it measures run times, for which it has the machine to itself.
-    fn measures(&self) -> bool {
-        false
     }
 
     /// When it shows what it has so far.
@@ -92,8 +86,6 @@ pub struct Reporter<'a> {
     cancel: &'a Arc<AtomicBool>,
     threads: usize,
     tempo: Tempo,
-    /// Where run times are measured: between two points others have their turn.
-    measured: Option<&'a Quiet>,
     clock: &'a Clock,
     started: Duration,
     /// How long the computation took, where that is not the time since the start.
@@ -116,7 +108,6 @@ impl<'a> Reporter<'a> {
             cancel,
             threads: task.threads,
             tempo: task.asked.study().tempo(),
-            measured: task.asked.study().measures().then_some(&shared.quiet),
             clock: &shared.clock,
             started: (shared.clock)(),
             took: Cell::new(None),
@@ -159,10 +150,6 @@ impl<'a> Reporter<'a> {
         progress: study::Progress,
         part: &dyn Fn() -> Option<Found>,
     ) -> ControlFlow<()> {
-        if let Some(quiet) = self.measured {
-            quiet.end();
-            quiet.begin(self.cancel);
-        }
         self.goes_on()?;
         let elapsed = self.elapsed();
         let since = |at: Duration| elapsed.saturating_sub(at);

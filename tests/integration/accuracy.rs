@@ -51,7 +51,7 @@ fn pages_of_odd_scenes_keep_to_80_columns() {
 #[test]
 fn csv_keeps_a_row_for_each_point_with_the_reason_for_a_missing_result() {
     // The printed listing knows no stop.
-    let scenes = ["accuracy", "thesis-baseline", "rigid-mount", "--set", "x_stop=1mm"];
+    let scenes = ["accuracy", "--set", "x_stop=1mm"];
     let output = cmra(&[&scenes[..], &["--quick", "--csv", "-"]].concat());
     assert!(output.status.success());
     let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
@@ -71,15 +71,14 @@ fn csv_keeps_a_row_for_each_point_with_the_reason_for_a_missing_result() {
             assert!(error >= floor);
         }
     }
-    assert!(refused >= 1 && points > 40);
+    assert!(refused >= 1 && points > 20);
 }
 
 #[test]
-fn json_is_a_list_with_references_answers_and_points() {
+fn json_is_an_object_with_references_answers_and_points() {
     let output = cmra(&["accuracy", "--quick", "--json", "--set", "k=1e6", "--set", "n=0.5"]);
     assert!(output.status.success());
-    let list: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let scene = &list[0];
+    let scene: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(scene["references"][0]["basis"], "stored digits, row S4");
     assert_eq!(scene["answers"][1]["error"], 1e-6);
     assert!(scene["answers"][1]["method"].is_string());

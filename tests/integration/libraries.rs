@@ -128,21 +128,6 @@ fn the_base_plate_of_a_stack_has_its_own_closure() {
 
 /// A value that was changed after its entry was taken is named beside what the entry says, each in its own paragraph.
 #[test]
-fn a_report_says_what_was_changed_of_an_entry() {
-    let entries = ["--threat", "m2-ap-core", "--material", "aa6061-t6511"];
-    let sets = ["--set", "v_i=300", "--set", "Y=301MPa"];
-    let report = says("report", &[&entries[..], &sets, &["-o", "-"]].concat(), 0).0;
-    let line = |start: &str| report.lines().find(|line| line.starts_with(start)).unwrap();
-    assert!(line("<p>material: ").ends_with("; changed since: Y = 301 MPa</p>"), "{report}");
-    assert!(!line("<p>threat: ").contains("material: "), "{report}");
-    assert!(report.contains("<code>cmra run scene.toml\n"), "{report}");
-    // The count in the title is that of the first table.
-    let head = report.split("<h2>Results").next().unwrap();
-    let rows = head.matches("<tr>").count() - 1;
-    assert!(line("<h1>").contains(&format!(", {rows} inputs changed")), "{report}");
-}
-
-#[test]
 fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
     let notes = |sets: &[&str]| {
         let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();

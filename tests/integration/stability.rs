@@ -449,7 +449,7 @@ fn the_exit_status_of_the_stiff_scenes_is_1_if_one_fails() {
     assert_eq!(value["short"], short);
     assert_eq!(code, Some(i32::from(short > 0)));
     for row in rows {
-        assert!(row["energy_residual"].is_number() && row["explicit"].is_string(), "{row}");
+        assert!(row["energy_residual"].is_number() && row["end"].is_string(), "{row}");
     }
 }
 

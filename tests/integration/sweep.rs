@@ -383,17 +383,15 @@ fn a_killed_sweep_leaves_its_rows_in_sight() {
     assert_eq!(rows(&fs::read_to_string(place.path().join("x.csv")).unwrap()).len(), 4);
 }
 
-/// The rows of the table, the extremes and the chart count the same values; the depth of a perforation is none of them.
+/// The rows of the table and the chart count the same values; the depth of a perforation is none of them.
 #[test]
-fn what_the_table_shows_counts_in_extremes_and_charts() {
+fn what_the_table_shows_counts_in_charts() {
     let place = tempfile::tempdir().unwrap();
     let page = |arguments: &str| sweep(place.path(), arguments).out;
     let residual = page("--set h=5mm --over v_i=300..500:5 --outputs residual_velocity_m_s");
     assert!(residual.contains("5 perforated") && !residual.contains("no value"), "{residual}");
-    assert!(residual.contains("residual velocity  ") && residual.contains("at v_i = 500 m/s"));
     let force = page("--set k=1e6 --over h=5mm,25mm --set v_i=300 --outputs peak_mount_force_n");
     assert!(force.contains("1 perforated") && !force.contains("no value"), "{force}");
-    assert!(force.contains("at h = 5 mm") && force.contains("at h = 25 mm"), "{force}");
     let depth = page("--over h=5mm,25mm --set v_i=300 --outputs final_penetration_m");
     assert!(depth.contains("1 of 2 points have no value"), "{depth}");
     let through = depth.lines().find(|line| line.contains("perforated")).unwrap();
@@ -401,7 +399,7 @@ fn what_the_table_shows_counts_in_extremes_and_charts() {
 }
 
 #[test]
-fn the_page_shows_curves_maps_and_extremes() {
+fn the_page_shows_curves_and_maps() {
     let place = tempfile::tempdir().unwrap();
     let page = |arguments: &str| {
         let done = sweep(place.path(), arguments);

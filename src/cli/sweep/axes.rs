@@ -17,7 +17,7 @@ pub(super) struct PointArguments {
     #[arg(long, value_name = "NAME=LO..HI:COUNT[:log]|NAME=A,B,...", allow_hyphen_values = true)]
     over: Vec<String>,
     /// Quantities to compute, separated by commas; `all` for every one that needs neither a time series nor a limit search
-    #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! A sweep as a page of text: charts over one axis, maps over two, where every output is least and greatest, how points ended.
+//! A sweep as a page of text: charts over one axis, maps over two, how points ended.
 
 use std::fmt::Write as _;
 
@@ -9,8 +9,9 @@ use crate::report::figures::sweeps::picture;
 use crate::report::svg::Picture;
 use crate::report::sweep::Columns;
 use crate::report::table::Table;
+use crate::study::outcome::OutcomeCounts;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, Summary, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, USUAL_OUTPUTS};
 
 /// Most rows of the table of one axis.
 const TABLE_ROWS: u64 = 13;
@@ -46,10 +47,15 @@ pub(super) fn undrawable() -> String {
     )
 }
 
-pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: Option<&Grid>) -> String {
+pub(super) fn text(
+    plan: &Plan,
+    head: &Head<'_>,
+    ended: OutcomeCounts,
+    kept: Option<&Grid>,
+) -> String {
     let axes: Vec<String> = plan.axes().iter().map(axis_words).collect();
     let mut page = format!("{}: {}\n", head.name, axes.join("; "));
-    let (points, took, threads) = (summary.points(), duration(head.took_s), head.threads);
+    let (points, took, threads) = (ended.total(), duration(head.took_s), head.threads);
     let plural = if threads == 1 { "" } else { "s" };
     let _ = writeln!(page, "{points} points in {took} on {threads} thread{plural}\n");
     if let Some(grid) = kept.filter(|grid| grid.is_complete()) {
@@ -60,8 +66,7 @@ pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: Option
             table(&mut page, grid, axis);
         }
     }
-    extremes(&mut page, plan, summary);
-    let _ = writeln!(page, "\n{}", summary.outcomes);
+    let _ = writeln!(page, "{ended}");
     page
 }
 
@@ -114,30 +119,6 @@ fn table(page: &mut String, grid: &Grid, axis: &Axis) {
         })
     });
     let _ = writeln!(page, "{}", table.page(&table.keys(), width()));
-}
-
-fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {
-    for (column, extremes) in plan.outputs().iter().zip(&summary.extremes) {
-        let Some(extremes) = extremes else {
-            let _ = writeln!(page, "{}: no value", column.title());
-            continue;
-        };
-        for (word, (value, point)) in [("least", extremes.least), ("greatest", extremes.greatest)] {
-            let place: Vec<String> = (0..plan.axes().len())
-                .map(|at| {
-                    let axis = &plan.axes()[at];
-                    let value = axis.show_prefixed(plan.coordinate(point, at), 5);
-                    format!("{} = {value}", axis.symbol())
-                })
-                .collect();
-            let value = match column.unit() {
-                "" => units::significant(value, 6),
-                "%" => format!("{} %", units::fixed_significant(value, 5)),
-                unit => engineering(value, unit, 5),
-            };
-            let _ = writeln!(page, "{word:<8} {}  {value} at {}", column.title(), place.join(", "));
-        }
-    }
 }
 
 /// A time in readable units: `0.31 s`, `12 min`, `5.2 h`.

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use crate::model::scene::{Closure, DragSource, Scene, Target};
-use crate::model::units;
 use crate::model::variables::{self, Value, VariableError};
 use crate::model::worded::worded;
 
@@ -106,19 +105,6 @@ impl Entry {
     /// The start of its line in the notes of a scene.
     pub fn note_start(&self) -> String {
         format!("{}: {}.", self.library.word(), self.title)
-    }
-
-    /// Its values that a scene has otherwise: `Y = 301 MPa`.
-    pub fn changed(&self, scene: &Scene) -> Vec<String> {
-        let changed = |(key, value): &(&'static str, Value)| {
-            let variable = variables::find(key).ok().filter(|it| it.value(scene) != *value)?;
-            let shown = match (variable.value(scene), variable.unit()) {
-                (Value::Number(pressure), "Pa") => units::significant(1e-6 * pressure, 6) + " MPa",
-                (_, unit) => format!("{} {unit}", variable.show(scene)),
-            };
-            Some(format!("{} = {}", variable.symbol, shown.trim_end()))
-        };
-        self.values.iter().filter_map(changed).collect()
     }
 
     /// Where its values come from, and what else is to be known.

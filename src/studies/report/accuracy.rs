@@ -1,4 +1,4 @@
-//! A comparison of methods: one row for each point, and one object for each scene with references and answers.
+//! A comparison of methods: one row for each point, and an object with references and answers.
 
 use serde_json::{Value, json};
 
@@ -10,13 +10,9 @@ use crate::study::accuracy::method::{Answer, Parameter};
 use crate::study::accuracy::reference::References;
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, RESULTS, Report, Saving};
 
-/// A scene's name and its comparison.
-pub type Named = (String, Report);
-
-/// A point with its method and its comparison.
+/// A point with its method.
 #[derive(Clone, Copy)]
 pub struct Row<'r> {
-    of: &'r Named,
     method: &'r MethodReport,
     point: &'r Point,
 }
@@ -31,21 +27,18 @@ impl<'r> Row<'r> {
     }
 }
 
-fn rows(of: &Named) -> impl Iterator<Item = Row<'_>> {
-    of.1.methods
-        .iter()
-        .flat_map(move |method| method.points.iter().map(move |point| Row { of, method, point }))
-}
-
 /// What its scene's entries of a library warn of.
 pub fn warnings(report: &Report) -> Vec<String> {
     library::warnings(&report.scene).map(str::to_owned).collect()
 }
 
-/// The points of all scenes.
-pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
-    Table::of(reports.iter().flat_map(rows))
-        .with("scene", "scene", "", |row| row.of.0.as_str())
+/// The points of all methods on the scene of this name.
+pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
+    let rows =
+        |method: &'r MethodReport| method.points.iter().map(move |point| Row { method, point });
+    let warnings = warnings(report).join("; ");
+    Table::of(report.methods.iter().flat_map(rows))
+        .with("scene", "scene", "", move |_| name)
         .with("method", "method", "", |row| row.method.method.name())
         .with("letter", "letter", "", |row| row.method.method.letter().to_string())
         .with("time_step_s", "time step", "s", |row| match row.point.parameter {
@@ -71,13 +64,12 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with("rejected", "rejected", "", |row| Some(row.answer()?.rejected))
         .with("rhs_evaluations", "evaluations", "", |row| Some(row.answer()?.evaluations))
         .with("run_time_s_min", "run time", "s", |row| Some(row.measured()?.min_s))
-        .with("observed_order", "order", "", |row| row.method.observed_order())
         .with("refused", "refused", "", |row| Some(row.point.result.err()?.words()))
         .with("reference", "reference", "", |row| Some(row.method.reference?.basis.words()))
         .with("reference_uncertainty", "its uncertainty", "", |row| {
             row.method.reference?.uncertainty
         })
-        .with(WARNINGS, WARNINGS, "", |row| warnings(&row.of.1).join("; "))
+        .with(WARNINGS, WARNINGS, "", move |_| warnings.clone())
 }
 
 /// Less than this is within the spread of timings.
@@ -97,8 +89,6 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
     Table::of(methods)
         .with("letter", "", "", |it| it.method.letter().to_string())
         .with("method", "method", "", |it| it.method.name())
-        .with("observed_order", "order", "", |it| it.observed_order())
-        .shown(|it, _| Some(order(it)))
         .with("run_time_s_to_1e-6", "t(1e-6)", "", time(TARGETS[0]))
         .shown(in_seconds)
         .with("run_time_s_to_1e-9", "t(1e-9)", "", time(TARGETS[1]))
@@ -112,13 +102,6 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
 /// The method of a result, and its parameter.
 pub fn by(found: &Cheapest) -> String {
     format!("by {} at {}", found.method.name(), found.parameter)
-}
-
-/// A method's observed order.
-pub fn order(report: &MethodReport) -> String {
-    // Adding zero takes the sign off a negative zero.
-    let shown = |order: f64| format!("{:.1}", (10.0 * order).round() / 10.0 + 0.0);
-    report.observed_order().map_or_else(|| "-".to_owned(), shown)
 }
 
 /// A part in whole percent.
@@ -169,13 +152,8 @@ pub fn seconds(value: f64) -> String {
 /// The errors for which the run time is answered.
 pub const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
-/// A list with one object a scene.
-pub fn json(reports: &[Named]) -> Value {
-    reports.iter().map(scene).collect()
-}
-
-fn scene(named: &Named) -> Value {
-    let (name, report) = named;
+/// The object of the scene of this name.
+pub fn json(name: &str, report: &Report) -> Value {
     let References { engine, other } = report.references;
     let references = engine.into_iter().chain(other).map(|reference| {
         json!({
@@ -205,7 +183,7 @@ fn scene(named: &Named) -> Value {
         "printed_scheme_off": report.printed_off,
         "run_time_s": report.run_s,
         "omitted": savings(&report.savings).objects(|_| true),
-        "points": table(std::slice::from_ref(named)).objects(|key| key != WARNINGS),
+        "points": table(name, report).objects(|key| key != WARNINGS),
         WARNINGS: warnings(report),
     })
 }

@@ -5,8 +5,8 @@ use serde_json::{Map as Object, Value, json};
 
 use crate::model::library;
 use crate::model::run::envelope;
-use crate::model::scene::{PlateSize, Scene, SpringKind};
-use crate::model::units::{fixed_significant, significant, velocity};
+use crate::model::scene::{PlateSize, Scene};
+use crate::model::units::{fixed_significant, velocity};
 use crate::report::chart::Scale;
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
@@ -133,7 +133,6 @@ pub fn json(name: &str, report: &Report) -> Value {
         "pays": report.verdict().pays(),
         "mass_efficiency": own.filter(|it| it.is_held).and_then(Entry::mass_efficiency),
         "mass_not_counted": report.uncounted,
-        "spare_mass_kg": report.spare_mass_kg(),
         "face_m2": report.face_m2,
         "spring_energy_j_per_kg": report.scene.mechanism.specific_energy_j_kg(),
         "spring_energy_j": own.and_then(|own| own.load.stored_j),
@@ -174,7 +173,7 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
     };
     let absences = found.cells.iter().filter_map(|cell| cell.err());
     let mut marks: Vec<(char, String)> =
-        absences.map(|absence| (absence.letter(), absence.brief())).collect();
+        absences.map(|absence| (absence.letter(), absence.words())).collect();
     marks.sort();
     marks.dedup();
     let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;
@@ -198,8 +197,8 @@ pub fn verdict(report: &Report) -> String {
             Profitability::Pays | Profitability::DoesNotPay | Profitability::MakesNoDifference,
             Some(it),
         ) => {
-            let condition = condition(report);
-            format!("mass efficiency {it} at {design}: {}{condition}", verdict.words())
+            let counted = uncounted(report);
+            format!("mass efficiency {it} at {design}: {}{counted}", verdict.words())
         }
         (Profitability::Unknown, _) => {
             // What is open, the caution says.
@@ -211,17 +210,12 @@ pub fn verdict(report: &Report) -> String {
     }
 }
 
-/// The condition on parts whose mass is not counted, as the end of the verdict; empty where there is none.
-fn condition(report: &Report) -> String {
+/// That parts are taken to have no mass, as the end of the verdict; empty where that does not make the mechanism pay.
+fn uncounted(report: &Report) -> String {
     if report.uncounted.is_empty() || report.verdict() != Profitability::Pays {
         return String::new();
     }
-    let parts = report.uncounted.join(" and ");
-    let most = report.spare_mass_kg().map_or_else(
-        || "nothing".to_owned(),
-        |kg| format!("less than {} g", fixed_significant(1e3 * kg, 3)),
-    );
-    format!(" if its {parts} weighs {most}")
+    format!(", without the mass of its {}", report.uncounted.join(" and "))
 }
 
 /// What the verdict rests on, a sentence each.
@@ -229,7 +223,6 @@ pub fn reasons(report: &Report) -> Vec<String> {
     let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
     let mut lines = Vec::new();
     lines.extend(sized(own, report.verdict()));
-    lines.extend(crushed(&report.scene));
     lines.extend(outside_validity(report));
     lines.extend(limits(report));
     if let Some(ratio) = report.depth_over_solid() {
@@ -237,16 +230,6 @@ pub fn reasons(report: &Report) -> Vec<String> {
         lines.push(format!("depth {percent:+.1} % against the solid plate of equal areal mass"));
     }
     lines
-}
-
-/// What a crushed absorber is taken to be: its energy per mass alone does not stop a shot.
-fn crushed(scene: &Scene) -> Option<String> {
-    let spring = Some(&scene.mechanism.spring).filter(|it| it.kind == SpringKind::Crush)?;
-    Some(format!(
-        "the absorber is crushed at {} kN over {} mm at most (F_crush, x_crush)",
-        significant(1e-3 * spring.crush.force_n, 4),
-        significant(1e3 * spring.crush.stroke_m, 4)
-    ))
 }
 
 /// Where what was judged is outside the model's validity and the scene as built is not: the sized armour, and each candidate at its

@@ -6,7 +6,7 @@ use crate::model::library;
 use crate::model::run::Outcome;
 use crate::model::units::significant;
 use crate::report::table::Table;
-use crate::study::search::front::{Design, Front, Lack};
+use crate::study::search::front::{Design, Lack, Report};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 
@@ -14,7 +14,7 @@ use crate::study::validity;
 pub const FEASIBLE: &str = "feasible: no warning that the answer errs on the unsafe side";
 
 /// Warnings about the rows: those of a single best design; of a front how many designs are outside validity.
-pub fn warnings(front: &Front) -> Vec<String> {
+pub fn warnings(front: &Report) -> Vec<String> {
     let (scene, request) = (&front.base, &front.request);
     let known: Vec<String> = library::warnings(scene).map(str::to_owned).collect();
     let mut warnings = known.clone();
@@ -32,7 +32,7 @@ pub fn warnings(front: &Front) -> Vec<String> {
 }
 
 /// Why a front without designs has none: objectives that do not exist, and checks that designs fail.
-pub fn lacks(front: &Front) -> Vec<String> {
+pub fn lacks(front: &Report) -> Vec<String> {
     if !front.designs.is_empty() {
         return Vec::new();
     }
@@ -57,12 +57,12 @@ pub fn lacks(front: &Front) -> Vec<String> {
 }
 
 /// What a plastic interface comes to for a design, in words; `None` where the interface holds.
-fn plastic(front: &Front, design: &Design) -> Option<String> {
+fn plastic(front: &Report, design: &Design) -> Option<String> {
     Some(design.plastic?.words(front.request.objectives[0].measure))
 }
 
 /// The designs of a front.
-pub fn table<'c>(name: &'c str, front: &'c Front) -> Table<'c, usize> {
+pub fn table<'c>(name: &'c str, front: &'c Report) -> Table<'c, usize> {
     let of = move |at: &usize| &front.designs[*at];
     let mut table = Table::of(0..front.designs.len())
         .with("scene", "scene", "", move |_| name)
@@ -88,7 +88,7 @@ pub fn table<'c>(name: &'c str, front: &'c Front) -> Table<'c, usize> {
 }
 
 /// The columns that a page has of a front: numbers, and the plastic interface where a fused one does not hold.
-pub fn page_keys(front: &Front) -> Vec<&'static str> {
+pub fn page_keys(front: &Report) -> Vec<&'static str> {
     let axes = front.request.over.iter().map(Axis::symbol);
     let measures = front.request.measures().into_iter().map(|it| it.name);
     let has_plastic = front.designs.iter().any(|design| design.plastic.is_some());
@@ -96,7 +96,7 @@ pub fn page_keys(front: &Front) -> Vec<&'static str> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, front: &Front) -> Value {
+pub fn json(name: &str, front: &Report) -> Value {
     let request = &front.request;
     let variables = request.over.iter().map(|axis| {
         let (low, high) = axis.ends();

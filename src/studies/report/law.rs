@@ -105,9 +105,4 @@ mod tests {
         let names: Vec<String> = law.marks().iter().map(|mark| mark.name.to_string()).collect();
         assert_eq!(names, ["greatest displacement", "stop"]);
     }
-
-    #[test]
-    fn a_plate_without_a_spring_has_no_law() {
-        assert!(Law::of(&plain_run(&scene("k=0")).unwrap()).is_none());
-    }
 }

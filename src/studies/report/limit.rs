@@ -158,9 +158,8 @@ fn closures(closures: &Closures) -> String {
     )
 }
 
-/// The shots, in order of velocity, with what each fitted law says and the limit or what it lies between.
+/// The shots, in order of velocity, with what each fitted law says and the limit.
 pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
-    let (above, below) = report.limit.bracket_m_s();
     let limit_m_s = report.limit.velocity_m_s();
     Table::of(&report.shots)
         .with("scene", "scene", "", move |_| name)
@@ -174,25 +173,14 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
             report.lambert_jonas.map(|law| law.residual_m_s(shot.impact_m_s))
         })
         .with("limit_velocity_m_s", "limit", "m/s", move |_| limit_m_s)
-        .with("limit_above_m_s", "limit above", "m/s", move |_| above)
-        .with("limit_below_m_s", "limit below", "m/s", move |_| below)
-}
-
-fn recht_ipson(law: ResidualLaw) -> Value {
-    json!({ "a": law.a, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
-}
-
-fn lambert_jonas(law: ResidualLaw) -> Value {
-    json!({ "a": law.a, "p": law.p, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
     let (basis, stopped) = match report.limit {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
-        Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => (None, None),
+        Limit::Never | Limit::Always | Limit::Unknown => (None, None),
     };
-    let (above, below) = report.limit.bracket_m_s();
     let load = report.at_limit.as_ref().map(|it| it.load).unwrap_or_default();
     let closures = report.closures.map(|closures| {
         json!({
@@ -218,8 +206,6 @@ pub fn json(name: &str, report: &Report) -> Value {
         "criterion": report.scene.target.criterion.word(),
         "basis": basis,
         "no_limit": report.limit.absence(),
-        "limit_above_m_s": above,
-        "limit_below_m_s": below,
         "stopped_again_at_m_s": stopped,
         "undecided_at_m_s": report.undecided_at_m_s(),
         "impact_velocity_m_s": report.scene.projectile.velocity_m_s,
@@ -233,8 +219,8 @@ pub fn json(name: &str, report: &Report) -> Value {
         "closures": closures,
         "jump_m_s": report.jump_m_s.map(|(thin, thick)| [thin, thick]),
         "model_error": known,
-        "recht_ipson": report.recht_ipson.map(recht_ipson),
-        "lambert_jonas": report.lambert_jonas.map(lambert_jonas),
+        "recht_ipson": report.recht_ipson,
+        "lambert_jonas": report.lambert_jonas,
         "shots": shots(name, report).objects(|key| own.contains(&key)),
     })
 }

@@ -11,20 +11,12 @@ use crate::study::validation::ModelError;
 use crate::study::validity;
 
 const DIGITS: usize = 4;
-/// Samples from which on quantiles say something.
-const ENOUGH: usize = 30;
 
 /// Warnings about the rows.
 pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
     let mut warnings = validity::of_scene(scene);
     let measures: Vec<_> = report.summaries.iter().map(|it| it.measure).collect();
     warnings.extend(validity::of_pair(scene, &[], &measures));
-    let samples = report.wanted;
-    if samples < ENOUGH {
-        warnings.push(format!(
-            "{samples} samples: median, quantiles and spread are rough; take {ENOUGH} or more"
-        ));
-    }
     warnings.extend(without_limit(report));
     warnings
 }

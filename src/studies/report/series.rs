@@ -200,13 +200,6 @@ mod tests {
     }
 
     #[test]
-    fn few_points_as_a_narrow_view_has_are_drawn_in_full() {
-        let points = |count: usize| (0..count).map(|i| (i as f64, (i % 7) as f64)).collect();
-        assert_eq!(thinned(points(POINTS_MANY)), points(POINTS_MANY));
-        assert!(thinned(points(2 * POINTS_MANY)).len() < 2 * POINTS_MANY);
-    }
-
-    #[test]
     fn thinned_points_keep_ends_a_spike_a_gap_and_distant_points() {
         // A sine with a spike and a gap in a million points of one second, then ten points of a second each.
         let (spike, gap) = (654_321, 700_000..800_000);

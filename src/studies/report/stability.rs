@@ -10,22 +10,10 @@ use crate::report::map::{self, LINE, Tone};
 use crate::report::table::Table;
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
-use crate::study::stability::others::Other;
 use crate::study::stability::{Row, Shortfall};
 
-/// Columns of a page that say how a scene has run, by this program and by the other methods.
-pub const HOW_IT_RAN: [&str; 10] = [
-    "outcome",
-    "energy_residual",
-    "error",
-    "steps",
-    "run_time_s",
-    "stiffness",
-    "explicit",
-    "implicit",
-    "thesis_1e-6",
-    "thesis_1e-7",
-];
+/// Columns of a page that say how a scene has run.
+pub const HOW_IT_RAN: [&str; 5] = ["outcome", "energy_residual", "error", "steps", "run_time_s"];
 
 /// A size in five characters: `2e-13`.
 fn brief(value: f64) -> String {
@@ -46,7 +34,7 @@ fn ends(row: &Row) -> String {
 
 /// The battery, one row for each scene.
 pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> {
-    let mut table = Table::of(rows)
+    Table::of(rows)
         .with("scene", "scene", "", |row| row.case.name)
         .with("changes", "changes", "", |row| row.case.changes)
         .with("outcome", "ends", "", |row| row.run.outcome.word())
@@ -64,18 +52,6 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .with("rejected", "rejected", "", |row| row.run.cost.rejected)
         .with("run_time_s", "time", "", |row| row.took_s)
         .shown(|row, _| Some(engineering(row.took_s, "s", 2)))
-        .with("stiffness", "stiff", "", |row| row.stiffness.largest())
-        .shown(|_, value| Some(brief(value.as_f64()?)))
-        .with("swings_rad", "oscillations", "rad", |row| row.stiffness.swings_rad)
-        .with("decays", "decays", "", |row| row.stiffness.decays);
-    for (at, other) in Other::ALL.into_iter().enumerate() {
-        let error = other.error_key();
-        table = table
-            .with(other.key(), other.heading(), "", move |row| row.others[at].word())
-            .shown(move |row, _| Some(row.others[at].brief()))
-            .with(error, error, "", move |row| row.others[at].error());
-    }
-    table
         .with("shortfall", "pass", "", |row| row.shortfall.map(Shortfall::words))
         .shown(|row, _| Some(if row.shortfall.is_some() { "FAIL" } else { "ok" }.to_owned()))
         .with("why_hard", "difficulty", "", |row| row.case.why)

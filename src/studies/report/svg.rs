@@ -6,6 +6,7 @@ use crate::numerics::statistics::sorted_by;
 use crate::report::chart::ticks::Along;
 use crate::report::chart::{Axis, Chart, Curve, Mark};
 use crate::report::map::Map;
+use crate::report::series::thinned;
 
 mod bands;
 
@@ -294,7 +295,7 @@ fn dot(out: &mut String, Point { x, y }: Point, ink: &str) {
 fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve<'_>, ink: &str) {
     let (x, y) = (plot.x, plot.y);
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
-    for (at_x, at_y) in curve.points.iter() {
+    for (at_x, at_y) in &thinned(curve.points.to_vec()) {
         if x.scale.shows(*at_x) && y.scale.shows(*at_y) {
             if let Some(piece) = pieces.last_mut() {
                 piece.push(Point { x: plot.across(*at_x), y: plot.up(*at_y) });
@@ -311,27 +312,10 @@ fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve<'_>, ink: &str) {
             continue;
         }
         let points: Vec<String> =
-            seen(piece).iter().map(|place| format!("{},{}", at(place.x), at(place.y))).collect();
+            piece.iter().map(|place| format!("{},{}", at(place.x), at(place.y))).collect();
         let (points, style) = (points.join(" "), format!("stroke=\"{ink}\" stroke-width=\"2\""));
         let _ = writeln!(out, "<polyline points=\"{points}\" fill=\"none\" {style}/>");
     }
-}
-
-/// Fewer points that draw the same line: of each half pixel the first, the least, the greatest and the last.
-fn seen(points: &[Point]) -> Vec<Point> {
-    let mut kept = Vec::new();
-    for cell in points.chunk_by(|a, b| (2.0 * a.x).floor().total_cmp(&(2.0 * b.x).floor()).is_eq())
-    {
-        let extreme = |sign: f64| {
-            (0..cell.len()).min_by(|a, b| (sign * cell[*a].y).total_cmp(&(sign * cell[*b].y)))
-        };
-        let mut places = vec![0, cell.len() - 1];
-        places.extend([extreme(1.0), extreme(-1.0)].into_iter().flatten());
-        places.sort_unstable();
-        places.dedup();
-        kept.extend(places.into_iter().map(|place| cell[place]));
-    }
-    kept
 }
 
 /// Lines to read the curves by, with their names.

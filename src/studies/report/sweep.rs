@@ -10,7 +10,7 @@ use crate::model::scene::{Scene, Sweep};
 use crate::model::variables;
 use crate::report::table::{Table, pretty};
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Evaluator, Plan, Rows, Shard, Spacing};
+use crate::study::sweep::{Axis, Evaluator, Plan, Point, Shard, Spacing};
 use crate::study::validity;
 
 /// Which columns stand after the axes.
@@ -37,8 +37,8 @@ impl Columns {
 /// A piece of a sweep as text.
 #[derive(Debug, Default)]
 pub struct Piece {
-    /// The result.
-    pub rows: Rows,
+    /// The results.
+    pub points: Vec<Point>,
     /// Lines of CSV, if requested.
     pub csv: String,
     /// Objects of JSON, if requested.
@@ -63,25 +63,20 @@ pub struct Sheet<'p> {
 impl Sheet<'_> {
     /// The header line of the CSV.
     pub fn header(&self) -> String {
-        self.table(&[], &Rows::default(), &[]).csv()
+        self.table(&[], &[], &[]).csv()
     }
 
     /// Compute a piece and make its texts; fewer rows than points when the evaluator was stopped.
     pub fn piece(&self, evaluator: &mut Evaluator<'_>, points: &[u64]) -> Piece {
-        let (rows, runs) = match self.columns {
-            Columns::Chosen => (evaluator.rows_of(points), Vec::new()),
-            Columns::All => {
-                let mut rows = Rows::new(self.plan.outputs().len());
-                let run = |index: &u64| Some(evaluator.one(*index, &mut rows)?.1.ok());
-                let runs = points.iter().map_while(run).collect();
-                (rows, runs)
-            }
+        let (found, runs): (Vec<Point>, Vec<Option<Run>>) = match self.columns {
+            Columns::Chosen => (evaluator.points(points), Vec::new()),
+            Columns::All => points.iter().map_while(|index| evaluator.one(*index)).unzip(),
         };
-        let table = self.table(points, &rows, &runs);
+        let table = self.table(&points[..found.len()], &found, &runs);
         let csv = if self.has_csv { table.csv_rows() } else { String::new() };
         let json = if self.has_json { table.json_rows() } else { String::new() };
         drop(table);
-        Piece { rows, csv, json }
+        Piece { points: found, csv, json }
     }
 
     /// The rows of some points; with all columns the run of each, where there is one. Made for every piece, and of files alone: no
@@ -89,12 +84,12 @@ impl Sheet<'_> {
     fn table<'t>(
         &'t self,
         points: &'t [u64],
-        rows: &'t Rows,
+        found: &'t [Point],
         runs: &'t [Option<Run>],
     ) -> Table<'t, usize> {
         let is_all = self.columns == Columns::All;
         let run = |row: &usize| runs[*row].as_ref();
-        let mut table = Table::of(0..rows.len());
+        let mut table = Table::of(0..points.len());
         for (at, axis) in self.plan.axes().iter().enumerate() {
             let value = move |row: &usize| self.plan.coordinate(points[*row], at);
             table = table.with(axis.symbol(), "", "", value);
@@ -106,12 +101,12 @@ impl Sheet<'_> {
                 .with("model", "", "", move |_| word("contact.model"))
                 .with("interface", "", "", move |_| word("interface.law"));
         }
-        table = table.with("outcome", "", "", |row| rows.outcome(*row).word());
+        table = table.with("outcome", "", "", move |row| found[*row].outcome.word());
         if is_all {
             table = table.with("end", "", "", move |row| Some(run(row)?.end.words()));
         }
         for (at, output) in self.plan.outputs().iter().enumerate() {
-            let value = move |row: &usize| rows.value(*row, at);
+            let value = move |row: &usize| found[*row].values[at];
             table = table.with(output.name, "", "", value);
         }
         if is_all {
@@ -122,7 +117,7 @@ impl Sheet<'_> {
                     Some(envelope::warnings(run(row)?).join("; "))
                 });
         }
-        table.with("error", "", "", |row| rows.reason(*row))
+        table.with("error", "", "", move |row| found[*row].reason())
     }
 
     /// The head of the JSON: the sweep itself, up to the rows.
@@ -143,10 +138,10 @@ impl Sheet<'_> {
 
 /// The points of a grid that are there as a whole CSV, in the order of the sweep.
 pub fn grid_csv(scene: &str, grid: &Grid) -> String {
-    let (points, rows) = grid.rows();
+    let (points, found) = grid.points();
     let (plan, columns) = (grid.plan(), Columns::Chosen);
     let sheet = Sheet { plan, scene, columns, has_csv: true, has_json: false };
-    sheet.table(&points, &rows, &[]).csv()
+    sheet.table(&points, &found, &[]).csv()
 }
 
 /// The end of the JSON, after the rows: how many there are, and whether these are all.

@@ -13,8 +13,7 @@ use crate::model::impact::step_by;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::{self, VariableError};
-use crate::numerics::statistics::slope;
-use crate::numerics::{larger, smaller};
+use crate::numerics::larger;
 use crate::study::context::Context;
 
 pub mod method;
@@ -25,15 +24,6 @@ pub use method::RESULTS;
 use method::{Answer, Job, Ladder, Method, Parameter, Refusal, Results};
 use reference::{Reference, References, printed_limit};
 use timing::{Clock, Patience, time};
-
-/// The observed order is fitted through this many of the finest points (never fewer than the second number)...
-const FIT_POINTS: usize = 5;
-const FIT_POINTS_MIN: usize = 3;
-/// ...or as many as it takes for their steps to differ by this factor...
-const FIT_SPAN: f64 = 1.5;
-/// ...of those whose error is below this, and above [`FIT_FLOOR`] times what the reference can tell.
-const FIT_CEILING: f64 = 0.5;
-const FIT_FLOOR: f64 = 10.0;
 
 /// From here on the printed scheme is another model; a rigid mount and a perforation, whose depth is no measure, hide its fault.
 const PRINTED_OFF_FROM: f64 = 1e-3;
@@ -95,13 +85,6 @@ impl Measured {
         results.into_iter().flatten().fold(self.floor, larger)
     }
 
-    /// The error an order shows in: of the depth, unless a perforation fixes it. (The thesis's stopping rule leaves an error of
-    /// time that no step makes smaller.)
-    fn order_error(&self) -> f64 {
-        let [depth, time, ..] = self.errors;
-        depth.or(time).unwrap_or(f64::NAN)
-    }
-
     /// Whether the error is at or below what the reference can tell.
     pub fn is_at_floor(&self) -> bool {
         self.error() <= self.floor
@@ -161,9 +144,6 @@ pub struct Cheapest {
 }
 
 /// Compares all methods on a scene, and shows the report as it grows.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
 pub fn compare(
     scene: &Arc<Scene>,
     effort: ComparisonOptions,
@@ -297,30 +277,6 @@ impl MethodReport {
             }
         }
         reasons
-    }
-
-    /// The order that is observed: how fast log error falls with log steps, by least squares through the finest points that
-    /// lie above what the reference can tell. `None` with fewer than three, or none that differ in their steps.
-    pub fn observed_order(&self) -> Option<f64> {
-        let points: Vec<(f64, f64)> = self
-            .measured()
-            .filter(|(_, measured)| {
-                let error = measured.order_error();
-                error < FIT_CEILING && error > FIT_FLOOR * measured.floor
-            })
-            .map(|(_, measured)| ((measured.answer.steps as f64).ln(), measured.order_error().ln()))
-            .collect();
-        // Coarser points come in until the steps differ enough to show a slope: an adaptive method may hardly need more of them.
-        let spans = |from: &usize| {
-            let steps = points[*from..].iter().map(|point| point.0);
-            let least = steps.clone().fold(f64::INFINITY, smaller);
-            steps.fold(f64::NEG_INFINITY, larger) - least >= FIT_SPAN.ln()
-        };
-        let from = (0..=points.len().checked_sub(FIT_POINTS_MIN)?)
-            .rev()
-            .find(|from| points.len() - from >= FIT_POINTS.min(points.len()) && spans(from))?;
-        // An error that grows with the steps shows no order: rounding, in a method that is accurate from its first step on.
-        Some(-slope(&points[from..])).filter(|order| *order > -0.5)
     }
 
     /// The least error reached.

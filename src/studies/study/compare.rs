@@ -199,36 +199,17 @@ impl Report {
         self.entries.iter().find(|entry| entry.candidate == candidate)
     }
 
-    /// The mass that the parts without a counted mass may have before the mechanism no longer pays, kg; `None` where all mass is
-    /// counted, or it does not pay.
-    pub fn spare_mass_kg(&self) -> Option<f64> {
-        let sized = self.of(Candidate::Scene)?.sized.as_ref().ok()?;
-        let is_open = !self.uncounted.is_empty();
-        let spare = (sized.solid_areal_kg_m2 - sized.areal_kg_m2) * face_m2(&sized.scene);
-        Some(spare).filter(|_| is_open && self.verdict() == Profitability::Pays)
-    }
-
     /// First requirement of chapter 4: depth over that in a solid plate of equal mass.
     pub fn depth_over_solid(&self) -> Option<f64> {
         Some(self.of(Candidate::Scene)?.depth_m? / self.of(Candidate::Solid)?.depth_m?)
     }
 
-    /// That the mass efficiency is not decided, or rests on the change of a closure, or what measurements say against the limits; see
-    /// [`Limit::caution`].
+    /// That the mass efficiency is not decided, or what measurements say against the limits; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
-        let own = self.of(Candidate::Scene).map(|own| &own.sized);
-        match own {
-            Some(Err(absence)) if absence.is_open() => return Some(absence.words()),
-            Some(Ok(sized)) if sized.rests_on_closure() => {
-                return Some(
-                    "one of both plates is just as thick as the projectile (h = D), where the closure and with it the limit \
-                     jumps: compare with closure=double-yield and closure=cavity, too"
-                        .to_owned(),
-                );
-            }
-            _ => {}
-        }
-        self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.scene))
+        let own = self.of(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
+        own.filter(|absence| absence.is_open()).map(|absence| absence.words()).or_else(|| {
+            self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.scene))
+        })
     }
 
     /// Whether the mechanism pays.
@@ -279,9 +260,6 @@ impl fmt::Display for Request {
 }
 
 /// Compare.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense, or is a stack.
 pub fn compare(
     scene: &Arc<Scene>,
     hardware: Hardware,

@@ -17,7 +17,6 @@ use crate::study::context::{Context, to_its_end};
 use crate::study::load::Load;
 use residual_law::ResidualLaw;
 use search::{BESIDE, ShotRunner};
-use verdict::digits_apart;
 
 mod closures;
 pub mod residual_law;
@@ -63,13 +62,6 @@ pub enum Limit {
         /// A slower shot whose run ends undecided, where there is one, m/s: it is not known to perforate.
         undecided_at_m_s: Option<f64>,
     },
-    /// It lies between two velocities: runs between them end undecided, however long they are followed.
-    Between {
-        /// The fastest shot below that is known to be stopped, m/s.
-        stopped_m_s: Option<f64>,
-        /// The slowest shot above that is known to perforate, m/s.
-        perforated_m_s: Option<f64>,
-    },
     /// Nothing in range perforates.
     Never,
     /// Everything in range perforates.
@@ -104,15 +96,7 @@ impl Limit {
     pub fn velocity_m_s(self) -> Option<f64> {
         match self {
             Self::Found { velocity_m_s, .. } => Some(velocity_m_s),
-            Self::Between { .. } | Self::Never | Self::Always | Self::Unknown => None,
-        }
-    }
-
-    /// Between which velocities it lies where runs do not decide it, m/s: the one that is stopped and the one that perforates.
-    pub fn bracket_m_s(self) -> (Option<f64>, Option<f64>) {
-        match self {
-            Self::Between { stopped_m_s, perforated_m_s } => (stopped_m_s, perforated_m_s),
-            Self::Found { .. } | Self::Never | Self::Always | Self::Unknown => (None, None),
+            Self::Never | Self::Always | Self::Unknown => None,
         }
     }
 
@@ -121,22 +105,6 @@ impl Limit {
         let (low, high) = RANGE_M_S;
         match self {
             Self::Found { .. } => None,
-            Self::Between { stopped_m_s, perforated_m_s } => {
-                let digits =
-                    digits_apart(stopped_m_s.unwrap_or(low), perforated_m_s.unwrap_or(high));
-                let edge = |velocity_m_s: Option<f64>, what: &str, end_m_s: f64| {
-                    velocity_m_s.map_or_else(
-                        || format!("{end_m_s} m/s (end of the range)"),
-                        |it| format!("{} m/s ({what})", fixed_significant(it, digits)),
-                    )
-                };
-                Some(format!(
-                    "limit not decided: it lies above {} and below {}; runs between these velocities end before their outcome is \
-                     known",
-                    edge(stopped_m_s, "stopped", low),
-                    edge(perforated_m_s, "perforated", high),
-                ))
-            }
             Self::Never => Some(format!(
                 "limit beyond {high} m/s: nothing from {low} to {high} m/s perforates"
             )),
@@ -218,7 +186,7 @@ impl Report {
     pub fn undecided_at_m_s(&self) -> Option<f64> {
         match self.limit {
             Limit::Found { undecided_at_m_s, .. } => undecided_at_m_s,
-            Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => None,
+            Limit::Never | Limit::Always | Limit::Unknown => None,
         }
     }
 
@@ -238,9 +206,6 @@ impl Report {
 }
 
 /// Find the limit of a scene and its residual-velocity curve.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE);
@@ -272,9 +237,6 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
 }
 
 /// The limit of a scene and nothing else.
-///
-/// # Errors
-/// As [`find`].
 pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len());
@@ -282,9 +244,6 @@ pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, Var
 }
 
 /// The limit velocity of a scene, m/s.
-///
-/// # Errors
-/// Why there is none.
 pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
     let limit = alone(&Arc::new(scene.clone()), &mut Context::new(1, &mut to_its_end));
     let limit = limit.map_err(|error| error.to_string())?;

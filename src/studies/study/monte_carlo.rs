@@ -13,8 +13,8 @@ use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
+use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities::{self, Needs, Quantity, find};
-use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
 use crate::study::validation::{KnownError, ModelError};
 pub use tolerance::{Distribution, Tolerance};
@@ -164,8 +164,6 @@ pub struct Report {
     pub redrawn: Vec<usize>,
     /// Seed.
     pub seed: u64,
-    /// Samples wanted.
-    pub wanted: usize,
     /// Samples done.
     pub samples: usize,
     /// How they ended.
@@ -246,17 +244,16 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 ///
 /// # Errors
 /// A [`SweepError`] when something about it is bad: then nothing has run; or when no draw makes sense.
-pub fn sample(
+pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_>,
+    context: &mut Context<'_, Report>,
 ) -> Result<Report, SweepError> {
     let (tolerances, model) = (request.tolerances(scene), request.model(scene));
     let (wanted, seed) = (request.count(), request.seed);
     let space = space(scene, request, &tolerances)?;
     let mut draw = Draw::new(scene, &tolerances, seed);
-    let mut report =
-        Report { tolerances: tolerances.clone(), wanted, seed, model, ..Report::default() };
+    let mut report = Report { tolerances: tolerances.clone(), seed, model, ..Report::default() };
     let limit = space.outputs().iter().position(|it| it.name == LIMIT);
     let limit = limit.filter(|_| model != ModelError::default());
     let (mut errors, mut corrected) = (Random::new(!seed), Vec::new());
@@ -264,8 +261,12 @@ pub fn sample(
     context.expect(wanted);
     let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.outputs().len()];
-    draw.each_batch(wanted, context, |designs, context| {
-        let found = space.evaluate(designs, context);
+    let mut drawn = 0;
+    while drawn < wanted && !context.is_stopped() {
+        let batch = (drawn..wanted).take(BATCH).map(|_| draw.sample());
+        let designs = batch.collect::<Result<Vec<_>, _>>()?;
+        drawn += designs.len();
+        let found = space.evaluate(&designs, context);
         report.samples += found.len();
         for found in found {
             report.outcomes.add(found.outcome);
@@ -275,7 +276,7 @@ pub fn sample(
                 list.extend(value);
             }
         }
-    })?;
+    }
     report.is_complete = !context.is_stopped();
     report.redrawn = draw.redrawn;
     report.perforated = perforated(report.outcomes);
@@ -318,8 +319,8 @@ fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<P
     Plan::for_designs(scene, axes, &request.measures())
 }
 
-/// The stream of samples: the one random source of every Monte Carlo study.
-pub(in crate::study) struct Draw<'t> {
+/// The stream of samples, and how often each input was drawn again.
+struct Draw<'t> {
     tolerances: &'t [Tolerance],
     scene: Scene,
     random: Random,
@@ -327,30 +328,13 @@ pub(in crate::study) struct Draw<'t> {
 }
 
 impl<'t> Draw<'t> {
-    pub(in crate::study) fn new(scene: &Scene, tolerances: &'t [Tolerance], seed: u64) -> Self {
+    fn new(scene: &Scene, tolerances: &'t [Tolerance], seed: u64) -> Self {
         Self {
             tolerances,
             scene: scene.clone(),
             random: Random::new(seed),
             redrawn: vec![0; tolerances.len()],
         }
-    }
-
-    /// Draw a given number of samples and hand them over batch by batch, each a value for every input; until the study is stopped.
-    pub(in crate::study) fn each_batch(
-        &mut self,
-        samples: usize,
-        context: &mut Context<'_>,
-        mut evaluate: impl FnMut(&[Vec<f64>], &mut Context<'_>),
-    ) -> Result<(), SweepError> {
-        let mut done = 0;
-        while done < samples && !context.is_stopped() {
-            let count = BATCH.min(samples - done);
-            let batch = (0..count).map(|_| self.sample()).collect::<Result<Vec<_>, _>>()?;
-            evaluate(&batch, context);
-            done += count;
-        }
-        Ok(())
     }
 
     /// A value for every input, which together make physical sense.

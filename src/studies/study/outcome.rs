@@ -1,5 +1,7 @@
 //! How a point of a study came out: as its shot ended, or without a result.
 
+use std::fmt;
+
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::study::quantities::Quantity;
 
@@ -76,6 +78,7 @@ impl PointOutcome {
     pub fn is_stopped(self) -> bool {
         matches!(self, Self::Ended(Outcome::Arrested | Outcome::Separated))
     }
+
     /// Whether a number counts where a point ended like this, in tables, extremes and pictures alike: the depth of a perforation
     /// does not.
     pub fn counts(self, output: &Quantity) -> bool {
@@ -85,5 +88,47 @@ impl PointOutcome {
             Self::Ended(_) => true,
             Self::Failed(_) => false,
         }
+    }
+}
+
+/// How many points ended how.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OutcomeCounts {
+    ended: [u64; Outcome::ALL.len()],
+    /// There is no result.
+    pub failed: u64,
+}
+
+impl OutcomeCounts {
+    /// Count a point.
+    pub fn add(&mut self, outcome: PointOutcome) {
+        *match outcome {
+            PointOutcome::Ended(outcome) => &mut self.ended[outcome as usize],
+            PointOutcome::Failed(_) => &mut self.failed,
+        } += 1;
+    }
+
+    /// How many shots ended like this.
+    pub fn of(self, outcome: Outcome) -> u64 {
+        self.ended[outcome as usize]
+    }
+
+    /// All points.
+    pub fn total(self) -> u64 {
+        self.each().map(|(_, count)| count).sum()
+    }
+
+    /// Each count with its word, those of no point among them.
+    pub fn each(self) -> impl Iterator<Item = (&'static str, u64)> {
+        Outcome::WORDS.into_iter().zip(self.ended).chain([("failed", self.failed)])
+    }
+}
+
+impl fmt::Display for OutcomeCounts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let known = self.each().filter(|(_, count)| *count > 0);
+        let parts: Vec<String> = known.map(|(word, count)| format!("{count} {word}")).collect();
+        f.write_str(if parts.is_empty() { "no point" } else { "" })?;
+        f.write_str(&parts.join(", "))
     }
 }

@@ -131,7 +131,6 @@ fn in_order<'w>(
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::{AtomicBool, Ordering};
 
     use super::*;
 
@@ -151,56 +150,6 @@ mod tests {
                 assert!(ended.is_continue());
                 assert_eq!(seen, (0..points).collect::<Vec<u64>>(), "{threads} {points}");
             }
-        }
-    }
-
-    #[test]
-    fn breaking_off_ends_a_sweep_that_would_never_end() {
-        for threads in [1, 2] {
-            let mut taken = 0;
-            let ended = map(
-                threads,
-                Work { count: u64::MAX >> 1, at_once: 1 },
-                || |piece: Range<u64>| piece.start,
-                |news| {
-                    if let Some((_, start)) = news {
-                        assert_eq!(start, taken);
-                        taken += 1;
-                    }
-                    if taken == 100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-                },
-            );
-            assert!(ended.is_break());
-        }
-    }
-
-    #[test]
-    fn who_waits_for_a_piece_is_asked_and_stops_it() {
-        let stop = AtomicBool::new(false);
-        for threads in [1, 2] {
-            stop.store(false, Ordering::Relaxed);
-            let (mut asked, mut pieces) = (0, Vec::new());
-            let worker = || {
-                let stop = &stop;
-                move |piece: Range<u64>| {
-                    // The second piece would never end by itself.
-                    while piece.start == 1 && !stop.load(Ordering::Relaxed) {
-                        thread::yield_now();
-                    }
-                    piece.start
-                }
-            };
-            let ended = map(threads, Work { count: 1000, at_once: 1 }, worker, |news| {
-                asked += usize::from(news.is_none());
-                pieces.extend(news.map(|(_, start)| start));
-                if asked == 3 {
-                    stop.store(true, Ordering::Relaxed);
-                }
-                let stopped = stop.load(Ordering::Relaxed);
-                if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            });
-            assert!(ended.is_break());
-            assert_eq!((asked, pieces), (3, vec![0, 1]), "{threads}");
         }
     }
 }

@@ -337,9 +337,6 @@ impl Quantity {
     }
 
     /// Read a value: SI, or with a unit (`45mm`, `20 kN`, `1kJ`); percentages as they are shown (`60` or `60 %`).
-    ///
-    /// # Errors
-    /// The error of the text, in words.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let bare = if self.unit() == "%" { text.trim().trim_end_matches('%') } else { text };
         units::parse(bare, self.kind, Bare::Si).map_err(|problem| problem.to_string())
@@ -363,9 +360,6 @@ impl Quantity {
     }
 
     /// That a study of this quantity alone would find nothing: a stack has no such quantity.
-    ///
-    /// # Errors
-    /// A [`SweepError`] that names one of stacks.
     pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), SweepError> {
         if self.is_of_stack || !scene.is_stack() {
             return Ok(());

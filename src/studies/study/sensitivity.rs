@@ -13,7 +13,7 @@ use crate::study::context::Context;
 use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
 use crate::study::quantities::{Quantity, usual_of};
 use crate::study::sweep::usual::{or_usual, thesis_axes};
-use crate::study::sweep::{Axis, EvaluatedDesign, Plan, Spacing, SweepError};
+use crate::study::sweep::{Axis, Plan, Point, Spacing, SweepError};
 use crate::study::validity;
 use indices::{Sobol, sobol};
 
@@ -133,9 +133,6 @@ pub const SCATTER: f64 = 2.0 * USUAL_DEVIATION;
 
 /// What varies where nothing is named: the variables of Table 9.2 over its ranges, and within [`SCATTER`] whatever else a Monte Carlo
 /// study scatters, as long as no values of theirs exclude each other.
-///
-/// # Errors
-/// None in practice: the table's ranges are sound.
 pub fn usual_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     let mut axes = thesis_axes(scene)?;
     for tolerance in usual_tolerances(scene, USUAL_DEVIATION) {
@@ -156,10 +153,10 @@ pub fn usual_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
 ///
 /// # Errors
 /// A [`SweepError`] when bounds or result are bad, or there are more than [`indices::INPUTS_MAX`] variables: then nothing has run.
-pub fn study(
+pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_>,
+    context: &mut Context<'_, Report>,
 ) -> Result<Report, SweepError> {
     let axes = or_usual(&request.over, || usual_axes(scene))?;
     if axes.len() > indices::INPUTS_MAX {
@@ -176,7 +173,7 @@ pub fn study(
     // The result for each design, NaN where it has none; `None` when stopped.
     let mut values = |designs: &[Vec<f64>]| {
         let found = space.evaluate(designs, context);
-        let value = |found: &EvaluatedDesign| found.values[0].unwrap_or(f64::NAN);
+        let value = |found: &Point| found.values[0].unwrap_or(f64::NAN);
         (!context.is_stopped()).then(|| found.iter().map(value).collect::<Vec<_>>())
     };
     let at_own = values(std::slice::from_ref(&own));

@@ -15,11 +15,9 @@ use crate::study::accuracy::method::answer_of;
 use crate::study::accuracy::reference::{Reference, ReferenceSource, References};
 use crate::study::context::{CancelFlag, Context};
 use cases::Case;
-use others::{Fault, Other, Verdict};
 
 pub mod cases;
 pub mod map;
-pub mod others;
 
 /// Greatest relative energy residual a row of `auto` may have.
 pub const RESIDUAL_MAX: f64 = 1e-8;
@@ -44,22 +42,6 @@ enumeration! {
     Error { words: "error" }
 }
 
-/// How stiff a contact is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stiffness {
-    /// The spring's greatest angular frequency times the contact's duration, rad.
-    pub swings_rad: f64,
-    /// The damper's greatest decay rate times the contact's duration.
-    pub decays: f64,
-}
-
-impl Stiffness {
-    /// The largest mechanism rate times the contact's duration.
-    pub fn largest(self) -> f64 {
-        larger(self.swings_rad, self.decays)
-    }
-}
-
 /// One scene of the battery, run.
 #[derive(Clone, Debug)]
 pub struct Row {
@@ -73,26 +55,8 @@ pub struct Row {
     pub error: Option<f64>,
     /// Its reference; `None` while undecided, or where no other computation got through.
     pub basis: Option<ReferenceSource>,
-    /// How stiff the contact is.
-    pub stiffness: Stiffness,
-    /// How the other methods fare, in the order of [`Other::ALL`].
-    pub others: [Verdict; 4],
     /// Why `auto` falls short, if it does.
     pub shortfall: Option<Shortfall>,
-}
-
-/// Other methods than `auto` are omitted after a given number of seconds.
-const OTHERS_UNTIL_S: f64 = 30.0;
-
-/// The clock, and the time limit of the other methods, s.
-#[derive(Clone, Copy)]
-pub struct TimeBudget<'a> {
-    /// The time now, s.
-    pub now_s: &'a (dyn Fn() -> f64 + Sync),
-    /// After this no other method is started, s.
-    pub until_s: f64,
-    /// Whether to stop, looked at before every step of a run.
-    pub stop: &'a CancelFlag,
 }
 
 /// The cases of a battery; the quick one has every fifth.
@@ -102,45 +66,38 @@ pub fn battery(quick: bool) -> Vec<&'static Case> {
 
 /// Run these cases, each measured by the clock `now_s`, and show the rows as they come, in the order of the cases. Fewer than those
 /// when stopped.
-///
-/// # Errors
-/// A [`VariableError`] when a case is not a scene, which a test rules out.
 pub fn run(
     cases: &[&'static Case],
     now_s: &(dyn Fn() -> f64 + Sync),
     context: &mut Context<'_, [Row]>,
 ) -> Result<Vec<Row>, VariableError> {
     let stop = context.stop();
-    let clock = TimeBudget { now_s, until_s: OTHERS_UNTIL_S, stop: &stop };
     for case in cases {
         case.scene()?;
     }
-    let examine = |case: &&'static Case| examine(case, clock);
+    let examine = |case: &&'static Case| examine(case, now_s, &stop);
     context.expect(cases.len());
     let show = |context: &mut Context<'_, [Row]>, rows: &[Row]| context.show(rows);
     Ok(context.map_items(cases, examine, show))
 }
 
 /// Run one scene of the battery; `None` when stopped, or for a case that is not a scene, which a test rules out.
-pub fn examine(case: &'static Case, clock: TimeBudget<'_>) -> Option<Row> {
+fn examine(
+    case: &'static Case,
+    now_s: &(dyn Fn() -> f64 + Sync),
+    stop: &CancelFlag,
+) -> Option<Row> {
     let scene = case.scene().ok()?;
-    let start_s = (clock.now_s)();
-    let run = bare(&scene, false, &mut |_| clock.stop.flow()).ok()?;
-    let took_s = (clock.now_s)() - start_s;
+    let start_s = now_s();
+    let run = bare(&scene, false, &mut |_| stop.flow()).ok()?;
+    let took_s = now_s() - start_s;
     let references = References::of(&scene);
     let reference = references.other.or(references.engine);
     let error = reference.and_then(|reference| error_of(&run, &reference));
     let basis = reference.filter(|_| error.is_some()).map(|reference| reference.basis);
-    let others = Other::ALL.map(|other| {
-        if (clock.now_s)() > clock.until_s || clock.stop.is_set() {
-            return Verdict::None(Fault::CutOff);
-        }
-        others::verdict(other, &scene, references.any().as_ref())
-    });
-    let stiffness = stiffness(&scene, &run);
     let shortfall = shortfall(&run, error);
-    let row = Row { case, run, took_s, error, basis, stiffness, others, shortfall };
-    (!clock.stop.is_set()).then_some(row)
+    let row = Row { case, run, took_s, error, basis, shortfall };
+    (!stop.is_set()).then_some(row)
 }
 
 fn bare(scene: &Arc<Scene>, estimate: bool, observer: Observer<'_>) -> Result<Run, VariableError> {
@@ -175,15 +132,6 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
     } else {
         // A reference that ends otherwise makes the error NaN, which is no less short.
         error.filter(|error| error.is_nan() || *error > ERROR_MAX).map(|_| Shortfall::Error)
-    }
-}
-
-/// The largest rates of spring and damper within the contact times its duration.
-fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
-    let peaks = Peaks::of(scene, run).unwrap_or_default();
-    Stiffness {
-        swings_rad: peaks.oscillation * peaks.contact_s,
-        decays: peaks.decay * peaks.contact_s,
     }
 }
 

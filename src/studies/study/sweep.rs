@@ -10,7 +10,6 @@ mod designs;
 pub mod evaluate;
 pub mod grid;
 pub(in crate::study) mod kernel;
-pub mod summary;
 pub mod usual;
 
 use std::sync::Arc;
@@ -23,9 +22,7 @@ pub use crate::study::error::SweepError;
 pub use crate::study::outcome::{Failure, PointOutcome};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
-pub use designs::EvaluatedDesign;
-pub use evaluate::{Evaluator, Rows};
-pub use summary::Summary;
+pub use evaluate::{Evaluator, Point};
 
 /// The most points of a sweep: what a count in floating point still distinguishes.
 const POINTS_MAX: u64 = 1 << 53;
@@ -113,9 +110,6 @@ impl Plan {
     }
 
     /// A plan of designs that are listed later, over any number of axes.
-    ///
-    /// # Errors
-    /// As [`Plan::new`].
     pub fn for_designs(
         scene: &Scene,
         axes: Vec<Axis>,
@@ -162,9 +156,6 @@ impl Plan {
     }
 
     /// The sweep kept with a scene.
-    ///
-    /// # Errors
-    /// As [`Plan::new`]; also where the scene has none.
     pub fn of(scene: &Scene) -> Result<Self, SweepError> {
         let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
         Self::new(scene, Axis::all_of(sweep)?, &sweep.outputs)

@@ -66,21 +66,6 @@ fn breaches(scene: &Scene, run: Option<&Run>) -> Vec<Breach> {
 /// Warnings about results over these axes: those of the scene, and the breaches at the ends of each axis that the scene itself does
 /// not have, the loads of spring, stop and interface among them. Of each breach the worst is given.
 pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
-    along(scene, axes, |text| text)
-}
-
-/// The same for a scene at the first point of its axes: a warning that the last point does not have says where it is from.
-pub fn of_points(scene: &Scene, axes: &[Axis]) -> Vec<String> {
-    let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
-    let last = scene_with(scene, axes, &ends);
-    let last = warnings(&last, run(&last, STEPS_MAX).as_ref());
-    let place = axes.iter().map(|axis| format!("{} = {}", axis.symbol(), shortest(axis.ends().0)));
-    let place = place.collect::<Vec<_>>().join(", ");
-    let labelled = |text: String| format!("at {place}: {text}");
-    along(scene, axes, |text| if last.contains(&text) { text } else { labelled(text) })
-}
-
-fn along(scene: &Scene, axes: &[Axis], labelled: impl Fn(String) -> String) -> Vec<String> {
     let own = run(scene, STEPS_MAX);
     let far = at_ends(scene, own.as_ref(), axes);
     let mut list = warnings(scene, own.as_ref());
@@ -89,7 +74,6 @@ fn along(scene: &Scene, axes: &[Axis], labelled: impl Fn(String) -> String) -> V
             list.retain(|text| *text != breach.to_string());
         }
     }
-    let mut list: Vec<String> = list.into_iter().map(labelled).collect();
     list.extend(far.into_iter().map(|(place, breach)| format!("{place}: {breach}")));
     list
 }
@@ -120,7 +104,7 @@ pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> 
 
 /// Warnings about the results of a sweep: those over its axes, and of what its outputs have to do with each other.
 pub fn of_plan(plan: &Plan) -> Vec<String> {
-    let mut list = of_points(plan.base(), plan.axes());
+    let mut list = of_axes(plan.base(), plan.axes());
     list.extend(of_pair(plan.base(), plan.axes(), plan.outputs()));
     list
 }
@@ -263,9 +247,8 @@ pub fn counted(counts: &[(Check, usize)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::quantities::named;
+
     use crate::study::sweep::Spacing;
-    use crate::study::testing::scene;
 
     /// The baseline's interface carries 0.108 of its strength; cocked by 0.5 m, 2.875 times as much as it can.
     #[test]
@@ -290,18 +273,6 @@ mod tests {
         let list = of_axes(&scene, &axes);
         assert_eq!(count(&list, "at theta = 30: outside validity"), 1, "{list:?}");
         assert_eq!(count(&list, "h/D"), 1, "{list:?}");
-    }
-
-    /// gamma = 0.5 is outside Table 9.2 and gamma = 2 is not; the plate of 2 D is as thick at both.
-    #[test]
-    fn a_warning_of_the_first_point_alone_says_so() {
-        let axes = [Axis::new("gamma", (0.5, 2.0), 4, Spacing::Linear).unwrap()];
-        let list = of_points(&scene("gamma=0.5"), &axes);
-        let starts = |head: &str, word: &str| {
-            list.iter().any(|text| text.starts_with(head) && text.contains(word))
-        };
-        assert!(starts("at gamma = 0.5: ", "gamma = 0.5 is outside"), "{list:?}");
-        assert!(list.iter().any(|it| it.contains("h/D = 2") && !it.starts_with("at ")), "{list:?}");
     }
 
     /// S = 1.1e9 Pa and c = 677.5 kg/m³: 0.551 times the strength of the projectile at 50 m/s, 0.635 at 500 m/s.
@@ -335,57 +306,5 @@ mod tests {
                 "{list:?}"
             );
         }
-    }
-
-    #[test]
-    fn a_limit_beside_the_mass_of_its_springs_is_named() {
-        let limit = "limit_velocity_m_s";
-        let of = |pairs: &str, axes: &[Axis], names: [&str; 2]| {
-            of_pair(&scene(pairs), axes, &names.map(|name| named(name).unwrap()))
-        };
-        let text = of("k=1e5", &[], [limit, "areal_mass_kg_m2"]).unwrap();
-        assert!(text.contains("areal_mass_kg_m2 are sized for v_i"), "{text}");
-        let softness = [Axis::new("k", (0.0, 1e5), 2, Spacing::Linear).unwrap()];
-        assert!(of("k=0", &softness, [limit, "system_mass_kg"]).is_some());
-        for (pairs, mass) in [
-            ("k=0", "areal_mass_kg_m2"),
-            ("k=1e5 mount=rigid", "areal_mass_kg_m2"),
-            ("k=1e5", "plate_mass_kg"),
-        ] {
-            assert!(of(pairs, &[], [limit, mass]).is_none(), "{pairs} {mass}");
-        }
-        assert!(of("k=1e5", &[], ["limit_if_spring_survives_m_s", "areal_mass_kg_m2"]).is_none());
-    }
-
-    fn cocked(distance_m: f64) -> Scene {
-        let mut scene = Scene::default();
-        scene.plate.cocking_m = distance_m;
-        scene
-    }
-
-    /// Of the baseline and the baseline cocked by 0.5 m, the second overloads its interface; the scenes alone do not show it.
-    #[test]
-    fn designs_are_counted_by_their_runs_and_after_a_stop_by_their_scenes() {
-        let count = |is_run: bool| {
-            let of =
-                |scene| Checked::of(&scene, named("stroke_m").unwrap(), &[], &mut || is_run).fails;
-            let fails = [0.0, 0.5].map(cocked).map(of);
-            let counts = counts_of(&fails);
-            let of = |check| counts.iter().find(|it| it.0 == check).map_or(0, |it| it.1);
-            (of(Check::Thickness), of(Check::Interface))
-        };
-        assert_eq!((count(true), count(false)), ((2, 1), (2, 0)));
-    }
-
-    #[test]
-    fn the_warnings_of_a_design_are_told_from_those_that_its_scene_has() {
-        let depth = named("final_penetration_m").unwrap();
-        let known = Checked::of(&cocked(0.0), depth, &[], &mut || true).fails;
-        let of = |distance_m| Checked::of(&cocked(distance_m), depth, &known, &mut || true);
-        let has = |list: &[String], words| list.iter().any(|text| text.contains(words));
-        assert!(of(0.0).new.is_empty() && has(&of(0.0).known, "h/D"), "{:?}", of(0.0));
-        let far = of(0.5);
-        assert!(has(&far.new, "interface push is 2.875") && has(&far.known, "h/D"), "{far:?}");
-        assert!(far.fails.contains(&Check::Interface) && far.fails.contains(&Check::Thickness));
     }
 }

@@ -107,9 +107,7 @@ impl Page for NumericsTab {
                 let kept = &app.pages.numerics.accuracy.report;
                 let (report, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
                 let file = format!("{}-accuracy.csv", app.base_stem());
-                let csv = move |name: &str| {
-                    accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
-                };
+                let csv = move |name: &str| accuracy_table::table(name, &report).csv();
                 PageTable::new("Export the measurements to CSV", file, is_complete, csv).of(
                     app.name_of(&kept.scene),
                     &kept.scene,

@@ -28,7 +28,7 @@ use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::steps::{Input, Press};
-use crate::worker::studies::SearchRequest;
+use crate::worker::studies::{SearchRequest, searches};
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -59,14 +59,14 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-/// A page of [`state::Page`], and the command that shows it.
+/// A page, and the command that shows it.
 const fn page(at: usize) -> PageSpec {
-    PageSpec { name: state::Page::ALL[at].title(), panes: &[SETUP, RESULTS] }
+    PageSpec { name: STUDIES[at].title, panes: &[SETUP, RESULTS] }
 }
 
 const fn command(at: usize) -> Command {
-    let page = state::Page::ALL[at];
-    Command::new(Call::Show(RESULTS, Some(at)), page.title(), page.synonyms())
+    let page = &STUDIES[at];
+    Command::new(Call::Show(RESULTS, Some(at)), page.title, page.synonyms)
 }
 
 const PAGES: &[PageSpec; state::Page::COUNT] = &[page(0), page(1), page(2), page(3)];
@@ -79,17 +79,38 @@ const COMMANDS: &[Command] = &[
     command(3),
 ];
 
-/// What a page asks for, and by which rows of the setup.
+/// A page: what it is called, what it asks for, and by which rows of the setup.
 struct Study {
+    /// Its subject, in two or three words.
+    title: &'static str,
+    /// Other words that it is found by.
+    synonyms: &'static str,
+    /// The file proposed for an export.
+    file: &'static str,
     /// The rows of its setup, headings included.
     rows: fn(&App) -> Vec<Row>,
     /// What the setup asks for, over the variables that it varies.
     request: fn(&App) -> Result<SearchRequest, String>,
 }
 
-/// The studies, in the order of [`state::Page`].
-const STUDIES: [Study; state::Page::COUNT] =
-    [seek::STUDY, front::STUDY, sensitivity::STUDY, monte_carlo::STUDY];
+macro_rules! studies {
+    ($($(#[$_doc:meta])* $kind:ident $page:ident,)*) => {
+        /// The studies, in the order of [`state::Page`].
+        const STUDIES: [Study; state::Page::COUNT] = [$($page::STUDY),*];
+    };
+}
+searches!(studies);
+
+impl state::Page {
+    fn study(self) -> &'static Study {
+        &STUDIES[self as usize]
+    }
+
+    /// Its subject, in two or three words.
+    pub fn title(self) -> &'static str {
+        self.study().title
+    }
+}
 
 pub(crate) struct SearchTab;
 
@@ -197,7 +218,7 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let file = format!("{}-{}", app.base_stem(), app.pages.search.page.file());
+        let file = format!("{}-{}", app.base_stem(), app.pages.search.page.study().file);
         let kept = app.pages.search.shown()?;
         let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
         let (scene, answer) = (Arc::clone(&kept.scene), Arc::clone(kept.found.as_ref()?));

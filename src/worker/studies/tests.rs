@@ -5,9 +5,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
-use super::{Asked, Finding, Found, LimitSearch, Picture, PictureSweep};
-use crate::model::scene::{InterfaceLaw, Mount, Scene};
-use crate::study::limit;
+use super::{Asked, Finding, Found, Picture, PictureSweep};
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
 use crate::worker::{Report, ReportBody, Task, Worker};
@@ -45,19 +44,6 @@ fn last(reports: &Receiver<Report>) -> Result<Found, String> {
     }
 }
 
-fn made(scene: Scene, study: impl Into<Asked>) -> Result<Found, String> {
-    let (_worker, reports) = begun(scene, study);
-    last(&reports)
-}
-
-/// The result of a study that is cancelled at its first progress.
-fn cancelled(study: impl Into<Asked>) -> Found {
-    let (worker, reports) = begun(Scene::default(), study);
-    while !matches!(next(&reports), ReportBody::Progress { .. }) {}
-    worker.cancel(1);
-    last(&reports).unwrap()
-}
-
 /// A sweep of a given number of points along two axes; with a plastic interface each takes longer.
 fn sweep(count: u64) -> PictureSweep {
     let mut scene = Scene::default();
@@ -82,23 +68,4 @@ fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
     let last = last(&reports).unwrap();
     let kept = Grid::of(&last).expect("a grid");
     assert!(!kept.is_complete() && kept.progress().0 >= done);
-}
-
-#[test]
-fn more_points_than_a_screen_needs_are_refused_in_words() {
-    let refused = made(Scene::default(), sweep(2000)).unwrap_err();
-    assert!(refused.contains("cmra sweep"), "{refused}");
-}
-
-/// A rigid mount has its limit in closed form.
-#[test]
-fn a_limit_is_found_and_a_stopped_one_says_so() {
-    let mut scene = Scene::default();
-    scene.plate.mount = Mount::Rigid;
-    let found = made(scene, LimitSearch).unwrap();
-    let limit_m_s =
-        limit::Report::of(&found).expect("a limit").limit.velocity_m_s().expect("a limit");
-    assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-    let kept = cancelled(LimitSearch);
-    assert!(!limit::Report::of(&kept).expect("a limit").is_complete);
 }

@@ -1,16 +1,15 @@
 //! A study is one request, whichever door it is asked at: the request of a tab, shown as a command, makes the same rows there.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::Bench;
 use crate::support::{cmra, scene};
 use cmra::report::sweep::grid_csv;
 use cmra::study::context::{Context, to_its_end};
-use cmra::study::search::{front, seek};
 use cmra::study::sweep::grid::{Grid, PIECE};
-use cmra::study::{monte_carlo, sensitivity};
 use cmra::tui::pages::search::state::Page;
-use cmra::worker::studies::{SearchAnswer, SearchRequest};
+use cmra::worker::studies::SearchRequest;
 
 /// Changes to the baseline that between them have another interface, mount, spring, threat and plate.
 const SCENES: [&str; 5] = [
@@ -45,21 +44,8 @@ fn by_command(command: &str, pairs: &str) -> Result<String, String> {
 
 /// The table of the Search tab.
 fn by_tab(bench: &Bench, request: &SearchRequest) -> Result<String, String> {
-    let (scene, mut watch) = (&bench.app.scene, to_its_end);
-    let context = &mut Context::new(2, &mut watch);
-    let answer = match request {
-        SearchRequest::Seek(request) => seek::seek(scene, request, context).map(SearchAnswer::Seek),
-        SearchRequest::Front(request) => {
-            let front = front::optimise(scene, request, &mut Context::new(2, &mut to_its_end));
-            front.map(|front| SearchAnswer::Front(Box::new(front)))
-        }
-        SearchRequest::Sensitivity(request) => {
-            sensitivity::study(scene, request, context).map(SearchAnswer::Sensitivity)
-        }
-        SearchRequest::MonteCarlo(request) => {
-            monte_carlo::sample(scene, request, context).map(SearchAnswer::MonteCarlo)
-        }
-    };
+    let scene = &bench.app.scene;
+    let answer = request.run(scene, 2, &|_, _| ControlFlow::Continue(()));
     Ok(answer.map_err(|error| error.to_string())?.csv(scene, NAME))
 }
 

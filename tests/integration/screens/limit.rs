@@ -48,7 +48,7 @@ pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
         if let Some(Spread(task)) = Spread::of(&study.asked).map(|it| &**it) {
             let few = monte_carlo::Request { samples: Some(20), ..task.clone() };
             let watch = &mut to_its_end;
-            let v50 = monte_carlo::sample(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
+            let v50 = monte_carlo::run(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
             bench.reply(study.id, ended(v50));
             continue;
         }

@@ -1,6 +1,7 @@
 //! The Search tab: keys and whole screens. Everything is computed but the front, which is made up: a search by chance may take
 //! another way at the last digit of a run.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::at_every_size;
@@ -11,11 +12,10 @@ use cmra::model::scene::{InterfaceLaw, Scene};
 use cmra::study::compare::map::{Map, usual_axis};
 use cmra::study::compare::{self, Hardware};
 use cmra::study::context::{Context, to_its_end};
-use cmra::study::search::front::{self, Design, Front};
-use cmra::study::sensitivity;
+use cmra::study::search::front::{self, Design, Report};
 use cmra::study::sweep::PointOutcome;
 use cmra::study::sweep::usual::{or_usual, thesis_axes};
-use cmra::study::{monte_carlo, search::seek};
+
 use cmra::tui::keymap::Tab;
 use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::{Page, Row};
@@ -24,7 +24,7 @@ use cmra::worker::studies::{AskedFor, Comparison, EqualMass, Found, SearchAnswer
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
-fn front(scene: &Scene, request: &front::Request) -> Front {
+fn front(scene: &Scene, request: &front::Request) -> Report {
     let measures =
         |i: f64| vec![Some(1e-3 + 1e-4 * i), Some(0.8 / (1.0 + i)), Some(0.5), Some(4e3)];
     let over = or_usual(&request.over, || thesis_axes(scene)).unwrap();
@@ -34,34 +34,28 @@ fn front(scene: &Scene, request: &front::Request) -> Front {
         outcome: PointOutcome::Ended(Outcome::Arrested),
         plastic: None,
     };
-    Front {
+    Report {
         designs: (0..40).map(design).collect(),
         request: front::Request { over, ..request.clone() },
         base: scene.clone(),
         outside: vec![(Check::Thickness, 40), (Check::Interface, 31)],
         runs: 2460,
         is_complete: true,
-        ..Front::default()
+        ..Report::default()
     }
 }
 
 fn made(scene: &Arc<Scene>, request: &SearchRequest) -> SearchAnswer {
-    let mut watch = to_its_end;
-    let context = &mut Context::new(1, &mut watch);
-    match request {
-        SearchRequest::Seek(request) => {
-            SearchAnswer::Seek(seek::seek(scene, request, context).unwrap())
+    let mut request = request.clone();
+    match &mut request {
+        SearchRequest::Seek(_) => {}
+        SearchRequest::Front(request) => {
+            return SearchAnswer::Front(Box::new(front(scene, request)));
         }
-        SearchRequest::Front(request) => SearchAnswer::Front(Box::new(front(scene, request))),
-        SearchRequest::Sensitivity(request) => {
-            let request = sensitivity::Request { samples: 256, ..request.clone() };
-            SearchAnswer::Sensitivity(sensitivity::study(scene, &request, context).unwrap())
-        }
-        SearchRequest::MonteCarlo(task) => {
-            let task = monte_carlo::Request { samples: Some(500), ..task.clone() };
-            SearchAnswer::MonteCarlo(monte_carlo::sample(scene, &task, context).unwrap())
-        }
+        SearchRequest::Sensitivity(request) => request.samples = 256,
+        SearchRequest::MonteCarlo(request) => request.samples = Some(500),
     }
+    request.run(scene, 1, &|_, _| ControlFlow::Continue(())).unwrap()
 }
 
 fn compared(scene: &Arc<Scene>) -> Comparison {

@@ -8,8 +8,7 @@ use cmra::model::scene::Scene;
 use cmra::study::accuracy::reference::ReferenceSource;
 use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, Wanted};
-use cmra::study::stability::others::{Fault, Verdict};
-use cmra::study::stability::{Row, Shortfall, Stiffness};
+use cmra::study::stability::{Row, Shortfall};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{AskedFor, Found, StabilityMap, StiffScenes};
 use cmra::worker::study::RowsSoFar;
@@ -47,13 +46,6 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
         took_s: 120e-6,
         error: (index != 3).then_some(2e-13),
         basis: Some(ReferenceSource::Dop853),
-        stiffness: Stiffness { swings_rad: 40.0, decays: 2.0 },
-        others: [
-            Verdict::Accurate(1e-9),
-            Verdict::None(Fault::Stuck),
-            Verdict::Inaccurate(0.2),
-            Verdict::None(Fault::BlownUp),
-        ],
         shortfall: (index == 2).then_some(Shortfall::Energy),
     };
     CASES.iter().take(count).enumerate().map(row).collect()

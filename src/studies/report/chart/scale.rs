@@ -301,17 +301,6 @@ mod tests {
     }
 
     #[test]
-    fn the_bounds_lie_in_the_middle_of_the_outer_cells() {
-        let map = Mapping::new(Scale::Linear, ViewRange::new(0.0, 200.0), 41);
-        assert_eq!(map.position(0.0), Some(0.0));
-        assert_eq!(map.position(200.0), Some(40.0));
-        assert_eq!(map.cell(50.0), Some(10));
-        assert_eq!(map.cell(202.0), Some(40));
-        assert_eq!(map.cell(203.0), None);
-        assert_eq!(map.position(f64::NAN), None);
-    }
-
-    #[test]
     fn rounded_bounds_hold_the_range_and_are_easily_read() {
         let linear = |lo, hi| ViewRange::new(lo, hi).rounded(Scale::Linear);
         assert_eq!(linear(0.0, 7.1), ViewRange::new(0.0, 8.0));
@@ -356,17 +345,6 @@ mod tests {
                 prop_assert!(sane(range), "{:?}", range);
                 prop_assert!(range.on(Scale::Log10).lo() > 0.0, "{:?}", range);
             }
-        }
-
-        #[test]
-        fn zoom_in_and_out_again_returns(
-            lo in -1e3..1e3_f64, span in 1e-3..1e3_f64, at in 0.0..1.0_f64, factor in 1.1..8.0_f64,
-        ) {
-            let view = ViewRange::new(lo, lo + span);
-            let about = lo + at * span;
-            let back = view.zoomed(Scale::Linear, about, factor).zoomed(Scale::Linear, about, 1.0 / factor);
-            prop_assert!((back.lo() - view.lo()).abs() < 1e-9 * (1.0 + lo.abs() + span));
-            prop_assert!((back.hi() - view.hi()).abs() < 1e-9 * (1.0 + lo.abs() + span));
         }
 
         #[test]

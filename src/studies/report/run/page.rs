@@ -290,7 +290,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::run::EventKind;
+
     use crate::model::simulate::{Settings, simulate};
 
     fn run_of(change: impl Fn(&mut Scene)) -> Run {
@@ -299,20 +299,6 @@ mod tests {
         let settings = Settings { series: false, estimate: true };
         simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(()))
             .expect("a valid scene")
-    }
-
-    #[test]
-    fn a_long_list_of_events_is_cut_in_the_middle() {
-        let event = |index: u32| Event { t_s: f64::from(index), kind: EventKind::StopHit };
-        let with = |count| Run { events: (0..count).map(event).collect(), ..Run::default() };
-        assert_eq!(events_in_brief(&with(20)), events(&with(20)));
-        let lines = events_in_brief(&with(321));
-        assert_eq!(lines.len(), 21);
-        assert!(
-            lines[10].starts_with("... 301 more") && lines[9].contains("9.00000 s"),
-            "{lines:?}"
-        );
-        assert!(lines[11].contains("311.000 s") && lines[20].contains("320.000 s"), "{lines:?}");
     }
 
     /// Without a spring both bodies, of equal mass, share the momentum: half the velocity, half the energy.
@@ -338,30 +324,5 @@ mod tests {
             [outcome(&run), sentence(&run)].map(|text| text.contains("ricochet is likely"))
         };
         assert_eq!((at(20.0), at(85.0)), ([false; 2], [true; 2]));
-    }
-
-    /// Element 1 is perforated, and a base plate of infinite thickness stops what comes through it.
-    #[test]
-    fn a_stack_is_told_by_the_plate_that_stops_the_shot() {
-        let run = run_of(|scene| {
-            scene.projectile.velocity_m_s = 400.0;
-            scene.stack.base_thickness_m = Some(1.0);
-        });
-        assert_eq!(run.outcome, Outcome::Perforated);
-        assert!(outcome(&run).starts_with("stack: stopped in the base plate"), "{}", outcome(&run));
-        assert_eq!(of_first(&run), " of element 1");
-    }
-
-    #[test]
-    fn a_perforation_is_told_by_its_residual_velocity_and_estimated_by_its_exit_time() {
-        let run = run_of(|scene| scene.projectile.velocity_m_s = 400.0);
-        assert!(outcome(&run).starts_with("perforated, residual velocity 279.9 m/s"));
-        assert!(sentence(&run).contains("its residual velocity is 279.9 m/s"));
-        let lines = computation(&run, None).join("\n");
-        assert!(
-            lines.contains(" of the exit time (from a second computation with fewer stages)"),
-            "{lines}"
-        );
-        assert!(!lines.contains("run time"), "{lines}");
     }
 }

@@ -199,9 +199,6 @@ enumeration! {
 
 impl Method {
     /// Computes a valid scene.
-    ///
-    /// # Errors
-    /// A [`Refusal`] when the method gives no answer.
     pub fn solve(self, parameter: Parameter, scene: &Scene) -> Result<Answer, Refusal> {
         Job::new(self, parameter, scene).run()
     }
@@ -256,9 +253,6 @@ impl Job {
     }
 
     /// Do it.
-    ///
-    /// # Errors
-    /// A [`Refusal`] when the method gives no answer.
     pub fn run(&self) -> Result<Answer, Refusal> {
         (self.method.run())(self)
     }
@@ -275,9 +269,6 @@ fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
 }
 
 /// The answer of a run that is decided.
-///
-/// # Errors
-/// Why it is not.
 pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     if run.outcome == Outcome::Moving || !run.end.is_complete() {
         return Err(Refusal::Ended(run.end));
@@ -346,13 +337,5 @@ mod tests {
         assert!(thesis.contains(&Parameter::Step(1e-6)), "the thesis's own step");
         assert_eq!(thesis.len(), 5);
         assert!(!Method::Rk4.parameters(1e3, Ladder::Quick).is_empty());
-    }
-
-    #[test]
-    fn letters_are_unique() {
-        let mut letters = Method::ALL.map(Method::letter).to_vec();
-        letters.sort_unstable();
-        letters.dedup();
-        assert_eq!(letters.len(), Method::ALL.len());
     }
 }

@@ -7,7 +7,7 @@ use super::*;
 use crate::model::reference::Stored;
 use crate::model::run::Outcome;
 use crate::study::changed_free_plate;
-use crate::study::context::{to_its_end, until};
+use crate::study::context::to_its_end;
 
 fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
@@ -32,19 +32,6 @@ fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
 fn compared(pairs: &str, ladder: Ladder) -> HashMap<char, MethodReport> {
     let methods = report(&scene(pairs), ladder).methods.into_iter();
     methods.map(|method| (method.method.letter(), method)).collect()
-}
-
-#[test]
-fn orders_are_those_of_theory_on_a_smooth_scene() {
-    let methods = compared("k=1e5", Ladder::Full);
-    let order = |letter: char| methods[&letter].observed_order();
-    assert!((order('E').unwrap() - 4.0).abs() < 0.5, "{:?}", order('E'));
-    let least = |letter: char| methods[&letter].least_error().unwrap();
-    assert!(least('R') > 100.0 * least('E'), "{:e} {:e}", least('R'), least('E'));
-    assert!(order('D').unwrap() > 4.0, "{:?}", order('D'));
-    assert!((order('I').unwrap() - 5.0).abs() < 1.0, "{:?}", order('I'));
-    // The printed scheme approaches a limit of its own.
-    assert!((order('T').unwrap() - 1.0).abs() < 0.3, "{:?}", order('T'));
 }
 
 /// 82.65 % of the depth on a rigid mount instead of 64.28 %: an independent computation of both.
@@ -102,19 +89,6 @@ fn tight_parameters_of_every_accurate_method_reach_the_reference() {
 }
 
 #[test]
-fn a_stiff_scene_keeps_the_rows_of_those_who_fail_on_it() {
-    let methods = compared("b=1e8 gamma=1e-4", Ladder::Quick);
-    let explicit = &methods[&'D'];
-    assert_eq!(explicit.points.len(), Method::Dop853.parameters(1e-4, Ladder::Quick).len());
-    assert!(explicit.points.iter().any(|point| point.result.is_err()));
-    for letter in ['A', 'N'] {
-        let mut errors = methods[&letter].measured().map(|(_, measured)| measured.errors);
-        let accurate = |error: Option<f64>| error.is_some_and(|error| error < 1e-10);
-        assert!(errors.any(|[depth, time, ..]| accurate(depth) && accurate(time)), "{letter}");
-    }
-}
-
-#[test]
 fn every_error_has_a_reference_of_other_steps_and_none_lies_below_its_uncertainty() {
     for (pairs, others) in [
         ("mount=rigid", ReferenceSource::Dop853),
@@ -143,16 +117,6 @@ fn every_error_has_a_reference_of_other_steps_and_none_lies_below_its_uncertaint
             }
         }
     }
-}
-
-#[test]
-fn a_stopped_comparison_keeps_what_it_has() {
-    let mut watch = until(1);
-    let context = &mut Context::new(1, &mut watch);
-    let report =
-        compare(&scene("k=1e5"), ComparisonOptions::QUICK, &mut ticking(), context).unwrap();
-    assert!(!report.is_complete);
-    assert_eq!(report.methods.iter().map(|method| method.points.len()).sum::<usize>(), 2);
 }
 
 /// A report of points with a tolerance, an error and a run time each.
@@ -184,8 +148,6 @@ fn a_lucky_hit_is_not_the_answer() {
 fn of_points_that_cost_the_same_the_coarsest_answers() {
     let report = made_up(&[(1e-3, 0.0, 1.02), (1e-4, 0.0, 1.0), (1e-5, 0.0, 1.04)]);
     assert_eq!(report.cheapest(1e-6).unwrap().parameter, Parameter::Tolerance(1e-3));
-    // Steps that do not differ show no order.
-    assert_eq!(report.observed_order(), None);
 }
 
 #[test]

@@ -54,31 +54,3 @@ pub fn time<T>(clock: Clock<'_>, patience: Patience, mut run: impl FnMut() -> T)
     }
     (0..batches).map(|_| batch_of(size)).fold(f64::INFINITY, smaller)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::cell::Cell;
-
-    const PATIENCE: Patience = Patience { point_s: 1e-3, slow_s: 0.1 };
-
-    /// The time, and the number of runs, by a clock that moves on with each run.
-    fn timed(cost_s: f64) -> (f64, usize) {
-        let (now, runs) = (Cell::new(0.0), Cell::new(0));
-        let min_s = time(&mut || now.get(), PATIENCE, || {
-            runs.set(runs.get() + 1);
-            now.set(now.get() + cost_s);
-        });
-        (min_s, runs.get())
-    }
-
-    #[test]
-    fn short_runs_are_batched_and_slow_ones_run_once() {
-        let (min_s, runs) = timed(1e-6);
-        assert!((min_s / 1e-6 - 1.0).abs() < 1e-6);
-        assert!((100..3000).contains(&runs), "{runs}");
-        assert_eq!(timed(0.5), (0.5, 1));
-        // A clock that stands still does not hang.
-        assert!(timed(0.0).1 <= BATCH_MAX * BATCHES.1 + 1);
-    }
-}

@@ -39,9 +39,6 @@ struct Limits {
 }
 
 /// The limit velocity of a valid scene if its spring must survive, m/s.
-///
-/// # Errors
-/// Why there is none.
 pub fn limit_if_spring_survives_m_s(scene: &Scene) -> Result<f64, String> {
     variables::require_single(scene).map_err(|error| error.to_string())?;
     let mut own = scene.clone();
@@ -140,29 +137,18 @@ impl Judge<'_, '_> {
         built: &Built,
     ) -> Option<(Option<f64>, Failure)> {
         let scene = Arc::clone(&self.scene);
-        let design_m_s = scene.projectile.velocity_m_s;
         let mut holds_m_s = 0.0;
-        // What was sized for a shot holds it, and nothing faster.
-        let beside = [design_m_s, design_m_s * (1.0 + JUST_BELOW)];
-        let mut next = beside.into_iter();
-        loop {
-            let middle = 0.5 * (holds_m_s + fails_m_s);
-            let between = |it: &f64| holds_m_s < *it && *it < fails_m_s;
-            let velocity_m_s = next.find(between).unwrap_or(middle);
-            match built.failure(&scene, &demand(&self.fire(velocity_m_s)?)) {
-                None => holds_m_s = velocity_m_s,
-                Some(found) => (fails_m_s, failure) = (velocity_m_s, found),
-            }
-            if holds_m_s >= beside[0] && fails_m_s <= beside[1] {
-                return Some((Some(design_m_s), failure));
-            }
-            if fails_m_s <= limit::RANGE_M_S.0 {
-                return Some((None, failure));
-            }
+        while fails_m_s > limit::RANGE_M_S.0 {
             if fails_m_s - holds_m_s <= WIDTH * fails_m_s {
                 return Some((Some(fails_m_s), failure));
             }
+            let between_m_s = 0.5 * (holds_m_s + fails_m_s);
+            match built.failure(&scene, &demand(&self.fire(between_m_s)?)) {
+                None => holds_m_s = between_m_s,
+                Some(found) => (fails_m_s, failure) = (between_m_s, found),
+            }
         }
+        Some((None, failure))
     }
 }
 

@@ -32,9 +32,6 @@ pub struct Map {
 
 impl Map {
     /// The map of a scene over two axes.
-    ///
-    /// # Errors
-    /// A [`SweepError`] where scene or axes make no sense.
     pub fn compute(
         scene: &Scene,
         axes: &[Axis; 2],
@@ -113,9 +110,6 @@ pub fn usual_axes(scene: &Scene) -> Option<[Axis; 2]> {
 
 /// The axis of a variable that is requested by its name alone: around the scene's own value at equal ratios, or over the range
 /// of Table 9.2.
-///
-/// # Errors
-/// A [`SweepError`] for an unknown or wordy variable, and one without such a range.
 pub fn usual_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, SweepError> {
     let (variable, number) = numeric(name)?;
     let (low, high) = if variable.symbol == "v_i" { AROUND_VELOCITY } else { AROUND };

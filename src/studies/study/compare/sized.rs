@@ -3,18 +3,15 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::scene::{Mount, Scene, Target};
-use crate::model::units::fixed_significant;
+use crate::model::scene::{Mount, Scene};
 use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware, is_held};
 use crate::study::compare::solid::thickness_of_limit;
 use crate::study::first_contact::{self, Wanted};
-use crate::study::limit::verdict::{Change, ShotOutcome, change, decide, digits_apart};
+use crate::study::limit::verdict::{ShotOutcome, decide, edge};
 
 /// Relative width to which the thickness is closed in.
 pub const WIDTH: f64 = 1e-9;
-/// Relative distance from the thickness at which a closure changes that is none.
-const AT_THE_CHANGE: f64 = 1e-4;
 /// How often a bracket is widened by a factor of two before the search is given up.
 const WIDENED_MAX: usize = 20;
 /// The least thickness of the numerical envelope, m.
@@ -29,13 +26,8 @@ pub enum Absence {
     NoThickness,
     /// Every thickness of the numerical envelope is enough: of a preloaded mechanism, or a light plate of given face.
     EveryThickness,
-    /// Runs at thicknesses between two end undecided, however long they are followed.
-    Undecided {
-        /// The thickest plate below that is known to be perforated, m.
-        perforated_m: Option<f64>,
-        /// The thinnest plate above that is known to stop the shot, m.
-        stopped_m: f64,
-    },
+    /// Runs of the plates just thick enough end undecided, however long they are followed.
+    Undecided,
     /// A stack is no armour of one plate.
     Stack,
     /// Nothing stops plate and projectile.
@@ -49,7 +41,7 @@ pub enum Absence {
 impl Absence {
     /// Whether it is the verdict that it leaves open, and not the armour that is missing.
     pub fn is_open(self) -> bool {
-        matches!(self, Self::Undecided { .. })
+        self == Self::Undecided
     }
 
     /// The letter that stands for it in maps.
@@ -57,19 +49,11 @@ impl Absence {
         match self {
             Self::NoSolid => 'N',
             Self::NoThickness | Self::EveryThickness => 'T',
-            Self::Undecided { .. } => '?',
+            Self::Undecided => '?',
             Self::Stack => 'S',
             Self::NothingStops => 'U',
             Self::NoSpringMass => 'M',
             Self::Fails(_) => 'F',
-        }
-    }
-
-    /// In words that hold for all points with its letter.
-    pub fn brief(self) -> String {
-        match self {
-            Self::Undecided { .. } => "least thickness not decided".to_owned(),
-            _ => self.words(),
         }
     }
 
@@ -82,15 +66,8 @@ impl Absence {
                 "even the thinnest plate within the model's range stops the shot: there is no least thickness"
                     .to_owned()
             }
-            Self::Undecided { perforated_m, stopped_m } => {
-                let digits = perforated_m.map_or(6, |it| digits_apart(1e3 * it, 1e3 * stopped_m));
-                let shown = |metres: f64| fixed_significant(1e3 * metres, digits);
-                format!(
-                    "least thickness not decided: it lies above {} and below {} mm (stopped); runs between these thicknesses end \
-                     before their outcome is known",
-                    perforated_m.map_or_else(|| "0".to_owned(), |it| shown(it) + " mm (perforated)"),
-                    shown(stopped_m),
-                )
+            Self::Undecided => {
+                "least thickness not decided: runs end before their outcome is known".to_owned()
             }
             Self::Stack => "a stack is compared with nothing: its mechanisms share one shot".to_owned(),
             Self::NothingStops => "nothing stops plate and projectile".to_owned(),
@@ -118,22 +95,10 @@ impl Sized {
     pub fn mass_efficiency(&self) -> f64 {
         self.solid_areal_kg_m2 / self.areal_kg_m2
     }
-
-    /// Whether the armour or the solid plate is just as thick as the projectile, where a closure by thickness changes.
-    pub(super) fn rests_on_closure(&self) -> bool {
-        let target = &self.scene.target;
-        let change_m = Target::thick_from_m(self.scene.projectile.tip_radius_m);
-        let both_m = [target.thickness_m, self.solid_areal_kg_m2 / target.density_kg_m3];
-        let is_there = |thickness_m: f64| (thickness_m / change_m - 1.0).abs() < AT_THE_CHANGE;
-        self.scene.closure_by_thickness().is_some() && both_m.into_iter().any(is_there)
-    }
 }
 
 /// Mass efficiency of a valid scene at its own impact velocity, its thickness sized to a relative width. Opens no file and keeps
 /// nothing: scene in, number out.
-///
-/// # Errors
-/// Why there is none.
 pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<f64, Absence> {
     if !is_held(scene) {
         return Err(Absence::NothingStops);
@@ -213,26 +178,21 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     if !is_enough {
         return Err(Absence::NoThickness);
     }
-    let undecided = |thin: Option<f64>, thick: f64| Absence::Undecided {
-        perforated_m: thin.map(|thin| thin * thickness_m),
-        stopped_m: thick * thickness_m,
-    };
     // Slow shots are stopped by thinner plates than the envelope has: for these the least is a free plate.
     let thinnest = smaller(thin, THINNEST_M / thickness_m);
     loop {
         match try_out(thin)?.verdict {
             ShotOutcome::Perforated => break,
             ShotOutcome::Stopped if thin <= thinnest => return Err(Absence::EveryThickness),
-            ShotOutcome::Undecided if thin <= thinnest => return Err(undecided(None, thick)),
+            ShotOutcome::Undecided if thin <= thinnest => return Err(Absence::Undecided),
             ShotOutcome::Stopped => thick = thin,
             ShotOutcome::Undecided => {}
         }
         thin = larger(0.5 * thin, thinnest);
     }
-    let (thin, stops) = ((thin, ShotOutcome::Perforated), (thick, ShotOutcome::Stopped));
-    match change(thin, stops, width, &mut |factor| Some(try_out(factor).ok()?.verdict)) {
-        Some(Change::At(_, thick)) => Ok((thick, try_out(thick)?)),
-        Some(Change::Between(thin, thick)) => Err(undecided(Some(thin), thick)),
-        None => Err(Absence::NoThickness),
+    let look = &mut |factor| Some(try_out(factor).ok()?.verdict);
+    match edge(thin, (thick, ShotOutcome::Stopped), width, look).ok_or(Absence::NoThickness)?.1 {
+        (_, ShotOutcome::Undecided) => Err(Absence::Undecided),
+        (thick, _) => Ok((thick, try_out(thick)?)),
     }
 }

@@ -1,9 +1,7 @@
 //! The comparison against closed forms.
 
-use std::ops::ControlFlow;
-
 use super::*;
-use crate::study::compare::map::{Map, usual_axes, usual_axis};
+use crate::study::compare::map::{Map, usual_axis};
 use crate::study::context::{to_its_end, until};
 use crate::study::sweep::{Axis, Spacing};
 use crate::study::testing::scene;
@@ -77,19 +75,6 @@ fn undecided_runs_of_thicker_plates_do_not_hide_the_thinnest_that_stops_the_shot
 }
 
 #[test]
-fn a_thickness_between_two_says_which_and_gives_no_verdict() {
-    let absence = Absence::Undecided { perforated_m: Some(1.5e-3), stopped_m: 1.6e-3 };
-    let text = absence.words();
-    assert!(
-        text.contains("above 1.50000 mm (perforated) and below 1.60000 mm (stopped)"),
-        "{text}"
-    );
-    let mut report = plain("k=1e5");
-    report.entries[0].sized = Err(absence);
-    assert_eq!((report.verdict(), report.caution()), (Profitability::Unknown, Some(text)));
-}
-
-#[test]
 fn a_rigid_plate_is_its_own_solid_plate() {
     for pairs in ["", "theta=30deg", "C_d=0", "h=3mm"] {
         let found = plain(pairs);
@@ -150,36 +135,6 @@ fn preload_is_the_energy_of_the_cocked_spring_and_a_rigid_stop_has_no_greatest_f
 }
 
 #[test]
-fn what_does_not_exist_is_absent() {
-    let found = plain("k=0 b=0");
-    let load = found.of(Candidate::Scene).unwrap().load;
-    assert!(load.stroke_m.is_none() && load.preload_j.is_none() && load.mount_force_n.is_none());
-    // No spring, no mass of a spring: the solid plate is the rigid one.
-    assert_eq!(found.of(Candidate::Scene).unwrap().spring_kg, Some(0.0));
-    let perforated = plain("v_i=400");
-    let own = perforated.of(Candidate::Rigid).unwrap();
-    assert!(own.depth_m.is_none() && own.residual_m_s.is_some());
-    let mut asked = 0;
-    let stop = &mut |_, _: Option<&()>| {
-        asked += 1;
-        if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let cut = compare(&Arc::default(), Hardware::default(), &mut Context::new(1, stop)).unwrap();
-    assert!(!cut.is_complete && cut.entries.is_empty());
-}
-
-#[test]
-fn a_stack_is_refused() {
-    let stack = scene("elements=2 h_base=3mm");
-    let mut watch = to_its_end;
-    let context = &mut Context::new(1, &mut watch);
-    let refused = compare(&Arc::new(stack.clone()), Hardware::default(), context).unwrap_err();
-    assert!(refused.to_string().contains("looks at one plate"), "{refused}");
-    assert_eq!(mass_efficiency(&stack, Hardware::default(), WIDTH), Err(Absence::Stack));
-    assert!(limit_if_spring_survives_m_s(&stack).is_err());
-}
-
-#[test]
 fn the_map_is_the_closed_form() {
     let axis = |name, ends, count| Axis::new(name, ends, count, Spacing::Linear).unwrap();
     let axes = [axis("v_i", (10.0, 90.0), 41), axis("gamma", (0.5, 7.0), 4)];
@@ -206,31 +161,6 @@ fn the_map_is_the_closed_form() {
     assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
 }
 
-/// Of a hard core of 6.248 mm against AA6082 a plate of that thickness stops 271 to 287 m/s by one closure and not by the other: the
-/// thinnest armour and solid plate are both of h = D.
-#[test]
-fn a_mass_efficiency_at_the_change_of_closure_comes_with_a_caution() {
-    let core = "m_p=5.3g R=3.124mm rho=2700 Y=260MPa E=70GPa h=12mm k=1 e_spring=18200";
-    let found = |pairs: &str| plain(&format!("{core} closure=by-thickness gamma=41.63 {pairs}"));
-    let at = found("v_i=281");
-    assert!(at.caution().unwrap().contains("closure=double-yield and closure=cavity"));
-    let solid = at.of(Candidate::Rigid).unwrap().sized.as_ref().unwrap();
-    assert!(close(solid.scene.target.thickness_m, 2.0 * 3.124e-3, 1e-8));
-    assert_eq!(found("v_i=200").caution(), None);
-}
-
-#[test]
-fn a_map_over_the_thickness_that_it_sizes_is_refused() {
-    let axis = |name| Axis::new(name, (0.01, 0.02), 2, Spacing::Linear).unwrap();
-    let axes = [axis("h"), axis("face")];
-    let map = |pairs: &str| {
-        let mut watch = to_its_end;
-        let context = &mut Context::new(1, &mut watch);
-        Map::compute(&scene(pairs), &axes, Hardware::default(), context)
-    };
-    assert!(map("face=0.1").unwrap_err().to_string().contains("does not depend on h"));
-}
-
 #[test]
 fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
     let limit = |pairs: &str| limit_if_spring_survives_m_s(&scene(pairs)).unwrap();
@@ -245,25 +175,4 @@ fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
     assert!((limit("mount=rigid") - 232.295_378).abs() < 5e-7);
     let beyond = limit_if_spring_survives_m_s(&scene("k=0 gamma=0.05")).unwrap_err();
     assert!(beyond.contains("beyond 3000 m/s"), "{beyond}");
-}
-
-/// The command that is shown asks for the same.
-#[test]
-fn a_request_is_its_command() {
-    let map = usual_axes(&Scene::default());
-    let text = Request { hardware: Hardware::Sized, map }.to_string();
-    let head = "compare --size --map v_i=10..200:41:log,gamma=";
-    assert!(text.starts_with(head), "{text}");
-    assert_eq!(Request::default().to_string(), "compare");
-}
-
-/// The map draws its line of 1 with an `O`.
-#[test]
-fn no_letter_of_the_map_is_that_of_its_line() {
-    let undecided = Absence::Undecided { perforated_m: None, stopped_m: 0.01 };
-    let other =
-        [Absence::NoSolid, Absence::NoThickness, Absence::NothingStops, Absence::NoSpringMass];
-    for absence in [undecided].into_iter().chain(other) {
-        assert_ne!(absence.letter(), 'O', "{}", absence.brief());
-    }
 }

@@ -3,6 +3,8 @@
 //! R. F. Recht and T. W. Ipson, *Journal of Applied Mechanics* 30 (1963) 384-390: `v_r = a (v² - v_bl²)^(1/2)`. J. P. Lambert and
 //! G. H. Jonas, report BRL R-1852 (1976): `v_r = a (v^p - v_bl^p)^(1/p)`, with a, p and `v_bl` all fitted.
 
+use serde::Serialize;
+
 use crate::numerics::minimum;
 
 const P: (f64, f64) = (1.0, 12.0);
@@ -10,13 +12,14 @@ const P: (f64, f64) = (1.0, 12.0);
 const LEAST_LIMIT: f64 = 0.3;
 
 /// A law for the residual velocity: `v_r = a (v^p - v_bl^p)^(1/p)`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ResidualLaw {
     /// Part of the velocity that is left far beyond the limit.
     pub a: f64,
     /// The exponent: 2 in Recht and Ipson's law.
     pub p: f64,
     /// The limit it goes through, m/s.
+    #[serde(rename = "v_bl_m_s")]
     pub limit_m_s: f64,
     /// Root mean square of what it misses, m/s.
     pub misfit_m_s: f64,

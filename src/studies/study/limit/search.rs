@@ -11,7 +11,7 @@ use crate::numerics::smaller;
 use crate::study::context::Context;
 use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::closures::jump;
-use crate::study::limit::verdict::{Change, ShotOutcome, change, decide};
+use crate::study::limit::verdict::{Judged, ShotOutcome, decide, edge};
 use crate::study::limit::{
     ABOVE, AtLimit, BELOW, CURVE, Closures, JUST_BELOW, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
     closed_form,
@@ -153,7 +153,8 @@ impl ShotRunner<'_, '_, '_> {
                 ShotOutcome::Undecided => limit = limit.above_undecided(velocity_m_s),
                 ShotOutcome::Perforated => {
                     let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
-                    let lower = self.closed_in(lower_m_s, velocity_m_s)?;
+                    let below = (lower_m_s, ShotOutcome::Stopped);
+                    let lower = self.closed_in(below, velocity_m_s)?;
                     return Some(lower.stopped_again(Some(limit_m_s)));
                 }
             }
@@ -170,16 +171,15 @@ impl ShotRunner<'_, '_, '_> {
         Some(limit.stopped_again(again_m_s))
     }
 
-    /// The limit between a shot that is stopped and one that perforates.
-    fn closed_in(&mut self, stopped_m_s: f64, through_m_s: f64) -> Option<Limit> {
-        let (through, stopped) =
-            ((through_m_s, ShotOutcome::Perforated), (stopped_m_s, ShotOutcome::Stopped));
-        Some(match change(through, stopped, WIDTH, &mut |it| self.verdict(it))? {
-            Change::At(a, b) => Limit::found(0.5 * (a + b), LimitMethod::Outcome),
-            Change::Between(perforated, stopped) => Limit::Between {
-                stopped_m_s: (stopped > RANGE_M_S.0).then_some(stopped),
-                perforated_m_s: Some(perforated),
-            },
+    /// The limit between a shot that does not perforate and one that does.
+    fn closed_in(&mut self, below: Judged, through_m_s: f64) -> Option<Limit> {
+        let found = edge(through_m_s, below, WIDTH, &mut |it| self.verdict(it))?;
+        Some(match found {
+            (through_m_s, (undecided_m_s, ShotOutcome::Undecided)) => {
+                let limit = Limit::found(through_m_s, LimitMethod::Outcome);
+                limit.above_undecided(undecided_m_s)
+            }
+            (a, (b, _)) => Limit::found(0.5 * (a + b), LimitMethod::Outcome),
         })
     }
 
@@ -188,40 +188,29 @@ impl ShotRunner<'_, '_, '_> {
         let (low, high): (f64, f64) = RANGE_M_S;
         let ratio = (high / low).powf(1.0 / (SCAN - 1) as f64);
         let velocities: Vec<f64> = (0..SCAN).map(|point| low * ratio.powf(point as f64)).collect();
-        let mut stopped_m_s = None;
+        let (mut below, mut undecided_m_s) = (None, None);
         for (point, &velocity) in velocities.iter().enumerate() {
-            let faster = &velocities[point + 1..];
-            match self.verdict(velocity)? {
-                ShotOutcome::Stopped => stopped_m_s = Some(velocity),
-                ShotOutcome::Perforated => {
-                    // What is stopped only above a range in which everything perforates has no limit velocity either.
-                    let Some(stopped_m_s) = stopped_m_s else { return Some(Limit::Always) };
-                    let mut again_m_s = None;
-                    for &faster_m_s in faster {
-                        if self.verdict(faster_m_s)? == ShotOutcome::Stopped {
-                            again_m_s = Some(faster_m_s);
-                            break;
-                        }
-                    }
-                    let limit = self.closed_in(stopped_m_s, velocity)?;
-                    return Some(limit.stopped_again(again_m_s));
-                }
-                ShotOutcome::Undecided => {
-                    // The least from which on all perforate, looked for from above: undecided shots take long.
-                    let mut through_m_s = None;
-                    for &faster_m_s in faster.iter().rev() {
-                        if self.verdict(faster_m_s)? != ShotOutcome::Perforated {
-                            break;
-                        }
-                        through_m_s = Some(faster_m_s);
-                    }
-                    let Some(through_m_s) = through_m_s else {
-                        return Some(Limit::Between { stopped_m_s, perforated_m_s: None });
-                    };
-                    let limit = self.closed_in(stopped_m_s.unwrap_or(low), through_m_s)?;
-                    return Some(limit.above_undecided(velocity));
+            let verdict = self.verdict(velocity)?;
+            if verdict != ShotOutcome::Perforated {
+                below = Some((velocity, verdict));
+                let is_undecided = verdict == ShotOutcome::Undecided;
+                undecided_m_s = undecided_m_s.or_else(|| is_undecided.then_some(velocity));
+                continue;
+            }
+            // What is stopped only above a range in which everything perforates has no limit velocity either.
+            let Some(below) = below else { return Some(Limit::Always) };
+            let mut again_m_s = None;
+            for &faster_m_s in &velocities[point + 1..] {
+                if self.verdict(faster_m_s)? == ShotOutcome::Stopped {
+                    again_m_s = Some(faster_m_s);
+                    break;
                 }
             }
+            let limit = self.closed_in(below, velocity)?.stopped_again(again_m_s);
+            return Some(match undecided_m_s {
+                Some(undecided_m_s) => limit.above_undecided(undecided_m_s),
+                None => limit,
+            });
         }
         Some(Limit::Never)
     }
@@ -237,7 +226,7 @@ impl ShotRunner<'_, '_, '_> {
                 let above = (1..=ABOVE).map(|i| 1.0 + (to - 1.0) * share(i, ABOVE).powi(2));
                 below.chain(above).map(|times| times * velocity_m_s).collect()
             }
-            Limit::Between { .. } | Limit::Never | Limit::Always => {
+            Limit::Never | Limit::Always => {
                 let (low, high): (f64, f64) = RANGE_M_S;
                 let step = (high / low).powf(1.0 / ABOVE as f64);
                 (0..=ABOVE).map(|i| low * step.powf(i as f64)).collect()

@@ -1,11 +1,9 @@
 //! Limits against closed forms, and the absence of a limit said as such.
 
 use super::verdict::ShotOutcome;
-use std::ops::ControlFlow;
 
 use super::*;
-use crate::model::scene::InterfaceLaw;
-use crate::study::context::{Progress, to_its_end, until};
+use crate::study::context::to_its_end;
 use crate::study::{changed_free_plate, plain_run};
 
 fn scene(pairs: &str) -> Arc<Scene> {
@@ -116,40 +114,6 @@ fn undecided_shots_below_a_known_change_leave_the_limit_known() {
     assert!((105.0..107.6).contains(&undecided_m_s), "{undecided_m_s}");
     assert!(report.undecided().unwrap().contains("not known to perforate"));
     assert_eq!(found("k=1e5").undecided(), None);
-}
-
-#[test]
-fn a_limit_between_two_velocities_says_which() {
-    let limit = Limit::Between { stopped_m_s: Some(157.325), perforated_m_s: Some(157.337) };
-    let text = limit.absence().unwrap();
-    assert!(text.contains("157.325 m/s (stopped)") && text.contains("157.337 m/s (perforated)"));
-    assert_eq!((limit.velocity_m_s(), limit.bracket_m_s().0), (None, Some(157.325)));
-}
-
-#[test]
-fn a_stopped_search_keeps_what_it_has() {
-    let stop_at =
-        |most: usize| find(&scene("k=1e5"), &mut Context::new(1, &mut until(most))).unwrap();
-    let early = stop_at(5);
-    assert_eq!((early.limit, early.is_complete), (Limit::Unknown, false));
-    let later = stop_at(SCAN + 60);
-    assert!(later.limit.velocity_m_s().is_some() && !later.is_complete);
-}
-
-/// Not only between two shots: one on the plastic law may take a minute.
-#[test]
-fn a_long_shot_is_stopped_within_it() {
-    let mut own = Scene::clone(&scene("k=1e5"));
-    own.interface.law = InterfaceLaw::Plastic;
-    own.run.horizon_s = Some(1e6);
-    let mut asked = 0;
-    let stop = &mut |progress: Progress, _: Option<&()>| {
-        asked += 1;
-        assert!(asked <= 500, "{} shots", progress.done);
-        if asked == 500 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let report = find(&Arc::new(own), &mut Context::new(1, stop)).unwrap();
-    assert_eq!((report.limit, report.is_complete), (Limit::Unknown, false));
 }
 
 /// The plate of a damper goes the less far the nearer the shot is to the limit: 1e-6 below it the stroke was 1.3e-4 too long.

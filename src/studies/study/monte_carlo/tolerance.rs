@@ -101,18 +101,12 @@ impl PartialEq for Tolerance {
 
 impl Tolerance {
     /// An input by its name.
-    ///
-    /// # Errors
-    /// [`SweepError`] for a variable that does not exist or has no numbers.
     pub fn new(name: &str, distribution: Distribution) -> Result<Self, SweepError> {
         let (variable, number) = numeric(name)?;
         Ok(Self { variable, number, distribution })
     }
 
     /// Read `normal:2%`, `normal:0.5mm` and `lognormal:5%`, about the scene's own value, or `uniform:24mm..27mm`.
-    ///
-    /// # Errors
-    /// The error, and the cure.
     pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
         let (variable, number) = numeric(name).map_err(|error| error.to_string())?;
         let symbol = variable.symbol;

@@ -13,7 +13,7 @@ use crate::study::quantities::{Quantity, named};
 use crate::study::search::sampling::{self, Judged, Sample};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::usual::{or_usual, thesis_axes};
-use crate::study::sweep::{Axis, EvaluatedDesign, Failure, Plan, PointOutcome, SweepError};
+use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity::{self, Checked, Plastic};
 pub use constraint::Constraint;
 
@@ -40,9 +40,6 @@ pub struct Objective {
 
 impl Objective {
     /// One by the name of its measure.
-    ///
-    /// # Errors
-    /// A [`SweepError`] for an unknown name.
     pub fn of(name: &str, maximise: bool) -> Result<Self, SweepError> {
         Ok(Self { measure: named(name)?, maximise })
     }
@@ -159,7 +156,7 @@ pub struct Lack {
 
 /// The front.
 #[derive(Clone, Debug, Default)]
-pub struct Front {
+pub struct Report {
     /// What was searched for, with the variables that were varied.
     pub request: Request,
     /// The scene whose other variables were held.
@@ -180,7 +177,7 @@ pub struct Front {
     pub is_complete: bool,
 }
 
-impl Front {
+impl Report {
     /// The scene of one of its designs.
     pub fn scene(&self, design: &Design) -> Scene {
         scene_with(&self.base, &self.request.over, &design.values)
@@ -191,18 +188,18 @@ impl Front {
 ///
 /// # Errors
 /// A [`SweepError`] when bounds, names or the scene make no sense: then nothing has run.
-pub fn optimise(
+pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_, Front>,
-) -> Result<Front, SweepError> {
+    context: &mut Context<'_, Report>,
+) -> Result<Report, SweepError> {
     let over = or_usual(&request.over, || thesis_axes(scene))?;
     let request = Request { over, ..request.clone() };
     let names: Vec<&str> = request.measures().iter().map(|measure| measure.name).collect();
     let plan = Plan::for_designs(scene, request.over.clone(), &names)?.limited(STEPS_MAX);
     context.expect(request.samples);
     let known = Checked::of(scene, request.objectives[0].measure, &[], &mut || true).fails;
-    let front = Front { request, base: scene.clone(), is_complete: true, ..Front::default() };
+    let front = Report { request, base: scene.clone(), is_complete: true, ..Report::default() };
     Ok(Search { plan, known, front }.run(context))
 }
 
@@ -210,11 +207,11 @@ struct Search {
     plan: Plan,
     /// The checks that the scene itself fails.
     known: Vec<Check>,
-    front: Front,
+    front: Report,
 }
 
 impl Search {
-    fn run(mut self, context: &mut Context<'_, Front>) -> Front {
+    fn run(mut self, context: &mut Context<'_, Report>) -> Report {
         let (inputs, samples) = (self.plan.axes().len(), self.front.request.samples);
         // The scene itself is tried, where the bounds hold it.
         let share = |axis: &Axis| axis.share(axis.get(&self.front.base)?);
@@ -241,8 +238,8 @@ impl Search {
     fn judged(
         &mut self,
         points: &[Vec<f64>],
-        context: &mut Context<'_, Front>,
-    ) -> Option<Vec<(Judged, EvaluatedDesign)>> {
+        context: &mut Context<'_, Report>,
+    ) -> Option<Vec<(Judged, Point)>> {
         let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
         let found = self.plan.evaluate(&designs, context);
         let mut judged: Vec<Judged> = found.iter().map(|found| self.judge(found)).collect();
@@ -274,7 +271,7 @@ impl Search {
         &self,
         designs: &[Vec<f64>],
         candidates: &[usize],
-        context: &mut Context<'_, Front>,
+        context: &mut Context<'_, Report>,
     ) -> Vec<Vec<Check>> {
         let stop = context.stop();
         let check = |at: &usize| {
@@ -286,7 +283,7 @@ impl Search {
     }
 
     /// Counts a design that has no value of an objective.
-    fn note_lack(&mut self, found: &EvaluatedDesign) {
+    fn note_lack(&mut self, found: &Point) {
         let mut measures = self.front.request.objectives.iter().map(|it| it.measure);
         let Some(measure) = measures.find(|it| self.value(found, it).is_none()) else { return };
         let outcome = found.outcome;
@@ -298,7 +295,7 @@ impl Search {
     }
 
     /// A measure of a design; `None` where it does not exist, and where the plate is perforated and designs may not be compared by it.
-    fn value(&self, found: &EvaluatedDesign, measure: &Quantity) -> Option<f64> {
+    fn value(&self, found: &Point, measure: &Quantity) -> Option<f64> {
         let is_perforated = found.outcome == PointOutcome::Ended(Outcome::Perforated);
         let at = self.plan.outputs().iter().position(|other| *other == measure)?;
         found.values[at].filter(|_| !is_perforated || measure.tells_of_perforation())
@@ -310,16 +307,16 @@ impl Search {
         axes.zip(shares).map(|(axis, share)| axis.at_share(*share)).collect()
     }
 
-    fn designs(&self, best: &[Sample<EvaluatedDesign>]) -> Vec<Design> {
-        let design = |one: &Sample<EvaluatedDesign>| {
-            let EvaluatedDesign { outcome, values } = one.found.clone();
+    fn designs(&self, best: &[Sample<Point>]) -> Vec<Design> {
+        let design = |one: &Sample<Point>| {
+            let Point { outcome, values, .. } = one.found.clone();
             Design { values: self.place(&one.shares), measures: values, outcome, plastic: None }
         };
         let first = |design: &Design| design.measures[0].unwrap_or(f64::NAN);
         sorted_by(sampling::front(best).into_iter().map(design).collect(), first)
     }
 
-    fn judge(&self, found: &EvaluatedDesign) -> Judged {
+    fn judge(&self, found: &Point) -> Judged {
         let Request { objectives, subject_to, .. } = &self.front.request;
         let value = |objective: &Objective| {
             let value = self.value(found, objective.measure)?;

@@ -158,10 +158,10 @@ impl Report {
 ///
 /// # Errors
 /// A [`SweepError`] when bounds, name or scene make no sense: then nothing has run.
-pub fn seek(
+pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_>,
+    context: &mut Context<'_, Report>,
 ) -> Result<Report, SweepError> {
     let Request { over: axis, goal } = request;
     let space = Plan::for_designs(scene, vec![axis.clone()], &[goal.measure.name])?;

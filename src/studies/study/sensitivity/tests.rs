@@ -1,7 +1,7 @@
 //! The study on scenes whose answer is known.
 
 use super::*;
-use crate::study::context::{to_its_end, until};
+use crate::study::context::to_its_end;
 use crate::study::plain_run;
 use crate::study::quantities::named;
 use crate::study::testing::{axes, rigid, scene};
@@ -11,7 +11,7 @@ fn request(over: Vec<Axis>, output: &str) -> Request {
 }
 
 fn found(scene: &Scene, axes: Vec<Axis>, output: &str) -> Result<Report, SweepError> {
-    study(scene, &request(axes, output), &mut Context::new(2, &mut to_its_end))
+    run(scene, &request(axes, output), &mut Context::new(2, &mut to_its_end))
 }
 
 #[test]
@@ -24,23 +24,6 @@ fn what_has_an_effect_comes_first_and_the_ends_are_those_of_runs() {
     fast.projectile.velocity_m_s = 120.0;
     let exact = plain_run(&fast).unwrap().final_penetration_m.unwrap();
     assert!((found.bars[1].high.unwrap() / exact - 1.0).abs() < 1e-14);
-}
-
-#[test]
-fn a_stop_keeps_what_there_is() {
-    let asked = axes(&[("gamma", 0.8, 7.0), ("k", 0.0, 7.5e6)]);
-    let mut watch = until(10);
-    let stopped = &mut Context::new(2, &mut watch);
-    let cut = study(&Scene::default(), &request(asked, "percent_of_baseline"), stopped).unwrap();
-    assert!(cut.sobol.is_none() && cut.bars[0].swing().is_some());
-}
-
-#[test]
-fn too_many_variables_are_refused() {
-    let names = ["gamma", "d", "b", "k", "n", "m", "v_i", "h", "R", "m_p", "rho", "S_y", "C_d"];
-    let many = axes(&names.map(|name| (name, 1.0, 2.0)));
-    let refused = found(&Scene::default(), many, "stroke_m").unwrap_err();
-    assert!(refused.to_string().contains("13 axes are too many: a sweep has at most 12"));
 }
 
 /// What Monte Carlo scatters varies too: of a plate by its face and a closure by cavity the shot, the plate and its material; of the

@@ -23,9 +23,6 @@ pub struct Case {
 
 impl Case {
     /// The scene.
-    ///
-    /// # Errors
-    /// A [`VariableError`] when a change is not understood, which a test rules out.
     pub fn scene(&self) -> Result<Arc<Scene>, VariableError> {
         changed_free_plate(self.changes).map(Arc::new)
     }

@@ -210,9 +210,6 @@ fn nearest(values: &[f64], value: f64) -> Option<usize> {
 }
 
 /// That a scene has a map: one plate on a power law, and the hydrodynamic contact.
-///
-/// # Errors
-/// A [`VariableError`] that says what to change.
 pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
     variables::validate(scene)?;
     variables::require_hydrodynamic(scene)?;
@@ -372,11 +369,6 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::context::{Progress, to_its_end};
-
-    fn wanted(size: Size) -> Wanted {
-        Wanted { method: FixedStep::Rk4, axis: Axis::B, size }
-    }
 
     #[test]
     fn valid_limits_of_runge_kutta_on_the_axes() {
@@ -404,18 +396,6 @@ mod tests {
     }
 
     #[test]
-    fn a_map_has_a_cell_for_every_row_and_column() {
-        let mut watch = to_its_end;
-        let context = &mut Context::new(1, &mut watch);
-        let size = Size { rows: 4, columns: 5 };
-        let map = map(&Scene::default(), wanted(size), context);
-        assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
-        assert_eq!(map.cell(0, 0), Cell::Accurate);
-        assert!(map.limit_s[3] < map.limit_s[1]);
-        assert!(map.largest_stable_dt_s.is_some());
-    }
-
-    #[test]
     fn a_plate_held_by_a_steep_spring_has_a_limit_far_below_any_step() {
         // (F/k)^(1/n) is 7e-18 m; there, with F = 2.4e4 N, the tangent n F/x is 3e20 N/m, and 2.83 sqrt(m/tangent) some 3e-11 s.
         let mut scene = Scene::default();
@@ -423,22 +403,5 @@ mod tests {
         let target = Target::of(&scene).unwrap();
         let limit_s = limit(&scene, FixedStep::Rk4, &target.peaks).unwrap();
         assert!((1e-12..1e-10).contains(&limit_s), "{limit_s:e}");
-    }
-
-    #[test]
-    fn a_map_that_is_stopped_keeps_its_rows() {
-        let mut rows = 0;
-        let stop = &mut |progress: Progress, _: Option<&Map>| {
-            assert_eq!((progress.done, progress.total), (rows, 40));
-            rows += 1;
-            if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
-        let context = &mut Context::new(1, stop);
-        let size = Size { rows: 40, columns: 5 };
-        let map = map(&Scene::default(), wanted(size), context);
-        assert_eq!(map.cells.len(), 200);
-        assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Waiting));
-        assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Waiting));
-        assert_eq!(rows, 3);
     }
 }

@@ -7,7 +7,7 @@ use std::fmt;
 use std::ops::{Range, RangeInclusive};
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
-use crate::model::units::{self, Prefix};
+use crate::model::units;
 use crate::model::variables::{self, Allowed, Number, Variable};
 use crate::numerics::larger;
 use crate::study::error::SweepError;
@@ -62,10 +62,6 @@ impl PartialEq for Axis {
 
 impl Axis {
     /// An axis over the variable `name`, in its stored unit; the ends may be in either order.
-    ///
-    /// # Errors
-    /// [`SweepError`] for an unknown or wordy variable, fewer than two points, equal or impossible ends, and ends that are not
-    /// positive at equal ratios.
     pub fn new(
         name: &str,
         (from, to): (f64, f64),
@@ -78,9 +74,6 @@ impl Axis {
     }
 
     /// The axis a scene requests, where it may have a given number of points.
-    ///
-    /// # Errors
-    /// As [`Axis::new`]; of a list also for a value that stands twice.
     pub fn of(asked: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
         let (variable, number) = numeric(&asked.name)?;
         let mut range = SweepAxis { name: variable.symbol.to_owned(), ..asked.clone() };
@@ -100,9 +93,6 @@ impl Axis {
     }
 
     /// The axes of a sweep as a scene keeps it.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
     pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
         sweep.axes.iter().map(|axis| Self::of(axis, &COUNTS)).collect()
     }
@@ -136,14 +126,6 @@ impl Axis {
     pub fn show(&self, value: f64, digits: usize) -> String {
         let unit = self.variable.unit();
         format!("{} {unit}", units::significant(value, digits)).trim_end().to_owned()
-    }
-
-    /// The same with the prefix that the unit takes for this value: `25.4 mm`.
-    pub fn show_prefixed(&self, value: f64, digits: usize) -> String {
-        let unit = self.variable.unit();
-        let prefix = Prefix::for_unit(value, unit);
-        let number = units::significant(value / prefix.size, digits);
-        format!("{number} {}{unit}", prefix.letter).trim_end().to_owned()
     }
 
     /// The same axis as a scene file has it.
@@ -352,9 +334,6 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
 mod tests {
     use super::*;
 
-    /// Name, ends, count, spacing, and what the refusal says.
-    type Case = (&'static str, (f64, f64), u64, Spacing, &'static [&'static str]);
-
     fn axis(from: f64, to: f64, count: u64, spacing: Spacing) -> Axis {
         Axis::new("k", (from, to), count, spacing).unwrap()
     }
@@ -369,17 +348,6 @@ mod tests {
         let decades: Vec<f64> =
             (0..5).map(|index| self::axis(1e2, 1e6, 5, Spacing::Log).value(index)).collect();
         assert_eq!(decades, [1e2, 1e3, 1e4, 1e5, 1e6]);
-    }
-
-    #[test]
-    fn an_axis_turned_round_has_the_same_values() {
-        for spacing in [Spacing::Linear, Spacing::Log] {
-            let (up, down) = (axis(0.3, 7.7e5, 17, spacing), axis(7.7e5, 0.3, 17, spacing));
-            for index in 0..17 {
-                let (a, b) = (up.value(index), down.value(16 - index));
-                assert_eq!(a.to_bits(), b.to_bits(), "{spacing:?} {index}");
-            }
-        }
     }
 
     #[test]
@@ -407,59 +375,6 @@ mod tests {
                 let rising = axis.ends().0 < axis.ends().1;
                 assert_eq!(last, if rising { 40 } else { 0 });
                 assert!(spacing == Spacing::Log || first == 40 - last);
-            }
-        }
-    }
-
-    #[test]
-    fn a_list_has_its_values_in_their_order() {
-        let listed = |values: &[f64]| {
-            let values = values.to_vec();
-            Axis::of(&SweepAxis { values, ..SweepAxis::linear("k", 0.0, 0.0, 0) }, &COUNTS)
-        };
-        let axis = listed(&[1e5, 1e4, 3e6]).unwrap();
-        let values: Vec<f64> = (0..axis.count()).map(|index| axis.value(index)).collect();
-        assert_eq!(values, [1e5, 1e4, 3e6]);
-        assert_eq!(axis.ends(), (1e4, 3e6));
-        assert_eq!([2e4, 9e4, 9e9].map(|value| axis.nearest(value)), [1, 0, 2]);
-        let shares = [0.0, 0.34, 0.99, 1.0].map(|share| axis.at_share(share));
-        assert_eq!(shares.to_vec(), vec![1e5, 1e4, 3e6, 3e6]);
-        assert_eq!(Axis::of(&axis.to_sweep_axis(), &COUNTS).unwrap(), axis);
-        for (values, fragment) in [
-            (&[1e5][..], "count = 1"),
-            (&[1e5, 2e5, 1e5], "1e5 occurs twice"),
-            (&[1e5, -1.0], "reaches -1 N/m^n"),
-        ] {
-            let text = listed(values).unwrap_err().to_string();
-            assert!(text.contains(fragment), "{text}");
-        }
-    }
-
-    #[test]
-    fn bad_axes_are_refused_with_name_value_rule_and_cure() {
-        let (lin, log) = (Spacing::Linear, Spacing::Log);
-        let cases: [Case; 10] = [
-            (
-                "gamma",
-                (0.8, 7.0),
-                0,
-                lin,
-                &["gamma", "count = 0", "2 to 1000000000 points", "hold"],
-            ),
-            ("gamma", (2.0, 2.0), 5, lin, &["gamma", "both ends are 2", "must differ", "hold"]),
-            ("gamma", (-1.0, 7.0), 5, lin, &["gamma", "-1", "greater than 0", "above 0"]),
-            ("theta", (0.0, 90.0), 5, lin, &["theta", "90 deg", "less than 90", "below 90"]),
-            ("k", (-5.0, 5.0), 5, lin, &["k", "-5 N/m^n", "0 N/m^n or more", "end at 0"]),
-            ("e", (0.0, 1.5), 5, lin, &["1.5", "0 to 1", "end at 1"]),
-            ("k", (0.0, 7.5e6), 5, log, &["k", "0 to 7.5e6", "greater than 0", "omit log", "7500"]),
-            ("n", (0.1, f64::INFINITY), 5, lin, &["n", "inf"]),
-            ("interface", (0.0, 1.0), 5, lin, &["interface", "no numbers", "fused or plastic"]),
-            ("gama", (0.0, 1.0), 5, lin, &["`gama`", "did you mean `gamma`"]),
-        ];
-        for (name, ends, count, spacing, fragments) in cases {
-            let text = Axis::new(name, ends, count, spacing).unwrap_err().to_string();
-            for fragment in fragments {
-                assert!(text.contains(fragment), "{name} {ends:?}: {text} lacks {fragment}");
             }
         }
     }

@@ -8,29 +8,21 @@ use std::ops::Range;
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
 use crate::study::context::{Context, Work};
-use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows};
+use crate::study::sweep::{Evaluator, Plan, Point};
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
 const PIECE: u64 = 16;
 const PIECE_OF_RUNS: u64 = 1;
 
-/// The results of one design.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EvaluatedDesign {
-    /// Its outcome.
-    pub outcome: PointOutcome,
-    /// Its measures, in the order requested; `None` where one does not exist, as [`PointOutcome::counts`] has it.
-    pub values: Vec<Option<f64>>,
-}
-
 impl Plan {
     /// Evaluate designs in the place of the plan's points, each a value for every axis, in the stored unit (NaN: the variable is
-    /// absent). Fewer than those when it was stopped. Whether a design makes physical sense is the caller's business.
+    /// absent). Fewer than those when it was stopped. Whether a design makes physical sense is the caller's business. A value that does
+    /// not count, as [`crate::study::outcome::PointOutcome::counts`] has it, does not exist.
     pub fn evaluate<P: ?Sized>(
         &self,
         designs: &[Vec<f64>],
         context: &mut Context<'_, P>,
-    ) -> Vec<EvaluatedDesign> {
+    ) -> Vec<Point> {
         if context.is_stopped() {
             return Vec::new();
         }
@@ -39,22 +31,17 @@ impl Plan {
         let stop = context.stop();
         let worker = || {
             let mut evaluator = Evaluator::new(&plan, &stop);
-            let plan = &plan;
-            move |points: Range<u64>| plan.found(&evaluator.rows(points))
+            move |points: Range<u64>| evaluator.points(&points.collect::<Vec<u64>>())
         };
         let at_once = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
         let work = Work { count: plan.points, at_once };
-        context.map(work, worker, |context, _| context.goes_on())
-    }
-
-    fn found(&self, rows: &Rows) -> Vec<EvaluatedDesign> {
-        let of_row = |row: usize| {
-            let outcome = rows.outcome(row);
-            let outputs = self.outputs.iter().enumerate();
-            let value = outputs.map(|(at, it)| rows.value(row, at).filter(|_| outcome.counts(it)));
-            EvaluatedDesign { outcome, values: value.collect() }
-        };
-        (0..rows.len()).map(of_row).collect()
+        let mut found = context.map(work, worker, |context, _| context.goes_on());
+        for Point { outcome, values, .. } in &mut found {
+            for (value, output) in values.iter_mut().zip(&self.outputs) {
+                value.take_if(|_| !outcome.counts(output));
+            }
+        }
+        found
     }
 
     /// Whether designs are simulated one by one: on the plastic law, and where a measure is not known from the contact alone.
@@ -78,12 +65,12 @@ mod tests {
     use crate::model::run::{EndReason, Outcome};
     use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate};
-    use crate::study::context::{to_its_end, until};
+    use crate::study::context::to_its_end;
     use crate::study::quantities::named;
-    use crate::study::sweep::Failure;
+    use crate::study::sweep::{Failure, PointOutcome};
     use crate::study::testing::axes;
 
-    fn whole(space: &Plan, designs: &[Vec<f64>], threads: usize) -> Vec<EvaluatedDesign> {
+    fn whole(space: &Plan, designs: &[Vec<f64>], threads: usize) -> Vec<Point> {
         space.evaluate(designs, &mut Context::<()>::new(threads, &mut to_its_end))
     }
 
@@ -155,20 +142,5 @@ mod tests {
         assert_eq!(free[1].outcome, PointOutcome::Ended(Outcome::Arrested));
         assert_eq!(found[1].outcome, PointOutcome::Failed(Failure::Early(EndReason::StepBudget)));
         assert_eq!(found[1].values, [None, None]);
-    }
-
-    #[test]
-    fn a_perforated_plate_has_no_depth_and_a_stop_keeps_finished_results() {
-        let space =
-            Plan::for_designs(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
-        let found = whole(&space, &[vec![100.0], vec![800.0]], 1);
-        assert_eq!(found[1].outcome, PointOutcome::Ended(Outcome::Perforated));
-        assert!(found[1].values[0].is_none() && found[0].values[0].is_some());
-        let many = vec![vec![100.0]; 200];
-        let mut watch = until::<()>(40);
-        let mut context = Context::new(1, &mut watch);
-        context.expect(many.len());
-        let part = space.evaluate(&many, &mut context);
-        assert!(context.is_stopped() && part.len() > 40 && part.len() < 200, "{}", part.len());
     }
 }

@@ -3,8 +3,7 @@
 //! An evaluator belongs to one thread and takes a piece of the sweep at once: first the contacts that decide their points, all of
 //! them together; then the other points one by one. Neither the piece's size nor its neighbours change a digit.
 
-use std::collections::BTreeMap;
-use std::ops::{ControlFlow, Range};
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
@@ -19,59 +18,29 @@ use crate::study::quantities::{Quantity, Search};
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
 
-/// The results at consecutive points.
-#[derive(Clone, Debug, Default)]
-pub struct Rows {
-    outputs: usize,
-    outcomes: Vec<PointOutcome>,
-    values: Vec<f64>,
-    reasons: BTreeMap<usize, String>,
+/// The results at a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Its outcome.
+    pub outcome: PointOutcome,
+    /// Its outputs, in the order requested; `None` where one does not exist.
+    pub values: Vec<Option<f64>>,
+    /// Why one that takes many shots does not exist.
+    reason: String,
 }
 
-impl Rows {
-    /// Room for rows of a given number of outputs.
-    pub fn new(outputs: usize) -> Self {
-        Self { outputs, ..Self::default() }
+impl Point {
+    /// With these outputs.
+    pub(super) fn of(outcome: PointOutcome, values: impl Iterator<Item = Option<f64>>) -> Self {
+        Self { outcome, values: values.collect(), reason: String::new() }
     }
 
-    /// How many rows there are.
-    pub fn len(&self) -> usize {
-        self.outcomes.len()
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.outcomes.is_empty()
-    }
-
-    /// The outcome of a row's point.
-    pub fn outcome(&self, row: usize) -> PointOutcome {
-        self.outcomes[row]
-    }
-
-    /// An output of a row; `None` where it does not exist.
-    pub fn value(&self, row: usize, output: usize) -> Option<f64> {
-        let value = self.values[row * self.outputs + output];
-        (!value.is_nan()).then_some(value)
-    }
-
-    /// Why a row has no result, or lacks one that takes many shots.
-    pub fn reason(&self, row: usize) -> Option<&str> {
-        match self.outcomes[row] {
+    /// Why it has no result, or lacks one that takes many shots.
+    pub fn reason(&self) -> Option<&str> {
+        match self.outcome {
             PointOutcome::Failed(failure) => Some(failure.words()),
-            PointOutcome::Ended(_) => self.reasons.get(&row).map(String::as_str),
+            PointOutcome::Ended(_) => Some(&*self.reason).filter(|reason| !reason.is_empty()),
         }
-    }
-
-    pub(super) fn push(
-        &mut self,
-        outcome: PointOutcome,
-        values: impl Iterator<Item = Option<f64>>,
-    ) {
-        self.outcomes.push(outcome);
-        self.values.extend(values.take(self.outputs).map(|value| value.unwrap_or(f64::NAN)));
-        // Rows stay whole whatever was handed in.
-        self.values.resize(self.outcomes.len() * self.outputs, f64::NAN);
     }
 }
 
@@ -102,13 +71,8 @@ impl<'p> Evaluator<'p> {
         Kernel::of(plan).is_some()
     }
 
-    /// The outputs at a piece of the sweep, one row for each point; fewer rows when it was stopped.
-    pub fn rows(&mut self, points: Range<u64>) -> Rows {
-        self.rows_of(&points.collect::<Vec<u64>>())
-    }
-
-    /// The same for any points.
-    pub fn rows_of(&mut self, points: &[u64]) -> Rows {
+    /// The results at some points; at fewer when it was stopped.
+    pub fn points(&mut self, points: &[u64]) -> Vec<Point> {
         let plan = self.plan;
         if let Some(kernel) = &mut self.kernel {
             let scene = Arc::make_mut(&mut self.scene);
@@ -116,7 +80,7 @@ impl<'p> Evaluator<'p> {
             let answered = catch_unwind(AssertUnwindSafe(|| kernel.answer(points, scene)));
             self.kernel = self.kernel.take().filter(|_| answered.is_ok());
         }
-        let mut rows = Rows::new(plan.outputs().len());
+        let mut found = Vec::with_capacity(points.len());
         for (place, index) in points.iter().enumerate() {
             if let Some((outcome, answer)) =
                 self.kernel.as_ref().and_then(|kernel| kernel.found(place))
@@ -125,30 +89,23 @@ impl<'p> Evaluator<'p> {
                     plan.place(Arc::make_mut(&mut self.scene), *index);
                 }
                 let scene = &self.scene;
-                rows.push(
-                    *outcome,
-                    plan.outputs().iter().map(|output| output.of_contact(answer, scene)),
-                );
+                let values = plan.outputs().iter().map(|output| output.of_contact(answer, scene));
+                found.push(Point::of(*outcome, values));
                 continue;
             }
-            if self.one(*index, &mut rows).is_none() {
-                break;
-            }
+            let Some((point, _)) = self.one(*index) else { break };
+            found.push(point);
         }
-        rows
+        found
     }
 
-    /// The full simulation of a point, its outputs added to `rows`; `None` when it was stopped.
-    pub fn one(
-        &mut self,
-        index: u64,
-        rows: &mut Rows,
-    ) -> Option<(PointOutcome, Result<Run, Failure>)> {
+    /// The full simulation of a point, and its run where it has one; `None` when it was stopped.
+    pub fn one(&mut self, index: u64) -> Option<(Point, Option<Run>)> {
         if self.stop.is_set() {
             return None;
         }
-        let (run, values) = match self.run(index) {
-            Ok((run, values)) => (Ok(run), values),
+        let (run, found) = match self.run(index) {
+            Ok((run, found)) => (Ok(run), found),
             Err(failure) => (Err(failure), Vec::new()),
         };
         let outcome = match &run {
@@ -161,17 +118,11 @@ impl<'p> Evaluator<'p> {
             Ok(run) => PointOutcome::of(run),
             Err(failure) => PointOutcome::Failed(*failure),
         };
-        let reasons: Vec<&str> = values
-            .iter()
-            .filter_map(|it| it.as_ref().err())
-            .map(String::as_str)
-            .filter(|it| !it.is_empty())
-            .collect();
-        if !reasons.is_empty() {
-            rows.reasons.insert(rows.len(), reasons.join("; "));
-        }
-        rows.push(outcome, values.into_iter().map(Result::ok));
-        Some((outcome, run))
+        let reasons = found.iter().filter_map(|it| it.as_ref().err()).filter(|it| !it.is_empty());
+        let reason = reasons.cloned().collect::<Vec<String>>().join("; ");
+        let mut values: Vec<Option<f64>> = found.into_iter().map(Result::ok).collect();
+        values.resize(self.plan.outputs().len(), None);
+        Some((Point { outcome, values, reason }, run.ok()))
     }
 
     /// The full simulation of a point, without a series, and its outputs where it came to its end.

@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 use crate::model::run::envelope::Check;
 use crate::study::context::{Context, Work};
-use crate::study::sweep::summary::OutcomeCounts;
-use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows, SweepError};
+use crate::study::outcome::OutcomeCounts;
+use crate::study::sweep::{Evaluator, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity;
 
 /// The most points a grid may have: some tens of megabytes.
@@ -25,9 +25,6 @@ const COARSEST: usize = 16;
 const COARSE_POINTS: usize = 6;
 
 /// That a plan has no more points than a grid.
-///
-/// # Errors
-/// [`SweepError`] where it has more.
 pub fn fits(plan: &Plan) -> Result<(), SweepError> {
     let points = plan.points();
     let most = GRID_MAX;
@@ -135,15 +132,14 @@ impl Grid {
     }
 
     /// The points that are there, in the order of the sweep, and what came out.
-    pub fn rows(&self) -> (Vec<u64>, Rows) {
+    pub fn points(&self) -> (Vec<u64>, Vec<Point>) {
         let outputs = self.plan.outputs().len();
-        let mut rows = Rows::new(outputs);
         let there = self.outcomes.iter().enumerate().filter_map(|(at, outcome)| {
-            let values = &self.values[at * outputs..(at + 1) * outputs];
-            rows.push((*outcome)?, values.iter().copied().map(Some));
-            Some(at as u64)
+            let values = self.values[at * outputs..][..outputs].iter();
+            let values = values.map(|value| Some(*value).filter(|value| !value.is_nan()));
+            Some((at as u64, Point::of((*outcome)?, values)))
         });
-        (there.collect(), rows)
+        there.unzip()
     }
 
     /// What to draw for an output at a point, or at the nearest coarser one while the grid is being filled.
@@ -186,14 +182,14 @@ impl Grid {
             };
             let worker = || {
                 let mut evaluator = Evaluator::new(&plan, &stop);
-                move |piece: Range<u64>| evaluator.rows_of(slice(&piece))
+                move |piece: Range<u64>| evaluator.points(slice(&piece))
             };
             let all = points.len() as u64;
             let work = Work { count: all, at_once };
-            context.each(work, worker, |context, piece, rows: Rows| {
-                let whole = rows.len() == slice(&piece).len();
-                self.put(slice(&piece).iter().copied(), &rows);
-                context.count(rows.len());
+            context.each(work, worker, |context, piece, found: Vec<Point>| {
+                let whole = found.len() == slice(&piece).len();
+                self.put(slice(&piece).iter().copied(), &found);
+                context.count(found.len());
                 let finished = whole && piece.end == all;
                 if finished {
                     self.stride = stride;
@@ -235,21 +231,21 @@ impl Grid {
         points
     }
 
-    /// Keep the rows of the points that follow those kept so far, of a grid that is filled in the order of its points.
-    pub fn extend(&mut self, rows: &Rows) {
+    /// Keep the points that follow those kept so far, of a grid that is filled in the order of its points.
+    pub fn extend(&mut self, found: &[Point]) {
         let first = self.done as u64;
-        self.put(first.., rows);
+        self.put(first.., found);
     }
 
-    fn put(&mut self, points: impl IntoIterator<Item = u64>, rows: &Rows) {
+    fn put(&mut self, points: impl IntoIterator<Item = u64>, found: &[Point]) {
         let outputs = self.plan.outputs().len();
-        for (row, index) in (0..rows.len()).zip(points) {
+        for (point, index) in found.iter().zip(points) {
             let Ok(index) = usize::try_from(index) else { continue };
             self.done += usize::from(self.outcomes[index].is_none());
-            self.outcomes[index] = Some(rows.outcome(row));
-            for output in 0..outputs {
-                let value = rows.value(row, output).unwrap_or(f64::NAN);
-                self.values[index * outputs + output] = value;
+            self.outcomes[index] = Some(point.outcome);
+            let values = &mut self.values[index * outputs..][..outputs];
+            for (kept, value) in values.iter_mut().zip(&point.values) {
+                *kept = value.unwrap_or(f64::NAN);
             }
         }
     }

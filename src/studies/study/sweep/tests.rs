@@ -1,14 +1,12 @@
 //! Plans are checked, points are found from their index, and results equal those of a single run.
 
 use std::ops::ControlFlow;
-use std::ops::Range;
 use std::sync::Arc;
 
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::model::run::Outcome;
-use crate::study::context::{CancelFlag, Context, to_its_end, until};
-use crate::study::parallel::{self, Work};
+use crate::study::context::{CancelFlag, Context};
 use crate::study::plain_run;
 use crate::study::testing::scene;
 
@@ -18,29 +16,10 @@ fn axis(name: &str, from: f64, to: f64, count: u64) -> Axis {
     Axis::new(name, (from, to), count, Spacing::Linear).unwrap()
 }
 
-fn rows(plan: &Plan) -> Rows {
+fn points(plan: &Plan) -> Vec<Point> {
     let stop = CancelFlag::default();
-    Evaluator::new(plan, &stop).rows(0..plan.points())
-}
-
-#[test]
-fn the_last_axis_runs_fastest() {
-    let axes = vec![axis("gamma", 1.0, 2.0, 2), axis("k", 0.0, 3.0, 4), axis("n", 1.0, 3.0, 3)];
-    let plan = Plan::new(&Scene::default(), axes, &NONE).unwrap();
-    assert_eq!(plan.points(), 24);
-    let mut index = 0;
-    for gamma in [1.0, 2.0] {
-        for k in [0.0, 1.0, 2.0, 3.0] {
-            for n in [1.0, 2.0, 3.0] {
-                let found = [0, 1, 2].map(|axis| plan.coordinate(index, axis).to_bits());
-                assert_eq!(found, [gamma, k, n].map(f64::to_bits), "{index}");
-                let scene = plan.scene(index);
-                assert_eq!(scene.plate.mass_ratio.to_bits(), f64::to_bits(gamma));
-                assert_eq!(scene.mechanism.spring.exponent.to_bits(), f64::to_bits(n));
-                index += 1;
-            }
-        }
-    }
+    let all: Vec<u64> = (0..plan.points()).collect();
+    Evaluator::new(plan, &stop).points(&all)
 }
 
 /// Nothing stops a plate without spring; no shot in range perforates 5 m of it.
@@ -49,12 +28,12 @@ fn a_row_says_why_many_shots_give_no_value() {
     let outputs = ["limit_velocity_m_s", "mass_efficiency"];
     let axes = vec![axis("h", 0.0254, 5.0, 2)];
     let plan = Plan::new(&scene("k=0 b=0"), axes, &outputs).unwrap();
-    let rows = rows(&plan);
-    let reasons = [0, 1].map(|row| rows.reason(row).unwrap().to_owned());
+    let found = points(&plan);
+    let reasons = [0, 1].map(|row: usize| found[row].reason().unwrap().to_owned());
     assert_eq!(reasons[0], "nothing stops plate and projectile");
     assert!(reasons[1].contains("beyond 3000 m/s"), "{reasons:?}");
     assert!(
-        (rows.value(0, 0).unwrap() - 347.708_052).abs() < 5e-7,
+        (found[0].values[0].unwrap() - 347.708_052).abs() < 5e-7,
         "the closed form of a free plate"
     );
 }
@@ -92,14 +71,6 @@ fn each_point_is_in_one_shard_and_in_order() {
         let error = Shard::parse(text).unwrap_err().to_string();
         assert!(error.contains("2/8"), "{error}");
     }
-}
-
-#[test]
-fn great_sweeps_are_enumerated_without_memory() {
-    let axes = vec![axis("gamma", 0.8, 7.0, 10_000), axis("k", 0.0, 7.5e6, 10_000)];
-    let plan = Plan::new(&Scene::default(), axes, &NONE).unwrap();
-    assert_eq!(plan.points(), 100_000_000);
-    assert_eq!(plan.coordinate(99_999_999, 0).to_bits(), 7f64.to_bits());
 }
 
 /// The value of an output by a single full simulation.
@@ -147,14 +118,14 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
     ];
     for (scene, axes) in surfaces() {
         let plan = Plan::new(&scene, axes, &names).unwrap();
-        let rows = rows(&plan);
-        assert_eq!(rows.len() as u64, plan.points());
-        for (row, index) in (0..plan.points()).enumerate() {
+        let found = points(&plan);
+        assert_eq!(found.len() as u64, plan.points());
+        for (point, index) in found.iter().zip(0..) {
             let scene = plan.scene(index);
             for (output, name) in names.iter().enumerate() {
                 let (outcome, exact) = single(&scene, name);
-                assert_eq!(rows.outcome(row), outcome, "{:?} {index}", plan.axes());
-                let found = rows.value(row, output);
+                assert_eq!(point.outcome, outcome, "{:?} {index}", plan.axes());
+                let found = point.values[output];
                 assert_eq!(found.is_some(), exact.is_some(), "{:?} {index} {name}", plan.axes());
                 let Some((found, exact)) = found.zip(exact) else { continue };
                 // What moves by less than a thousand-millionth of a millimetre does not move.
@@ -170,56 +141,11 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
     }
 }
 
-/// Every bit of what threads make of a plan.
-fn by_threads(
-    plan: &Plan,
-    (threads, at_once): (usize, u64),
-    shard: Shard,
-) -> Vec<(PointOutcome, u64)> {
-    let stop = CancelFlag::default();
-    let mut all = Vec::new();
-    let worker = || {
-        let mut evaluator = Evaluator::new(plan, &stop);
-        move |piece: Range<u64>| {
-            evaluator.rows_of(&piece.map(|row| shard.point(row)).collect::<Vec<_>>())
-        }
-    };
-    let work = Work { count: shard.count(plan.points()), at_once };
-    let ended = parallel::map(threads, work, worker, |news| {
-        let rows = news.map_or_else(Rows::default, |(_, rows)| rows);
-        for row in 0..rows.len() {
-            for output in 0..plan.outputs().len() {
-                let value = rows.value(row, output).unwrap_or(f64::NAN);
-                all.push((rows.outcome(row), value.to_bits()));
-            }
-        }
-        ControlFlow::Continue(())
-    });
-    assert!(ended.is_continue());
-    all
-}
-
-#[test]
-fn threads_pieces_and_shards_do_not_change_a_bit() {
-    for (scene, axes) in surfaces() {
-        let plan = Plan::new(&scene, axes, &USUAL_OUTPUTS).unwrap();
-        let whole = by_threads(&plan, (1, 1_000_000), Shard::WHOLE);
-        for parallel in [(2, 3), (3, 64)] {
-            assert_eq!(by_threads(&plan, parallel, Shard::WHOLE), whole);
-        }
-        for part in 0..3 {
-            let shard = Shard::parse(&format!("{}/3", part + 1)).unwrap();
-            let points = whole.chunks(plan.outputs().len()).skip(part).step_by(3);
-            assert_eq!(by_threads(&plan, (2, 5), shard), points.collect::<Vec<_>>().concat());
-        }
-    }
-}
-
 #[test]
 fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
     let axes = vec![axis("gamma", 0.8, 7.0, 33), axis("k", 0.0, 7.5e6, 20)];
     let plan = Plan::new(&scene(""), axes, &USUAL_OUTPUTS).unwrap();
-    let direct = rows(&plan);
+    let direct = points(&plan);
     let mut seen = Vec::new();
     let watch = &mut |_, pass: Option<&Grid>| {
         if let Some(grid) = pass {
@@ -232,42 +158,7 @@ fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
     let grid = Grid::new(Arc::new(plan)).unwrap().fill(7, &mut Context::new(2, watch));
     assert_eq!(seen, [9 * 5, 17 * 10, 33 * 20]);
     assert!(grid.is_complete());
-    for x in 0..33 {
-        for y in 0..20 {
-            assert_eq!(grid.outcome(x, y), Some(direct.outcome(x * 20 + y)));
-            for output in 0..2 {
-                let (a, b) = (grid.value(x, y, output), direct.value(x * 20 + y, output));
-                assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits));
-            }
-        }
-    }
+    assert_eq!(grid.points().1, direct);
     // k = 0: nothing stops the plate.
-    assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Ended(Outcome::Arrested)));
-}
-
-#[test]
-fn a_stopped_grid_keeps_the_finished_part() {
-    let axes = vec![axis("gamma", 0.8, 7.0, 101), axis("n", 0.1, 3.0, 101)];
-    // With a stop every point is a full simulation: none is over before the flag is seen.
-    let plan = Plan::new(&scene("x_stop=2mm"), axes, &USUAL_OUTPUTS).unwrap();
-    let grid = Grid::new(Arc::new(plan)).unwrap().fill(4, &mut Context::new(2, &mut until(20)));
-    let (done, all) = grid.progress();
-    assert!((20..200).contains(&done), "{done} of {all}");
-    assert_eq!(grid.outcomes().total(), done as u64);
-    assert_eq!(grid.outcomes().failed, 0, "a stopped point is not a failed one");
-}
-
-#[test]
-fn the_depth_of_a_perforation_is_no_number() {
-    let axes = vec![axis("v_i", 200.0, 260.0, 7)];
-    let names = ["final_penetration_m", "residual_velocity_m_s", "max_plate_displacement_m"];
-    let plan = Plan::new(&scene("mount=rigid"), axes, &names).unwrap();
-    let empty = Grid::new(Arc::new(plan)).unwrap();
-    let grid = empty.fill(64, &mut Context::new(1, &mut to_its_end));
-    // The limit of the rigid plate is 232.295 m/s in closed form: 230 is stopped, 240 is not.
-    assert!(matches!(grid.cell(3, 0, 0), Cell::Value(_)));
-    assert_eq!(grid.cell(4, 0, 0), Cell::Outcome(PointOutcome::Ended(Outcome::Perforated)));
-    assert_eq!(grid.cell(4, 0, 2), Cell::Value(0.0));
-    assert!(matches!(grid.cell(4, 0, 1), Cell::Value(_)));
     assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Ended(Outcome::Arrested)));
 }

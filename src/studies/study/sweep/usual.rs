@@ -11,9 +11,6 @@ const FACE_MOST: f64 = 4.0 * FACE_LEAST;
 
 /// The bounds of Table 9.2 for every variable that has some and an effect within them. Those of the mass ratio are for the
 /// projectile of the thesis: for any other they are the ratios of plates from [`FACE_LEAST`] to 12 diameters wide.
-///
-/// # Errors
-/// None in practice: the table's ranges are sound.
 pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     let ranges = || {
         let of = |it: &'static Variable| Some((it, it.number()?, it.thesis_range()?));
@@ -51,9 +48,6 @@ fn mass_ratios(scene: &Scene, table: (f64, f64)) -> (f64, f64) {
 }
 
 /// These axes, or where there are none the usual ones.
-///
-/// # Errors
-/// A [`SweepError`] where there are no usual ones either.
 pub fn or_usual(
     axes: &[Axis],
     usual: impl FnOnce() -> Result<Vec<Axis>, SweepError>,

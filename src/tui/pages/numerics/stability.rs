@@ -6,7 +6,6 @@ use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{self, Map, Wanted};
-use crate::study::stability::others::Other;
 use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::cursor_moved;
@@ -14,18 +13,13 @@ use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::NEEDS_SINGLE;
 use crate::worker::studies::{StabilityMap, StiffScenes};
 
-/// What the battery's columns of other methods are, in full and where there is less room.
-const COLUMNS: &str =
-    "expl, D: DOP853, impl, R: Radau IIA, th-6 and th-7: the thesis's scheme at dt 1e-6 and 1e-7 s";
-const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
-
 /// What the columns of the stiff scenes mean, for `?`.
 pub(crate) fn stiff_scenes_words() -> String {
     let computed = [ReferenceSource::Dop853, ReferenceSource::Radau, ReferenceSource::Engine];
     let bases = computed.map(|it| format!("{}: {}", it.letter(), it.words())).join(", ");
     let stored = ReferenceSource::Stored("").letter();
     format!(
-        "{COLUMNS}. The letter behind an error names what it is measured against: {stored}: stored digits, {bases}."
+        "The letter behind an error names what it is measured against: {stored}: stored digits, {bases}."
     )
 }
 
@@ -60,12 +54,7 @@ impl App {
             let text = format!("{name}: fails: {}; {}", shortfall.words(), row.run.end.words());
             return Some((Severity::Error, text));
         }
-        // The codes of the cells in words.
-        let failed = Other::ALL.into_iter().zip(row.others);
-        let failed = failed.filter(|(_, verdict)| verdict.error().is_none());
-        let words =
-            failed.map(|(other, verdict)| format!("; {}: {}", other.heading(), verdict.words()));
-        note(Some(format!("{name}: {}{}", row.case.why, words.collect::<String>())))
+        note(Some(format!("{name}: {}", row.case.why)))
     }
 
     pub fn stability_status(&self) -> Vec<StatusPart> {
@@ -80,7 +69,6 @@ impl App {
             parts.extend(running.map(Progress::part));
             if tab.battery.found.is_some() {
                 parts.push(part(severity, holds));
-                parts.push((Severity::Note, COLUMNS.to_owned(), COLUMNS_BRIEF.to_owned()));
             }
             return parts;
         }

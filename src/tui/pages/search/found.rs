@@ -1,7 +1,7 @@
 //! What the Search tab has found, which design is selected, and whether all of it is old. No drawing.
 
 use crate::numerics::statistics::ascending;
-use crate::study::search::front::{Design, Front};
+use crate::study::search::front::{Design, Report};
 use crate::tui::app::running::Kept;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::page::prelude::*;
@@ -24,7 +24,7 @@ impl Searching {
         self.problem[self.page as usize].as_ref()
     }
 
-    pub fn front(&self) -> Option<&Front> {
+    pub fn front(&self) -> Option<&Report> {
         match &**self.found[Page::Front as usize].found.as_ref()? {
             SearchAnswer::Front(front) => Some(front),
             _ => None,
@@ -32,7 +32,7 @@ impl Searching {
     }
 
     /// The places of all designs of a front in the order of the table: by the objective across.
-    pub fn sorted_places(&self, front: &Front) -> Vec<usize> {
+    pub fn sorted_places(&self, front: &Report) -> Vec<usize> {
         let (sorted, _) = self.across(front);
         let value =
             |design: &Design| design.measures.get(sorted).copied().flatten().unwrap_or(f64::NAN);
@@ -61,7 +61,7 @@ impl Searching {
     }
 
     /// The places of the measures drawn across and up: the first two objectives.
-    pub fn across(&self, front: &Front) -> (usize, usize) {
+    pub fn across(&self, front: &Report) -> (usize, usize) {
         (0, 1.min(front.request.measures().len().saturating_sub(1)))
     }
 

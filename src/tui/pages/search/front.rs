@@ -2,7 +2,7 @@
 
 use crate::report::front::{lacks, page_keys, table, warnings};
 use crate::report::table::Cells;
-use crate::study::search::front::{self, Front, Objective, USUAL};
+use crate::study::search::front::{self, Objective, Report, USUAL};
 use crate::study::sweep;
 use crate::study::validity::counted;
 use crate::tui::app::notice::outside;
@@ -18,7 +18,13 @@ use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
 
-pub(super) const STUDY: Study = Study { rows, request };
+pub(super) const STUDY: Study = Study {
+    title: "Pareto front",
+    synonyms: "optimise optimize best designs knee trade-off",
+    file: "front.csv",
+    rows,
+    request,
+};
 
 fn rows(app: &App) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Minimise")];
@@ -50,7 +56,7 @@ fn request(app: &App) -> Result<SearchRequest, String> {
     }))
 }
 
-impl Answer for Front {
+impl Answer for Report {
     fn over(&self) -> &[sweep::Axis] {
         &self.request.over
     }
@@ -172,14 +178,14 @@ impl Answer for Front {
 }
 
 /// The two results whose knee it is.
-pub(super) fn of_knee(tab: &Searching, front: &Front) -> String {
+pub(super) fn of_knee(tab: &Searching, front: &Report) -> String {
     let (across, up) = tab.across(front);
     let [across, up] = [across, up].map(|axis| brief(front.request.measures()[axis]));
     format!(", knee of {across} and {up}")
 }
 
 /// The columns of the table of designs, by their places.
-pub(crate) fn design_cells(tab: &Searching, front: &Front) -> Vec<Cells> {
+pub(crate) fn design_cells(tab: &Searching, front: &Report) -> Vec<Cells> {
     let objectives = front.request.objectives.len();
     let mut keys = page_keys(front);
     // The objectives first, then the variables.

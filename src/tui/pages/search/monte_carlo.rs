@@ -16,7 +16,13 @@ const BINS: usize = 40;
 /// The columns shown.
 const QUANTILES: [&str; 5] = ["output", "q05", "q50", "q95", "nominal"];
 
-pub(super) const STUDY: Study = Study { rows, request: |app| Ok(request(app)) };
+pub(super) const STUDY: Study = Study {
+    title: "Monte Carlo",
+    synonyms: "uncertainty scatter spread distribution histogram",
+    file: "montecarlo.csv",
+    rows,
+    request: |app| Ok(request(app)),
+};
 
 fn rows(_: &App) -> Vec<Row> {
     vec![Row::Heading("Every input"), Row::Percent, Row::Samples, Row::Heading("Show"), Row::Output]

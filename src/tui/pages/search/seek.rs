@@ -18,7 +18,13 @@ use crate::tui::widgets::axis::Part;
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
 
-pub(super) const STUDY: Study = Study { rows, request };
+pub(super) const STUDY: Study = Study {
+    title: "Goal seek",
+    synonyms: "seek target solve inverse root",
+    file: "seek.csv",
+    rows,
+    request,
+};
 
 fn rows(_: &App) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Goal"), Row::Result, Row::Goal, Row::Heading("Vary")];

@@ -16,7 +16,13 @@ use crate::worker::studies::SearchRequest;
 const TORNADO: [&str; 4] = ["variable", "output_at_low", "output_at_high", "bar"];
 const INDICES: [&str; 3] = ["variable", "sobol_first", "sobol_total"];
 
-pub(super) const STUDY: Study = Study { rows, request };
+pub(super) const STUDY: Study = Study {
+    title: "Sensitivity",
+    synonyms: "sobol tornado importance ranking",
+    file: "sensitivity.csv",
+    rows,
+    request,
+};
 
 fn rows(app: &App) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Of"), Row::Output, Row::Heading("Vary")];

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use cmra_studies::enumeration;
-
 use crate::model::scene::SweepAxis;
 use crate::study::search::front::{self, Constraint};
 use crate::study::search::seek::SCAN_USUAL;
@@ -11,44 +9,42 @@ use crate::study::sweep::Axis;
 use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
-use crate::worker::studies::{SearchAnswer, SearchRequest};
+use crate::worker::studies::{SearchAnswer, SearchRequest, searches};
 
 pub const SETUP: Pane = Pane::of(Tab::Search, 0);
 pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
 
-enumeration! {
-    /// A page, in the order of [`SearchRequest`].
-    #[derive(Default)]
-    pub enum Page in PageRow {
-        /// Its subject, in two or three words.
-        title: &'static str,
-        /// Other words that it is found by.
-        synonyms: &'static str,
-        /// The file proposed for an export.
-        file: &'static str,
-    }
-    #[default]
-    Seek { title: "Goal seek", synonyms: "seek target solve inverse root", file: "seek.csv" }
-    Front {
-        title: "Pareto front", synonyms: "optimise optimize best designs knee trade-off",
-        file: "front.csv"
-    }
-    Sensitivity {
-        title: "Sensitivity", synonyms: "sobol tornado importance ranking", file: "sensitivity.csv"
-    }
-    MonteCarlo {
-        title: "Monte Carlo", synonyms: "uncertainty scatter spread distribution histogram",
-        file: "montecarlo.csv"
-    }
+macro_rules! pages {
+    ($($(#[$doc:meta])* $kind:ident $page:ident,)*) => {
+        /// A page of the tab.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Page {
+            $($(#[$doc])* $kind,)*
+        }
+
+        impl Page {
+            /// All of them, in their order.
+            pub const ALL: [Self; [$(Self::$kind),*].len()] = [$(Self::$kind),*];
+
+            /// The page that asks for it.
+            pub fn of(request: &SearchRequest) -> Self {
+                match request {
+                    $(SearchRequest::$kind(_) => Self::$kind,)*
+                }
+            }
+        }
+    };
 }
+searches!(pages);
 
 impl Page {
     /// How many there are.
     pub const COUNT: usize = Self::ALL.len();
+}
 
-    /// The page that asks for it.
-    pub fn of(request: &SearchRequest) -> Self {
-        Self::ALL[request.page()]
+impl Default for Page {
+    fn default() -> Self {
+        Self::ALL[0]
     }
 }
 

@@ -7,7 +7,7 @@ use super::*;
 use crate::model::run::Warning;
 use crate::model::run::envelope::{self, Direction};
 use crate::model::simulate::{Settings, simulate};
-use crate::study::context::{to_its_end, until};
+use crate::study::context::to_its_end;
 use crate::study::testing::{axes, scene};
 
 fn request(list: &[(&str, f64, f64)], minimise: &[&str]) -> Request {
@@ -24,8 +24,8 @@ fn at_most(name: &str, bound: f64) -> Constraint {
     Constraint { measure: named(name).unwrap(), at_most: true, bound }
 }
 
-fn solve(scene: &Scene, request: &Request) -> Front {
-    optimise(scene, request, &mut Context::new(2, &mut to_its_end)).unwrap()
+fn solve(scene: &Scene, request: &Request) -> Report {
+    run(scene, request, &mut Context::new(2, &mut to_its_end)).unwrap()
 }
 
 /// A free plate: depth falls and travel of the projectile's momentum rises as gamma falls, so every gamma is on the front; with
@@ -62,20 +62,6 @@ fn constraints_are_kept() {
     assert!(solve(&Scene::default(), &asked).designs.is_empty());
 }
 
-#[test]
-fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
-    let list = [("gamma", 0.8, 7.0), ("k", 1e3, 7.5e6)];
-    let request = request(&list, &["final_penetration_m", "stroke_m"]);
-    let (mut parts, mut stop) = (0, until::<Front>(600));
-    let watch = &mut |progress, front: Option<&Front>| {
-        parts += usize::from(front.is_some());
-        stop(progress, front)
-    };
-    let front = optimise(&Scene::default(), &request, &mut Context::new(1, watch)).unwrap();
-    assert!(parts >= 4 && !front.is_complete && !front.designs.is_empty(), "{parts}");
-    assert!(front.runs > 600 && front.runs < 1024);
-}
-
 /// Cocked plates are struck while the spring pulls: what the fused interface cannot carry in tension is no more feasible than what
 /// it cannot carry in compression, by the warnings of the designs' own runs. Beside a design whose interface gives way stands what
 /// the plastic one comes to.
@@ -101,15 +87,4 @@ fn feasible_designs_have_no_warning_on_the_unsafe_side() {
     assert!(fails(&asked) > 5);
     asked.is_feasible = true;
     assert_eq!(fails(&asked), 0);
-}
-
-#[test]
-fn the_command_of_a_request_has_what_is_not_usual() {
-    assert_eq!(Request::default().to_string(), "optimise");
-    let mut asked = request(&[("gamma", 0.8, 7.0)], &["stroke_m"]);
-    asked.is_feasible = true;
-    assert_eq!(
-        asked.to_string(),
-        "optimise --over gamma=0.8..7:2 --minimise stroke_m --subject-to none --samples 1024"
-    );
 }

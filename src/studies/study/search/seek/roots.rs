@@ -280,16 +280,4 @@ mod tests {
         RootScan::new(0.0, function).run(41).unwrap();
         assert!(looks < 41 + EDGES_MAX * (EDGE_STEPS + ROUNDS) + 40 * ROUNDS, "{looks}");
     }
-
-    #[test]
-    fn a_stop_keeps_the_results() {
-        let mut asked = 0;
-        let function: Function<'_> = &mut |shares| {
-            asked += 1;
-            (asked < 3).then(|| shares.iter().map(|s| Some(s * s)).collect())
-        };
-        let mut scan = RootScan::new(0.123, function);
-        assert!(scan.run(11) == Err(Stopped));
-        assert_eq!(scan.scan.len(), 11);
-    }
 }

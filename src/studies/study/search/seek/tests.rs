@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::*;
 use crate::model::run::Outcome;
 use crate::model::scene::Mount;
-use crate::study::context::{to_its_end, until};
+use crate::study::context::to_its_end;
 use crate::study::sweep::Spacing;
 
 fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Request {
@@ -18,7 +18,7 @@ fn found(scene: &Scene, request: &Request) -> Report {
 }
 
 fn on(threads: usize, scene: &Scene, request: &Request) -> Result<Report, SweepError> {
-    seek(scene, request, &mut Context::new(threads, &mut to_its_end))
+    run(scene, request, &mut Context::new(threads, &mut to_its_end))
 }
 
 fn close(value: f64, exact: f64, relative: f64) {
@@ -66,19 +66,6 @@ fn perforations_are_a_gap_and_not_a_number() {
     assert!(
         gap.place.at > 232.295_378 && report.solutions().next().unwrap().place.at < 232.295_378
     );
-}
-
-#[test]
-fn no_digit_depends_on_the_threads_and_bad_goals_are_refused() {
-    let scene = Scene::default();
-    let asked = goal("d", (0.0, 0.5), "percent_of_baseline", 50.0);
-    let solutions = |threads| on(threads, &scene, &asked).unwrap();
-    assert!(solutions(1).solutions().eq(solutions(3).solutions()));
-    assert!("depth=5mm".parse::<Goal>().unwrap_err().contains("depth"));
-    assert!("stroke_m".parse::<Goal>().unwrap_err().contains("QUANTITY=VALUE"));
-    assert_eq!(asked.to_string(), "seek --over d=0..0.5:33 --goal percent_of_baseline=50");
-    let stopped = seek(&scene, &asked, &mut Context::new(2, &mut until(0))).unwrap();
-    assert!(!stopped.is_complete && stopped.solutions().next().is_none());
 }
 
 /// A free plate of 6 kg/m² is 6/2710 m thick, and perforated.

@@ -13,9 +13,6 @@ const FORM: &str =
 
 impl Axis {
     /// Reads `NAME=LO..HI:COUNT[:log]` or a list of values, `NAME=A,B,C`; COUNT is optional where there is a usual one.
-    ///
-    /// # Errors
-    /// [`SweepError`] for a text of another form, and as [`Axis::of`].
     pub fn read(
         argument: &str,
         usual: Option<u64>,
@@ -50,9 +47,6 @@ impl Axis {
     }
 
     /// The same where only a range has a meaning.
-    ///
-    /// # Errors
-    /// As [`Axis::read`], and for a list.
     pub fn read_range(
         argument: &str,
         usual: Option<u64>,

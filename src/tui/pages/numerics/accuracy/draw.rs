@@ -14,8 +14,7 @@ use crate::worker::studies::Measurements;
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
 /// The columns of the table of methods.
-const KEYS: [&str; 5] =
-    ["method", "run_time_s_to_1e-6", "least_error", "run_time_s_to_1e-9", "observed_order"];
+const KEYS: [&str; 4] = ["method", "run_time_s_to_1e-6", "least_error", "run_time_s_to_1e-9"];
 
 /// Rows of the answer above the chart, and of what leaving out gains below it: one more where that is long.
 const ANSWER_ROWS: u16 = 1;
