@@ -501,3 +501,81 @@ fn keys_of_the_configuration_reach_dialogs() {
     terminal.send("q");
     assert_eq!(terminal.wait_exit().exit_code(), 0);
 }
+
+/// What a person does first, at the usual sizes: look, edit gamma, pin two and compare, export them, look at a figure, save, come back.
+#[test]
+fn the_first_steps_at_every_size() {
+    const FIRST: [&str; 8] = [
+        "[1:Run]",
+        "Design variables",
+        "Analysis variables",
+        "Penetration 4.572 mm (64 % of rigid mount)",
+        "Contact force, peak 17.74 kN",
+        "Plate displacement",
+        "greatest 38.38 mm",
+        "error ",
+    ];
+    const MAIN: [&str; 14] =
+        ["gamma", "d", "k", "n", "b", "m", "x_stop", "v_i", "m_p", "R", "h", "rho", "S_y", "C_d"];
+    for (columns, lines) in [(80, 24), (100, 30), (120, 36), (160, 48)] {
+        let mut terminal = Terminal::start();
+        terminal.resize(columns, lines);
+        let first = terminal.wait_until("the first screen", |screen| {
+            let text = screen.contents();
+            FIRST.iter().all(|word| text.contains(word)) && text.contains(DONE)
+        });
+        let rows: Vec<&str> =
+            first.lines().map(|line| line.trim_start_matches(['│', '>', ' '])).collect();
+        for symbol in MAIN {
+            let is_row = |row: &&str| row.split_whitespace().next() == Some(symbol);
+            assert!(rows.iter().any(is_row), "{columns}x{lines}: {symbol}\n{first}");
+        }
+        // The meaning and range of the selected row.
+        assert!(first.contains("thesis 0.8 to 7"), "{columns}x{lines}\n{first}");
+
+        for gamma in ["2", "4"] {
+            terminal.send(&format!("g\r{gamma}\r"));
+            let kg = format!("! {gamma} (");
+            let before = depth_mm(&first);
+            terminal.wait_until("a heavier plate", |screen| {
+                let text = screen.contents();
+                (text.contains(&kg) || text.contains(&kg[2..])) && depth_mm(&text) > before
+            });
+            terminal.send(" ");
+            terminal.wait_for(&format!("gamma={gamma}"));
+        }
+        terminal.send("g\r1\r");
+        terminal.wait_until("the two pins and the scene", |screen| {
+            let text = screen.contents();
+            let now = text.lines().find(|line| line.starts_with("*now"));
+            now.is_some_and(|line| line.contains(" 4.572 "))
+                && ["gamma=2", "gamma=4"].iter().all(|pin| text.contains(pin))
+        });
+
+        terminal.send("e");
+        terminal.wait_for("Export the runs to CSV");
+        terminal.send("\x15both.csv\r");
+        terminal.wait_for("written");
+        let text = fs::read_to_string(terminal.file("both.csv")).expect("it has been written");
+        for run in ["now", "A", "B"] {
+            let has = text.lines().any(|row| row.split(',').any(|cell| cell == run));
+            assert!(has, "{columns}x{lines}: {run} is missing");
+        }
+
+        terminal.send("p9.8\r");
+        let figure = terminal.wait_for("faint: the ");
+        assert!(figure.contains("[2:Explore]") && figure.contains("gamma"), "{figure}");
+
+        terminal.send("1s");
+        terminal.wait_for("Save");
+        terminal.send("\x15mine\r");
+        terminal.wait_for("saved");
+        terminal.send("q");
+        assert!(terminal.wait_exit().success());
+        let home = terminal.home.take();
+        let mut again = Terminal::start_with(Start { home, ..Start::default() });
+        again.wait_until("what was left", |screen| screen.contents().contains("mine"));
+        again.send("q");
+        assert!(again.wait_exit().success());
+    }
+}

@@ -41,7 +41,7 @@ pub(crate) fn set(
         .into_iter()
         .filter(|breach| before.iter().all(|old| old.check != breach.check))
         .find(|breach| breach.check.symbol() == variable.symbol)
-        .map(|breach| breach.to_string());
+        .map(|breach| breach.brief());
     let warning = breach.or_else(|| variable.range_warning(&scene));
     commit_scene(app, scene, label, stepping);
     if let Some(warning) = warning {

@@ -126,12 +126,11 @@ impl Page for ExploreTab {
                 let severity = if word == "separated" { Severity::Note } else { Severity::Warning };
                 parts.push(part(severity, format!("{count} {word}")));
             }
-            let output = app.shown_output(grid).0;
-            if !curves::printed(app, grid, output).is_empty() {
-                let words = "faint: the thesis's own scheme, as printed; the others: corrected";
+            if differs_from_printed(app) {
                 let short = "faint: the printed scheme";
-                parts.push((Severity::Note, words.to_owned(), short.to_owned()));
+                parts.push((Severity::Note, PRINTED.to_owned(), short.to_owned()));
             }
+            let output = app.shown_output(grid).0;
             parts.extend(at_rest(grid, output).map(|text| part(Severity::Note, text)));
         }
         let ends = found.map(|grid| grid.outside_at_ends.iter().map(|it| it.0));
@@ -143,6 +142,10 @@ impl Page for ExploreTab {
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         if PrintedSweep::of(&running.asked).is_some() {
             app.pages.explore.printed = news.found::<Grid>().filter(|grid| grid.is_complete());
+            // Said until someone moves over the figure.
+            if app.pages.explore.cursor.is_none() && differs_from_printed(app) {
+                app.tell(PRINTED);
+            }
         }
         if PictureSweep::of(&running.asked).is_none() {
             return;
@@ -199,6 +202,14 @@ impl Page for ExploreTab {
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         curves::render(app, body, canvas);
     }
+}
+
+/// Which curves of a figure are which.
+const PRINTED: &str = "faint: the thesis's own scheme, as printed; the others: corrected";
+
+fn differs_from_printed(app: &App) -> bool {
+    let found = app.pages.explore.found();
+    found.is_some_and(|grid| !curves::printed(app, grid, app.shown_output(grid).0).is_empty())
 }
 
 /// Far along a picture, in points.

@@ -6,6 +6,7 @@ pub mod state;
 use crate::report::thesis;
 use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::pages::explore;
+use crate::tui::pages::explore::plan::is_corrected_figure;
 use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
@@ -155,7 +156,7 @@ fn open(app: &mut App) {
 /// Load a scene and show what it is about: a sweep in Explore, else its run.
 pub(crate) fn show(app: &mut App, base: Base) {
     let (name, axes) = (base.name.clone(), axes(&base.scene));
-    let picture = picture_of(app, axes);
+    let picture = picture_of(app, &base);
     edit::load(app, base, picture);
     look(app);
     if axes > 0 {
@@ -168,18 +169,19 @@ fn axes(scene: &Scene) -> usize {
     scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len())
 }
 
-/// How a sweep of so many axes is shown: as its preset has it, whatever was looked at before.
-fn picture_of(app: &App, axes: usize) -> Picture {
-    match axes {
+/// How the sweep of a preset is shown, whatever was looked at before: over two axes as a map, but figures of the thesis as curves, which
+/// have the printed scheme's beside them.
+fn picture_of(app: &App, base: &Base) -> Picture {
+    match axes(&base.scene) {
         0 => app.picture(),
-        1 => Picture::Line,
-        _ => Picture::Surface,
+        2.. if !is_corrected_figure(base) => Picture::Surface,
+        _ => Picture::Line,
     }
 }
 
 /// Begin with what the scene is about, as if its preset had been loaded.
 pub(crate) fn begin(app: &mut App) {
-    app.pages.explore.picture = picture_of(app, axes(&app.scene));
+    app.pages.explore.picture = picture_of(app, &app.base);
     look(app);
 }
 

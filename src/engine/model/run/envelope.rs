@@ -92,6 +92,12 @@ impl Breach {
     pub fn is_new_to<'b>(&self, mut others: impl Iterator<Item = &'b Self>) -> bool {
         others.all(|other| !self.is_same(other) || self.is_worse_than(other))
     }
+
+    /// Its name, its number and its direction, without what it means.
+    pub fn brief(&self) -> String {
+        let first = self.text.split([':', ';']).next().unwrap_or_default();
+        Self { text: first.to_owned(), ..self.clone() }.to_string()
+    }
 }
 
 impl fmt::Display for Breach {

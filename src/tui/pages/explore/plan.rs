@@ -5,17 +5,20 @@ use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Plan, SweepError};
 use crate::tui::pages::explore::state::{CURVES, Picture, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
+use crate::tui::preset::Base;
+
+/// Whether a preset is a figure of the thesis, drawn with the corrected physics.
+pub(crate) fn is_corrected_figure(base: &Base) -> bool {
+    base.name.starts_with("figure-") && base.scene.contact.model == ContactModel::Hydrodynamic
+}
 
 impl App {
-    /// Whether the scene is a figure of the thesis, drawn with the corrected physics.
-    pub(crate) fn is_corrected_figure(&self) -> bool {
-        self.base.name.starts_with("figure-")
-            && self.scene.contact.model == ContactModel::Hydrodynamic
-    }
-
     /// The plan of a figure's curves by the scheme that the thesis prints; `None` where the scene is no figure, or drawn by it.
     pub(crate) fn printed_plan(&self) -> Option<Plan> {
-        if !self.is_corrected_figure() || self.picture() != Picture::Line {
+        if !is_corrected_figure(&self.base)
+            || self.scene.contact.model != ContactModel::Hydrodynamic
+            || self.picture() != Picture::Line
+        {
             return None;
         }
         let mut scene = Scene::clone(&self.scene);

@@ -6,6 +6,7 @@ use crate::model::variables::{self, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
+use crate::tui::pages::explore::plan::is_corrected_figure;
 use crate::tui::pages::explore::state::{Picture, SetupRow, completed, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::axis::{Part, numeric, over, place};
@@ -92,7 +93,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
         (SetupRow::Picture, Input::Step(press)) => {
             let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
             show_as(app, next)?;
-            if next == Picture::Surface && app.is_corrected_figure() {
+            if next == Picture::Surface && is_corrected_figure(&app.base) {
                 app.tell("a map shows the corrected physics alone; as curves it has the printed scheme beside it");
             }
         }

@@ -48,8 +48,8 @@ impl App {
         parts
     }
 
-    /// What to use and what it costs, how far the printed scheme is off, and what leaving out gains.
-    pub(crate) fn accuracy_answers(&self) -> Vec<String> {
+    /// What to use and what it costs, how far the printed scheme is off, and what leaving out gains, with its times or without.
+    pub(crate) fn accuracy_answers(&self, has_times: bool) -> Vec<String> {
         let tab = &self.pages.numerics.accuracy;
         let Some(report) = &tab.report.found else { return Vec::new() };
         if !report.is_complete {
@@ -63,7 +63,8 @@ impl App {
             .iter()
             .map(|it| {
                 let [with, without] = [it.with_s, it.without_s].map(seconds);
-                format!("{} {with} -> {without} ({})", it.part, gain(it))
+                let times = if has_times { format!(" {with} -> {without}") } else { String::new() };
+                format!("{}{times} ({})", it.part, gain(it))
             })
             .collect();
         let gains = (!gains.is_empty()).then(|| format!("omitted: {}", gains.join("; ")));

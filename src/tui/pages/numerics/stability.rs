@@ -34,11 +34,11 @@ impl App {
         let tab = &self.pages.numerics.stability;
         let (map, (column, row)) = tab.map.found.as_ref().zip(tab.cursor())?;
         // In one row of 80 columns: a second one would move the map.
-        let here = if tab.present() == Some((column, row)) { "; the scene" } else { "" };
+        let here = if tab.present() == Some((column, row)) { "the scene: " } else { "" };
         let limit = map.limit_s[row];
         let limit = limit.map_or_else(|| "none".to_owned(), |it| significant(it, 2) + " s");
         Some(format!(
-            "dt {} s, {} {}: {}; analytic limit {limit}{here}",
+            "{here}dt {} s, {} {}: {}; analytic limit {limit}",
             significant(map.dt_s[column], 2),
             map.axis.symbol(),
             significant(map.values[row], 2),

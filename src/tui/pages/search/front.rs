@@ -149,7 +149,11 @@ impl Answer for Report {
         let axis = |label: String, at: usize| {
             let values: Vec<f64> =
                 found.designs.iter().filter_map(|it| value(&it.measures, at)).collect();
-            Axis::fitted(label, measures[at].unit(), Scale::Linear, values)
+            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let axis = Axis::fitted(label, measures[at].unit(), Scale::Linear, values)?;
+            // Nothing that is never below zero has room there.
+            let lo = if least < 0.0 { axis.view.lo() } else { axis.view.lo().max(0.0) };
+            Some(Axis { view: ViewRange::new(lo, axis.view.hi()), ..axis })
         };
         let axes = axis(brief(measures[across]), across).zip(axis(String::new(), up));
         let Some((x, y)) = axes else {

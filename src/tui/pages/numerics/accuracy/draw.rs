@@ -24,10 +24,15 @@ const GAIN_ROWS: u16 = 3;
 pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (answer, rest) = split_top(body, ANSWER_ROWS);
     let room = usize::from(body.width.saturating_sub(2));
-    let mut lines = app.accuracy_answers().into_iter();
-    let first = lines.next().unwrap_or_default();
-    let below: Vec<String> = lines.flat_map(|line| wrap(&line, room)).collect();
-    let is_long = below.len() > usize::from(GAIN_ROWS);
+    let answers = |has_times| {
+        let mut lines = app.accuracy_answers(has_times).into_iter();
+        let first = lines.next().unwrap_or_default();
+        (first, lines.flat_map(|line| wrap(&line, room)).collect::<Vec<String>>())
+    };
+    let (first, whole) = answers(true);
+    let rows = usize::from(GAIN_ROWS);
+    let below = if whole.len() > rows + 1 { answers(false).1 } else { whole };
+    let is_long = below.len() > rows;
     let (top, gains) = split_bottom(rest, GAIN_ROWS + u16::from(is_long));
     let wanted = match body.width {
         0..72 => 29,
