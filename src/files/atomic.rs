@@ -187,13 +187,13 @@ impl Growing {
             }
         }
         let is_there = fs::symlink_metadata(&target).is_ok();
-        if existing == Existing::Keep && is_there {
-            return Err(FileError::Exists(path.to_owned()));
-        }
         if found.is_none() && is_there {
             let problem =
                 "it is a link to a file that is not there: remove the link, or choose another name";
             return Err(FileError::target(path, problem));
+        }
+        if existing == Existing::Keep && is_there {
+            return Err(FileError::Exists(path.to_owned()));
         }
         if found.as_ref().is_some_and(|found| found.permissions().readonly()) {
             let problem = "it is read-only: make it writable, or choose another name";
@@ -445,8 +445,10 @@ mod tests {
         for (path, words) in
             [(&*link, "a link to a file that is not there"), (place.path(), "directory")]
         {
-            let error = write(path, b"1", Existing::Replace).unwrap_err().to_string();
-            assert!(error.contains(words), "{error}");
+            for existing in [Existing::Keep, Existing::Replace] {
+                let error = write(path, b"1", existing).unwrap_err().to_string();
+                assert!(error.contains(words), "{error}");
+            }
         }
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
     }

@@ -58,7 +58,7 @@ fn valid_a_mount_that_turns_a_mass_takes_its_part_of_the_contact_force() {
             (turning_kg * contact + plate_kg * spring) / (turning_kg + plate_kg)
         });
         assert_near(number(&run(&pairs), "peak_mount_force_n"), rows_n, 1e-5);
-        let asked = ["--over", "gamma=1..2:2", "--output", "peak_mount_force_n", "--csv", "-"];
+        let asked = ["--over", "gamma=1..2:2", "--outputs", "peak_mount_force_n", "--csv", "-"];
         let set = pairs.split_whitespace().flat_map(|pair| ["--set", pair]);
         let (swept, _) = says("sweep", &set.chain(asked).collect::<Vec<_>>(), 0);
         let first = swept.lines().nth(1).unwrap().split(',').nth(2).unwrap();

@@ -61,13 +61,13 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
             let struck = run.scene.projectile.velocity_m_s;
             let rounding = match scale {
                 Scale::Own => 0.0,
-                Scale::ImpactVelocity => ROUNDING * struck / other.abs(),
+                Scale::ImpactVelocity => ROUNDING * struck / value.abs(),
                 Scale::LimitVelocity => {
                     f64::EPSILON * (struck / run.residual_velocity_m_s?).powi(2)
                 }
                 Scale::CockingDistance => {
                     let shared = larger(ROUNDING, SHARED * run.scene.run.tolerance);
-                    shared * run.scene.start_m().abs() / other.abs()
+                    shared * run.scene.start_m().abs() / value.abs()
                 }
             };
             let relative = difference(value, other, larger(floor, rounding))? * factor;
@@ -83,9 +83,9 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     run.error_estimate = found.map(|error| ErrorEstimate { relative: error.relative, basis });
 }
 
-/// The relative difference of two values, of which neither is known better than to a floor; nothing for those of zero.
+/// The difference of a value from another, relative to the value, which is not known better than to a floor; nothing for zero.
 fn difference(value: f64, other: f64, floor: f64) -> Option<f64> {
-    let relative = larger((value - other).abs() / other.abs(), floor);
+    let relative = larger((value - other).abs() / value.abs(), floor);
     relative.is_finite().then_some(relative)
 }
 
@@ -96,8 +96,10 @@ mod tests {
     #[test]
     fn a_difference_is_relative_and_not_below_its_floor() {
         assert_eq!(difference(1.0, 1.0, 1e-15), Some(1e-15));
-        assert!((difference(-1.01, -1.0, 1e-15).unwrap() - 0.01).abs() < 1e-15);
+        assert!((difference(-1.0, -1.01, 1e-15).unwrap() - 0.01).abs() < 1e-15);
         assert_eq!(difference(0.0, 0.0, 1e-15), None);
-        assert_eq!(difference(1.0, 0.0, 1e-15), None);
+        assert_eq!(difference(0.0, 1.0, 1e-15), None);
+        // No digit is known.
+        assert_eq!(difference(1.0, 0.0, 1e-15), Some(1.0));
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
 //! `moving` is what the integrator sees of it, `hold` when a steep law holds the plate; `run` is the loop, and `stepping` the methods it
-//! can step by; `outcome` decides by energy when it is over, `horizon` when it is at the latest; `record` keeps rows, work and greatest
-//! forces, and `report` makes the [`Run`] of them.
+//! can step by; `outcome` decides by energy when it is over, `horizon` when it is at the latest; `path` has the
+//! states on a step, `record` keeps rows, work and greatest forces of them, and `report` makes the [`Run`].
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -25,6 +25,7 @@ mod horizon;
 mod modes;
 mod moving;
 mod outcome;
+mod path;
 mod record;
 mod report;
 mod run;
@@ -34,7 +35,7 @@ mod tests;
 pub mod window;
 
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
-const LOCAL: f64 = 1e-3;
+const LOCAL: f64 = 1e-2;
 const LEAST: f64 = 1e-13;
 /// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
 const LOOSER: f64 = 10.0;

@@ -153,7 +153,7 @@ fn through<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::step::Slopes;
+    use crate::numerics::step::{Slopes, series};
 
     /// y'' = -y.
     struct Oscillator;
@@ -201,7 +201,7 @@ mod tests {
         assert!(
             (place[0] - step.end.0[0]).abs() < 1e-15 && (speed[0] - step.end.1[0]).abs() < 1e-15
         );
-        let accelerations = [0.0, 1.0].map(|part| step.acceleration_at(part)[0]);
+        let accelerations = [0.0, 1.0].map(|part| series(&step.acceleration, part)[0]);
         assert!((accelerations[0] + 1.0).abs() < 1e-14, "{accelerations:?}");
         assert!((accelerations[1] + step.end.0[0]).abs() < 1e-14, "{accelerations:?}");
     }

@@ -74,21 +74,32 @@ const fn gauss_16() -> [Node; 8] {
     let mut i = 0;
     while i < 8 {
         let (at, weight) = HALF[i];
-        let p = legendre::<15>(at);
+        let p = legendre::<16>(at);
         rule[i] = Node { at, weight, last: [p[14], p[15]] };
         i += 1;
     }
     rule
 }
 
-/// The Legendre polynomials of degree 0 to N, below 32, by Bonnet's recurrence (n + 1) P(n+1) = (2n + 1) x P(n) - n P(n-1).
-pub(crate) const fn legendre<const N: usize>(x: f64) -> [f64; 32] {
-    let mut p = [0.0; 32];
-    (p[0], p[1]) = (1.0, x);
-    let mut n = 1;
-    while n < N {
+/// The reciprocals of whole numbers: a number times its own is exactly one as far as they go.
+pub(crate) const RECIPROCALS: [f64; 36] = {
+    let mut all = [0.0; 36];
+    let mut number = 1;
+    while number < all.len() {
+        all[number] = 1.0 / number as f64;
+        number += 1;
+    }
+    all
+};
+
+/// The first N Legendre polynomials, by Bonnet's recurrence (n + 1) P(n+1) = (2n + 1) x P(n) - n P(n-1).
+pub(crate) const fn legendre<const N: usize>(x: f64) -> [f64; N] {
+    let mut p = [1.0; N];
+    let (mut before, mut n) = (0.0, 0);
+    while n + 1 < N {
         let k = n as f64;
-        p[n + 1] = ((2.0 * k + 1.0) * x * p[n] - k * p[n - 1]) / (k + 1.0);
+        p[n + 1] = ((2.0 * k + 1.0) * x * p[n] - k * before) * RECIPROCALS[n + 1];
+        before = p[n];
         n += 1;
     }
     p

@@ -1,7 +1,7 @@
 //! The root of a function in a bracket.
 
 /// The root of an increasing or decreasing function between `a` and `b`, where it has opposite signs: regula falsi in the
-/// Illinois form, safeguarded by bisection, to full precision of x.
+/// Illinois form, with a bisection where three rounds have not halved the bracket, to full precision of x.
 ///
 /// Returns the end with the smaller absolute value when the signs are equal.
 pub fn in_bracket(a: f64, b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
@@ -17,10 +17,16 @@ fn bracketed_root(mut a: f64, mut b: f64, f: &mut dyn FnMut(f64) -> f64) -> f64 
     if fb == 0.0 || (fa > 0.0) == (fb > 0.0) {
         return if fa.abs() < fb.abs() { a } else { b };
     }
+    let mut halved = 0.5 * (b - a).abs();
     for round in 0..200 {
         let secant = (a * fb - b * fa) / (fb - fa);
         let inside = (secant - a) * (secant - b) < 0.0;
-        let x = if inside && round % 3 != 2 { secant } else { 0.5 * (a + b) };
+        let width = (b - a).abs();
+        let is_slow = round % 3 == 2 && width > halved;
+        if round % 3 == 2 {
+            halved = 0.5 * width;
+        }
+        let x = if inside && !is_slow { secant } else { 0.5 * (a + b) };
         let fx = f(x);
         if fx == 0.0 || (b - a).abs() <= 2.0 * f64::EPSILON * x.abs() {
             return x;

@@ -1,6 +1,6 @@
 //! What methods that step through a motion have in common: the law of the motion, and each step as polynomials.
 
-use crate::numerics::collocation::integrals;
+use crate::numerics::quadrature::{RECIPROCALS, legendre};
 
 /// A square matrix.
 pub(crate) type Square<const D: usize> = [[f64; D]; D];
@@ -83,21 +83,18 @@ pub(crate) struct Step<const D: usize, const S: usize> {
 impl<const D: usize, const S: usize> Step<D, S> {
     /// Places and speeds at a part of it; a little beyond its end, too.
     pub(crate) fn at(&self, theta: f64) -> Point<D> {
-        let integrals = integrals::<S>(theta);
-        let after = |start: f64, coefficients: &[f64; S]| {
-            let sum: f64 = integrals.iter().zip(coefficients).map(|(a, b)| a * b).sum();
-            start + self.h * sum
-        };
+        self.after(&integrals(theta))
+    }
+
+    /// The same at the part to which the Legendre polynomials have these integrals.
+    pub(crate) fn after(&self, integrals: &[f64; S]) -> Point<D> {
+        let after =
+            |start: f64, coefficients: &[f64; S]| start + self.h * dot(coefficients, integrals);
         let (place, speed) = &self.start;
         (
             std::array::from_fn(|d| after(place[d], &self.speed[d])),
             std::array::from_fn(|d| after(speed[d], &self.acceleration[d])),
         )
-    }
-
-    /// Accelerations of the polynomial at a part of it.
-    pub(crate) fn acceleration_at(&self, theta: f64) -> [f64; D] {
-        series(&self.acceleration, theta)
     }
 }
 
@@ -106,18 +103,29 @@ pub(crate) fn series<const D: usize, const S: usize>(
     coefficients: &[[f64; S]; D],
     theta: f64,
 ) -> [f64; D] {
+    let values = legendre(2.0 * theta - 1.0);
+    coefficients.each_ref().map(|coefficients| dot(coefficients, &values))
+}
+
+/// The sum of the products of two rows.
+pub(crate) fn dot<const S: usize>(one: &[f64; S], other: &[f64; S]) -> f64 {
+    one.iter().zip(other).map(|(a, b)| a * b).sum()
+}
+
+/// The integral from 0 to theta of the Legendre polynomials of degree below S, shifted to (0, 1).
+pub(crate) fn integrals<const S: usize>(theta: f64) -> [f64; S] {
     let x = 2.0 * theta - 1.0;
-    let mut sums = [0.0; D];
-    let (mut before, mut now) = (0.0, 1.0);
-    for k in 0..S {
-        for (sum, coefficients) in sums.iter_mut().zip(coefficients) {
-            *sum += coefficients[k] * now;
+    let (mut before, mut now) = (1.0, x);
+    std::array::from_fn(|k| {
+        if k == 0 {
+            return theta;
         }
         let degree = k as f64;
-        let next = ((2.0 * degree + 1.0) * x * now - degree * before) / (degree + 1.0);
+        let next = ((2.0 * degree + 1.0) * x * now - degree * before) * RECIPROCALS[k + 1];
+        let integral = (next - before) * RECIPROCALS[2 * (2 * k + 1)];
         (before, now) = (now, next);
-    }
-    sums
+        integral
+    })
 }
 
 #[cfg(test)]
@@ -141,8 +149,14 @@ mod tests {
             assert!((speed[0] - exact).abs() < 1e-14, "{theta}: {speed:?}");
             let way = 3.0 * (theta + 2.0 * theta.powi(3) - 3.0 * theta * theta);
             assert!((place[0] - 5.0 - way).abs() < 1e-14, "{theta}: {place:?}");
-            let acceleration = step.acceleration_at(theta)[0];
+            let acceleration = series(&step.acceleration, theta)[0];
             assert!((acceleration - 2.0 * (2.0 * theta - 1.0)).abs() < 1e-14);
         }
+    }
+
+    /// A gap that is zero where a step begins has to be zero on its polynomial too.
+    #[test]
+    fn valid_a_step_begins_exactly_where_it_begins() {
+        assert_eq!(integrals::<9>(0.0).map(|integral| integral.abs().to_bits()), [0; 9]);
     }
 }

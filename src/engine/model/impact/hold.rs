@@ -18,8 +18,9 @@ const HELD: f64 = 1e-13;
 const AGAIN: f64 = 0.5;
 /// Passages of a tip radius for which a damper that takes hold of the plate does not let go: to hold for less saves no steps.
 const SOON: f64 = 1e-3;
-/// How many times what a step may be off by a plate may move that its steep spring has taken hold of again: a fifth of the tolerance of a run.
-const RETURNED: f64 = 2e2;
+/// How many times what a step may be off by, of the depth, a plate may move that its steep spring has taken hold of again: the tolerance of
+/// a run.
+const RETURNED: f64 = 1e2;
 /// Part of the way to the zero of a law that is not smooth there that a step goes.
 const APPROACH: f64 = 0.55;
 
@@ -29,9 +30,9 @@ impl Setup {
         HELD * self.geometry.nose.radius_m
     }
 
-    /// The same once it has taken hold again.
-    pub(super) fn returned_m(&self) -> f64 {
-        RETURNED * self.tolerance * self.geometry.nose.radius_m
+    /// The same once it has taken hold again, at a travel of the projectile.
+    pub(super) fn returned_m(&self, q_m: f64) -> f64 {
+        RETURNED * self.tolerance * smaller(q_m, self.geometry.nose.radius_m)
     }
 }
 
@@ -124,7 +125,7 @@ impl Equations<'_> {
     /// than what a step may be off by many times over, and less than it has moved.
     fn is_held_by_spring(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
-        let held_m = AGAIN * self.setup.returned_m();
+        let held_m = AGAIN * self.setup.returned_m(state.q_m);
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
         self.setup.law == Law::Flow
             && spring.is_steep_at_zero()

@@ -227,7 +227,7 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
         }
         Event::SpringHolds | Event::DamperHolds => {
             if event == Event::SpringHolds {
-                (next.hold, next.held_m) = (Hold::Spring, setup.returned_m());
+                (next.hold, next.held_m) = (Hold::Spring, setup.returned_m(state.q_m));
             } else {
                 next.hold = Hold::Damper;
             }

@@ -3,6 +3,7 @@
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{self, Contact, Hold, Mode, Touch};
+use crate::model::impact::path::{LOOKS, Path};
 use crate::model::impact::window::Window;
 use crate::model::run::{self, Arrest, Departure, EnergyLedger, Event, EventKind, Sample};
 use crate::numerics::locate::{Found, first_fall};
@@ -10,8 +11,6 @@ use crate::numerics::maximum::greatest;
 use crate::numerics::quadrature::GAUSS_16;
 use crate::numerics::{larger, smaller};
 
-/// Rows within each step, its end included: its polynomial has no wiggles that they miss.
-const ROWS_PER_STEP: usize = 16;
 /// Rows after which only the ends of steps are kept: as many as a run's work allows.
 const ROWS_MAX: usize = 20_000;
 /// Hits of the stop slower than this part of the impact velocity are not events to mark.
@@ -89,12 +88,12 @@ impl Record<'_> {
     }
 
     /// Notes a step, whose states are given by the part of it.
-    pub(super) fn step(&mut self, equations: &Equations<'_>, at: impl Fn(f64) -> State) {
+    pub(super) fn step(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
         self.steps += 1;
-        self.reach(equations, &at(1.0));
-        self.add_work(equations, &at);
-        self.note_forces(equations, &at);
-        self.draw(equations, ROWS_PER_STEP, &at);
+        self.reach(equations, path.end());
+        self.add_work(equations, path);
+        self.note_forces(equations, path);
+        self.draw(equations, LOOKS, path);
     }
 
     fn reach(&mut self, equations: &Equations<'_>, state: &State) {
@@ -107,7 +106,7 @@ impl Record<'_> {
     }
 
     /// Work in the hole, of the damper and of the elastic stop, by Gauss's rule: exact for the product of two of the step's polynomials.
-    fn add_work(&mut self, equations: &Equations<'_>, at: &impl Fn(f64) -> State) {
+    fn add_work(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
         let moves = !equations.plate_rests();
         let is_damped = moves && !equations.setup.damper.is_absent();
         let is_pressed = moves && equations.mode.touch == Touch::Pressed;
@@ -115,10 +114,10 @@ impl Record<'_> {
         if !(slides || is_damped || is_pressed) {
             return;
         }
-        let span_s = at(1.0).t_s - at(0.0).t_s;
+        let span_s = path.end().t_s - path.start().t_s;
         for node in &GAUSS_16 {
             for place in [-node.at, node.at] {
-                let state = at(0.5 + 0.5 * place);
+                let state = path.at(0.5 + 0.5 * place);
                 let State { u_m_s, x_m, w_m_s, .. } = state;
                 let part_s = 0.5 * node.weight * span_s;
                 if slides {
@@ -135,8 +134,8 @@ impl Record<'_> {
     }
 
     /// The greatest forces of contact, mount and interface on a step.
-    fn note_forces(&mut self, equations: &Equations<'_>, at: &impl Fn(f64) -> State) {
-        let contact_n = |theta: f64| equations.contact_n(&at(theta));
+    fn note_forces(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
+        let contact_n = |theta: f64| equations.contact_n(&path.at(theta));
         // Friction is no peak.
         let flows = equations.setup.law == Law::Flow;
         if equations.mode.contact == Contact::Deepening || (!flows && equations.slides()) {
@@ -153,12 +152,12 @@ impl Record<'_> {
             }
             Hold::Free => {
                 let force_n = |theta: f64| {
-                    let state = at(theta);
+                    let state = path.at(theta);
                     equations.mechanism_n(state.x_m, state.w_m_s)
                 };
-                self.note_mechanism(equations, at, &force_n);
+                self.note_mechanism(equations, path, &force_n);
                 if equations.setup.turning_kg > 0.0 {
-                    let mount_n = |theta: f64| equations.mount_n(&at(theta)).abs();
+                    let mount_n = |theta: f64| equations.mount_n(&path.at(theta)).abs();
                     let known_n = self.loads.mount_n;
                     self.loads.mount_n = larger(greatest(0.0, 1.0, known_n, mount_n), known_n);
                 }
@@ -170,7 +169,7 @@ impl Record<'_> {
     fn note_mechanism(
         &mut self,
         equations: &Equations<'_>,
-        at: &impl Fn(f64) -> State,
+        path: &Path<'_>,
         force_n: &impl Fn(f64) -> f64,
     ) {
         // A power law and a stop push most at an end of the step, where nothing else does: the plate turns only there.
@@ -183,19 +182,19 @@ impl Record<'_> {
                 greatest(0.0, 1.0, known_n, force_n)
             }
         };
-        let (push_n, pull_n) = self.loads.known_n(equations, &at(1.0));
+        let (push_n, pull_n) = self.loads.known_n(equations, path.end());
         let (push_n, pull_n) = (most_n(1.0, push_n), most_n(-1.0, pull_n));
         let first_s = |way: f64| {
             let holds = if way > 0.0 { 1.0 } else { equations.setup.grip };
             let gap_n = |theta: f64| {
-                holds * equations.strength_n(&at(1.0))
+                holds * equations.strength_n(path.end())
                     - way * equations.setup.interface_fraction() * force_n(theta)
             };
             let found = first_fall(1, |theta, gaps| gaps[0] = gap_n(theta));
-            at(if let Found::Fall(_, theta) = found { theta } else { 1.0 }).t_s
+            path.at(if let Found::Fall(_, theta) = found { theta } else { 1.0 }).t_s
         };
-        self.note_load(equations, &at(1.0), [push_n, pull_n]);
-        self.note_excess(equations, &at(1.0), [push_n, pull_n], first_s);
+        self.note_load(equations, path.end(), [push_n, pull_n]);
+        self.note_excess(equations, path.end(), [push_n, pull_n], first_s);
     }
 
     /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it.
@@ -251,25 +250,20 @@ impl Record<'_> {
     }
 
     /// Draws a step in so many parts: its rows at equal times, and those at the ends of the parts.
-    pub(super) fn draw(
-        &mut self,
-        equations: &Equations<'_>,
-        parts: usize,
-        at: &impl Fn(f64) -> State,
-    ) {
+    pub(super) fn draw(&mut self, equations: &Equations<'_>, parts: usize, path: &Path<'_>) {
         if !self.keep_series {
             return;
         }
         if let Some(window) = self.window {
-            let (from_s, to_s) = (at(0.0).t_s, at(1.0).t_s);
+            let (from_s, to_s) = (path.start().t_s, path.end().t_s);
             window.fill(to_s, |t_s| {
-                let state = State { t_s, ..at((t_s - from_s) / (to_s - from_s)) };
+                let state = State { t_s, ..path.at((t_s - from_s) / (to_s - from_s)) };
                 sample(equations, &state, false)
             });
         }
         let parts = if self.series.len() < ROWS_MAX { parts } else { 1 };
         for part in 1..=parts {
-            let state = at(part as f64 / parts as f64);
+            let state = path.at(part as f64 / parts as f64);
             self.series.push(sample(equations, &state, part == parts));
         }
     }

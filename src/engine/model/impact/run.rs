@@ -8,6 +8,7 @@ use crate::model::impact::events::{Events, gap};
 use crate::model::impact::horizon;
 use crate::model::impact::modes::{self, Contact, Event, Hold};
 use crate::model::impact::moving::{Both, Driven, Moving, Plate, Projectile};
+use crate::model::impact::path::Path;
 use crate::model::impact::record::{Loads, Record};
 use crate::model::impact::report::{self, Course};
 use crate::model::impact::window::Window;
@@ -284,7 +285,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             let dt_s = part * span_s;
             State { t_s: state.t_s + dt_s, q_m: state.q_m + state.u_m_s * dt_s, ..*state }
         };
-        record.draw(&Equations { setup, mode }, 1, &at);
+        record.draw(&Equations { setup, mode }, 1, &Path::of(&at));
         *state = at(1.0);
         None
     }
@@ -315,8 +316,10 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
                 return None;
             }
         };
+        let at = |part: f64| law.state(&start, start.t_s + part * h_s, &step.at(part));
+        let path = Path::of(&at);
         let found = first_fall(events.list().len(), |theta, gaps| {
-            let state = law.state(&start, start.t_s + theta * h_s, &step.at(theta));
+            let state = path.at(theta);
             for (value, event) in gaps.iter_mut().zip(events.list()) {
                 let is_zero = theta == 0.0 && self.is_undone_by(*event);
                 *value = if is_zero { 0.0 } else { gap(equations, *event, &state) };
@@ -324,9 +327,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         });
         match found {
             Found::Nothing => {
-                self.course.record.step(equations, |theta| {
-                    law.state(&start, start.t_s + theta * h_s, &step.at(theta))
-                });
+                self.course.record.step(equations, &path);
                 self.course.state = law.state(&start, start.t_s + h_s, &step.end);
                 self.last = None;
                 let mut acceleration = [[0.0; S]; 2];
@@ -387,7 +388,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             if comes_first {
                 return Err(0.5 * h_s);
             }
-            self.course.record.step(equations, |part| at(part * theta));
+            self.course.record.step(equations, &Path::of(&|part| at(part * theta)));
             return Ok(state);
         }
         Err(0.5 * h_s)
