@@ -9,7 +9,6 @@ pub mod chart;
 pub mod dialogs;
 pub mod keymap;
 pub mod message;
-pub mod option;
 pub mod pages;
 pub(crate) mod plain;
 pub mod preset;
@@ -18,7 +17,6 @@ pub mod update;
 pub mod view;
 pub(crate) mod widgets;
 
-mod complete;
 mod effects;
 mod input;
 mod pace;
@@ -74,17 +72,12 @@ pub fn run(options: Options) -> Result<u8, TuiError> {
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
     let mut shell = Shell::start(options, paths, sender, inbox)?;
     let ending = shell.run();
-    let (summary, said) = shell.leave(&ending);
-    if let Some(text) = said {
-        // As below.
+    if let Some(text) = shell.leave(&ending) {
+        // The reader of standard error may be gone; the workbench is over either way.
         let _ = writeln!(io::stderr().lock(), "{text}");
     }
-    if let Some(text) = summary {
-        // The reader of standard output may be gone; the workbench is over either way.
-        let _ = writeln!(io::stdout().lock(), "{}", text.trim_end());
-    }
     match ending {
-        Ending::Quit { .. } => Ok(0),
+        Ending::Quit => Ok(0),
         Ending::Signal(status) => Ok(status),
         Ending::Broken(error) => Err(error.into()),
     }

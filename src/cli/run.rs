@@ -28,7 +28,7 @@ use crate::model::units::{Dimension, engineering};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
-use crate::report::run::{self as report, Compared, NamedRun, Rows};
+use crate::report::run::{self as report, Compared, NamedRun};
 use crate::report::svg::Picture;
 use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -133,11 +133,11 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         None => compute(arguments.scene.load()?)?,
         Some(dt_s) => at_equal_steps(arguments.scene.load()?, dt_s)?,
     };
-    let table = || RunTable { rows: Rows::Series, runs: named(&computed), columns: Vec::new() };
+    let table = || RunTable { runs: named(&computed) };
     match arguments.table.target() {
         TableDestination::None => {}
         TableDestination::Stdout => {
-            output::print(&table().text()?)?;
+            output::print(&table().text())?;
             return Ok(exit_code(&computed.run));
         }
         TableDestination::File(to) => {
@@ -147,7 +147,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
             if let Some(first) = scenes.first_mut() {
                 first.command = format!("run{dt}");
             }
-            let written = to.write(table.text()?.as_bytes(), &scenes, !was_interrupted());
+            let written = to.write(table.text().as_bytes(), &scenes, !was_interrupted());
             output::note_written(&written?);
         }
     }

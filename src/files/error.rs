@@ -8,7 +8,6 @@ use thiserror::Error;
 
 use crate::files::clean;
 use crate::model::variables;
-use crate::report::table::NoColumn;
 
 /// Why a file could not be read, written or found.
 #[derive(Debug, Error)]
@@ -65,9 +64,6 @@ pub enum FileError {
     /// A table cannot be put into CSV.
     #[error("cannot write CSV: {0}")]
     Csv(#[from] csv::Error),
-    /// A column that is wanted does not exist.
-    #[error(transparent)]
-    Column(#[from] NoColumn),
     /// No home directory is known.
     #[error("no home directory is known: set HOME, or XDG_DATA_HOME and XDG_STATE_HOME")]
     NoHome,

@@ -16,7 +16,7 @@ use crate::files::write;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
-use crate::report::run::{self, NamedRun, Rows};
+use crate::report::run::{self, NamedRun};
 use crate::study::quantities::of_runs;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
@@ -50,12 +50,8 @@ pub struct Beside<'a> {
 /// A table of runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunTable {
-    /// Which rows.
-    pub rows: Rows,
     /// The runs, each with its name (`now`, `A`, ...); the first one's scene goes into the sidecar of the CSV's own name.
     pub runs: Vec<NamedRun>,
-    /// Names of the columns to write, in order; empty: all.
-    pub columns: Vec<String>,
 }
 
 impl Destination {
@@ -193,8 +189,8 @@ fn checksum(text: &str) -> u64 {
 
 impl RunTable {
     /// The table as it goes into the file.
-    pub fn text(&self) -> Result<String, FileError> {
-        Ok(run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?)
+    pub fn text(&self) -> String {
+        run::csv(&self.runs)
     }
 
     /// The scene of each run, with what came out of it.

@@ -66,12 +66,6 @@ pub struct View {
     /// The word of the number of colours.
     #[serde(deserialize_with = "readable")]
     pub colours: Option<String>,
-    /// Whether every edit runs.
-    #[serde(deserialize_with = "readable")]
-    pub auto_run: Option<Switch>,
-    /// Threads of sweeps and studies.
-    #[serde(deserialize_with = "readable")]
-    pub threads: Option<usize>,
 }
 
 /// On or off.
@@ -88,9 +82,6 @@ pub enum Switch {
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Setup {
-    /// The absorber that the Limit tab compares with.
-    #[serde(deserialize_with = "readable")]
-    pub absorber: Option<String>,
     /// What Explore shows.
     #[serde(deserialize_with = "readable")]
     pub explore: Option<Explore>,
@@ -105,8 +96,6 @@ pub struct Setup {
 pub struct Explore {
     /// A map, not curves.
     pub is_map: bool,
-    /// How many curves a family has.
-    pub curves: Option<u64>,
     /// The quantity shown.
     pub output: String,
 }
@@ -129,8 +118,6 @@ pub struct Search {
     pub feasible: Option<bool>,
     /// Designs that a front tries.
     pub designs: Option<usize>,
-    /// The objectives drawn across and up.
-    pub axes: (usize, usize),
     /// The result of sensitivity and scatter.
     pub output: String,
     /// Standard deviation of every input, percent.

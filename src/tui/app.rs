@@ -25,13 +25,12 @@ use running::Jobs;
 use crate::files::clean;
 use crate::files::session;
 use crate::model::scene::Scene;
-use crate::study::parallel::cores;
 use crate::tui::keymap::Keymap;
 use crate::tui::message::FileTask;
 use crate::tui::pages::states::States;
 use crate::tui::prelude::*;
 use crate::tui::preset::{Base, PresetEntry};
-use crate::tui::theme::{ColourDepth, Theme};
+use crate::tui::theme::Theme;
 use crate::tui::widgets::input::{Field, TextField};
 use crate::tui::widgets::layout::{Layout, layout};
 
@@ -42,13 +41,7 @@ const LOG_MAX: usize = 2000;
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     pub theme: Theme,
-    /// The most colours the terminal can show.
-    pub best_depth: ColourDepth,
-    /// Run after every edit.
-    pub auto_run: bool,
     pub mouse: bool,
-    /// Threads of sweeps and studies; `None`: one for each core.
-    pub threads: Option<usize>,
 }
 
 /// What is known of the files outside.
@@ -80,8 +73,6 @@ pub struct App {
     pub size: (u16, u16),
     pub tab: Tab,
     pub focus: [Pane; Tab::ALL.len()],
-    /// The tabs whose focused pane fills the body.
-    pub full_pane: [bool; Tab::ALL.len()],
     pub typing: Option<Typing>,
     pub keymap: Keymap,
     pub settings: Settings,
@@ -112,12 +103,7 @@ impl App {
     pub fn new(base: Base, theme: Theme, directory: PathBuf) -> Self {
         Self {
             size: (80, 24),
-            settings: Settings {
-                theme,
-                best_depth: theme.depth,
-                auto_run: true,
-                ..Settings::default()
-            },
+            settings: Settings { theme, ..Settings::default() },
             focus: Tab::ALL.map(|tab| Pane::of(tab, 0)),
             scene: Arc::clone(&base.scene),
             base,
@@ -157,14 +143,9 @@ impl App {
             scene: Arc::clone(&self.scene),
             base: self.base.clone(),
             search: Arc::clone(&self.pages.search.setup),
-            plan: self.pages.explore.plan,
+            picture: self.pages.explore.picture,
             pins: self.pins.iter().map(|pin| Pin { run: None, job: None, ..pin.clone() }).collect(),
         }
-    }
-
-    /// Threads of sweeps and studies.
-    pub fn crew(&self) -> usize {
-        self.settings.threads.unwrap_or_else(cores)
     }
 
     pub fn layout(&self) -> Layout {
@@ -180,7 +161,7 @@ impl App {
 
     /// Whether the pane that has the keys fills the body.
     pub fn is_full(&self) -> bool {
-        self.full_pane[self.tab.index()]
+        self.tab == Tab::Run && self.pages.run.is_full
     }
 
     /// Whether the newest message refuses something.
@@ -262,7 +243,7 @@ impl App {
 
     /// The runs to draw, the current one last so that it lies on top.
     pub fn visible_runs(&self) -> Vec<RunView<'_>> {
-        let pins = self.pins.iter().enumerate().filter(|(_, pin)| pin.visible);
+        let pins = self.pins.iter().enumerate();
         let mut list: Vec<RunView<'_>> = pins
             .filter_map(|(index, pin)| {
                 pin.run.as_deref().map(|run| RunView {
@@ -274,7 +255,7 @@ impl App {
                 })
             })
             .collect();
-        if let Some(shown) = self.shown.as_ref().filter(|_| self.pages.run.shows_current) {
+        if let Some(shown) = &self.shown {
             list.push(RunView {
                 letter: None,
                 index: 0,
@@ -284,11 +265,6 @@ impl App {
             });
         }
         list
-    }
-
-    /// The pin that differences are taken against: the first one that has a result.
-    pub fn reference_pin(&self) -> Option<&Pin> {
-        self.pins.iter().find(|pin| pin.run.is_some())
     }
 
     /// The variables that differ between two scenes, by index into the table.

@@ -2,8 +2,7 @@
 
 mod ask;
 mod curve;
-mod export_runs;
-mod export_table;
+mod export;
 mod help;
 pub(crate) mod list;
 mod options;
@@ -16,7 +15,6 @@ use crate::tui::app::dialog::Dialog;
 use crate::tui::prelude::*;
 
 pub(crate) use curve::checked;
-pub(crate) use options::switch;
 pub(crate) use words::open as list_words;
 
 /// Opens a dialog; one that has nothing to show says why instead.
@@ -29,16 +27,14 @@ const OPENED: &[(Action, Open)] = &[
     (Action::Presets, |app| Some(presets::open(app))),
     (Action::Options, |app| Some(options::open(app))),
     (Action::Save, |app| Some(save::open(app))),
-    (Action::Export, export_runs::open),
-    (Action::Export, export_table::open),
+    (Action::Export, export::open),
 ];
 
 /// Open the dialog of an action; false where it has none here.
 pub(crate) fn open(app: &mut App, action: Action) -> bool {
-    let mut opened = OPENED.iter().filter(|(opens, _)| *opens == action).peekable();
-    let is_known = opened.peek().is_some();
-    if is_known {
-        app.dialog = opened.find_map(|(_, open)| open(app));
+    let found = OPENED.iter().find(|(opens, _)| *opens == action);
+    if let Some((_, open)) = found {
+        app.dialog = open(app);
     }
-    is_known
+    found.is_some()
 }

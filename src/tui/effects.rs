@@ -1,11 +1,9 @@
 //! The I/O thread: carries out the effects that touch files, on a thread of its own, so that a slow disk never holds up a key.
 //!
-//! Tasks are done in order; of questions asked again before they are answered only the newest is, and on leaving none. The
-//! session is kept soon after it changed (changes in quick succession are written once), and at
-//! once when the loop leaves. Knows nothing of the terminal.
+//! Tasks are done in order. The session is kept soon after it changed (changes in quick succession are written once), and at once
+//! when the loop leaves. Knows nothing of the terminal.
 
 use std::cell::Cell;
-use std::collections::VecDeque;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -25,7 +23,6 @@ use crate::files::recent;
 use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
-use crate::tui::complete;
 use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask as Task, Message};
 use crate::tui::preset::PresetEntry;
 
@@ -138,14 +135,12 @@ struct FileQueue {
 impl FileQueue {
     fn serve(&self, requests: &Receiver<Request>) {
         let mut session_due: Option<Instant> = None;
-        let mut waiting = VecDeque::new();
         loop {
             if session_due.is_some_and(|due| due <= Instant::now()) {
                 session_due = None;
                 self.save();
             }
-            let next = next_request(requests, &mut waiting, session_due);
-            match next {
+            match next_request(requests, session_due) {
                 Ok(Request::SessionChanged) => {
                     session_due.get_or_insert_with(|| Instant::now() + self.delay);
                 }
@@ -208,10 +203,6 @@ impl FileQueue {
                 let points = read_table::curve(&path).map_err(|error| error.to_string());
                 EffectReport::Curve(path, points)
             }
-            Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
-            Task::KeepCopy(text, sent) => {
-                EffectReport::Said(Severity::Note, keep_copy(paths, &text, &sent))
-            }
         }
     }
 }
@@ -219,34 +210,12 @@ impl FileQueue {
 /// The next request; waits for one until the session is due.
 fn next_request(
     requests: &Receiver<Request>,
-    waiting: &mut VecDeque<Request>,
     session_due: Option<Instant>,
 ) -> Result<Request, RecvTimeoutError> {
-    waiting.extend(requests.try_iter());
-    drop_outdated(waiting);
-    match (waiting.pop_front(), session_due) {
-        (Some(request), _) => Ok(request),
-        (None, Some(due)) => requests.recv_timeout(due.saturating_duration_since(Instant::now())),
-        (None, None) => Ok(requests.recv()?),
+    match session_due {
+        Some(due) => requests.recv_timeout(due.saturating_duration_since(Instant::now())),
+        None => Ok(requests.recv()?),
     }
-}
-
-/// Drops requests that are out of date: completions and lists that were requested again, and all of them on quitting.
-fn drop_outdated(waiting: &mut VecDeque<Request>) {
-    let leaving = waiting.iter().any(|request| matches!(request, Request::Finish(_)));
-    let newest = |question: fn(&Request) -> bool| waiting.iter().rposition(question);
-    let completion = newest(|request| matches!(request, Request::Task(Task::Complete(_))));
-    let list = newest(|request| matches!(request, Request::Task(Task::ListPresets(_))));
-    let mut at = 0;
-    waiting.retain(|request| {
-        at += 1;
-        match request {
-            Request::Task(Task::Complete(_)) => !leaving && completion == Some(at - 1),
-            Request::Task(Task::ListPresets(_)) => !leaving && list == Some(at - 1),
-            Request::Task(Task::Load(_) | Task::ReadCurve(..)) => !leaving,
-            _ => true,
-        }
-    });
 }
 
 /// The message about another session found in place of ours.
@@ -283,9 +252,9 @@ fn written(written: Result<Vec<PathBuf>, FileError>) -> ExportOutcome {
 }
 
 fn export(to: &Destination, content: &Content) -> ExportOutcome {
-    let written = atomic::ordinary(&to.path)
-        .and_then(|()| content.text())
-        .and_then(|text| to.write(text.as_bytes(), &content.scenes(), content.is_complete()));
+    let written = atomic::ordinary(&to.path).and_then(|()| {
+        to.write(content.text().as_bytes(), &content.scenes(), content.is_complete())
+    });
     self::written(written)
 }
 
@@ -316,20 +285,6 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
         .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.name, it.error.to_string())))
         .chain(wrong_parts)
         .collect()
-}
-
-/// Write the copied text where a terminal without OSC 52 leaves it in reach, and say where it went.
-fn keep_copy(paths: Option<&Paths>, text: &str, sent: &str) -> String {
-    let path = paths.map(|paths| paths.state.join("clipboard.txt")).ok_or(FileError::NoHome);
-    let written = path.and_then(|path| {
-        atomic::make_folder_of(&path)?;
-        atomic::write(&path, text.as_bytes(), Existing::Replace)?;
-        Ok(path)
-    });
-    match written {
-        Ok(path) => format!("{sent}; also written to {}", path.display()),
-        Err(error) => format!("{sent}; not to a file: {error}"),
-    }
 }
 
 #[cfg(test)]
@@ -434,42 +389,5 @@ mod tests {
         };
         let mine = presets.iter().find(|entry| entry.name == "mine").unwrap();
         assert_eq!(mine.origin, "mine");
-    }
-
-    #[test]
-    fn only_the_newest_of_repeated_requests_is_answered_and_none_on_quitting() {
-        let complete = |text: &str| Request::Task(Task::Complete(text.to_owned()));
-        let copy = || Request::Task(Task::KeepCopy(String::new(), String::new()));
-        let of = |requests: Vec<Request>| -> VecDeque<Request> {
-            let mut waiting = VecDeque::from(requests);
-            drop_outdated(&mut waiting);
-            waiting
-        };
-        let list = || Request::Task(Task::ListPresets(Vec::new()));
-        let mut left = of(vec![complete("a"), copy(), list(), complete("b"), list(), copy()]);
-        assert!(matches!(
-            left.make_contiguous(),
-            [Request::Task(Task::KeepCopy(..)), Request::Task(Task::Complete(text)), Request::Task(Task::ListPresets(_)), Request::Task(Task::KeepCopy(..))]
-                if text == "b"
-        ));
-        let (done, _wait) = mpsc::channel();
-        let load = Request::Task(Task::Load(PathBuf::new()));
-        let mut left = of(vec![complete("a"), copy(), load, list(), Request::Finish(done)]);
-        assert!(matches!(
-            left.make_contiguous(),
-            [Request::Task(Task::KeepCopy(..)), Request::Finish(_)]
-        ));
-    }
-
-    #[test]
-    fn copied_text_is_in_a_file_too_and_the_message_says_where() {
-        let (_place, paths, io_thread, inbox) = start();
-        io_thread.ask(Task::KeepCopy("depth 7 mm".to_owned(), "copied".to_owned()));
-        let EffectReport::Said(_, text) = report(&inbox) else {
-            panic!("not copied");
-        };
-        let path = paths.state.join("clipboard.txt");
-        assert_eq!(text, format!("copied; also written to {}", path.display()));
-        assert_eq!(fs::read_to_string(path).unwrap(), "depth 7 mm");
     }
 }

@@ -8,9 +8,7 @@ use cmra_studies::enumeration;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use Action as A;
-use Scope::{Everywhere, Listed, With};
-
-use crate::tui::option::OptionRow;
+use Scope::{Everywhere, Listed};
 
 enumeration! {
     /// The tabs, in the order of the title row.
@@ -92,16 +90,12 @@ pub enum Target {
     },
     /// A row of the list in the dialog on top.
     DialogRow(usize),
-    /// Beside the dialog on top.
-    Beside,
 }
 
 pub struct PaneSpec {
     pub pane: Pane,
     /// Its name in help, palette and messages.
     pub label: &'static str,
-    /// The things in it that keys act on.
-    pub has: &'static [Part],
     /// The meaning of keys in it, the most useful first: the order of the footer, which drops the last ones on a narrow screen.
     pub keys: &'static [PaneKey],
 }
@@ -112,17 +106,6 @@ impl PaneSpec {
         let line = LINES.iter().find(|line| line.keys.iter().any(|(one, ..)| *one == action));
         line.is_none_or(|line| line.works_in(self))
     }
-}
-
-/// The things in a pane that keys can act on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Rows that have a value to change.
-    Form,
-    /// A chart that can be zoomed.
-    Chart,
-    /// A table whose rows a text filters.
-    Table,
 }
 
 pub struct PaneKey {
@@ -142,8 +125,6 @@ pub const fn key(action: Action, short: &'static str, help: &'static str) -> Pan
 #[expect(missing_docs, reason = "each action is described once, in the tables, for people")]
 pub enum Action {
     Tab(Tab),
-    TabNext,
-    TabPrevious,
     FocusNext,
     FocusPrevious,
     Up,
@@ -173,28 +154,15 @@ pub enum Action {
     Options,
     FullPane,
     Quit,
-    QuitWithSummary,
     Cancel,
     Suspend,
     Redraw,
-    FineLess,
-    FineMore,
     Reset,
     ZoomIn,
     ZoomOut,
     ZoomFit,
-    PanLeft,
-    PanRight,
-    LogX,
-    LogY,
-    EventNext,
-    EventPrevious,
     Window,
-    Difference,
-    ShowHide,
-    Sort,
     ResetAll,
-    Switch(OptionRow),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -393,8 +361,6 @@ impl Command {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
     Everywhere,
-    /// In the panes that have such a part.
-    With(Part),
     /// In the panes that list one of its keys.
     Listed,
 }
@@ -413,7 +379,6 @@ impl KeyHelp {
     pub fn works_in(&self, pane: &PaneSpec) -> bool {
         match self.scope {
             Everywhere => true,
-            With(part) => pane.has.contains(&part),
             Listed => pane
                 .keys
                 .iter()
@@ -434,7 +399,6 @@ fn bound() -> impl Iterator<Item = &'static Bound> {
 #[rustfmt::skip]
 pub static LINES: &[KeyHelp] = &[
     line(Everywhere, TAB_KEYS, "go to the tab; again: its next page"),
-    line(Everywhere, &[(A::TabPrevious, "previous-tab", "{"), (A::TabNext, "next-tab", "}")], "previous tab, next tab"),
     line(Everywhere, &[(A::FocusNext, "next-pane", "Tab"), (A::FocusPrevious, "previous-pane", "Shift-Tab")], "next pane, previous pane"),
     line(Everywhere, &[(A::Left, "left", "h Left"), (A::Down, "down", "j Down"), (A::Up, "up", "k Up"), (A::Right, "right", "l Right")], "move the selection or cursor, as arrows do; <left> <right> change values"),
     line(Everywhere, &[(A::FarLeft, "far-left", "H Shift-Left"), (A::FarRight, "far-right", "L Shift-Right")], "move or change by ten steps"),
@@ -442,7 +406,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
     line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load what is under the cursor into the scene"),
     line(Everywhere, &[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
-    line(Everywhere, &[(A::Find, "find", "/")], "find in this pane; variables and claims: show what matches"),
+    line(Everywhere, &[(A::Find, "find", "/")], "show the variables, claims or lines of the log that match"),
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
     line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
     line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),
@@ -451,23 +415,15 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::Run, "run", "r")], "run again what this page computes"),
     line(Everywhere, &[(A::Export, "export", "e"), (A::Copy, "copy", "y")], "export, copy what this page shows"),
     line(Everywhere, &[(A::Presets, "presets", "p"), (A::Save, "save", "s")], "presets, threats, materials and absorbers; save the scene"),
-    line(Everywhere, &[(A::Options, "options", "o")], "options: characters, colours, mouse, threads, models"),
-    line(Everywhere, &[(A::FullPane, "full-pane", "z")], "show this pane alone"),
-    line(Everywhere, &[(A::Quit, "quit", "q"), (A::QuitWithSummary, "quit-with-summary", "Q")], "quit (the session is kept), quit and print a summary"),
+    line(Everywhere, &[(A::Options, "options", "o")], "options: characters, colours, mouse"),
+    line(Listed, &[(A::FullPane, "full-pane", "z")], "show this pane alone"),
+    line(Everywhere, &[(A::Quit, "quit", "q")], "quit (the session is kept)"),
     line(Everywhere, &[(A::Cancel, "cancel", "Ctrl-c")], "cancel the job; pressed twice: quit"),
     line(Everywhere, &[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 
-    line(With(Part::Form), &[(A::FineLess, "fine-less", ","), (A::FineMore, "fine-more", ".")], "change by a tenth of a step: less, more"),
-    line(With(Part::Form), &[(A::Reset, "reset", "d Del")], "reset this row"),
-    line(With(Part::Chart), &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-")], "zoom in, zoom out"),
-    line(With(Part::Chart), &[(A::ZoomFit, "zoom-fit", "0")], "show everything"),
-    line(With(Part::Chart), &[(A::PanLeft, "pan-left", "["), (A::PanRight, "pan-right", "]")], "pan left, pan right"),
-    line(With(Part::Chart), &[(A::LogX, "log-x", "X"), (A::LogY, "log-y", "Y")], "logarithmic or linear x axis, y axis"),
-    line(Listed, &[(A::EventNext, "next-event", "n"), (A::EventPrevious, "previous-event", "N")], "cursor to the next event, the previous one"),
+    line(Listed, &[(A::Reset, "reset", "d Del")], "reset this row"),
+    line(Listed, &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-"), (A::ZoomFit, "zoom-fit", "0")], "zoom in, zoom out, show everything"),
     line(Listed, &[(A::Window, "window", "c")], "show the contact only, or the whole response"),
-    line(Listed, &[(A::Difference, "difference", "D")], "show curves as differences to the first pinned run"),
-    line(Listed, &[(A::ShowHide, "show-hide", "V")], "show or hide this curve"),
-    line(Listed, &[(A::Sort, "sort", "S")], "sort by the next column"),
 ];
 
 #[cfg(test)]

@@ -7,7 +7,6 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
-use crate::files::error::FileError;
 use crate::files::export::{Beside, Destination, RunTable};
 use crate::model::scene::Scene;
 use crate::tui::prelude::*;
@@ -48,7 +47,6 @@ pub enum EffectReport {
     Said(Severity, String),
     /// The session cannot be kept any more, and why; or it can again.
     Session(Result<(), String>),
-    Completions(Vec<String>),
     /// A spring's measured curve was read: whose, the file, and its points.
     Curve(PathBuf, Result<Arc<[[f64; 2]]>, String>),
 }
@@ -85,18 +83,15 @@ pub enum Effect {
     Files(FileTask),
     /// Save the session soon (edits in quick succession are saved once).
     SaveSession,
-    /// Copy to the clipboard of the terminal (OSC 52), and to a file as a fallback.
+    /// Copy to the clipboard of the terminal (OSC 52).
     Copy(String),
     /// Capture the mouse or let it go.
     Mouse(bool),
     Redraw,
     /// Restore the terminal and stop until `fg`.
     Suspend,
-    /// Leave; with the last summary printed on the main screen or without.
-    Quit {
-        /// Print the summary of the last run after leaving.
-        summary: bool,
-    },
+    /// Leave.
+    Quit,
 }
 
 /// Something to do with files, on a thread of its own.
@@ -118,9 +113,6 @@ pub enum FileTask {
     Load(PathBuf),
     /// Read a measured curve for a spring.
     ReadCurve(PathBuf),
-    Complete(String),
-    /// Write copied text to a file; the second text says where else it went.
-    KeepCopy(String, String),
 }
 
 /// The content of a file to write.
@@ -210,11 +202,11 @@ impl Content {
     }
 
     /// The text of the file.
-    pub fn text(&self) -> Result<String, FileError> {
+    pub fn text(&self) -> String {
         match self {
             Self::Runs(runs) => runs.text(),
-            Self::Page(table) => Ok((table.csv)(table.source.as_ref().map_or("", |it| &it.name))),
-            Self::Text(text) => Ok(text.clone()),
+            Self::Page(table) => (table.csv)(table.source.as_ref().map_or("", |it| &it.name)),
+            Self::Text(text) => text.clone(),
         }
     }
 

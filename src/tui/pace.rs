@@ -11,9 +11,6 @@ use std::time::{Duration, Instant};
 /// Least mean time between frames.
 const FRAME: Duration = Duration::from_millis(50);
 
-/// The same while a job is running that takes a while.
-const FRAME_WHILE_RUNNING: Duration = Duration::from_millis(100);
-
 /// Frames that may be drawn in quick succession after a pause.
 const BURST: u32 = 3;
 
@@ -35,8 +32,6 @@ pub(super) struct Pace {
     full_at: Instant,
     /// Until when a frame waits for a result.
     waits_until: Option<Instant>,
-    /// A job is running and has said so.
-    busy: bool,
     /// When the frame was drawn that has not been reported to have arrived.
     under_way: Option<Instant>,
     /// Frames in a row without an answer.
@@ -52,7 +47,6 @@ impl Pace {
             dirty: true,
             full_at: now,
             waits_until: None,
-            busy: false,
             under_way: None,
             unanswered: 0,
             answers: false,
@@ -74,17 +68,12 @@ impl Pace {
         self.waits_until = None;
     }
 
-    /// Whether a job is running that takes a while.
-    pub(super) fn set_busy(&mut self, busy: bool) {
-        self.busy = busy;
-    }
-
     /// When the next frame is to be drawn; `None` when there is nothing to draw.
     pub(super) fn due(&self) -> Option<Instant> {
         if !self.dirty {
             return None;
         }
-        let spare = self.interval() * (BURST - 1);
+        let spare = FRAME * (BURST - 1);
         let budget = self.full_at.checked_sub(spare).unwrap_or(self.full_at);
         let patience = if self.answers { ARRIVAL } else { FIRST_ARRIVAL };
         let arrived = self.under_way.map(|drawn| drawn + patience);
@@ -116,15 +105,11 @@ impl Pace {
         self.dirty = false;
         self.waits_until = None;
         if changed {
-            self.full_at = self.full_at.max(now) + self.interval();
+            self.full_at = self.full_at.max(now) + FRAME;
             let asked = self.asks();
             self.unanswered += u32::from(self.under_way.is_some());
             self.under_way = asked.then_some(now);
         }
-    }
-
-    fn interval(&self) -> Duration {
-        if self.busy { FRAME_WHILE_RUNNING } else { FRAME }
     }
 }
 
@@ -157,26 +142,12 @@ mod tests {
     }
 
     #[test]
-    fn a_change_after_a_pause_is_drawn_at_once() {
-        let start = Instant::now();
-        let mut pace = Pace::new(start);
-        pace.drawn(start, true);
-        pace.arrived();
-        let later = start + Duration::from_secs(1);
-        pace.change();
-        assert!(pace.due().is_some_and(|due| due <= later));
-    }
-
-    #[test]
-    fn a_flood_gets_twenty_frames_a_second_and_ten_while_running() {
+    fn a_flood_gets_twenty_frames_a_second() {
         let start = Instant::now();
         let mut pace = Pace { unanswered: UNANSWERED, ..Pace::new(start) };
         let ten = Duration::from_secs(10);
         let drawn = frames(&mut pace, start, ten);
         assert!((200..=200 + BURST).contains(&drawn), "{drawn}");
-        pace.set_busy(true);
-        let drawn = frames(&mut pace, start + ten, ten);
-        assert!((98..=100 + BURST).contains(&drawn), "{drawn}");
     }
 
     /// A frame of 1900 bytes takes 0.38 s at 5 kB/s.

@@ -11,7 +11,6 @@ pub mod states;
 pub mod thesis;
 
 use crate::tui::keymap::{Call, Command, PaneSpec};
-use crate::tui::option::OptionRow;
 use crate::tui::prelude::*;
 
 pub(crate) use page::{Page, PageSpec, all_jobs, move_by, note, nothing_yet, open_field, pictures};
@@ -54,7 +53,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
 #[rustfmt::skip]
 static GENERAL: &[Command] = &[
     named(Action::Help, "Help", "keys"),
-    named(Action::Options, "Options", "settings preferences menu"),
+    named(Action::Options, "Options", "settings preferences menu characters colours mouse"),
     named(Action::Presets, "Presets", "load open threats materials absorbers scenes file"),
     named(Action::Save, "Save the scene", "preset write store"),
     named(Action::Export, "Export", "csv svg write file table picture chart"),
@@ -64,18 +63,9 @@ static GENERAL: &[Command] = &[
     named(Action::Redo, "Redo", "again"),
     named(Action::Mark, "Pin this run", "compare keep mark"),
     named(Action::ResetAll, "Set all variables as in the preset", "reset all start again default"),
-    named(Action::FullPane, "Show this pane alone", "full zoom maximise"),
-    named(Action::Switch(OptionRow::Interface), "Switch the interface law", "fused plastic"),
-    named(Action::Switch(OptionRow::Contact), "Next contact model", "interaction half-sine initial velocity lumped appendix"),
-    named(Action::Switch(OptionRow::Threads), "Next number of threads", "cores processors parallel"),
-    named(Action::Switch(OptionRow::AutoRun), "Switch auto-run", "run after every edit"),
-    named(Action::Switch(OptionRow::Characters), "Next set of characters", "ascii block braille glyphs"),
-    named(Action::Switch(OptionRow::Colours), "Next set of colours", "theme colors"),
-    named(Action::Switch(OptionRow::Mouse), "Switch the mouse", "click wheel release"),
     named(Action::Redraw, "Redraw the screen", "clear refresh"),
     named(Action::Suspend, "Suspend", "shell background"),
     named(Action::Quit, "Quit", "exit leave"),
-    named(Action::QuitWithSummary, "Quit with a summary", "exit print"),
 ];
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ use super::signals::{self, HUNG_UP, Incoming, Signal};
 use super::terminal::{self, Guard};
 use super::{Options, input, start};
 use crate::files::paths::Paths;
-use crate::tui::message::{EffectReport, FileTask, Message};
+use crate::tui::message::{EffectReport, Message};
 use crate::tui::prelude::*;
 use crate::tui::{update, view};
 use crate::worker::{Slot, Worker};
@@ -39,10 +39,7 @@ const FINISH_QUIT: Duration = Duration::from_secs(10);
 const FINISH_FORCED: Duration = Duration::from_millis(900);
 
 pub(super) enum Ending {
-    Quit {
-        /// The last summary is wanted on the main screen.
-        summary: bool,
-    },
+    Quit,
     /// A signal, or the terminal is gone: with the exit status that stands for.
     Signal(u8),
     /// The terminal cannot be used any more, though it is there.
@@ -125,24 +122,22 @@ impl Shell {
         }
     }
 
-    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted, and what a
-    /// person should know of the session, if anything.
-    pub(super) fn leave(mut self, ending: &Ending) -> (Option<String>, Option<String>) {
-        let (patience, summary) = match ending {
-            Ending::Quit { summary } => (FINISH_QUIT, *summary),
-            Ending::Signal(_) | Ending::Broken(_) => (FINISH_FORCED, false),
+    /// Leave: save the session, restore the terminal, and give what a person should know of the session, if anything.
+    pub(super) fn leave(mut self, ending: &Ending) -> Option<String> {
+        let patience = match ending {
+            Ending::Quit => FINISH_QUIT,
+            Ending::Signal(_) | Ending::Broken(_) => FINISH_FORCED,
         };
         self.io_thread.session_changed(start::session(&self.app));
-        if matches!(ending, Ending::Quit { .. }) {
+        if matches!(ending, Ending::Quit) {
             self.await_arrival();
         }
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
-        let session = match self.io_thread.finish(patience) {
+        match self.io_thread.finish(patience) {
             Ok(aside) => aside.map(|aside| effects::of_another(&aside)),
             Err(why) => Some(format!("the session was not kept: {why}")),
-        };
-        (summary.then(|| self.app.summary()), session)
+        }
     }
 
     /// Wait for something, deal with all that has come, and draw if it is time.
@@ -242,10 +237,7 @@ impl Shell {
         while let Some(message) = queue.pop_front() {
             let effects = update::update(&mut self.app, message);
             self.pace.change();
-            let run = self.app.jobs.current.as_ref();
-            // One that takes a moment has reported.
-            self.pace.set_busy(run.is_some_and(|run| !run.elapsed.is_zero()));
-            if run.is_none() {
+            if self.app.jobs.current.is_none() {
                 self.pace.result_came();
             }
             for effect in effects {
@@ -273,7 +265,10 @@ impl Shell {
             Effect::After(delay, message) => self.timers.push((Instant::now() + delay, message)),
             Effect::Files(task) => self.io_thread.ask(task),
             Effect::SaveSession => self.io_thread.session_changed(start::session(&self.app)),
-            Effect::Copy(text) => self.copy(text)?,
+            Effect::Copy(text) => {
+                let said = EffectReport::Said(Severity::Note, self.copy(&text)?);
+                queue.push_back(Message::Done(said));
+            }
             Effect::Mouse(on) => self.guard.set_mouse(on)?,
             Effect::Redraw => {
                 self.guard.redraw_all()?;
@@ -287,28 +282,25 @@ impl Shell {
                     )));
                 }
             }
-            Effect::Quit { summary } => return Ok(Some(Ending::Quit { summary })),
+            Effect::Quit => return Ok(Some(Ending::Quit)),
         }
         Ok(None)
     }
 
-    fn copy(&mut self, text: String) -> io::Result<()> {
-        let sent = if text.len() <= CLIPBOARD_MAX {
-            self.guard.send(&CopyToClipboard::to_clipboard_from(&text))?;
-            let passed_on = match variable("TMUX") {
-                Some(_) => "; tmux passes it on only with `set -s set-clipboard on`",
-                None => "",
-            };
-            format!("sent to the terminal's clipboard (OSC 52){passed_on}")
-        } else {
-            format!(
-                "{} kB are too long for the terminal's clipboard (at most {} kB)",
-                text.len() / 1024,
-                CLIPBOARD_MAX / 1024
-            )
+    /// Send a text to the clipboard of the terminal; gives what to say of it.
+    fn copy(&mut self, text: &str) -> io::Result<String> {
+        if text.len() > CLIPBOARD_MAX {
+            let (length, most) = (text.len() / 1024, CLIPBOARD_MAX / 1024);
+            return Ok(format!(
+                "{length} kB are too long for the terminal's clipboard (at most {most} kB): <export> writes a file"
+            ));
+        }
+        self.guard.send(&CopyToClipboard::to_clipboard_from(text))?;
+        let passed_on = match variable("TMUX") {
+            Some(_) => "; tmux passes it on only with `set -s set-clipboard on`",
+            None => "",
         };
-        self.io_thread.ask(FileTask::KeepCopy(text, sent));
-        Ok(())
+        Ok(format!("sent to the terminal's clipboard (OSC 52){passed_on}"))
     }
 
     /// Give the terminal back, stop, and take it over again when continued. Returns whether the process was stopped.

@@ -105,21 +105,3 @@ fn meaning(number: i32) -> Signal {
 fn end_process(status: u8) -> ! {
     std::process::exit(i32::from(status))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_signal_ends_with_128_and_its_number() {
-        // Numbers as in POSIX: HUP 1, INT 2, QUIT 3, TERM 15.
-        for (number, status) in [(SIGHUP, 129), (SIGINT, 130), (SIGQUIT, 131), (SIGTERM, 143)] {
-            assert_eq!(meaning(number), Signal::End(status));
-        }
-        for number in ENDING {
-            assert_eq!(meaning(number), Signal::End(128 + u8::try_from(number).unwrap()));
-        }
-        assert_eq!(meaning(SIGCONT), Signal::Continued);
-        assert_eq!(meaning(SIGTSTP), Signal::Stop);
-    }
-}

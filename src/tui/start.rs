@@ -8,7 +8,7 @@ use crate::files::bundled::BASELINE;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Known, Session, Switch, UNDO_MAX, UndoStep, View};
+use crate::files::session::{self, Known, Session, UNDO_MAX, UndoStep, View};
 use crate::files::{config, recent};
 use crate::model::scene::Scene;
 use crate::tui::app::history::{Edit, History, Snapshot};
@@ -106,7 +106,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
             Some(depth) => app.settings.theme.depth = depth,
             None => app.say(
                 Severity::Warning,
-                format!("{}: colours = \"{word}\": use none, sixteen, 256 or full", path.display()),
+                format!("{}: colours = \"{word}\": use none, sixteen or 256", path.display()),
             ),
         }
     }
@@ -142,13 +142,11 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
 pub(super) fn session(app: &App) -> Session {
     let detected = Theme::detect(environment);
     // Only what a person chose: the next terminal may be able to show more, or less.
-    let Settings { theme, auto_run, threads, .. } = &app.settings;
+    let Settings { theme, .. } = &app.settings;
     let chosen = |word: &str, is_chosen: bool| is_chosen.then(|| word.to_owned());
     let view = View {
         glyphs: chosen(theme.glyphs.word(), theme.glyphs != detected.glyphs),
         colours: chosen(theme.depth.word(), theme.depth != detected.depth),
-        auto_run: (!auto_run).then_some(Switch::Off),
-        threads: *threads,
     };
     Session {
         scene: (*app.scene).clone(),
@@ -250,7 +248,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
         app.pins.push(Pin::new(letter, app.name_of(&scene), Arc::new(scene)));
     }
-    let View { glyphs: set, colours, auto_run, threads } = last.view;
+    let View { glyphs: set, colours } = last.view;
     if glyphs.is_none()
         && let Some(Ok(Some(set))) = set.as_deref().map(GlyphSet::named)
     {
@@ -259,8 +257,6 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     if let Some(depth) = colours.as_deref().and_then(ColourDepth::named) {
         app.settings.theme.depth = depth;
     }
-    app.settings.auto_run = auto_run != Some(Switch::Off);
-    app.settings.threads = threads.filter(|count| *count > 0);
     app.restore_setups(last.setup);
     app.history = undoable(app, last.undo, paths);
     app.tell(greeting(app));
@@ -292,7 +288,7 @@ mod tests {
     use crate::tui::app::edit;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
-    use crate::tui::pages::explore::state::PicturePlan;
+    use crate::tui::pages::explore::state::Picture;
     use crate::tui::update;
     use crate::worker::studies::Asked;
 
@@ -341,17 +337,14 @@ mod tests {
         Arc::make_mut(&mut app.scene).plate.mass_ratio = 2.5;
         let scene = Arc::clone(&app.base.scene);
         app.pins.push(Pin::new('A', "thesis-baseline".to_owned(), scene));
-        app.settings.auto_run = false;
-        app.settings.threads = Some(1);
         app.settings.theme.glyphs = app.settings.theme.glyphs.next();
         app.files.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);
         press(
             &mut app,
-            "2<Tab>/shown<Enter>l4/is<Enter><Enter>45<Enter>/variable<Enter><Enter>k<Enter>/to<Enter><Enter>9e6<Enter>/from<Enter><Enter>8e6<Enter>",
+            "2<Tab>kl4gj<Enter>45<Enter>j<Enter>k<Enter>jj<Enter>9e6<Enter>k<Enter>8e6<Enter>",
         );
-        press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
-        app.pages.limit.absorber = Some("some foam".to_owned());
+        press(&mut app, "4glgjjjjjj<Enter>1..5<Enter>jjl");
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.
@@ -362,9 +355,9 @@ mod tests {
         let mut again = state();
         restore(&mut again, kept.clone(), None, None);
         assert_eq!(again.scene, app.scene);
-        assert_eq!((again.settings.theme, again.settings.threads), (app.settings.theme, Some(1)));
+        assert_eq!(again.settings.theme, app.settings.theme);
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
-        assert_eq!(again.pages.explore.plan, app.pages.explore.plan);
+        assert_eq!(again.pages.explore.picture, app.pages.explore.picture);
         assert!(again.effects.is_empty());
         again.files.recent.clone_from(&app.files.recent);
         assert_eq!(session(&again), kept);
@@ -382,7 +375,7 @@ mod tests {
         let mut app = state();
         press(&mut app, "l");
         let cocked = base_of(preset::resolve("cocked", None).unwrap());
-        edit::load(&mut app, cocked.clone(), PicturePlan::default());
+        edit::load(&mut app, cocked.clone(), Picture::default());
         press(&mut app, "l");
         let mut again = App::new(cocked, app.settings.theme, PathBuf::new());
         restore(&mut again, session(&app), None, None);

@@ -99,8 +99,7 @@ impl Theme {
     pub fn heat(self, shade: usize) -> Option<(Color, Color)> {
         match self.depth {
             ColourDepth::None | ColourDepth::Sixteen => None,
-            // Steps of the fixed palette at full depth, too: a map in 24-bit colours is nine times the bytes.
-            ColourDepth::Ansi256 | ColourDepth::Rgb => Some(colours::heat(shade)),
+            ColourDepth::Ansi256 => Some(colours::heat(shade)),
         }
     }
 
@@ -151,7 +150,7 @@ mod tests {
 
     #[test]
     fn the_background_is_always_the_terminals_own() {
-        for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb] {
+        for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256] {
             let theme = Theme { glyphs: GlyphSet::Braille, depth };
             for role in ROLES {
                 assert_eq!(theme.style(role).bg, None, "{role:?}");

@@ -12,12 +12,11 @@ use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::notice::Notice;
 use crate::tui::app::{Typing, edit, jobs};
 use crate::tui::dialogs;
-use crate::tui::keymap::{Key, Part};
+use crate::tui::keymap::Key;
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
 use crate::tui::prelude::*;
 use crate::tui::preset::Base;
-use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
 use crate::tui::widgets::steps::Input;
 
@@ -31,13 +30,13 @@ pub fn start(app: &mut App) -> Vec<Effect> {
 
 /// Change the state by a message; gives what the outside is to do.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
-    let before = (Arc::clone(&app.scene), app.pages.explore.plan);
+    let before = (Arc::clone(&app.scene), app.picture());
     take(app, message);
     let is_edited = app.scene != before.0;
     if is_edited {
         jobs::after_edit(app);
     }
-    if (is_edited || app.pages.explore.plan != before.1) && app.settings.auto_run {
+    if is_edited || app.picture() != before.1 {
         pages::of(app.tab).edited(app);
     }
     keep_listed(app);
@@ -95,8 +94,8 @@ fn press(app: &mut App, key: KeyEvent) {
     }
     if app.layout().body.is_none() {
         // On a screen too small to show anything, keys only quit: values that cannot be seen are not edited.
-        if let Some(action @ (Action::Quit | Action::QuitWithSummary)) = action {
-            act::act(app, action);
+        if action == Some(Action::Quit) {
+            act::act(app, Action::Quit);
         }
         return;
     }
@@ -224,10 +223,9 @@ fn commit(app: &mut App) {
 /// Open the field, with the text the list is filtered by.
 pub(crate) fn open_find(app: &mut App) {
     let page = pages::of(app.tab);
-    let filter = page.filter(app).map(|filter| filter.clone());
-    let names = page.row_name(app, 0).map(|_| String::new());
-    let Some(text) = filter.or(names) else {
-        return app.tell("nothing to find in this pane: <find> works in lists, tables and forms");
+    let Some(text) = page.filter(app).map(|filter| filter.clone()) else {
+        return app
+            .tell("<find> works in the variables, the claims and the log; <palette> elsewhere");
     };
     // A new text replaces the old one.
     app.typing = Some(Typing::Find(TextField::selected(text)));
@@ -256,17 +254,10 @@ pub(crate) fn follow(app: &mut App) {
     let Some(field) = app.find() else { return };
     let text = field.value().trim().to_owned();
     let page = pages::of(app.tab);
-    if let Some(filter) = page.filter(app) {
-        filter.clone_from(&text);
-        if !text.is_empty() {
-            page.select(app, 0);
-        }
-        return;
-    }
-    let names = (0..).map_while(|row| Some((row, page.row_name(app, row)?)));
-    let found = ranked(names, |(_, name)| rank(&text, &[name], ""));
-    if let Some((row, _)) = found.first().filter(|_| !text.is_empty()) {
-        page.select(app, *row);
+    let Some(filter) = page.filter(app) else { return };
+    filter.clone_from(&text);
+    if !text.is_empty() {
+        page.select(app, 0);
     }
 }
 
@@ -276,10 +267,9 @@ fn is_filtered(app: &mut App) -> bool {
     filter.is_some_and(|filter| !filter.is_empty())
 }
 
-/// Whether no row of the table that has the keys matches its filter.
+/// Whether no row of the pane that has the keys matches its filter.
 pub(crate) fn matches_nothing(app: &mut App) -> bool {
-    let is_table = pages::spec(app.pane()).has.contains(&Part::Table);
-    is_table && is_filtered(app) && pages::of(app.tab).rows(app).is_some_and(|it| it.count == 0)
+    is_filtered(app) && pages::of(app.tab).rows(app).is_some_and(|rows| rows.count == 0)
 }
 
 /// The selection is on a row that the filter shows, also where the rows have changed.
@@ -301,12 +291,11 @@ pub(crate) fn clear(app: &mut App) -> bool {
 
 pub(crate) fn click(app: &mut App, target: Target) {
     app.notice = None;
-    if let Some(dialog) = &app.dialog {
-        return match target {
-            Target::DialogRow(row) => in_dialog(app, |dialog, app| dialog.click(app, row)),
-            Target::Beside if dialog.closes_beside() => app.dialog = None,
-            _ => {}
-        };
+    if let Some(dialog) = &mut app.dialog {
+        if let Target::DialogRow(row) = target {
+            dialog.click(row);
+        }
+        return;
     }
     if is_typing(app) {
         return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
@@ -317,14 +306,8 @@ pub(crate) fn click(app: &mut App, target: Target) {
         Target::Page(page) => pages::of(app.tab).turn_to(app, page),
         Target::Pane(pane) => app.focus_on(pane),
         Target::Row(pane, row) => {
-            let had_keys = app.pane() == pane;
             app.focus_on(pane);
-            let page = pages::of(app.tab);
-            if had_keys && page.rows(app).is_some_and(|rows| rows.selected == row) {
-                act::act(app, Action::Enter);
-            } else {
-                page.select(app, row);
-            }
+            pages::of(app.tab).select(app, row);
         }
         Target::Cell(pane, cell) => {
             app.focus_on(pane);
@@ -335,7 +318,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
             pages::of(app.tab).go_to_value(app, chart, value);
         }
         // Without a dialog there is nothing of the kind.
-        Target::DialogRow(_) | Target::Beside => {}
+        Target::DialogRow(_) => {}
     }
 }
 
@@ -344,16 +327,14 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     if is_typing(app) {
         return;
     }
-    match target {
-        Some(Target::Value { pane, chart, value }) => {
-            app.focus_on(pane);
-            pages::of(app.tab).go_to_value(app, chart, value);
-            return act::act(app, if up { Action::ZoomIn } else { Action::ZoomOut });
-        }
-        Some(Target::Row(pane, _) | Target::Cell(pane, _) | Target::Pane(pane)) => {
-            app.focus_on(pane);
-        }
-        Some(_) | None => {}
+    if let Some(
+        Target::Row(pane, _)
+        | Target::Cell(pane, _)
+        | Target::Pane(pane)
+        | Target::Value { pane, .. },
+    ) = target
+    {
+        app.focus_on(pane);
     }
     if pages::of(app.tab).rows(app).is_some() {
         app.history.commit();
@@ -402,16 +383,13 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
             let base = Base { name, is_mine: false, scene: Arc::new(*scene) };
-            let plan = app.pages.explore.plan;
-            edit::load(app, base, plan);
+            let picture = app.picture();
+            edit::load(app, base, picture);
         }
         EffectReport::Loaded(Err(text)) => app.refuse(text),
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
-        EffectReport::Saved(..)
-        | EffectReport::Exported(..)
-        | EffectReport::Curve(..)
-        | EffectReport::Completions(_) => {}
+        EffectReport::Saved(..) | EffectReport::Exported(..) | EffectReport::Curve(..) => {}
     }
 }
 

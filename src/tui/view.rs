@@ -6,7 +6,6 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
 
-use crate::tui::app::dialog::{FootKey, Footer};
 use crate::tui::app::notice::StatusPart;
 use crate::tui::pages::run::VARIABLES;
 use crate::tui::pages::{self, PageSpec};
@@ -14,7 +13,7 @@ use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::SMALLEST;
-use crate::tui::widgets::text::{self, clip, columns, fitting};
+use crate::tui::widgets::text::{self, clip, columns};
 
 /// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, and whether it is shown: in a field it
 /// is; on the selected row it is hidden, and a screen reader follows it.
@@ -59,29 +58,11 @@ fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let (columns, rows) = SMALLEST;
     let needed = format!("{columns}x{rows}, here {}x{}", area.width, area.height);
-    let quits = app.keymap.shown("<quit> quits");
-    let long =
-        ["cmra needs more room:", &needed, "", "make the terminal larger", &format!("({quits})")];
-    let short = ["too small", &needed, &quits];
-    let fits = |lines: &[&str]| {
-        lines.iter().all(|line| text::columns(line) <= area.width)
-            && lines.len() <= usize::from(area.height)
-    };
-    let tiny = [&*format!("{columns}x{rows}")];
-    let lines = [&long[..], &short[..]].into_iter().find(|lines| fits(lines));
-    let lines = lines.unwrap_or(&tiny);
-    let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);
-    let top = area.height.saturating_sub(count) / 2;
+    let lines = ["too small".to_owned(), needed, app.keymap.shown("<quit> quits")];
+    let top = area.height.saturating_sub(3) / 2;
     for (row, line) in (top..area.height).zip(lines) {
-        let width = text::columns(line).min(area.width);
-        let x = (area.width - width) / 2;
-        canvas.set_stringn(
-            x,
-            row,
-            line,
-            usize::from(area.width),
-            app.settings.theme.style(Role::Text),
-        );
+        let column = area.width.saturating_sub(text::columns(&line)) / 2;
+        canvas.put(area, (column, row), &line, Role::Text);
     }
 }
 
@@ -89,13 +70,10 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some(field) = app.find().filter(|_| app.dialog.is_none()) {
         return find(app, field, area, canvas);
     }
-    let own = |(key, what): &(FootKey, &str)| (foot_key(app, *key), (*what).to_owned());
     let entries = match (&app.dialog, app.field()) {
-        (Some(dialog), _) => dialog.footer().iter().map(own).collect(),
-        (None, Some(_)) => {
-            let footer = if pages::of(app.tab).takes_unit(app) { QUANTITY } else { WORD };
-            footer.iter().map(own).collect()
-        }
+        (Some(dialog), _) => keys_of(app, dialog.footer()),
+        (None, Some(_)) if pages::of(app.tab).takes_unit(app) => keys_of(app, QUANTITY),
+        (None, Some(_)) => keys_of(app, WORD),
         (None, None) => from_table(app, area.width),
     };
     let mut spans = vec![Span::raw(" ")];
@@ -123,25 +101,16 @@ fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// While a quantity is typed.
-const QUANTITY: Footer = &[
-    (FootKey::Of(Action::Enter), "ok"),
-    (FootKey::Of(Action::Back), "old value"),
-    (FootKey::As("Up/Down"), "ok and move"),
-    (FootKey::As("also"), "25.4mm 7.5MN/m 1/3 *2 +5%"),
-];
+const QUANTITY: &str =
+    "<enter> ok  <back> old value  Up/Down ok and move  also 25.4mm 7.5MN/m 1/3 *2 +5%";
 /// While a name or a count is typed.
-const WORD: Footer = &[
-    (FootKey::Of(Action::Enter), "ok"),
-    (FootKey::Of(Action::Back), "old value"),
-    (FootKey::As("Up/Down"), "ok and move"),
-];
+const WORD: &str = "<enter> ok  <back> old value  Up/Down ok and move";
 
-fn foot_key(app: &App, key: FootKey) -> String {
-    match key {
-        FootKey::As(text) => text.to_owned(),
-        FootKey::Of(action) => app.keymap.label(action),
-        FootKey::Pair(one, other) => [one, other].map(|it| app.keymap.label(it)).join("/"),
-    }
+/// The keys of a footer, each with a word or two for what it does: `<enter> load  <back> close`.
+fn keys_of(app: &App, footer: &str) -> Vec<(String, String)> {
+    let footer = app.keymap.shown(footer);
+    let entries = footer.split("  ").filter_map(|entry| entry.split_once(' '));
+    entries.map(|(key, what)| (key.to_owned(), what.to_owned())).collect()
 }
 
 /// Columns between two keys of the footer.
@@ -156,9 +125,7 @@ fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
     let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + GAP + 1;
     // Nothing stands behind the last one.
     let room = (width + GAP).saturating_sub(last.iter().map(size).sum::<u16>());
-    let page = pages::of(app.tab);
-    let own = pages::spec(app.pane()).keys.iter();
-    let own = own.filter(|row| !row.short.is_empty() && !page.is_idle(app, row.action));
+    let own = pages::spec(app.pane()).keys.iter().filter(|row| !row.short.is_empty());
     let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
     let common = [
         (Action::Palette, "find"),
@@ -192,7 +159,6 @@ fn pair(app: &App, action: Action) -> String {
         Action::Right => Some((Action::Left, false)),
         Action::Down => Some((Action::Up, true)),
         Action::ZoomIn => Some((Action::ZoomOut, true)),
-        Action::EventNext => Some((Action::EventPrevious, true)),
         _ => None,
     };
     let own = app.keymap.label(action);
@@ -208,16 +174,10 @@ fn pair(app: &App, action: Action) -> String {
     }
 }
 
-/// From this width on the title row has the name of the program.
-const ROOMY: u16 = 100;
-
-/// Tabs at the left; preset, whether it is modified, and auto-run at the right.
+/// Tabs at the left; preset and whether it is modified at the right.
 pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     // No column is left free on the narrowest screen.
     let mut column = u16::from(area.width > SMALLEST.0);
-    if area.width >= ROOMY {
-        column = canvas.put(area, (1, 0), "cmra", Role::Title) + 2;
-    }
     for tab in Tab::ALL {
         let (title, target) = (tab.title(&app.keymap), Target::Tab(tab));
         column = name(canvas, area, column, &title, tab == app.tab, target) + 1;
@@ -226,26 +186,8 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if room < 6 {
         return;
     }
-    // Everything in words where that leaves room for the name.
-    let wide = room >= usize::from(columns(&app.base.name)) + 32;
-    let changed = match (app.is_modified(), wide) {
-        (false, _) => "",
-        (true, false) => " *",
-        (true, true) => " (modified)",
-    };
-    let auto = match (app.settings.auto_run, wide) {
-        (true, false) => "",
-        (true, true) => "  auto-run on",
-        (false, _) => "  auto-run off",
-    };
-    let mouse = if app.settings.mouse { "  mouse on" } else { "" };
-    let preset = if wide { "preset " } else { "" };
-    // What is on or off is shown in whole words, or not at all; the name has the rest of the room.
-    let states = [mouse, ""].map(|mouse| format!("{changed}{auto}{mouse}"));
-    let state = fitting(states, room);
-    let left = room.saturating_sub(usize::from(columns(preset) + columns(&state)));
-    let name = if left < 6 { String::new() } else { clip(&app.base.name, left) };
-    let text = format!("{preset}{name}{state}").trim_start().to_owned();
+    let changed = if app.is_modified() { " *" } else { "" };
+    let text = clip(&app.base.name, room.saturating_sub(changed.len())) + changed;
     let start = area.width.saturating_sub(columns(&text) + 1).max(column);
     canvas.put(area, (start, 0), &text, Role::Text);
 }

@@ -5,11 +5,11 @@ pub(crate) mod find;
 pub(crate) mod form;
 pub(crate) mod input;
 pub(crate) mod layout;
+mod map;
 mod moves;
 pub(crate) mod steps;
 pub(crate) mod table;
 pub(crate) mod text;
-pub(crate) mod zoom;
 
 use std::ops::{Deref, DerefMut};
 
@@ -34,8 +34,6 @@ pub(crate) struct Canvas<'a> {
     pub(crate) cursor: Option<(u16, u16)>,
     /// Where the selected row begins, of what was drawn last.
     pub(crate) selected: Option<(u16, u16)>,
-    /// Columns of the plot that the crosshair walks through, where one is drawn.
-    pub(crate) plot_columns: Option<u16>,
     /// The charts and maps drawn, as SVG, where they are collected.
     pub(crate) pictures: Option<Vec<String>>,
     pointer: Option<(u16, u16)>,
@@ -45,9 +43,9 @@ pub(crate) struct Canvas<'a> {
 impl<'a> Canvas<'a> {
     /// A canvas over all cells of a buffer.
     pub(crate) fn new(buffer: &'a mut Buffer, theme: Theme) -> Self {
-        let (cursor, selected, plot_columns, pictures) = (None, None, None, None);
+        let (cursor, selected, pictures) = (None, None, None);
         let (pointer, target) = (None, None);
-        Self { buffer, theme, cursor, selected, plot_columns, pictures, pointer, target }
+        Self { buffer, theme, cursor, selected, pictures, pointer, target }
     }
 
     /// The same, to learn what is drawn at a cell.
@@ -172,11 +170,9 @@ impl<'a> Canvas<'a> {
         });
     }
 
-    /// A dialog covers all that is drawn so far: beside it a click closes it, in it nothing is hit yet.
-    pub(crate) fn cover(&mut self, area: Rect) {
-        if let Some(at) = self.pointer {
-            self.target = (!area.contains(at.into())).then_some(Target::Beside);
-        }
+    /// A dialog takes all clicks from what is drawn so far.
+    pub(crate) fn cover(&mut self) {
+        self.target = None;
     }
 }
 

@@ -199,17 +199,12 @@ impl Study for Spread {
 
 /// Compares at equal areal mass, and maps the mass efficiency around the scene.
 #[derive(Debug)]
-pub struct EqualMass {
-    /// The absorber of the library that the scene has for it.
-    pub absorber: Option<String>,
-}
+pub struct EqualMass;
 
 /// A comparison at equal areal mass with its map, where there is one.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     pub report: compare::Report,
-    /// The absorber it was made with; `None`: the scene's own.
-    pub absorber: Option<String>,
     /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
     pub map: Option<EfficiencyMap>,
 }
@@ -228,7 +223,7 @@ impl Study for EqualMass {
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
         let context = &mut Context::new(1, watch);
         let report = compare::compare(scene, Hardware::default(), context)?;
-        let first = Comparison { report, absorber: self.absorber.clone(), map: None };
+        let first = Comparison { report, map: None };
         let Some(axes) = axes.filter(|_| first.report.is_complete) else {
             return Ok(first.into());
         };

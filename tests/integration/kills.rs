@@ -14,7 +14,6 @@ use cmra::files::preset;
 use cmra::files::session::{self, Known, Session};
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
-use cmra::report::run::Rows;
 
 use crate::random::Random;
 use crate::support::{run, scene, scene_file};
@@ -29,7 +28,7 @@ const KILLS: usize = 20;
 const STATES: [&str; 2] = ["gamma=1 k=1e5", "gamma=2 k=1e6"];
 
 fn table_of(run: Arc<Run>) -> RunTable {
-    RunTable { rows: Rows::Series, runs: vec![("now".to_owned(), run)], columns: Vec::new() }
+    RunTable { runs: vec![("now".to_owned(), run)] }
 }
 
 fn destination(place: &Path, name: &str) -> Destination {
@@ -56,7 +55,7 @@ fn writes_until_it_is_killed() {
     for state in [0, 1].into_iter().cycle() {
         let scene = scene(STATES[state]);
         let exported = table_of(Arc::clone(&runs[state]));
-        let text = exported.text().unwrap();
+        let text = exported.text();
         destination(place, "run.csv").write(text.as_bytes(), &exported.scenes(), true).unwrap();
         preset::save(&paths, "mine", &scene, Existing::Replace).unwrap();
         session::save(&paths.session_file(), &session_of(scene), &mut known).unwrap();
@@ -114,7 +113,7 @@ fn nothing_is_torn_or_lost_when_a_program_is_killed_while_it_writes() {
     let exported = STATES.map(|state| {
         let exported = table_of(Arc::new(run(scene(state))));
         let beside = exported.scenes()[0].file(&place.path().join("run.csv"));
-        (exported.text().unwrap().into_bytes(), beside.into_bytes())
+        (exported.text().into_bytes(), beside.into_bytes())
     });
     let [(first, beside_first), (second, beside_second)] = exported;
     let exported = [[first, second], [beside_first, beside_second]];

@@ -14,7 +14,6 @@ mod keys;
 mod libraries;
 mod limit;
 mod lists;
-mod maps;
 mod models;
 mod panes;
 mod pointer;

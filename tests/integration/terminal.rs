@@ -49,7 +49,7 @@ fn a_session_from_the_first_chart_to_the_prompt() {
     terminal.wait_for("oA   v_i=150");
 
     terminal.send("e");
-    terminal.wait_for("Export to CSV");
+    terminal.wait_for("Export the runs to CSV");
     // Ctrl-U empties the field.
     terminal.send("\x15here.csv\r");
     terminal.wait_for("written");
@@ -91,19 +91,6 @@ fn depth_mm(screen: &str) -> f64 {
 /// What is drawn right of the variables, at 80 columns.
 fn chart(screen: &vt100::Screen) -> Vec<String> {
     screen.rows(32, 48).skip(2).take(16).collect()
-}
-
-#[test]
-fn a_summary_can_stay_on_the_main_screen() {
-    let mut terminal = started();
-    let depth = depth_mm(&terminal.screen().contents());
-    // All of it is to be seen.
-    terminal.resize(120, 60);
-    terminal.send("Q");
-    assert_eq!(terminal.wait_exit().exit_code(), 0);
-    terminal.assert_restored();
-    let left = terminal.screen().contents();
-    assert!(left.contains("arrested") && left.contains(&depth.to_string()), "{left}");
 }
 
 #[test]
@@ -194,10 +181,7 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     for _ in 0..4 {
         terminal.sync();
     }
-    terminal.send(":mouse\r");
-    terminal.wait_until("mouse reports", |screen| {
-        screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
-    });
+    switch_mouse_on(&mut terminal);
     shoot_at_150(&mut terminal);
     terminal.stop_taking();
     draw_until_stuck(&mut terminal);
@@ -208,6 +192,19 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     terminal.assert_restored();
     let kept = fs::read_to_string(terminal.session_file()).expect("the session was saved");
     assert!(kept.contains("150"), "{kept}");
+}
+
+/// The last row of the options.
+fn switch_mouse_on(terminal: &mut Terminal) {
+    terminal.send(":mouse\r");
+    terminal.wait_for("characters");
+    terminal.send("jj\r");
+    terminal.wait_until("mouse reports", |screen| {
+        screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
+    });
+    terminal.send("\x1b");
+    terminal
+        .wait_until("the options are closed", |screen| !screen.contents().contains("characters"));
 }
 
 /// Have frames drawn until a thread waits for room in the terminal, which takes no bytes.
@@ -307,10 +304,7 @@ fn stops_and_comes_back(stop: impl Fn(&mut Terminal, Pid)) {
 fn the_mouse_belongs_to_the_terminal_until_it_is_switched_on() {
     let mut terminal = started();
     assert_eq!(terminal.screen().mouse_protocol_mode(), vt100::MouseProtocolMode::None);
-    terminal.send(":mouse\r");
-    terminal.wait_until("mouse reports", |screen| {
-        screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
-    });
+    switch_mouse_on(&mut terminal);
     // The wheel, one notch down, over the list of variables (SGR report, button 65).
     terminal.send("\x1b[<65;5;8M");
     terminal.wait_for("> d ");
@@ -494,8 +488,7 @@ fn keys_of_the_configuration_reach_dialogs() {
     let home = tempfile::tempdir().unwrap();
     let folder = home.path().join("config/cmra");
     fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("config.toml"), "[keys]\ndown = [\"n\"]\nnext-event = [\"j\"]\n")
-        .unwrap();
+    fs::write(folder.join("config.toml"), "[keys]\ndown = [\"n\"]\n").unwrap();
     let mut terminal = Terminal::start_with(Start { home: Some(home), ..Start::default() });
     terminal.wait_for(DONE);
     terminal.send("o");
@@ -562,7 +555,7 @@ fn the_first_steps_at_every_size() {
         });
 
         terminal.send("e");
-        terminal.wait_for("Export to CSV");
+        terminal.wait_for("Export the runs to CSV");
         terminal.send("\x15both.csv\r");
         terminal.wait_for("written");
         let text = fs::read_to_string(terminal.file("both.csv")).expect("it has been written");

@@ -10,21 +10,10 @@ use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample
 use crate::model::scene::{Scene, Stack};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VARIABLES, Variable};
-use crate::report::table::{NoColumn, Table, pretty};
+use crate::report::table::{Table, pretty};
 use crate::study::quantities::{Quantity, find, of_runs};
 
 pub mod page;
-
-/// Which rows a table has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rows {
-    /// The solver's steps and enough between them to draw from.
-    Series,
-    /// One row per run: its results.
-    Results,
-    /// The events.
-    Events,
-}
 
 /// A run and the name it goes by (`now`, `A`, ...).
 pub type NamedRun = (String, Arc<Run>);
@@ -45,38 +34,10 @@ const NUMBERS: [Column; 10] = [
     ("stop_force_n", |row| row.stop_force_n),
 ];
 
-/// The names of all columns a table of these rows has.
-pub fn columns(rows: Rows, several: bool) -> Vec<&'static str> {
-    match rows {
-        Rows::Series => course(&[], several).keys(),
-        Rows::Results => results(&[]).keys(),
-        Rows::Events => events(&[], several).keys(),
-    }
-}
-
-/// The CSV text of some runs, of each at most a given number of rows; `wanted` names the columns in order, empty means all.
-pub fn csv(
-    rows: Rows,
-    runs: &[NamedRun],
-    wanted: &[String],
-    most: usize,
-) -> Result<String, NoColumn> {
-    let several = runs.len() > 1;
-    Ok(match rows {
-        Rows::Series => {
-            let courses: Vec<Course<'_>> = runs.iter().map(Course::of).collect();
-            let mut table = course(&courses, several);
-            table.rows.retain(|(_, row)| *row < most);
-            table.chosen(wanted)?.csv()
-        }
-        Rows::Results => results(runs).chosen(wanted)?.csv(),
-        Rows::Events => {
-            let mut table = events(runs, several);
-            let mut left = runs.iter().flat_map(|(_, run)| 0..run.events.len());
-            table.rows.retain(|_| left.next().is_some_and(|row| row < most));
-            table.chosen(wanted)?.csv()
-        }
-    })
+/// The course of some runs as CSV.
+pub fn csv(runs: &[NamedRun]) -> String {
+    let courses: Vec<Course<'_>> = runs.iter().map(Course::of).collect();
+    course(&courses, runs.len() > 1).csv()
 }
 
 struct Course<'r> {
@@ -208,16 +169,6 @@ fn plastic(run: &Arc<Run>) -> String {
     };
     let percent = run.percent_of_baseline().map_or_else(String::new, |it| format!(" ({it:.0})"));
     format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
-}
-
-fn events(runs: &[NamedRun], several: bool) -> Table<'_, (&str, Event)> {
-    let rows = runs.iter().flat_map(|(name, run)| run.events.iter().map(|it| (name.as_str(), *it)));
-    named(rows, several, |it| it.0).with("time_s", "time", "s", |it| it.1.t_s).with(
-        "event",
-        "event",
-        "",
-        |it| it.1.kind.words(),
-    )
 }
 
 /// A run of a scene of this name, computed in a given number of seconds, as one object with its keys in the order a reader expects.

@@ -7,7 +7,6 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 use serde_json::{Map, Value};
-use thiserror::Error;
 
 use crate::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
 
@@ -43,14 +42,6 @@ pub struct Table<'c, R> {
     pub rows: Vec<R>,
 }
 
-/// A column that a table does not have.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("`{name}` is not a column: the columns are {columns}")]
-pub struct NoColumn {
-    name: String,
-    columns: String,
-}
-
 impl<'c, R> Table<'c, R> {
     /// A table of these rows, which has no column yet.
     pub fn of(rows: impl IntoIterator<Item = R>) -> Self {
@@ -81,23 +72,6 @@ impl<'c, R> Table<'c, R> {
     /// The keys of its columns.
     pub fn keys(&self) -> Vec<&'static str> {
         self.columns.iter().map(|column| column.key).collect()
-    }
-
-    /// With these columns alone, in this order; all where none is named.
-    pub fn chosen(mut self, wanted: &[String]) -> Result<Self, NoColumn> {
-        if wanted.is_empty() {
-            return Ok(self);
-        }
-        let keys = self.keys();
-        let mut rest: Vec<Option<_>> =
-            std::mem::take(&mut self.columns).into_iter().map(Some).collect();
-        for name in wanted {
-            let at = keys.iter().position(|key| key == name);
-            let column = at.and_then(|at| rest[at].take());
-            let none = || NoColumn { name: name.clone(), columns: keys.join(", ") };
-            self.columns.push(column.ok_or_else(none)?);
-        }
-        Ok(self)
     }
 
     /// As CSV, RFC 4180: a line of the keys, and a line a row.

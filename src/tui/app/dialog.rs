@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crossterm::event::KeyEvent;
 
-use crate::tui::keymap::{Action, Call};
+use crate::tui::keymap::Call;
 use crate::tui::message::EffectReport;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
@@ -21,18 +21,13 @@ pub(crate) enum Outcome {
 
 /// A dialog: its keys, how it is drawn, and what comes of it. While it is open it has all keys but those that work everywhere.
 pub(crate) trait Dialog: Debug + Boxed {
-    /// The keys in the last row of the screen, the most useful first.
-    fn footer(&self) -> Footer;
+    /// The keys in the last row of the screen, the most useful first: `<enter> load  <back> close`.
+    fn footer(&self) -> &'static str;
 
     fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome;
 
     /// A click on a row of its list.
-    fn click(&mut self, app: &mut App, row: usize) -> Outcome;
-
-    /// Whether a click beside it closes it: not where that would throw a text away.
-    fn closes_beside(&self) -> bool {
-        false
-    }
+    fn click(&mut self, _row: usize) {}
 
     /// The field that takes characters, if one does.
     fn field_mut(&mut self) -> Option<&mut TextField>;
@@ -47,20 +42,6 @@ pub(crate) trait Dialog: Debug + Boxed {
     }
 
     fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>);
-}
-
-/// Keys with a word or two for what they do.
-pub(crate) type Footer = &'static [(FootKey, &'static str)];
-
-/// A key in the footer of a dialog.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum FootKey {
-    /// The key of an action, as configured.
-    Of(Action),
-    /// Those of two actions.
-    Pair(Action, Action),
-    /// As it stands here.
-    As(&'static str),
 }
 
 /// A copy of a dialog, as of all of the state.

@@ -9,7 +9,7 @@ use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::history::{Edit, Snapshot, Stepping};
 use crate::tui::app::jobs;
 use crate::tui::app::pins::Pin;
-use crate::tui::pages::explore::state::PicturePlan;
+use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::prelude::*;
 use crate::tui::preset::{Base, LabelledScene};
@@ -86,13 +86,13 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
     }
 }
 
-/// Make another scene current, compare it with another preset, and sweep it by this plan, as one edit.
-pub(crate) fn load(app: &mut App, base: Base, plan: PicturePlan) {
+/// Make another scene current, compare it with another preset, and show its sweep so, as one edit.
+pub(crate) fn load(app: &mut App, base: Base, picture: Picture) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
     app.pages.run.charts.zoom_s = [None; 2];
     app.pages.run.charts.cursor_s = None;
-    app.pages.explore.plan = plan;
+    app.pages.explore.picture = picture;
     (app.scene, app.base) = (Arc::clone(&base.scene), base);
     commit(app, before, label, None);
 }
@@ -136,8 +136,8 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
         app.pages.search.setup = to.search;
         app.pages.search.problem = Default::default();
     }
-    if from.plan != to.plan {
-        app.pages.explore.plan = to.plan;
+    if from.picture != to.picture {
+        app.pages.explore.picture = to.picture;
     }
 }
 
@@ -183,7 +183,6 @@ pub(crate) fn unpin(app: &mut App, gone: &Pin) {
 /// Updates after a change of the pins.
 fn follow_pins(app: &mut App) {
     app.pages.run.selected = app.pages.run.selected.min(app.pins.len());
-    app.pages.run.charts.difference &= !app.pins.is_empty();
     jobs::submit_pins(app);
     app.request(Effect::SaveSession);
 }
@@ -227,11 +226,7 @@ pub(crate) fn step(app: &mut App, press: Press) {
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(Stepping::Variable(index)));
     }
-    let hint = match (number.get)(&app.scene) {
-        Some(_) => " (<fine-less> and <fine-more> step finer)",
-        None => "",
-    };
-    app.tell(edge(variable, press.up) + hint);
+    app.tell(edge(variable, press.up));
 }
 
 fn step_number(

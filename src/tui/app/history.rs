@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::tui::app::pins::Pin;
-use crate::tui::pages::explore::state::PicturePlan;
+use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::search::state::{Page, Row, Setup};
 use crate::tui::preset::Base;
 
@@ -16,8 +16,8 @@ pub struct Snapshot {
     pub base: Base,
     /// The setup of the Search tab.
     pub search: Arc<Setup>,
-    /// The points that the Explore tab computes.
-    pub plan: PicturePlan,
+    /// Whether the Explore tab draws curves or a map.
+    pub picture: Picture,
     /// The pinned scenes, without their results: those can be computed again.
     pub pins: Vec<Pin>,
 }

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
+use crate::study::parallel::cores;
 use crate::tui::app::notice::{Notice, warning_text};
 use crate::tui::app::pins::{Pin, Shown};
 use crate::tui::app::running::Running;
@@ -26,9 +27,6 @@ pub(crate) const CANCELLED: &str = "cancelled: partial results are shown, <run> 
 pub(crate) fn after_edit(app: &mut App) {
     app.jobs.serial += 1;
     app.jobs.failure = None;
-    if !app.settings.auto_run {
-        return;
-    }
     app.jobs.overdue = false;
     let due = Effect::After(QUIET, Message::RunDue(app.jobs.serial));
     if app.jobs.current.is_none() {
@@ -86,7 +84,7 @@ fn task(app: &mut App, tab: Tab, scene: &Arc<Scene>, asked: Asked) -> Running {
     app.jobs.last_id += 1;
     let (id, scene) = (app.jobs.last_id, Arc::clone(scene));
     // A run cannot be divided.
-    let threads = if matches!(asked, Asked::Run(_)) { 1 } else { app.crew() };
+    let threads = if matches!(asked, Asked::Run(_)) { 1 } else { cores() };
     let task = Task { id, threads, scene: Arc::clone(&scene), asked: asked.clone() };
     app.request(Effect::Submit(task));
     Running { id, tab, scene, asked, points: None, reached_s: None, elapsed: Duration::ZERO }
@@ -169,7 +167,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;
     let outdated = finished.is_some_and(|job| job.scene != app.scene);
-    if outdated && app.settings.auto_run {
+    if outdated {
         submit_now(app);
     }
 }

@@ -58,7 +58,7 @@ pub(crate) fn old(whose: &str) -> String {
 pub fn warning_text(warning: &Warning) -> String {
     match warning {
         Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
-            format!("{warning} (interface law: key <options>)")
+            format!("{warning} (interface law: `interface` among the variables)")
         }
         _ => warning.to_string(),
     }

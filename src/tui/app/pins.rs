@@ -24,14 +24,13 @@ pub struct Pin {
     pub name: String,
     pub scene: Arc<Scene>,
     pub run: Option<Arc<Run>>,
-    pub visible: bool,
     pub job: Option<u64>,
 }
 
 impl Pin {
     /// A scene that is pinned now, and has yet to be computed.
     pub(crate) fn new(letter: char, name: String, scene: Arc<Scene>) -> Self {
-        Self { letter, name, scene, run: None, visible: true, job: None }
+        Self { letter, name, scene, run: None, job: None }
     }
 
     /// `A: thesis-baseline`.

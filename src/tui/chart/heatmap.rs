@@ -134,8 +134,7 @@ fn draw_cursor(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
 
 /// Whether a cell shows two values, one above the other.
 fn halves(theme: Theme) -> bool {
-    let coloured = matches!(theme.depth, ColourDepth::Ansi256 | ColourDepth::Rgb);
-    coloured && theme.glyphs != GlyphSet::Ascii
+    theme.depth == ColourDepth::Ansi256 && theme.glyphs != GlyphSet::Ascii
 }
 
 /// A part of a cell.
@@ -260,11 +259,6 @@ mod tests {
     use super::super::{Axis, Scale, ViewRange};
     use super::*;
 
-    /// A slope that rises to the right, with a mark in the lower left corner.
-    fn slope(x: usize, y: usize) -> Cell {
-        if x < 3 && y < 2 { Cell::Mark('P', Tone::Error) } else { Cell::Value(x as f64) }
-    }
-
     #[test]
     fn no_contour_runs_between_values_equal_within_rounding() {
         let flat = |x: usize, y: usize| Cell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
@@ -293,33 +287,6 @@ mod tests {
             if cells > 1 {
                 assert_eq!(spread(cells - 1, cells, count), count - 1);
                 assert_eq!(Half::Upper.spread(plot, 0, count), count - 1);
-            }
-        }
-    }
-
-    #[test]
-    fn any_size_draws_inside_its_area() {
-        let theme = Theme { glyphs: GlyphSet::Block, depth: ColourDepth::Ansi256 };
-        let levels = Levels::of(Scale::Linear, [0.0, 10.0]);
-        for width in 0..20 {
-            for height in 0..12 {
-                for counts in [(2, 2), (11, 6), (300, 200)] {
-                    let axis = Axis::new("x", ViewRange::new(0.0, 1.0));
-                    let map = Map {
-                        contour: Some((1.5, "".into())),
-                        cursor: Some((1, 1)),
-                        focused: true,
-                        ..Map::new("t", (axis.clone(), axis), counts, levels.clone(), slope)
-                    };
-                    let area = Rect::new(3, 2, width, height);
-                    let mut buffer = Buffer::empty(Rect::new(0, 0, 26, 16));
-                    map.render(area, &mut buffer, theme);
-                    let blank = |x: u16, y: u16| buffer[(x, y)].symbol() == " ";
-                    let outside = (0..26).flat_map(|x| (0..16).map(move |y| (x, y)));
-                    for (x, y) in outside.filter(|at| !area.contains((*at).into())) {
-                        assert!(blank(x, y), "{width}x{height}");
-                    }
-                }
             }
         }
     }

@@ -4,10 +4,9 @@
 //! or row.
 
 use proptest::prelude::*;
-use ratatui::style::Modifier;
 
 use super::*;
-use crate::tui::theme::{ColourDepth, Role};
+use crate::tui::theme::ColourDepth;
 
 fn small(curves: Vec<Curve<'_>>) -> Chart<'_> {
     let x = Axis::new("t", ViewRange::new(0.0, 20.0)).unit(Unit::new("s"));
@@ -85,21 +84,6 @@ fn one_spike_among_a_hundred_thousand_points_is_drawn() {
             "|  2+          *            |",
             "|   |          *            |",
             "|  0+*********************  |",
-        ]
-    );
-}
-
-#[test]
-fn a_jump_is_a_vertical_line() {
-    let points = [(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (20.0, 4.0)];
-    assert_eq!(
-        plot(&points),
-        [
-            "|  4+          ***********  |",
-            "|   |          *            |",
-            "|  2+          *            |",
-            "|   |          *            |",
-            "|  0+***********            |",
         ]
     );
 }
@@ -227,26 +211,6 @@ fn long_labels_stay_centred_and_clear_of_the_frame() {
 }
 
 #[test]
-fn the_legend_stands_in_the_title_or_in_a_row_of_its_own() {
-    let curves = || {
-        vec![
-            Curve::new('*', "now", &RISING).emphasis(Emphasis::Stale),
-            Curve::new('o', "A rigid", &FALLING),
-        ]
-    };
-    let mut chart = small(curves());
-    chart.legend = Legend::Shown;
-    let wide = chart.to_lines(50, 12, Theme::PLAIN);
-    assert_eq!(wide[0], "+- y [m] -------- * now (old)  o A rigid   t [s] +");
-    let narrow = chart.to_lines(32, 12, Theme::PLAIN);
-    assert_eq!(narrow[0], "+- y [m] --------------- t [s] +");
-    assert_eq!(narrow[1], "| * now (old)  o A rigid       |");
-    assert_eq!(&narrow[2][..5], "|  4+");
-    let low = chart.to_lines(32, 9, Theme::PLAIN);
-    assert_eq!(low[0], "+- y [m] ------------------ *o +");
-}
-
-#[test]
 fn stacked_charts_begin_in_one_column() {
     let mut charts = [small(Vec::new()), small(Vec::new())];
     charts[1].y.view = ViewRange::new(0.0, 4000.0);
@@ -286,24 +250,6 @@ fn charts_without_room_draw_the_part_that_fits() {
         chart.to_lines(10, 4, Theme::PLAIN),
         ["+- y [m] +", "|    ****|", "|****    |", "+--------+"]
     );
-}
-
-#[test]
-fn styles_follow_roles_and_emphasis() {
-    let theme = Theme { glyphs: GlyphSet::Ascii, depth: ColourDepth::Sixteen };
-    let area = Rect::new(0, 0, 29, 9);
-    let style = |emphasis| {
-        let mut buffer = Buffer::empty(area);
-        let curve = Curve::new('*', "now", &RISING).colour(2).emphasis(emphasis);
-        small(vec![curve]).render(area, &mut buffer, theme);
-        let cell = &buffer[(5, 5)];
-        assert_eq!(cell.symbol(), "*");
-        (cell.fg, cell.modifier)
-    };
-    let plain = theme.style(Role::Curve(2)).fg.unwrap();
-    assert_eq!(style(Emphasis::Normal), (plain, Modifier::empty()));
-    assert_eq!(style(Emphasis::Selected), (plain, Modifier::BOLD));
-    assert_eq!(style(Emphasis::Stale).1, Modifier::DIM);
 }
 
 /// Columns where the line of the horizontal axis has a tick.
@@ -443,18 +389,5 @@ proptest! {
             let most = if nearest < 6 { 0.25 } else { 0.5 };
             prop_assert!(off <= most + 1e-3, "{} is {off} rows off: {:?}", tick.label, layout.y_ticks);
         }
-    }
-}
-
-#[test]
-fn several_curves_in_colour_carry_their_markers() {
-    let flat = [(0.0, 3.0), (20.0, 3.0)];
-    let curves = || vec![Curve::new('*', "now", &flat), Curve::new('o', "A", &FALLING).colour(1)];
-    for glyphs in [GlyphSet::Block, GlyphSet::Braille] {
-        let theme = Theme { glyphs, depth: ColourDepth::Sixteen };
-        let text = small(curves()).to_lines(29, 9, theme).concat();
-        assert!(text.contains('*') && text.contains('o'), "{text}");
-        let alone = small(curves().split_off(1)).to_lines(29, 9, theme).concat();
-        assert!(!alone.contains('o'), "{alone}");
     }
 }

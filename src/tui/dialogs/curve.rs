@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use crate::model::scene::{Scene, SpringKind};
 use crate::model::variables;
-use crate::tui::app::dialog::{FootKey, Footer};
 use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
 use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
 use crate::tui::pages::run::editor::draw::extent;
@@ -24,13 +23,7 @@ pub(super) fn ask(app: &mut App, word: &str) {
 struct Curve;
 
 impl Purpose for Curve {
-    fn footer(&self) -> Footer {
-        &[
-            (FootKey::Of(Action::FocusNext), "complete"),
-            (FootKey::Of(Action::Enter), "read"),
-            (FootKey::Of(Action::Back), "keep"),
-        ]
-    }
+    const FOOTER: &'static str = "<enter> read  <back> keep";
 
     fn accept(&self, app: &App, ask: &mut Ask, _: bool) -> Result<Option<FileTask>, String> {
         Ok(Some(FileTask::ReadCurve(ask.path(app, "curve.csv")?)))

@@ -1,21 +1,20 @@
 //! Help: what the selected variable or the pane means, then the keys of the pane, then those that work everywhere.
 
 use crate::model::variables::Kind;
-use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::dialogs::list::{List, Listed, Picker, frame};
-use crate::tui::keymap::{Call, KeyHelp, LINES, Scope};
+use crate::tui::app::dialog::{Dialog, Outcome};
+use crate::tui::dialogs::list::{List, Picker, frame, listed};
+use crate::tui::keymap::{KeyHelp, LINES, Scope};
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::pages::numerics::stability::stiff_scenes_words;
 use crate::tui::pages::{self, run};
 use crate::tui::prelude::*;
-use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 
 pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
-    Listed::at(Help, 0)
+    listed(Help, 0)
 }
 
 #[derive(Clone, Debug)]
@@ -25,41 +24,24 @@ const SENTENCE: u16 = 15;
 
 impl List for Help {
     const OPENED_BY: Action = Action::Help;
-    const IS_FILTERED: bool = true;
+    const IS_FILTERED: bool = false;
+    const FOOTER: &'static str = "<back> close  <down>/<up> move";
 
-    fn footer(&self, typing: bool) -> Footer {
-        const MOVE: (FootKey, &str) = (FootKey::Pair(Action::Down, Action::Up), "move");
-        const DO: (FootKey, &str) = (FootKey::Of(Action::Enter), "do it");
-        if typing {
-            &[DO, (FootKey::Of(Action::Back), "close"), (FootKey::As("Up/Down"), "move")]
-        } else {
-            &[(FootKey::Of(Action::Quit), "close"), MOVE, DO, (FootKey::Of(Action::Find), "search")]
-        }
+    fn count(&self, app: &App, _: &str) -> usize {
+        rows(app).len()
     }
 
-    fn count(&self, app: &App, typed: &str) -> usize {
-        rows(app, typed).len()
-    }
-
-    fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
-        let rows = rows(app, picker.filter.value());
-        rows.get(picker.selected)
-            .map_or(Outcome::Closes, |row| Outcome::Calls(Call::Do(row.action)))
+    fn chosen(&mut self, _: &mut App, _: &Picker) -> Outcome {
+        Outcome::Closes
     }
 
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
         let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
         let inner = frame(screen, (92, 48), PaneFrame::new(title), canvas);
         let about = about(app, inner.width);
-        let top = u16::try_from(about.len()).unwrap_or(u16::MAX);
+        let (_, area) = split_top(inner, u16::try_from(about.len()).unwrap_or(u16::MAX));
         canvas.put_lines(inner, 0, about);
-        let (_, rest) = split_top(inner, top);
-        picker.draw_filter(app, rest, canvas);
-        let rows = rows(app, picker.filter.value());
-        let area = split_top(rest, 1).1;
-        if rows.is_empty() {
-            canvas.put(area, (0, 0), "nothing matches", Role::Dim);
-        }
+        let rows = rows(app);
         let room = usize::from(area.width.saturating_sub(SENTENCE));
         picker.draw_rows(rows.len(), area, canvas, |canvas, row, index| {
             let line = &rows[index];
@@ -75,12 +57,10 @@ struct HelpRow {
     /// It is of the focused pane.
     is_own: bool,
     help: String,
-    /// The action of Enter.
-    action: Action,
 }
 
 /// The keys of the focused pane first, with what they do there, then those that work everywhere.
-fn rows(app: &App, typed: &str) -> Vec<HelpRow> {
+fn rows(app: &App) -> Vec<HelpRow> {
     let pane = pages::spec(app.pane());
     let has = |line: &KeyHelp, action| line.keys.iter().any(|(one, ..)| *one == action);
     let own = pane.keys.iter().map(|row| {
@@ -88,24 +68,21 @@ fn rows(app: &App, typed: &str) -> Vec<HelpRow> {
         let of_row = |line: &&KeyHelp| line.scope != Scope::Everywhere && has(line, row.action);
         let line = LINES.iter().find(of_row).map(|line| app.keymap.line_label(line));
         let keys = line.unwrap_or_else(|| app.keymap.label(row.action));
-        HelpRow { keys, is_own: true, help: app.keymap.shown(row.help), action: row.action }
+        HelpRow { keys, is_own: true, help: app.keymap.shown(row.help) }
     });
     let lines = |everywhere: bool| {
         let explained = move |line: &KeyHelp| pane.keys.iter().any(|row| has(line, row.action));
         let scoped = move |line: &&KeyHelp| match line.scope {
             Scope::Everywhere => everywhere,
-            Scope::With(_) | Scope::Listed => !everywhere && !explained(line),
+            Scope::Listed => !everywhere && !explained(line),
         };
         LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
             keys: app.keymap.line_label(line),
             is_own: !everywhere,
             help: app.keymap.shown(line.meaning),
-            action: line.keys[0].0,
         })
     };
-    let rows = own.chain(lines(false)).chain(lines(true));
-    let works = rows.filter(|row| !pages::of(app.tab).is_idle(app, row.action));
-    ranked(works, |row| rank(typed, &[&row.keys], &row.help))
+    own.chain(lines(false)).chain(lines(true)).collect()
 }
 
 /// What the words and signs of the focused pane mean.

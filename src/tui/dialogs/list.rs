@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::widgets::{Clear, Widget};
 
-use crate::tui::app::dialog::{Dialog, Footer, Outcome};
+use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::{RowList, rows_moved};
@@ -17,8 +17,6 @@ const PAGE: usize = 11;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Picker {
     pub filter: TextField,
-    /// Characters go into the filter.
-    pub typing: bool,
     /// The selected row of those that pass the filter.
     pub selected: usize,
     /// A row was chosen by moving to it, not only by what was typed.
@@ -29,10 +27,9 @@ pub(crate) struct Picker {
 pub(crate) trait List: Clone + Debug + 'static {
     /// The action that opens it, whose key closes it again.
     const OPENED_BY: Action;
-    /// Its rows can be filtered by a text.
+    /// Characters go into a text that its rows are filtered by.
     const IS_FILTERED: bool;
-
-    fn footer(&self, typing: bool) -> Footer;
+    const FOOTER: &'static str;
 
     /// How many rows match what was typed.
     fn count(&self, app: &App, typed: &str) -> usize;
@@ -40,44 +37,32 @@ pub(crate) trait List: Clone + Debug + 'static {
     /// What Enter does with the selected row.
     fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome;
 
-    /// What another action does, where it does something.
-    fn act(&mut self, _app: &mut App, _picker: &Picker, _action: Action) -> Option<Outcome> {
-        None
-    }
-
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>);
 }
 
 /// A dialog of a list.
 #[derive(Clone, Debug)]
-pub(crate) struct Listed<L> {
-    pub list: L,
-    pub picker: Picker,
+struct Listed<L> {
+    list: L,
+    picker: Picker,
 }
 
-impl<L: List> Listed<L> {
-    /// Open on a row.
-    pub(crate) fn at(list: L, selected: usize) -> Box<dyn Dialog> {
-        Box::new(Self { list, picker: Picker { selected, ..Picker::default() } })
-    }
-
-    /// Open with characters going into the filter.
-    pub(crate) fn typing(list: L) -> Box<dyn Dialog> {
-        Box::new(Self { list, picker: Picker { typing: true, ..Picker::default() } })
-    }
+/// A dialog of a list, open on a row.
+pub(crate) fn listed<L: List>(list: L, selected: usize) -> Box<dyn Dialog> {
+    Box::new(Listed { list, picker: Picker { selected, ..Picker::default() } })
 }
 
 impl<L: List> Dialog for Listed<L> {
-    fn footer(&self) -> Footer {
-        self.list.footer(self.picker.typing)
+    fn footer(&self) -> &'static str {
+        L::FOOTER
     }
 
     fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
         let (list, picker) = (&mut self.list, &mut self.picker);
-        let action = app.keymap.action(key).filter(|_| !(picker.typing && is_text(key)));
+        let action = app.keymap.action(key).filter(|_| !(L::IS_FILTERED && is_text(key)));
         // Within a text, those keys move the cursor of the field.
         let moves =
-            action.filter(|it| !(picker.typing && matches!(it, Action::First | Action::Last)));
+            action.filter(|it| !(L::IS_FILTERED && matches!(it, Action::First | Action::Last)));
         if let Some(by) = moves.and_then(|action| rows_moved(action, PAGE)) {
             let last = list.count(app, picker.filter.value()).saturating_sub(1);
             picker.selected = picker.selected.saturating_add_signed(by).min(last);
@@ -85,38 +70,24 @@ impl<L: List> Dialog for Listed<L> {
             return Outcome::Stays;
         }
         match action {
-            Some(Action::Back | Action::Quit) => return Outcome::Closes,
-            Some(action) if action == L::OPENED_BY && action != Action::Enter => {
-                return Outcome::Closes;
-            }
-            Some(Action::Find) if L::IS_FILTERED => picker.typing = true,
-            Some(Action::Enter) => return list.chosen(app, picker),
-            action => {
-                if let Some(outcome) = action.and_then(|action| list.act(app, picker, action)) {
-                    return outcome;
-                }
-                if picker.typing && picker.filter.press(key) {
+            Some(Action::Enter) => list.chosen(app, picker),
+            Some(Action::Back | Action::Quit) => Outcome::Closes,
+            Some(action) if action == L::OPENED_BY => Outcome::Closes,
+            _ => {
+                if L::IS_FILTERED && picker.filter.press(key) {
                     self.pasted();
                 }
+                Outcome::Stays
             }
         }
-        Outcome::Stays
     }
 
-    fn click(&mut self, app: &mut App, row: usize) -> Outcome {
-        if self.picker.selected == row {
-            return self.list.chosen(app, &self.picker);
-        }
+    fn click(&mut self, row: usize) {
         (self.picker.selected, self.picker.moved) = (row, true);
-        Outcome::Stays
-    }
-
-    fn closes_beside(&self) -> bool {
-        true
     }
 
     fn field_mut(&mut self) -> Option<&mut TextField> {
-        self.picker.typing.then_some(&mut self.picker.filter)
+        L::IS_FILTERED.then_some(&mut self.picker.filter)
     }
 
     fn pasted(&mut self) {
@@ -136,15 +107,11 @@ pub(crate) fn is_text(key: KeyEvent) -> bool {
 }
 
 impl Picker {
-    /// The filter in the first row of an area: what was typed, or how to search.
-    pub(crate) fn draw_filter(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-        if self.typing {
-            let end = canvas.put(area, (0, 0), "> ", Role::Key);
-            let room = area.width.saturating_sub(end);
-            self.filter.draw(canvas, Rect { x: area.x + end, width: room, ..area });
-        } else {
-            canvas.put(area, (0, 0), &app.keymap.shown("<find> to search"), Role::Dim);
-        }
+    /// The filter in the first row of an area.
+    pub(crate) fn draw_filter(&self, area: Rect, canvas: &mut Canvas<'_>) {
+        let end = canvas.put(area, (0, 0), "> ", Role::Key);
+        let room = area.width.saturating_sub(end);
+        self.filter.draw(canvas, Rect { x: area.x + end, width: room, ..area });
     }
 
     /// Rows of the list, each drawn by its index.
@@ -181,7 +148,7 @@ pub(crate) fn frame(
         width,
         height,
     };
-    canvas.cover(area);
+    canvas.cover();
     Clear.render(area, canvas);
     let inner = pane.focused(true).draw(area, canvas);
     Rect { x: inner.x + inner.width.min(1), width: inner.width.saturating_sub(2), ..inner }

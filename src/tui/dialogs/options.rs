@@ -1,17 +1,30 @@
-//! The options menu: characters, colours, mouse, auto-run, threads, interface law and contact model.
+//! The options menu: characters, colours and mouse.
 
-use crate::model::variables::{self, Kind, VARIABLES, Value};
-use crate::study::parallel::cores;
-use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
-use crate::tui::app::{edit, jobs};
-use crate::tui::dialogs::list::{List, Listed, Picker, frame};
-use crate::tui::option::OptionRow;
+use cmra_studies::enumeration;
+
+use crate::tui::app::dialog::{Dialog, Outcome};
+use crate::tui::dialogs::list::{List, Picker, frame, listed};
 use crate::tui::prelude::*;
-use crate::tui::widgets::cycled;
 use crate::tui::widgets::text::wrapped;
 
+enumeration! {
+    /// A line of the menu.
+    enum OptionRow in OptionText {
+        name: &'static str,
+        meaning: &'static str,
+    }
+    Characters {
+        name: "characters", meaning: "what charts are drawn with: ASCII, blocks or braille dots"
+    }
+    Colours { name: "colours", meaning: "how many colours the terminal shows" }
+    Mouse {
+        name: "mouse",
+        meaning: "on: a click selects, the wheel moves; off: the terminal selects text"
+    }
+}
+
 pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
-    Listed::at(Options, 0)
+    listed(Options, 0)
 }
 
 #[derive(Clone, Debug)]
@@ -23,32 +36,15 @@ const VALUE: u16 = 18;
 impl List for Options {
     const OPENED_BY: Action = Action::Options;
     const IS_FILTERED: bool = false;
-
-    fn footer(&self, _: bool) -> Footer {
-        &[
-            (FootKey::Pair(Action::Down, Action::Up), "move"),
-            (FootKey::Pair(Action::Left, Action::Right), "change"),
-            (FootKey::Of(Action::Back), "close"),
-        ]
-    }
+    const FOOTER: &'static str = "<enter> change  <down>/<up> move  <back> close";
 
     fn count(&self, _: &App, _: &str) -> usize {
         OptionRow::ALL.len()
     }
 
     fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
-        change(app, OptionRow::ALL[picker.selected], true);
+        change(app, OptionRow::ALL[picker.selected]);
         Outcome::Stays
-    }
-
-    fn act(&mut self, app: &mut App, picker: &Picker, action: Action) -> Option<Outcome> {
-        let forward = match action {
-            Action::Right | Action::Mark => true,
-            Action::Left => false,
-            _ => return None,
-        };
-        change(app, OptionRow::ALL[picker.selected], forward);
-        Some(Outcome::Stays)
     }
 
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
@@ -69,74 +65,31 @@ impl List for Options {
 }
 
 /// The present value of an option.
-fn value(row: OptionRow, app: &App) -> String {
-    let on = |on: bool| if on { "on" } else { "off" }.to_owned();
-    let of = |key: &str| {
-        variables::find(key).map_or_else(|_| String::new(), |found| found.show(&app.scene))
-    };
+fn value(row: OptionRow, app: &App) -> &'static str {
     match row {
-        OptionRow::Characters => app.settings.theme.glyphs.to_string(),
-        OptionRow::Colours => app.settings.theme.depth.word().to_owned(),
-        OptionRow::Mouse => on(app.settings.mouse),
-        OptionRow::AutoRun => on(app.settings.auto_run),
-        OptionRow::Threads => app
-            .settings
-            .threads
-            .map_or_else(|| "one per core".to_owned(), |count| count.to_string()),
-        OptionRow::Interface => of("interface.law"),
-        OptionRow::Contact => of("contact.model"),
-    }
-}
-
-pub(crate) fn switch(app: &mut App, row: OptionRow) {
-    change(app, row, true);
-    app.tell(format!("{}: {}", row.name(), value(row, app)));
-}
-
-pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
-    match row {
-        OptionRow::Characters => app.settings.theme.glyphs = app.settings.theme.glyphs.next(),
-        OptionRow::Colours => {
-            app.settings.theme.depth = app.settings.theme.depth.next(app.settings.best_depth);
-        }
+        OptionRow::Characters => app.settings.theme.glyphs.word(),
+        OptionRow::Colours => app.settings.theme.depth.word(),
         OptionRow::Mouse => {
-            app.settings.mouse = !app.settings.mouse;
-            app.request(Effect::Mouse(app.settings.mouse));
-        }
-        OptionRow::AutoRun => {
-            app.settings.auto_run = !app.settings.auto_run;
-            if app.settings.auto_run && app.is_stale() {
-                jobs::run_now(app);
+            if app.settings.mouse {
+                "on"
+            } else {
+                "off"
             }
         }
-        OptionRow::Threads => {
-            // In a circle: one a core, then 1, 2, up to as many as there are cores.
-            let most = cores();
-            let now = app.settings.threads.map_or(0, |count| count.min(most));
-            let next = cycled(now, if forward { 1 } else { -1 }, most + 1);
-            app.settings.threads = (next > 0).then_some(next);
-        }
-        OptionRow::Interface => next_word(app, "interface.law", forward),
-        OptionRow::Contact => next_word(app, "contact.model", forward),
     }
-    app.request(Effect::SaveSession);
 }
 
-/// The next word of a choice that the scene makes sense with.
-fn next_word(app: &mut App, key: &str, forward: bool) {
-    let Some(index) = VARIABLES.iter().position(|one| one.key == key) else { return };
-    let Kind::Choice(choice) = &VARIABLES[index].kind else { return };
-    let count = choice.words.len();
-    let now = (choice.get)(&app.scene);
-    let mut refused = None;
-    for step in 1..count {
-        let at = if forward { (now + step) % count } else { (now + count - step) % count };
-        match edit::set(app, index, Value::Word(choice.words[at]), None) {
-            Ok(()) => return,
-            Err(error) => refused = Some(error),
+/// Take the next value of an option.
+fn change(app: &mut App, row: OptionRow) {
+    let settings = &mut app.settings;
+    match row {
+        OptionRow::Characters => settings.theme.glyphs = settings.theme.glyphs.next(),
+        OptionRow::Colours => settings.theme.depth = settings.theme.depth.next(),
+        OptionRow::Mouse => {
+            settings.mouse = !settings.mouse;
+            let mouse = Effect::Mouse(settings.mouse);
+            app.request(mouse);
         }
     }
-    if let Some(error) = refused {
-        app.refuse(error);
-    }
+    app.request(Effect::SaveSession);
 }

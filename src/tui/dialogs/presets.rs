@@ -4,13 +4,13 @@ use std::path::Path;
 
 use crate::model::scene::{Mount, PlateSize, Scene};
 use crate::model::variables::VARIABLES;
-use crate::tui::app::dialog::{Dialog, FootKey, Footer, Outcome};
+use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::edit;
-use crate::tui::dialogs::list::{List, Listed, Picker, frame};
+use crate::tui::dialogs::list::{List, Picker, frame, listed};
 use crate::tui::dialogs::palette::shown_in;
 use crate::tui::message::FileTask;
+use crate::tui::pages::run;
 use crate::tui::pages::run::editor::{index_of, shown_value};
-use crate::tui::pages::run::{self, runs};
 use crate::tui::pages::thesis;
 use crate::tui::prelude::*;
 use crate::tui::preset::PresetEntry;
@@ -20,7 +20,7 @@ use crate::tui::widgets::{split_left, split_top};
 
 pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
     app.list_presets();
-    Listed::typing(Presets)
+    listed(Presets, 0)
 }
 
 #[derive(Clone, Debug)]
@@ -31,16 +31,7 @@ const NAMES: u16 = 32;
 impl List for Presets {
     const OPENED_BY: Action = Action::Presets;
     const IS_FILTERED: bool = true;
-
-    fn footer(&self, _: bool) -> Footer {
-        &[
-            (FootKey::As("type"), "a name or a path"),
-            (FootKey::Of(Action::Enter), "load"),
-            (FootKey::Of(Action::FocusNext), "pin only"),
-            (FootKey::As("Up/Down"), "move"),
-            (FootKey::Of(Action::Back), "close"),
-        ]
-    }
+    const FOOTER: &'static str = "type a name or a path  <enter> load  Up/Down move  <back> close";
 
     fn count(&self, app: &App, typed: &str) -> usize {
         rows(&app.files.presets, typed).len()
@@ -55,7 +46,8 @@ impl List for Presets {
             app.tell("type a name, or move to one: nothing is loaded that was not chosen");
             return Outcome::Stays;
         }
-        match selected(app, picker) {
+        let rows = rows(&app.files.presets, picker.filter.value());
+        match rows.get(picker.selected).map(|entry| (*entry).clone()) {
             Some(entry) => {
                 let before = app.effects.len();
                 take(app, entry);
@@ -75,25 +67,10 @@ impl List for Presets {
         Outcome::Closes
     }
 
-    fn act(&mut self, app: &mut App, picker: &Picker, action: Action) -> Option<Outcome> {
-        if action != Action::FocusNext {
-            return None;
-        }
-        let entry = selected(app, picker)?;
-        match (&entry.problem, entry.scene_on(&app.scene)) {
-            (Some(problem), _) => {
-                app.refuse(format!("{} cannot be pinned: {problem}", entry.name));
-            }
-            (None, Ok(scene)) => runs::pin(app, entry.name, scene.into()),
-            (None, Err(error)) => app.refuse(error.to_string()),
-        }
-        Some(Outcome::Stays)
-    }
-
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
         let pane = PaneFrame::new("Presets, threats, materials, absorbers");
         let inner = frame(screen, (110, 40), pane, canvas);
-        picker.draw_filter(app, inner, canvas);
+        picker.draw_filter(inner, canvas);
         let (_, body) = split_top(inner, 2);
         let rows = rows(&app.files.presets, picker.filter.value());
         let (left, right) = split_left(body, NAMES);
@@ -125,12 +102,6 @@ fn rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
     ranked(presets.iter(), |entry| rank(typed, &[&entry.name, entry.origin], &entry.scene.title))
 }
 
-/// The preset that is chosen: moved to, or the first that matches what was typed.
-fn selected(app: &App, picker: &Picker) -> Option<PresetEntry> {
-    let rows = rows(&app.files.presets, picker.filter.value());
-    rows.get(picker.selected).map(|entry| (*entry).clone())
-}
-
 /// Title, changes, then comment and notes as far as there is room.
 fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     let width = area.width;
@@ -154,9 +125,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
         if !text.is_empty() {
             lines.push((String::new(), Role::Text));
         }
-        for paragraph in paragraphs(text) {
-            lines.extend(wrapped(&paragraph, width, Role::Dim));
-        }
+        lines.extend(text.lines().flat_map(|line| wrapped(line, width, Role::Dim)));
     }
     canvas.put_lines(area, 0, lines);
 }
@@ -185,27 +154,6 @@ fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
         lines.push((clip(&text, usize::from(width)), Role::Text));
     }
     lines
-}
-
-/// Paragraphs of a comment that was broken into lines for a file: a blank line or a line such as `Expect: ...` begins one.
-fn paragraphs(text: &str) -> Vec<String> {
-    let begins = |line: &str| {
-        let word = line.split_once(':').map(|(word, _)| word);
-        word.is_some_and(|word| !word.is_empty() && word.chars().all(char::is_alphabetic))
-    };
-    let mut paragraphs: Vec<String> = Vec::new();
-    let mut begins_anew = true;
-    for line in text.lines().map(str::trim) {
-        match paragraphs.last_mut() {
-            Some(last) if !begins_anew && !line.is_empty() && !begins(line) => {
-                last.push(' ');
-                last.push_str(line);
-            }
-            _ => paragraphs.push(line.to_owned()),
-        }
-        begins_anew = line.is_empty();
-    }
-    paragraphs
 }
 
 /// Load a preset and show what it is about; put a part of a library into the scene.

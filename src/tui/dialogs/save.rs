@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::files::preset;
-use crate::tui::app::dialog::{Dialog, FootKey, Footer};
+use crate::tui::app::dialog::Dialog;
 use crate::tui::dialogs::ask::{Ask, Asking, Purpose};
 use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
 use crate::tui::prelude::*;
@@ -18,9 +18,7 @@ pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
 struct Save;
 
 impl Purpose for Save {
-    fn footer(&self) -> Footer {
-        &[(FootKey::Of(Action::Enter), "save"), (FootKey::Of(Action::Back), "do not save")]
-    }
+    const FOOTER: &'static str = "<enter> save  <back> do not save";
 
     /// A file or one of the person's own presets is replaced only when asked.
     fn accept(

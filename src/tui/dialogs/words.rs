@@ -1,17 +1,17 @@
 //! The words that the selected variable can be.
 
 use crate::model::variables::{self, Kind, Value};
-use crate::tui::app::dialog::{FootKey, Footer, Outcome};
+use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
 use crate::tui::dialogs::curve;
-use crate::tui::dialogs::list::{List, Listed, Picker, frame};
+use crate::tui::dialogs::list::{List, Picker, frame, listed};
 use crate::tui::prelude::*;
 use crate::tui::widgets::text::wrapped;
 
 /// A list of the words of the selected variable.
 pub(crate) fn open(app: &mut App) {
     if let Kind::Choice(choice) = &app.pages.run.editor.variable().kind {
-        app.dialog = Some(Listed::at(Words, (choice.get)(&app.scene)));
+        app.dialog = Some(listed(Words, (choice.get)(&app.scene)));
     }
 }
 
@@ -25,14 +25,7 @@ const NOTE_ROWS: u16 = 3;
 impl List for Words {
     const OPENED_BY: Action = Action::Enter;
     const IS_FILTERED: bool = false;
-
-    fn footer(&self, _: bool) -> Footer {
-        &[
-            (FootKey::Of(Action::Enter), "take it"),
-            (FootKey::Pair(Action::Down, Action::Up), "move"),
-            (FootKey::Of(Action::Quit), "close"),
-        ]
-    }
+    const FOOTER: &'static str = "<enter> take it  <down>/<up> move  <quit> close";
 
     fn count(&self, app: &App, _: &str) -> usize {
         app.pages.run.editor.variable().words().len()

@@ -7,24 +7,19 @@ pub mod setup;
 pub mod state;
 
 use crate::files::sweep as sweep_file;
-use crate::report::figures::axis_of;
 use crate::report::sweep::{self, Columns};
-use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::notice::outside;
 use crate::tui::app::show_duration;
 use crate::tui::pages::explore::cursor::no_sweep;
-use crate::tui::pages::explore::curves::panes;
 use crate::tui::pages::explore::plan::at_rest;
-use crate::tui::pages::explore::state::{Picture, sweep_of};
-use crate::tui::pages::page::draw_setup;
+use crate::tui::pages::explore::state::sweep_of;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::Form;
 use crate::tui::widgets::steps::Input;
-use crate::tui::widgets::steps::engineering;
 use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{PictureSweep, PrintedSweep};
 
@@ -32,20 +27,17 @@ pub use state::{RESULTS, SETUP};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: RESULTS, label: "Explore", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: RESULTS, label: "Explore", keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::View, "quantity", "show the next quantity"),
         key(A::Mark, "pin", "pin the design under the cursor"),
-        key(A::ZoomIn, "zoom", "zoom curves about the cursor; maps have the ends typed"),
         key(A::Down, "curve", "move to another curve, or down the map"),
-        key(A::Find, "", "find a quantity, and show it"),
     ] },
-    PaneSpec { pane: SETUP, label: "Explore setup", has: &[Part::Form], keys: &[
+    PaneSpec { pane: SETUP, label: "Explore setup", keys: &[
         key(A::Enter, "type", "type a variable, an end (0.5, 7.5MN/m), a count or a quantity"),
         key(A::Right, "change", "change the value by a step, or take the next one"),
         key(A::Down, "move", "move to another row"),
-        key(A::Find, "find", "find a row of the setup"),
     ] },
 ];
 
@@ -86,15 +78,11 @@ impl Page for ExploreTab {
         match action {
             Action::Run => compute(app),
             Action::Mark => runs::pin_design(app, app.sweep_design()),
-            _ if app.pane() == SETUP => return setup::act(app, action),
+            _ if app.pane() == SETUP => return false,
             Action::View => {
                 let count = sweep_of(&app.scene).outputs.len();
                 app.pages.explore.output = cycled(app.pages.explore.output, 1, count);
             }
-            Action::LogY => {
-                app.pages.explore.value_scale = app.pages.explore.value_scale.toggled();
-            }
-            Action::LogX => setup::toggle_spacing(app),
             Action::Enter => edit::load_design(app, app.sweep_design()),
             _ => match cursor_moved(action, FAR) {
                 Some(by) => move_cursor(app, by),
@@ -102,10 +90,6 @@ impl Page for ExploreTab {
             },
         }
         true
-    }
-
-    fn lists_words(&self, app: &mut App) -> bool {
-        app.pane() == SETUP && setup::lists_words(app)
     }
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
@@ -175,8 +159,7 @@ impl Page for ExploreTab {
             ReportBody::Ended { found: Some(_), .. } if !app.pages.explore.result.is_complete => {
                 app.tell(jobs::CANCELLED);
             }
-            ReportBody::Progress { .. } => warn_if_long(app, running),
-            ReportBody::Ended { .. } | ReportBody::Part(_) => {}
+            ReportBody::Progress { .. } | ReportBody::Ended { .. } | ReportBody::Part(_) => {}
         }
     }
 
@@ -197,12 +180,6 @@ impl Page for ExploreTab {
         Some(table.noted(app.name_of(&scene), &scene, "sweep", notes))
     }
 
-    fn is_idle(&self, app: &App, action: Action) -> bool {
-        let is_line = app.picture() == Picture::Line;
-        let alone = action == Action::Down && is_line && !state::has_family(&app.scene);
-        app.pane() == RESULTS && (alone || (action == Action::ZoomIn && !is_line))
-    }
-
     fn form(&self, app: &App) -> Option<Form> {
         (app.pane() == SETUP).then(|| app.setup_form())
     }
@@ -214,14 +191,6 @@ impl Page for ExploreTab {
         }
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        if let Some(form) = self.form(app) {
-            return Some(form.row(row)?.label.clone());
-        }
-        let sweep = sweep_of(&app.scene);
-        named(sweep.outputs.get(row)?).ok().map(Quantity::title)
-    }
-
     fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
         setup::change(app, app.setup_choices()[row], input)
     }
@@ -230,25 +199,8 @@ impl Page for ExploreTab {
         app.pages.explore.cursor = Some(cell);
     }
 
-    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        let grid = app.pages.explore.found()?;
-        if app.pane() != RESULTS || app.picture() != Picture::Line {
-            return None;
-        }
-        let x = axis_of(&grid.plan().axes()[0]);
-        let about = grid.coordinate(app.cursor_point(grid), 0);
-        Some(Across::of(&mut app.pages.explore.zoomed, x.view, x.scale, Some(about)))
-    }
-
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        let panes = panes(app, body);
-        if let Some(area) = panes.setup {
-            draw_setup(app, &app.setup_form(), SETUP, area, canvas);
-        }
-        match app.picture() {
-            Picture::Line => curves::render_curves(app, &panes, canvas),
-            Picture::Surface => curves::render_map(app, &panes, canvas),
-        }
+        curves::render(app, body, canvas);
     }
 }
 
@@ -262,8 +214,6 @@ fn differs_from_printed(app: &App) -> bool {
 
 /// Far along a picture, in points.
 const FAR: i16 = 10;
-/// A sweep that will take longer says so.
-const LONG_S: u64 = 60;
 
 /// Forget the sweep under way.
 fn stop(app: &mut App) {
@@ -272,13 +222,6 @@ fn stop(app: &mut App) {
 }
 
 pub(crate) fn compute(app: &mut App) {
-    if let Some(horizon_s) = app.scene.run.horizon_s {
-        let horizon = engineering(horizon_s, "s");
-        app.say(
-            Severity::Warning,
-            format!("horizon is set by hand: every point is simulated to {horizon}, which takes long; `auto` stops at the result"),
-        );
-    }
     match app.sweep_plan() {
         Err(error) => {
             stop(app);
@@ -311,19 +254,4 @@ fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     let axes = grid.plan().axes();
     let next = moved(at, (upward(x, axes.first()), upward(y, axes.get(1))), grid.counts());
     app.pages.explore.cursor = Some(next);
-}
-
-fn warn_if_long(app: &mut App, running: &Running) {
-    let left = running.left().map_or(0, |left| left.as_secs());
-    if left < LONG_S || app.pages.explore.warned == Some(running.id) {
-        return;
-    }
-    app.pages.explore.warned = Some(running.id);
-    let minutes = left.div_ceil(60);
-    app.say(
-        Severity::Warning,
-        format!(
-            "this sweep will take about {minutes} min more: <back> stops it and keeps what is finished"
-        ),
-    );
 }

@@ -14,26 +14,19 @@ use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::widgets::{along, cursor_moved, moved};
-use crate::tui::widgets::{around, cycled};
+use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[], keys: &[
-        key(A::Right, "shot", "move the cursor to the next faster shot"),
+    PaneSpec { pane: RESIDUAL, label: "Residual velocity", keys: &[
         key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo` does"),
-        key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
-        key(A::Find, "", "find a shot by velocity or outcome"),
     ] },
-    PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
-        key(A::View, "absorber", "compare with the next absorber, or with the scene's own"),
-        key(A::Enter, "load", "load the scene with this absorber (<undo> undoes)"),
-        key(A::Find, "", "find a line"),
+    PaneSpec { pane: COMPARISON, label: "Comparison", keys: &[
     ] },
-    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
+    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin the design under the cursor"),
@@ -44,7 +37,7 @@ const PANES: &[PaneSpec] = &[
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
     Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
-    Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth absorber"),
+    Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth"),
     Command::new(Call::Show(EFFICIENCY_MAP, None), "Efficiency map", "mass efficiency compare worth"),
 ];
 
@@ -59,9 +52,7 @@ impl Page for LimitTab {
         if app.lacks_limit() {
             find(app);
         }
-        let kept = &app.pages.limit.comparison;
-        let lacks = |scene: Scene| app.jobs.lacks::<EqualMass, _>(kept, &scene);
-        if app.compared_scene().map_or(true, lacks) {
+        if app.jobs.lacks::<EqualMass, _>(&app.pages.limit.comparison, &app.scene) {
             compare(app);
         }
     }
@@ -74,15 +65,6 @@ impl Page for LimitTab {
                 let v50 = Spread(monte_carlo::Request::v50());
                 jobs::study(app, Tab::Limit, v50);
             }
-            (RESIDUAL, A::Down | A::PageDown) => turn(app, 1),
-            (RESIDUAL, A::Up | A::PageUp) => turn(app, -1),
-            (RESIDUAL, A::Enter) => load_shot(app),
-            (RESIDUAL, _) => match along(action, FAR) {
-                Some(by) => app.pages.limit.move_cursor(by.into()),
-                None => return false,
-            },
-            (COMPARISON, A::View) => next_absorber(app),
-            (COMPARISON, A::Enter) => load_absorber(app),
             (EFFICIENCY_MAP, A::Enter) => load_cell(app),
             (EFFICIENCY_MAP, A::Mark) => runs::pin_design(app, app.efficiency_design()),
             (EFFICIENCY_MAP, _) => match cursor_moved(action, FAR_CELLS) {
@@ -94,14 +76,10 @@ impl Page for LimitTab {
         true
     }
 
-    fn is_idle(&self, app: &App, action: Action) -> bool {
-        app.pane() == EFFICIENCY_MAP && action == Action::View
-    }
-
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
             RESIDUAL => app.limit_readout(),
-            COMPARISON => note(app.comparison_readout()),
+            COMPARISON => None,
             _ => note(app.efficiency_readout()),
         }
     }
@@ -112,8 +90,7 @@ impl Page for LimitTab {
         let words = |it: &Running| format!("comparing{}", it.counted("of", ""));
         if matches!(app.pane(), COMPARISON | EFFICIENCY_MAP) {
             let of_map = app.pane() == EFFICIENCY_MAP;
-            let scene = if of_map { app.efficiency_scene() } else { app.compared_scene() };
-            let scene = scene.unwrap_or_default();
+            let scene = if of_map { app.efficiency_scene() } else { (*app.scene).clone() };
             let comparing = progress::<EqualMass, _>(app, &tab.comparison, &scene, words);
             let first = comparing.unwrap_or_else(done).part();
             return std::iter::once(first).chain(app.validity_part()).collect();
@@ -192,8 +169,8 @@ impl Page for LimitTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             RESIDUAL => {
-                let (count, selected) = (app.pages.limit.shots().len(), app.pages.limit.shot_at());
-                Some(Rows { count, selected, shown: 1 })
+                let (count, shown) = app.limit_words()?;
+                Some(Rows { count: count + 1, selected: app.pages.limit.word, shown })
             }
             COMPARISON => {
                 let (lines, shown) = comparison_text(app)?;
@@ -204,18 +181,10 @@ impl Page for LimitTab {
         }
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        match app.pane() {
-            RESIDUAL => app.pages.limit.shots().get(row).map(residual::shot_words),
-            COMPARISON => Some(comparison_text(app)?.0.get(row)?.0.clone()),
-            _ => None,
-        }
-    }
-
     fn select(&self, app: &mut App, row: usize) {
         let (pane, tab) = (app.pane(), &mut app.pages.limit);
         match pane {
-            RESIDUAL => tab.cursor = Some(row),
+            RESIDUAL => tab.word = row,
             _ => tab.scrolled = row,
         }
     }
@@ -244,41 +213,8 @@ fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
     Some((lines, usize::from(area.height.saturating_sub(2))))
 }
 
-/// Far along the curve, in shots, and over the map, in cells.
-const FAR: i16 = 5;
+/// Far over the map, in cells.
 const FAR_CELLS: i16 = 10;
-
-fn load_shot(app: &mut App) {
-    if app.limit_is_old() {
-        return app.refuse(old("scene"));
-    }
-    let Some(velocity_m_s) = app.pages.limit.shot().map(|shot| shot.impact_m_s) else {
-        return app.tell("no shot under the cursor: <left> and <right> move it");
-    };
-    let mut scene = (*app.scene).clone();
-    scene.projectile.velocity_m_s = velocity_m_s;
-    let label = format!("v_i = {} m/s", significant(velocity_m_s, 4));
-    edit::load_design(app, Ok(LabelledScene { scene, label }));
-}
-
-/// Compare with the next absorber of the library, after the last one with the scene's own.
-fn next_absorber(app: &mut App) {
-    let names = app.absorbers().into_iter().map(|entry| entry.name.as_str());
-    let all: Vec<Option<&str>> = std::iter::once(None).chain(names.map(Some)).collect();
-    let now = app.absorber().map(|entry| entry.name.as_str());
-    app.pages.limit.absorber = around(&all, now, 1).map(str::to_owned);
-    compare(app);
-}
-
-/// The absorber stays chosen: the comparison is one of this scene, and of the one before when it is undone.
-fn load_absorber(app: &mut App) {
-    let Some(absorber) = app.absorber() else {
-        return app.tell("the scene's own spring: <view> takes one of the library");
-    };
-    let label = format!("absorber {}", absorber.name);
-    let design = app.compared_scene().map(|scene| LabelledScene { scene, label });
-    edit::load_design(app, design);
-}
 
 fn load_cell(app: &mut App) {
     let before = Arc::clone(&app.scene);
@@ -300,19 +236,7 @@ fn move_on_map(app: &mut App, by: (isize, isize)) {
 }
 
 fn compare(app: &mut App) {
-    match app.compared_scene() {
-        Ok(scene) => {
-            let study = EqualMass { absorber: app.pages.limit.absorber.clone() };
-            jobs::study_of(app, Tab::Limit, &Arc::new(scene), study);
-        }
-        Err(why) => app.refuse(why),
-    }
-}
-
-/// Turn from the curve through the pages of words, in a circle.
-fn turn(app: &mut App, by: isize) {
-    let (page, count) = app.limit_pages().map_or((0, 0), |pages| (pages.shown, pages.count));
-    app.pages.limit.page = cycled(page, by, count + 1);
+    jobs::study(app, Tab::Limit, EqualMass);
 }
 
 fn find(app: &mut App) {

@@ -12,7 +12,7 @@ pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: LOG, label: "Log", has: &[], keys: &[
+    PaneSpec { pane: LOG, label: "Log", keys: &[
         key(A::Down, "scroll", "scroll"),
         key(A::Find, "find", "show only the lines that contain a text"),
     ] },

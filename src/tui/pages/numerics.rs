@@ -7,27 +7,23 @@ pub mod state;
 use crate::model::library;
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
-use crate::tui::pages::page::plot_columns;
 use crate::tui::pages::page::prelude::*;
 
 pub use state::{ACCURACY, STABILITY, STIFF_SCENES};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[], keys: &[
+    PaneSpec { pane: ACCURACY, label: "Accuracy", keys: &[
         key(A::Down, "method", "select another method"),
         key(A::Enter, "use", "run the scene by this method: auto at 1e-6, or as printed"),
-        key(A::Right, "cursor", "move the cursor in run time"),
     ] },
-    PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
+    PaneSpec { pane: STABILITY, label: "Stability", keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
         key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
     ] },
-    PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[], keys: &[
+    PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", keys: &[
         key(A::Down, "scene", "select another scene"),
-        key(A::View, "columns", "show the next columns of the table"),
-        key(A::Find, "find", "find a scene"),
     ] },
 ];
 
@@ -77,7 +73,7 @@ impl Page for NumericsTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match app.pane() {
-            ACCURACY => accuracy::act(app, action, plot_columns(self, app)),
+            ACCURACY => accuracy::act(app, action),
             _ => stability::act(app, action),
         }
     }
@@ -87,7 +83,7 @@ impl Page for NumericsTab {
             return Some((Severity::Warning, why));
         }
         match app.pane() {
-            ACCURACY => note(app.accuracy_readout()),
+            ACCURACY => None,
             STABILITY => note(app.map_readout()),
             _ => app.battery_readout(),
         }
@@ -165,23 +161,8 @@ impl Page for NumericsTab {
         }
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        match app.pane() {
-            ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
-            STIFF_SCENES => {
-                let rows = app.pages.numerics.stability.rows();
-                Some(rows.get(row)?.case.name.to_string())
-            }
-            _ => None,
-        }
-    }
-
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.pages.numerics.stability.cursor = Some(cell);
-    }
-
-    fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {
-        app.pages.numerics.accuracy.place_cursor(value);
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

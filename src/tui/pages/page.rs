@@ -12,12 +12,11 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::app::running::Running;
     pub(crate) use crate::tui::app::{edit, jobs};
     pub(crate) use crate::tui::chart::{Scale, ViewRange};
-    pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+    pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, key};
     pub(crate) use crate::tui::message::PageTable;
     pub(crate) use crate::tui::prelude::*;
     pub(crate) use crate::tui::preset::LabelledScene;
     pub(crate) use crate::tui::widgets::text::{TextLine, clip, columns, wrap};
-    pub(crate) use crate::tui::widgets::zoom::Across;
     pub(crate) use crate::tui::widgets::{RowList, Rows, split_bottom, split_left, split_top};
     pub(crate) use crate::worker::ReportBody;
     pub(crate) use crate::worker::studies::AskedFor;
@@ -36,7 +35,6 @@ use crate::tui::widgets::Rows;
 use crate::tui::widgets::form::Form;
 use crate::tui::widgets::input::Field;
 use crate::tui::widgets::steps::Input;
-use crate::tui::widgets::zoom::Across;
 use crate::worker::ReportBody;
 use crate::worker::studies::AskedFor;
 
@@ -153,11 +151,6 @@ pub(crate) trait Page: Sync {
         false
     }
 
-    /// Whether a key that the pane lists has nothing to act on as things are.
-    fn is_idle(&self, _app: &App, _action: Action) -> bool {
-        false
-    }
-
     /// What stands under the cursor, or what the selected row means.
     fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
         None
@@ -183,11 +176,6 @@ pub(crate) trait Page: Sync {
     }
 
     fn select(&self, _app: &mut App, _row: usize) {}
-
-    /// The text of a row that `/` searches; `None` if the pane has no search.
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        Some(self.form(app)?.row(row)?.label.clone())
-    }
 
     /// The text that the rows of the pane are filtered by, where `/` filters them.
     fn filter<'a>(&self, _app: &'a mut App) -> Option<&'a mut String> {
@@ -219,11 +207,6 @@ pub(crate) trait Page: Sync {
 
     /// Put the cursor on a cell of the map in the pane.
     fn go_to_cell(&self, _app: &mut App, _cell: (usize, usize)) {}
-
-    /// The axis across of the chart in the pane, where a part of it can be chosen.
-    fn across<'a>(&self, _app: &'a mut App) -> Option<Across<'a>> {
-        None
-    }
 
     /// Put the crosshair of a chart of the pane on a value of its axis across.
     fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}
@@ -278,30 +261,13 @@ pub(crate) fn nothing_yet(app: &App, what: &str) -> String {
     format!("nothing to {what} yet: press <run> to compute it")
 }
 
-const FEW_COLUMNS: u16 = 40;
-
-/// The columns of the plot that the crosshair walks through, as it is drawn.
-pub(crate) fn plot_columns(page: &dyn Page, app: &App) -> u16 {
-    let columns = drawn(page, app, None).0;
-    columns.filter(|columns| *columns > 1).unwrap_or(FEW_COLUMNS)
-}
-
 /// The charts and maps on the screen, as SVG; none where the page shows none.
 pub(crate) fn pictures(page: &dyn Page, app: &App) -> Vec<String> {
-    drawn(page, app, Some(Vec::new())).1.unwrap_or_default()
-}
-
-/// What the drawing of the page says beside its cells: the columns of its plot, and its pictures where they are collected.
-fn drawn(
-    page: &dyn Page,
-    app: &App,
-    pictures: Option<Vec<String>>,
-) -> (Option<u16>, Option<Vec<String>>) {
     let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let mut canvas = Canvas::new(&mut buffer, app.settings.theme);
-    canvas.pictures = pictures;
+    canvas.pictures = Some(Vec::new());
     if let Some(body) = app.layout().body {
         page.draw(app, body, &mut canvas);
     }
-    (canvas.plot_columns, canvas.pictures)
+    canvas.pictures.unwrap_or_default()
 }

@@ -7,8 +7,8 @@ pub mod state;
 mod status;
 
 use crate::model::variables::Kind;
+use crate::tui::pages::page::open_field;
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::page::{open_field, plot_columns};
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::steps::{Input, Press};
@@ -17,35 +17,33 @@ pub use state::{CHARTS, RUNS, VARIABLES};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
-        key(A::Right, "step", "change the value by a step (<far-left> <far-right> ten steps, <fine-less> <fine-more> a tenth)"),
+    PaneSpec { pane: VARIABLES, label: "Variables", keys: &[
+        key(A::Right, "step", "change the value by a step (<far-left> <far-right> ten steps)"),
         key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
         key(A::Presets, "presets", "load a preset, a threat, a material or an absorber"),
         key(A::Export, "export", "export this run and the pinned ones"),
         key(A::Window, "chart", "contact or whole in the selected chart; <full-pane> enlarges it"),
+        key(A::FullPane, "", "show the selected chart alone, or all of them again"),
         key(A::Down, "", "move to another variable; below the last one More unfolds"),
         key(A::Find, "find", "find a variable by symbol or word"),
         key(A::Reset, "reset", "reset this row to the preset's value"),
     ] },
-    PaneSpec { pane: CHARTS, label: "Charts", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: CHARTS, label: "Charts", keys: &[
         key(A::Enter, "enlarge", "show the selected chart alone, or all of them again"),
+        key(A::FullPane, "", "the same"),
         key(A::Window, "contact/whole", "show the contact, or the whole response"),
         key(A::Down, "chart", "select the chart below or above"),
         key(A::Right, "cursor", "move the cursor in time (<far-left> <far-right> ten columns)"),
         key(A::View, "view", "show another quantity: F(x), stiffness and stress come last"),
-        key(A::EventNext, "event", "move the cursor to the next event"),
         key(A::ZoomIn, "zoom", "zoom about the cursor"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
-        key(A::Difference, "", "show curves as differences to the first pinned run"),
     ] },
-    PaneSpec { pane: RUNS, label: "Runs", has: &[], keys: &[
+    PaneSpec { pane: RUNS, label: "Runs", keys: &[
         key(A::Enter, "load", "load this pinned run's scene"),
         key(A::Mark, "pin/unpin", "pin the current run, or unpin the selected one"),
-        key(A::ShowHide, "show/hide", "show or hide this run"),
-        key(A::Difference, "difference", "show curves as differences to the first pinned run"),
         key(A::Down, "move", "select another run"),
-        key(A::Find, "find", "find a run by its name"),
+        key(A::FullPane, "", "show the table alone, or all panes again"),
     ] },
 ];
 
@@ -56,11 +54,8 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
     Command::new(Call::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield stiffness"),
     Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
-    Command::new(Call::In(CHARTS, A::Difference), "Differences to the first pinned run", "compare subtract"),
-    Command::new(Call::In(CHARTS, A::EventNext), "Next event", "arrest cursor"),
-    Command::new(Call::In(CHARTS, A::LogX), "Logarithmic or linear time axis", "log x"),
-    Command::new(Call::In(CHARTS, A::LogY), "Logarithmic or linear value axis", "log y"),
     Command::new(Call::In(CHARTS, A::ZoomFit), "Show everything", "fit zoom"),
+    Command::new(Call::In(CHARTS, A::FullPane), "Show this chart alone", "full enlarge maximise"),
 ];
 
 pub(crate) struct RunTab;
@@ -77,20 +72,14 @@ impl Page for RunTab {
             (Action::FullPane, pane) => {
                 // A list of variables is no better alone: the chart is meant.
                 app.focus_on(if pane == VARIABLES { CHARTS } else { pane });
-                let full = &mut app.full_pane[Tab::Run.index()];
-                *full = !*full;
+                app.pages.run.is_full = !app.pages.run.is_full;
             }
-            (_, CHARTS) | (Action::Difference, RUNS) | (Action::Window, VARIABLES) => {
-                let columns = plot_columns(self, app);
-                return charts::act(app, action, columns);
+            (_, CHARTS) | (Action::Window, VARIABLES) => {
+                return charts::act(app, action);
             }
             (Action::Mark, RUNS) if app.pages.run.selected > 0 => runs::unpin(app),
             (Action::Mark, _) => runs::pin_scene(app),
             (Action::Enter, RUNS) => runs::load(app),
-            (Action::ShowHide, RUNS) => runs::show_or_hide(app),
-            (_, VARIABLES) if edits(action) && !app.pages.run.editor.shows(&app.scene) => {
-                app.tell("no variable is selected: <back> shows all of them");
-            }
             (Action::Enter, VARIABLES) => open(app),
             (Action::Reset, VARIABLES) => edit::reset(app),
             (_, VARIABLES) => match step_of(action) {
@@ -156,14 +145,6 @@ impl Page for RunTab {
         }
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        if app.pane() != RUNS || row > app.pins.len() {
-            return None;
-        }
-        let name = row.checked_sub(1).map_or("", |at| app.pins[at].name.as_str());
-        Some(format!("{} {name}", app.run_label(row)))
-    }
-
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
         (app.pane() == VARIABLES).then_some(&mut app.pages.run.editor.filter)
     }
@@ -180,13 +161,9 @@ impl Page for RunTab {
         edit::change(app, app.pages.run.editor.selected, input)
     }
 
-    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        (app.pane() == CHARTS).then(|| app.time_across())
-    }
-
     fn go_to_value(&self, app: &mut App, chart: usize, value: f64) {
         app.pages.run.charts.selected = chart;
-        app.bring_into_view(value);
+        app.pages.run.charts.cursor_s = Some(value);
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
@@ -201,11 +178,6 @@ impl Page for RunTab {
             runs::render(app, area, app.has_focus(RUNS), canvas);
         }
     }
-}
-
-/// Whether an action changes the selected variable.
-fn edits(action: Action) -> bool {
-    matches!(action, Action::Enter | Action::Reset) || step_of(action).is_some()
 }
 
 /// Words from which on a list is clearer than going to the next one.

@@ -25,7 +25,6 @@ use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Bound, Row, Setup};
 use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
-use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::steps::{Input, Press};
@@ -36,12 +35,10 @@ const SEARCH_SETUP: u16 = 30;
 
 /// Where setup and findings stand; where there is no room for both, the one that has the keys has more of it, or all.
 pub(crate) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
-    let width = match (app.is_full(), app.pane()) {
-        (false, SETUP) if body.width < NARROW => SEARCH_SETUP,
-        (false, _) if body.width < NARROW => 0,
-        (false, _) => setup_width(body.width),
-        (true, SETUP) => body.width,
-        (true, _) => 0,
+    let width = match app.pane() {
+        SETUP if body.width < NARROW => SEARCH_SETUP,
+        _ if body.width < NARROW => 0,
+        _ => setup_width(body.width),
     };
     split_left(body, width)
 }
@@ -49,46 +46,38 @@ pub use state::{RESULTS, SETUP};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: SETUP, label: "Search setup", has: &[Part::Form], keys: &[
+    PaneSpec { pane: SETUP, label: "Search setup", keys: &[
         key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off) or a goal"),
         key(A::Right, "change", "take the next value, or switch on and off"),
         key(A::Run, "search", "search with this setup"),
         key(A::Down, "move", "move to another row"),
-        key(A::Find, "find", "find a row of the setup"),
     ] },
-    PaneSpec { pane: RESULTS, label: "Search results", has: &[Part::Table], keys: &[
+    PaneSpec { pane: RESULTS, label: "Search results", keys: &[
         key(A::Down, "move", "move to the next design or solution"),
         key(A::Enter, "load", "load this design into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin this design"),
-        key(A::Sort, "sort", "sort the table by the next column"),
-        key(A::Find, "", "find a design or a solution"),
     ] },
 ];
 
-/// The pages, in the order of [`state::Page`].
-const PAGES: &[PageSpec] = &{
-    let mut pages = [const { PageSpec { name: "", panes: &[SETUP, RESULTS] } }; state::Page::COUNT];
-    let mut at = 0;
-    while at < pages.len() {
-        pages[at].name = STUDIES[at].title;
-        at += 1;
-    }
-    pages
-};
+/// A page, and the command that shows it.
+const fn page(at: usize) -> PageSpec {
+    PageSpec { name: STUDIES[at].title, panes: &[SETUP, RESULTS] }
+}
 
-/// The tab, then each of its pages.
-const COMMANDS: &[Command] = &{
-    let mut commands =
-        [const { Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design") };
-            state::Page::COUNT + 1];
-    let mut at = 0;
-    while at < state::Page::COUNT {
-        let (page, call) = (&STUDIES[at], Call::Show(RESULTS, Some(at)));
-        at += 1;
-        commands[at] = Command::new(call, page.title, page.synonyms);
-    }
-    commands
-};
+const fn command(at: usize) -> Command {
+    let page = &STUDIES[at];
+    Command::new(Call::Show(RESULTS, Some(at)), page.title, page.synonyms)
+}
+
+const PAGES: &[PageSpec; state::Page::COUNT] = &[page(0), page(1), page(2), page(3)];
+
+const COMMANDS: &[Command] = &[
+    Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
+    command(0),
+    command(1),
+    command(2),
+    command(3),
+];
 
 /// A page: what it is called, what it asks for, and by which rows of the setup.
 struct Study {
@@ -157,8 +146,6 @@ impl Page for SearchTab {
             _ if app.pane() == SETUP => return false,
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),
-            Action::Sort if self.is_idle(app, action) => app.tell("no table to sort on this page"),
-            Action::Sort => app.pages.search.sort_next(),
             _ => match along(action, FAR) {
                 Some(by) => move_by(self, app, by.into()),
                 None => return false,
@@ -240,11 +227,6 @@ impl Page for SearchTab {
         Some(table.of(app.name_of(&kept.scene), &kept.scene, &command))
     }
 
-    fn is_idle(&self, app: &App, action: Action) -> bool {
-        let on_rows = matches!(action, Action::Down | Action::Enter | Action::Mark | Action::Sort);
-        app.pane() == RESULTS && on_rows && app.pages.search.choices() == 0
-    }
-
     fn form(&self, app: &App) -> Option<Form> {
         (app.pane() == SETUP).then(|| app.search_form())
     }
@@ -270,14 +252,6 @@ impl Page for SearchTab {
         Some(Rows { count, selected, shown })
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        if let Some(form) = self.form(app) {
-            return Some(form.row(row)?.label.clone());
-        }
-        let tab = &app.pages.search;
-        tab.answer()?.name(tab, *tab.order().get(row)?)
-    }
-
     fn select(&self, app: &mut App, row: usize) {
         match app.pane() {
             SETUP => {
@@ -298,20 +272,18 @@ const FAR: i16 = 10;
 /// Steps of numbers that are not typed.
 const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000];
 
-/// Lines of the words that have no room; none where the chart stands alone.
+/// Lines of the words that have no room.
 pub(crate) fn hidden_lines(app: &App) -> usize {
     let Some(body) = app.layout().body else { return 0 };
     let (_, area) = panes(app, body);
     let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
-    match app.pages.search.words_height(area.height, lines) {
-        0 => 0,
-        below => lines.saturating_sub(usize::from(below.saturating_sub(2))),
-    }
+    let below = app.pages.search.words_height(area.height, lines);
+    lines.saturating_sub(usize::from(below.saturating_sub(2)))
 }
 
 /// After an edit of the setup or the scene: a search that takes less than a second is made again.
 fn follow(app: &mut App) {
-    let quick = app.pages.search.page == state::Page::Seek && app.settings.auto_run;
+    let quick = app.pages.search.page == state::Page::Seek;
     let running = app.jobs.study::<SearchRequest>().map(|(_, request)| state::Page::of(request));
     // The search of another page goes on.
     let is_free = running.is_none_or(|page| page == state::Page::Seek);
@@ -356,7 +328,6 @@ fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
 
 pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
     let bounds = app.search_bounds();
-    let objectives = app.chosen_objectives().len().max(1);
     let setup = Arc::make_mut(&mut app.pages.search.setup);
     match (row, input) {
         (Row::Axis(part), _) => {
@@ -390,11 +361,6 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
         }
         (Row::Objective(at), Input::Step(_)) => setup.objectives[at] = !setup.objectives[at],
         (Row::Feasible, Input::Step(_)) => setup.feasible = !setup.feasible,
-        (Row::Across | Row::Up, Input::Step(press)) => {
-            let (across, up) = &mut setup.axes;
-            let axis = if row == Row::Up { up } else { across };
-            *axis = cycled((*axis).min(objectives - 1), press.by(), objectives);
-        }
         (_, Input::Step(press)) => step_number(setup, row, press),
         (_, Input::Text(text)) => read_number(setup, row, text)?,
     }

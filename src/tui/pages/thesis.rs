@@ -7,7 +7,7 @@ use crate::report::thesis;
 use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::pages::explore;
 use crate::tui::pages::explore::plan::is_corrected_figure;
-use crate::tui::pages::explore::state::{Picture, PicturePlan};
+use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::preset::Base;
@@ -19,13 +19,13 @@ pub use state::{CLAIMS, CONCEPTS, PRINCIPLES};
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: CLAIMS, label: "Claims", has: &[Part::Table], keys: &[
+    PaneSpec { pane: CLAIMS, label: "Claims", keys: &[
         key(A::Down, "claim", "select another claim"),
         key(A::Enter, "open", "load the preset that shows the claim"),
         key(A::Find, "find", "find a claim"),
     ] },
-    PaneSpec { pane: PRINCIPLES, label: "Principles", has: &[], keys: &[] },
-    PaneSpec { pane: CONCEPTS, label: "Concepts", has: &[], keys: &[] },
+    PaneSpec { pane: PRINCIPLES, label: "Principles", keys: &[] },
+    PaneSpec { pane: CONCEPTS, label: "Concepts", keys: &[] },
 ];
 
 const PAGES: &[PageSpec] = &[
@@ -156,8 +156,8 @@ fn open(app: &mut App) {
 /// Load a scene and show what it is about: a sweep in Explore, else its run.
 pub(crate) fn show(app: &mut App, base: Base) {
     let (name, axes) = (base.name.clone(), axes(&base.scene));
-    let plan = plan_of(app, &base);
-    edit::load(app, base, plan);
+    let picture = picture_of(app, &base);
+    edit::load(app, base, picture);
     look(app);
     if axes > 0 {
         app.tell(format!("{name} loaded, here is its sweep (<undo> undoes)"));
@@ -171,19 +171,17 @@ fn axes(scene: &Scene) -> usize {
 
 /// How the sweep of a preset is shown, whatever was looked at before: over two axes as a map, but figures of the thesis as curves, which
 /// have the printed scheme's beside them.
-fn plan_of(app: &App, base: &Base) -> PicturePlan {
-    let mut plan = app.pages.explore.plan;
-    let axes = axes(&base.scene);
-    if axes > 0 {
-        let is_map = axes > 1 && !is_corrected_figure(base);
-        plan.picture = if is_map { Picture::Surface } else { Picture::Line };
+fn picture_of(app: &App, base: &Base) -> Picture {
+    match axes(&base.scene) {
+        0 => app.picture(),
+        2.. if !is_corrected_figure(base) => Picture::Surface,
+        _ => Picture::Line,
     }
-    plan
 }
 
 /// Begin with what the scene is about, as if its preset had been loaded.
 pub(crate) fn begin(app: &mut App) {
-    app.pages.explore.plan = plan_of(app, &app.base);
+    app.pages.explore.picture = picture_of(app, &app.base);
     look(app);
 }
 
@@ -196,7 +194,6 @@ fn look(app: &mut App) {
     app.focus_on(explore::RESULTS);
     app.pages.explore.output = 0;
     app.pages.explore.cursor = None;
-    app.pages.explore.zoomed = None;
     explore::ExploreTab.enter(app);
 }
 

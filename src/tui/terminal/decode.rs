@@ -191,9 +191,6 @@ impl Decoder {
         match byte {
             0x1b => self.state = State::Escape,
             b'P'..=b'S' => out.push(key(KeyCode::F(byte - b'P' + 1))),
-            // The keypad's keys.
-            b'M' => out.push(key(KeyCode::Enter)),
-            b'j'..=b'y' => out.push(character(char::from(byte - 0x40), KeyModifiers::NONE)),
             _ => out.extend(named(byte).map(key)),
         }
     }
@@ -248,7 +245,6 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
     match last {
         b'~' => numbered(first).map(|code| with(code, modifiers)),
         b'n' => (numbers == [0]).then_some(Input::Arrived),
-        b'u' => Some(with(spelled(char::from_u32(first.into())?)?, modifiers)),
         b'Z' => Some(key(KeyCode::BackTab)),
         // With other numbers it is the place of the cursor.
         b'P' | b'Q' | b'S' if first <= 1 => Some(with(KeyCode::F(last - b'P' + 1), modifiers)),
@@ -262,11 +258,7 @@ fn numbers(rest: &[u8]) -> Option<Vec<u16>> {
     if text.is_empty() {
         return Some(Vec::new());
     }
-    let number = |part: &str| {
-        // A number may have parts of its own (kitty): the first counts.
-        let first = part.split(':').next().unwrap_or_default();
-        if first.is_empty() { Some(0) } else { first.parse().ok() }
-    };
+    let number = |part: &str| if part.is_empty() { Some(0) } else { part.parse().ok() };
     text.split(';').map(number).collect()
 }
 
@@ -277,18 +269,6 @@ fn modifiers(number: u16) -> KeyModifiers {
         .into_iter()
         .filter(|(bit, _)| bits & bit != 0)
         .fold(KeyModifiers::NONE, |all, (_, one)| all | one)
-}
-
-/// The key of a character that is sent by its number.
-fn spelled(c: char) -> Option<KeyCode> {
-    Some(match c {
-        '\r' => KeyCode::Enter,
-        '\t' => KeyCode::Tab,
-        '\x1b' => KeyCode::Esc,
-        '\x7f' => KeyCode::Backspace,
-        _ if c.is_control() => return None,
-        _ => KeyCode::Char(c),
-    })
 }
 
 /// The keys that end in a letter.
@@ -409,9 +389,6 @@ mod tests {
             (b"\x1bOP", K::F(1), plain),
             (b"\x1b[15~", K::F(5), plain),
             (b"\x1b[24~", K::F(12), plain),
-            (b"\x1bOM", K::Enter, plain),
-            (b"\x1bOq", K::Char('1'), plain),
-            (b"\x1b[106u", K::Char('j'), plain),
             (b"\x1bj", K::Char('j'), KeyModifiers::ALT),
             (b"\x1b[", K::Char('['), KeyModifiers::ALT),
             (b"\x1bO", K::Char('O'), KeyModifiers::ALT | SHIFT),

@@ -87,7 +87,6 @@ fn set_style(out: &mut Vec<u8>, mut from: Style, to: Style) {
             Color::Indexed(index @ 0..8) => push(format_args!("{}", base + index)),
             Color::Indexed(index @ 8..16) => push(format_args!("{}", base + 52 + index)),
             Color::Indexed(index) => push(format_args!("{};5;{index}", base + 8)),
-            Color::Rgb(r, g, b) => push(format_args!("{};2;{r};{g};{b}", base + 8)),
             // The theme has no colours by name.
             _ => push(format_args!("{}", base + 9)),
         }
@@ -131,7 +130,6 @@ mod tests {
 
     fn ours(colour: Color) -> vt100::Color {
         match colour {
-            Color::Rgb(r, g, b) => vt100::Color::Rgb(r, g, b),
             Color::Indexed(index) => vt100::Color::Idx(index),
             _ => vt100::Color::Default,
         }
@@ -142,7 +140,6 @@ mod tests {
             3 => Just(Color::Reset),
             3 => (0u8..16).prop_map(Color::Indexed),
             1 => (16u8..).prop_map(Color::Indexed),
-            1 => Just(Color::Rgb(1, 2, 3)),
         ];
         let modifier = prop_oneof![
             3 => Just(Modifier::empty()),

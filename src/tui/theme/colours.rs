@@ -1,8 +1,8 @@
 //! How many colours the terminal has, and which one a role gets at each depth.
 //!
 //! Every fixed shade is readable on white and on black (contrast at least 3 : 1 on both, WCAG 2.1 criterion 1.4.11; tested),
-//! and the curves are told apart without the red or the green cones, too (tested with the matrices of Machado, Oliveira and
-//! Fernandes, 2009). In sixteen colours the terminal's own palette decides: those are used that xterm's makes readable on both.
+//! and the curves are told apart without the red or the green cones, too (they were chosen with the matrices of Machado, Oliveira and
+//! Fernandes, 2009: at least 30 apart in L*a*b*). In sixteen colours the terminal's own palette decides: those are used that xterm's makes readable on both.
 
 use cmra_studies::enumeration;
 use ratatui::style::Color;
@@ -19,11 +19,10 @@ enumeration! {
     None { word: "none" }
     Sixteen { word: "sixteen" }
     Ansi256 { word: "256" }
-    Rgb { word: "full" }
 }
 
 impl ColourDepth {
-    /// The depth the environment promises, never more: RGB only where `COLORTERM` says so and no `screen` stands between.
+    /// The depth the environment promises, never more.
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         let value = |name| env(name).filter(|text| !text.is_empty());
         let Some(term) = value("TERM") else {
@@ -41,22 +40,13 @@ impl ColourDepth {
         {
             return Self::Sixteen;
         }
-        let all = value("COLORTERM").is_some_and(|text| text == "truecolor" || text == "24bit");
-        if all && !term.starts_with("screen") {
-            return Self::Rgb;
-        }
         Self::Ansi256
     }
 
-    /// The next in the cycle full, sixteen, none; `full` is what the terminal can show.
+    /// The next in the cycle 256, sixteen, none.
     #[must_use]
-    pub fn next(self, full: Self) -> Self {
-        match (self, full) {
-            (Self::Rgb | Self::Ansi256, _) => Self::Sixteen,
-            (Self::Sixteen, _) => Self::None,
-            (Self::None, Self::None) => Self::Ansi256,
-            (Self::None, _) => full,
-        }
+    pub fn next(self) -> Self {
+        Self::ALL[(self as usize + Self::ALL.len() - 1) % Self::ALL.len()]
     }
 
     /// The depth with this word.
@@ -65,45 +55,42 @@ impl ColourDepth {
     }
 }
 
-/// One colour at the three depths that have colours: by the terminal's palette, of xterm's 256, and as red, green, blue.
+/// One colour at the two depths that have colours: by the terminal's palette, and of xterm's 256.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shade {
     sixteen: u8,
     ansi: u8,
-    rgb: (u8, u8, u8),
 }
 
 impl Shade {
     /// The colour to use at a depth, or `None` for the terminal's own foreground.
     pub(super) fn at(self, depth: ColourDepth) -> Option<Color> {
-        let (r, g, b) = self.rgb;
         match depth {
             ColourDepth::None => None,
             ColourDepth::Sixteen => Some(Color::Indexed(self.sixteen)),
             ColourDepth::Ansi256 => Some(Color::Indexed(self.ansi)),
-            ColourDepth::Rgb => Some(Color::Rgb(r, g, b)),
         }
     }
 }
 
-const fn shade(sixteen: u8, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
-    Shade { sixteen, ansi, rgb }
+const fn shade(sixteen: u8, ansi: u8) -> Shade {
+    Shade { sixteen, ansi }
 }
 
 /// Border and title of the focused pane.
-pub(super) const FOCUS: Shade = shade(12, 32, (0x1F, 0x86, 0xD6));
-pub(super) const ERROR: Shade = shade(1, 160, (0xD4, 0x2A, 0x2A));
-pub(super) const WARNING: Shade = shade(5, 130, (0xB8, 0x70, 0x00));
-pub(super) const NOTE: Shade = shade(12, 31, (0x1A, 0x85, 0x9C));
+pub(super) const FOCUS: Shade = shade(12, 32);
+pub(super) const ERROR: Shade = shade(1, 160);
+pub(super) const WARNING: Shade = shade(5, 130);
+pub(super) const NOTE: Shade = shade(12, 31);
 
 /// Blue, orange, rose, foreground, tan, violet: those of xterm's palette that are farthest from each other for every kind of sight.
 const CURVES: [Option<Shade>; 6] = [
-    Some(shade(12, 32, (0x00, 0x87, 0xD7))),
-    Some(shade(9, 202, (0xFF, 0x5F, 0x00))),
-    Some(shade(5, 132, (0xAF, 0x5F, 0x87))),
+    Some(shade(12, 32)),
+    Some(shade(9, 202)),
+    Some(shade(5, 132)),
     None,
-    Some(shade(8, 137, (0xAF, 0x87, 0x5F))),
-    Some(shade(13, 93, (0x87, 0x00, 0xFF))),
+    Some(shade(8, 137)),
+    Some(shade(13, 93)),
 ];
 
 /// The colour of a curve at a depth, or `None` for the terminal's own foreground. It repeats after six, the markers later.
@@ -151,10 +138,7 @@ mod tests {
             (&[], D::None),
             (&[("TERM", "dumb"), ("COLORTERM", "truecolor")], D::None),
             (&[("TERM", "xterm-256color")], D::Ansi256),
-            (&[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")], D::Rgb),
-            (&[("TERM", "tmux-256color"), ("COLORTERM", "24bit")], D::Rgb),
-            (&[("TERM", "screen-256color"), ("COLORTERM", "truecolor")], D::Ansi256),
-            (&[("TERM", "xterm"), ("COLORTERM", "yes")], D::Ansi256),
+            (&[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")], D::Ansi256),
             (&[("TERM", "linux"), ("COLORTERM", "truecolor")], D::Sixteen),
             (&[("TERM", "vt220")], D::Sixteen),
             (&[("TERM", "vte-256color")], D::Ansi256),
@@ -169,75 +153,13 @@ mod tests {
         }
     }
 
-    #[test]
-    fn cycling_returns_to_the_characters_of_the_terminal() {
-        let full = ColourDepth::Rgb;
-        let path = [full, full.next(full), full.next(full).next(full)];
-        assert_eq!(path, [full, ColourDepth::Sixteen, ColourDepth::None]);
-        assert_eq!(ColourDepth::None.next(full), full);
-    }
-
     /// Relative luminance, WCAG 2.1.
-    fn luminance(rgb: (u8, u8, u8)) -> f64 {
-        let [r, g, b] = linear(rgb);
-        0.2126 * r + 0.7152 * g + 0.0722 * b
-    }
-
-    fn linear((r, g, b): (u8, u8, u8)) -> [f64; 3] {
-        [r, g, b].map(|byte| {
+    fn luminance((r, g, b): (u8, u8, u8)) -> f64 {
+        let [r, g, b] = [r, g, b].map(|byte| {
             let c = f64::from(byte) / 255.0;
             if c <= 0.03928 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-        })
-    }
-
-    /// A matrix times linear red, green, blue.
-    fn seen(matrix: [[f64; 3]; 3], rgb: [f64; 3]) -> [f64; 3] {
-        matrix.map(|row| row.iter().zip(rgb).map(|(a, b)| a * b).sum())
-    }
-
-    /// CIE L*a*b* of linear sRGB, white D65.
-    fn lab(rgb: [f64; 3]) -> [f64; 3] {
-        let to_xyz = [[0.4125, 0.3576, 0.1804], [0.2127, 0.7152, 0.0722], [0.0193, 0.1192, 0.9503]];
-        let [x, y, z] = seen(to_xyz, rgb.map(|c| c.clamp(0.0, 1.0)));
-        let f = |t: f64| if t > 0.008_856 { t.cbrt() } else { (903.3 * t + 16.0) / 116.0 };
-        let (x, y, z) = (f(x / 0.9505), f(y), f(z / 1.0888));
-        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
-    }
-
-    /// Without the red cones, the green ones, the blue ones: Machado, Oliveira and Fernandes, 2009, severity 1. Curves are at least
-    /// 30 apart in L*a*b*, 15 without the blue cones; 2.3 is what is just noticed.
-    #[test]
-    fn curves_are_told_apart_by_every_kind_of_sight() {
-        let kinds = [
-            ("all", 30.0, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
-            (
-                "no red",
-                30.0,
-                [[0.1523, 1.0526, -0.2049], [0.1145, 0.7863, 0.0992], [-0.0039, -0.0481, 1.0520]],
-            ),
-            (
-                "no green",
-                30.0,
-                [[0.3673, 0.8606, -0.2280], [0.2801, 0.6725, 0.0474], [-0.0118, 0.0429, 0.9689]],
-            ),
-            (
-                "no blue",
-                15.0,
-                [[1.2555, -0.0767, -0.1788], [-0.0784, 0.9309, 0.1476], [0.0047, 0.6914, 0.3039]],
-            ),
-        ];
-        let shades: Vec<Shade> = CURVES.into_iter().flatten().collect();
-        for (kind, least, matrix) in kinds {
-            for (at, one) in shades.iter().enumerate() {
-                for other in &shades[at + 1..] {
-                    for (a, b) in [(one.rgb, other.rgb), (xterm(one.ansi), xterm(other.ansi))] {
-                        let [a, b] = [a, b].map(|rgb| lab(seen(matrix, linear(rgb))));
-                        let apart = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
-                        assert!(apart.sqrt() >= least, "{kind}: {one:?}, {other:?}: {apart}");
-                    }
-                }
-            }
-        }
+        });
+        0.2126 * r + 0.7152 * g + 0.0722 * b
     }
 
     /// The first sixteen of xterm's palette.
@@ -275,7 +197,7 @@ mod tests {
     fn fixed_shades_are_readable_on_white_and_on_black() {
         let all = [FOCUS, ERROR, WARNING, NOTE];
         for fixed in all.into_iter().chain(CURVES.into_iter().flatten()) {
-            for rgb in [fixed.rgb, xterm(fixed.ansi), SIXTEEN[usize::from(fixed.sixteen)]] {
+            for rgb in [xterm(fixed.ansi), SIXTEEN[usize::from(fixed.sixteen)]] {
                 let l = luminance(rgb);
                 let (on_white, on_black) = (1.05 / (l + 0.05), (l + 0.05) / 0.05);
                 assert!(on_white >= 3.0 && on_black >= 3.0, "{rgb:?} {on_white} {on_black}");
@@ -297,7 +219,7 @@ mod tests {
 
     #[test]
     fn curves_have_different_colours_at_every_depth() {
-        for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb] {
+        for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256] {
             let colours: std::collections::HashSet<_> =
                 (0..CURVES.len()).map(|i| curve(i, depth)).collect();
             assert_eq!(colours.len(), CURVES.len(), "{depth:?}");

@@ -147,42 +147,22 @@ pub fn ascii_pass(buffer: &mut Buffer) {
     }
 }
 
-/// The nearest ASCII character of the same width in cells; `?` where there is none. Blocks and braille are not drawn in ASCII.
-pub fn ascii(character: char) -> char {
+/// The nearest ASCII character of the same width in cells; `?` where there is none.
+fn ascii(character: char) -> char {
     match character {
-        '\u{0}'..='\u{7f}' => character,
-        '\u{a0}' | '\u{2000}'..='\u{200a}' => ' ',
-        '─' | '━' | '═' | '┄' | '┅' | '┈' | '┉' | '╌' | '╍' | '–' | '—' | '−' | '‐' | '‑' => {
-            '-'
-        }
-        '│' | '┃' | '║' | '╎' | '╏' => '|',
-        '┆' | '┇' | '┊' | '┋' | '∶' => ':',
-        '\u{250c}'..='\u{254b}' | '\u{2552}'..='\u{2570}' | '±' => '+',
-        '■' | '≠' => '#',
-        '·' | '…' | '⋅' | '∙' => '.',
+        '\u{a0}' => ' ',
+        '─' | '–' | '—' | '−' => '-',
+        '│' => '|',
+        '\u{250c}'..='\u{254b}' => '+',
+        '·' | '…' => '.',
         '“' | '”' => '"',
-        '←' | '◀' | '◂' | '◄' | '≤' | '‹' | '«' => '<',
-        '→' | '▶' | '▸' | '►' | '≥' | '›' | '»' => '>',
-        '↑' | '▲' | '▴' | '⇑' => '^',
-        '↓' | '▼' | '▾' | '⇓' | '✓' | '✔' | '√' => 'v',
+        '‘' | '’' => '\'',
         'µ' | 'μ' => 'u',
-        'γ' => 'g',
-        'δ' | 'Δ' => 'd',
-        'ρ' => 'r',
-        'θ' => 't',
-        'σ' => 's',
-        'λ' => 'l',
-        'π' => 'p',
-        'ω' => 'w',
-        'Ω' => 'O',
-        'η' => 'n',
-        '∞' | '×' | '✗' | '✘' | '╳' => 'x',
-        '≈' | '∼' => '~',
+        '×' => 'x',
         '²' => '2',
         '³' => '3',
-        '°' | '○' | '◦' | '●' | '◉' => 'o',
-        '•' | '★' | '✱' => '*',
-        '‘' | '’' => '\'',
+        '°' => 'o',
+        _ if character.is_ascii() => character,
         _ => '?',
     }
 }
@@ -237,9 +217,9 @@ mod tests {
     fn the_ascii_pass_writes_ascii_only_and_keeps_columns() {
         let area = Rect::new(0, 0, 20, 1);
         let mut buffer = Buffer::empty(area);
-        buffer.set_string(0, 0, "┌─ 5 µs → ·… ≤²×│日", Style::new());
+        buffer.set_string(0, 0, "┌─ 5 µs · ·… –²×│日", Style::new());
         ascii_pass(&mut buffer);
         let text: String = buffer.content.iter().map(ratatui::buffer::Cell::symbol).collect();
-        assert_eq!(text, "+- 5 us > .. <2x|?  ");
+        assert_eq!(text, "+- 5 us . .. -2x|?  ");
     }
 }

@@ -146,20 +146,4 @@ mod tests {
             assert_ne!(title(true), title(false), "{depth:?}");
         }
     }
-
-    #[test]
-    fn the_inside_of_any_size_stays_inside() {
-        for width in 0..12 {
-            for height in 0..6 {
-                let area = Rect::new(3, 2, width, height);
-                let mut buffer = Buffer::empty(Rect::new(0, 0, 20, 10));
-                let inner = PaneFrame::new("A title").right("right").render(
-                    area,
-                    &mut buffer,
-                    Theme::PLAIN,
-                );
-                assert_eq!(inner.intersection(area), inner, "{area} {inner}");
-            }
-        }
-    }
 }

@@ -2,20 +2,19 @@
 
 use crate::tui::app::edit;
 use crate::tui::dialogs;
-use crate::tui::keymap::{Call, Part};
+use crate::tui::keymap::Call;
 use crate::tui::message::Content;
-use crate::tui::pages::run::runs;
+use crate::tui::pages::run::{VARIABLES, runs};
 use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
 use crate::tui::update;
 use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::table::NO_MATCH;
-use crate::tui::widgets::zoom::is_zoom;
 use crate::tui::widgets::{around, cycled, rows_moved, step_of};
 
 /// Do it, in the pane that has the keys.
 pub(crate) fn act(app: &mut App, action: Action) {
-    if !matches!(action, Action::Quit | Action::QuitWithSummary | Action::Cancel) {
+    if !matches!(action, Action::Quit | Action::Cancel) {
         app.jobs.quit_confirmation_shown = false;
     }
     if action != Action::Back {
@@ -26,7 +25,9 @@ pub(crate) fn act(app: &mut App, action: Action) {
         app.pages.run.editor.stepped = None;
     }
     let page = pages::of(app.tab);
-    if acts_on_rows(action) && update::matches_nothing(app) {
+    let acts_on_rows = step_of(action).is_some()
+        || matches!(action, Action::Enter | Action::Mark | Action::Reset | Action::Copy);
+    if acts_on_rows && update::matches_nothing(app) {
         return app.tell(NO_MATCH);
     }
     if action == Action::Enter && page.lists_words(app) {
@@ -40,19 +41,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     {
         return move_by(page, app, by);
     }
-    if page.across(app).is_some_and(|across| across.change(action)) {
-        return;
-    }
-    if is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
-        return app.tell("nothing to zoom: a map has the ends that its setup says");
-    }
     anywhere(app, action);
-}
-
-/// Whether an action acts on rows of a table.
-fn acts_on_rows(action: Action) -> bool {
-    use Action as A;
-    matches!(action, A::Enter | A::Mark | A::ShowHide | A::Export | A::Copy)
 }
 
 /// What an action does to the selected row of a form: it takes the next value, or opens its field.
@@ -73,7 +62,7 @@ fn in_form(app: &mut App, action: Action) -> bool {
 
 /// Whether an action steps the value of a row: such steps join into one edit.
 fn steps(app: &App, action: Action) -> bool {
-    step_of(action).is_some() && pages::spec(app.pane()).has.contains(&Part::Form)
+    step_of(action).is_some() && (app.pane() == VARIABLES || pages::of(app.tab).form(app).is_some())
 }
 
 /// What an action does where the page has no meaning of its own for it.
@@ -86,20 +75,13 @@ fn anywhere(app: &mut App, action: Action) {
         A::Tab(tab) => go_to(app, tab),
         A::FocusNext => focus(app, 1),
         A::FocusPrevious => focus(app, -1),
-        A::TabNext => go_to(app, around(&Tab::ALL, app.tab, 1)),
-        A::TabPrevious => go_to(app, around(&Tab::ALL, app.tab, -1)),
         A::Find => update::open_find(app),
         A::Undo => edit::undo(app),
         A::Redo => edit::redo(app),
         A::ResetAll => edit::reset_all(app),
         A::Copy if app.shows_runs() => runs::copy(app),
         A::Copy => copy(app),
-        A::Switch(option) => dialogs::switch(app, option),
-        A::Cancel | A::Back | A::Quit | A::QuitWithSummary => leave(app, action),
-        A::FullPane => {
-            let at = app.tab.index();
-            app.full_pane[at] = !app.full_pane[at];
-        }
+        A::Cancel | A::Back | A::Quit => leave(app, action),
         A::Redraw => app.request(Effect::Redraw),
         A::Suspend => app.request(Effect::Suspend),
         _ => {
@@ -145,7 +127,7 @@ fn focus(app: &mut App, by: isize) {
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
         if app.tab.pages() < 2 {
-            app.tell("this tab has one pane; <next-tab> and <previous-tab> change tabs");
+            app.tell("this tab has one pane; <tab-run>, <tab-explore> and so on change tabs");
         }
         return next_page(app, by);
     }
@@ -158,7 +140,7 @@ fn leave(app: &mut App, action: Action) {
     if action == Action::Back && update::clear(app) {
         return;
     }
-    let is_quit = matches!(action, Action::Quit | Action::QuitWithSummary);
+    let is_quit = action == Action::Quit;
     let own: Vec<u64> =
         pages::all_jobs(app).filter(|(tab, _)| *tab == app.tab).map(|(_, job)| job).collect();
     let jobs: Vec<u64> = match action {
@@ -200,14 +182,13 @@ fn leave(app: &mut App, action: Action) {
         return app.say(Severity::Warning, question);
     }
     app.request(Effect::SaveSession);
-    app.request(Effect::Quit { summary: action == Action::QuitWithSummary });
+    app.request(Effect::Quit);
 }
 
 /// Esc with nothing to stop: it closes what is open here, and never takes anything away.
 fn back(app: &mut App) {
-    let at = app.tab.index();
-    if app.full_pane[at] {
-        app.full_pane[at] = false;
+    if app.is_full() {
+        app.pages.run.is_full = false;
     } else {
         let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
         let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
@@ -226,10 +207,7 @@ fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
         return app.refuse(pages::nothing_yet(app, "copy"));
     };
-    match Content::Page(table).text() {
-        Ok(text) => app.request(Effect::Copy(text)),
-        Err(why) => app.refuse(why.to_string()),
-    }
+    app.request(Effect::Copy(Content::Page(table).text()));
 }
 
 /// Do what was called by its name, in the pane it belongs to.

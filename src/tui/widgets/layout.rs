@@ -23,7 +23,7 @@ const TWO_MESSAGE_ROWS: u16 = 20;
 /// Where everything stands that every tab has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// Tabs, preset, auto-run.
+    /// Tabs and preset.
     pub title: Rect,
     /// The names of the tab's pages, where it has several.
     pub pages: Option<Rect>,

@@ -1,7 +1,7 @@
 //! What an action is as a movement: by rows, along a chart, over a map, round a list of choices, of a value.
 
 use crate::tui::keymap::Action;
-use crate::tui::widgets::steps::{Press, Size};
+use crate::tui::widgets::steps::Press;
 
 /// By how many rows an action moves in a list that shows this many at once; `None` for other actions.
 pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
@@ -55,16 +55,14 @@ pub(crate) fn moved(
 
 /// Up or down, and by how much, an action steps a value.
 pub(crate) fn step_of(action: Action) -> Option<Press> {
-    let press = |up, size| Some(Press { up, size });
-    match action {
-        Action::Left => press(false, Size::Plain),
-        Action::Right => press(true, Size::Plain),
-        Action::FarLeft => press(false, Size::Coarse),
-        Action::FarRight => press(true, Size::Coarse),
-        Action::FineLess => press(false, Size::Fine),
-        Action::FineMore => press(true, Size::Fine),
-        _ => None,
-    }
+    let (up, is_far) = match action {
+        Action::Left => (false, false),
+        Action::Right => (true, false),
+        Action::FarLeft => (false, true),
+        Action::FarRight => (true, true),
+        _ => return None,
+    };
+    Some(Press { up, is_far })
 }
 
 /// The one by this many places further on, round and round.

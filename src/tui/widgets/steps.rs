@@ -34,39 +34,16 @@ pub(crate) enum Input<'a> {
 pub(crate) struct Press {
     /// To the next value; else to the one before.
     pub up: bool,
-    pub size: Size,
+    /// Ten steps at once.
+    pub is_far: bool,
 }
 
 impl Press {
-    pub(crate) const NEXT: Self = Self { up: true, size: Size::Plain };
+    pub(crate) const NEXT: Self = Self { up: true, is_far: false };
 
     /// The number of values a choice goes on by.
     pub(crate) fn by(self) -> isize {
         if self.up { 1 } else { -1 }
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Size {
-    /// A tenth of a step.
-    Fine,
-    /// One step.
-    Plain,
-    /// Ten steps.
-    Coarse,
-}
-
-impl Size {
-    pub(crate) fn factor(self) -> f64 {
-        10f64.powi(self.decade())
-    }
-
-    fn decade(self) -> i32 {
-        match self {
-            Self::Fine => -1,
-            Self::Plain => 0,
-            Self::Coarse => 1,
-        }
     }
 }
 
@@ -98,7 +75,7 @@ fn decade_at_zero(number: &Number) -> i32 {
 /// `plain` is the decade of a plain linear step ([`decade`]); up and down by the same one come back to the same value.
 pub(crate) fn stepped(number: &Number, value: f64, press: Press, plain: i32) -> Option<f64> {
     let next = match number.step {
-        Step::Linear => linear(value, press.up, plain + press.size.decade()),
+        Step::Linear => linear(value, press.up, plain + i32::from(press.is_far)),
         Step::Log => logarithmic(number, value, press),
     };
     let next = clamp(number, value, next);
@@ -128,7 +105,7 @@ fn linear(value: f64, up: bool, decade: i32) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-fn logarithmic(number: &Number, value: f64, Press { up, size }: Press) -> f64 {
+fn logarithmic(number: &Number, value: f64, Press { up, is_far }: Press) -> f64 {
     let smallest = smallest(number);
     if value == 0.0 {
         return if up { smallest } else { 0.0 };
@@ -136,12 +113,12 @@ fn logarithmic(number: &Number, value: f64, Press { up, size }: Press) -> f64 {
     if !up && value <= smallest * 1.001 && number.allowed.contains(0.0) {
         return 0.0;
     }
-    let tenths = if up { size.factor() } else { -size.factor() };
+    let size = if is_far { 10.0 } else { 1.0 };
+    let tenths = if up { size } else { -size };
     let exponent = value.log10() * 10.0 + tenths;
-    // Near a tenth (or hundredth) of a decade: exactly there, so that up and down meet again.
-    let grid = if size == Size::Fine { 10.0 } else { 1.0 };
-    let snapped = (exponent * grid).round() / grid;
-    let exponent = if (exponent - snapped).abs() < 0.05 / grid { snapped } else { exponent };
+    // Near a tenth of a decade: exactly there, so that up and down meet again.
+    let snapped = exponent.round();
+    let exponent = if (exponent - snapped).abs() < 0.05 { snapped } else { exponent };
     let exact = 10f64.powf(exponent / 10.0);
     format!("{exact:.2e}").parse().unwrap_or(exact)
 }
@@ -179,23 +156,22 @@ mod tests {
         }
     }
 
-    const BACK: Press = Press { up: false, size: Size::Plain };
+    const BACK: Press = Press { up: false, is_far: false };
 
-    fn up(symbol: &str, value: f64, size: Size) -> Option<f64> {
+    fn up(symbol: &str, value: f64, is_far: bool) -> Option<f64> {
         let number = number(symbol);
-        stepped(number, value, Press { up: true, size }, decade(number, value))
+        stepped(number, value, Press { up: true, is_far }, decade(number, value))
     }
 
     #[test]
     fn linear_steps_follow_the_last_figure_shown() {
-        assert_eq!(up("m_p", 0.0295, Size::Plain), Some(0.0296));
-        assert_eq!(up("v_i", 100.0, Size::Plain), Some(101.0));
-        assert_eq!(up("v_i", 100.0, Size::Coarse), Some(110.0));
-        assert_eq!(up("v_i", 100.0, Size::Fine), Some(100.1));
-        assert_eq!(up("S_y", 1.52e8, Size::Plain), Some(1.53e8));
-        assert_eq!(up("gamma", 1.0, Size::Plain), Some(1.1));
-        assert_eq!(up("theta", 0.0, Size::Plain), Some(1.0));
-        assert_eq!(up("d", 0.0, Size::Plain), Some(0.01));
+        assert_eq!(up("m_p", 0.0295, false), Some(0.0296));
+        assert_eq!(up("v_i", 100.0, false), Some(101.0));
+        assert_eq!(up("v_i", 100.0, true), Some(110.0));
+        assert_eq!(up("S_y", 1.52e8, false), Some(1.53e8));
+        assert_eq!(up("gamma", 1.0, false), Some(1.1));
+        assert_eq!(up("theta", 0.0, false), Some(1.0));
+        assert_eq!(up("d", 0.0, false), Some(0.01));
     }
 
     #[test]

@@ -143,17 +143,6 @@ fn escape_stops_and_keeps_partial_results() {
 }
 
 #[test]
-fn the_crosshair_shows_the_error_for_a_run_time() {
-    let mut bench = open(GlyphSet::Ascii, (120, 40));
-    bench.keys("LLLL");
-    assert!(bench.message().starts_with("within "), "{}", bench.message());
-    assert!(bench.message().contains("A=3e-14"), "{}", bench.message());
-    // At the left end only the quickest have an answer.
-    bench.keys("HHHHHHHHHH");
-    assert!(!bench.message().contains("I="), "{}", bench.message());
-}
-
-#[test]
 fn the_table_has_a_row_a_point() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");

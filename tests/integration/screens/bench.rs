@@ -117,7 +117,7 @@ impl Bench {
     pub(crate) fn exported(&mut self) -> Option<(Destination, String, bool)> {
         self.effects.drain(..).rev().find_map(|effect| match effect {
             Effect::Files(FileTask::Export(to, content)) => {
-                let text = content.text().expect("a table");
+                let text = content.text();
                 Some((to, text, !content.scenes().is_empty()))
             }
             _ => None,

@@ -4,16 +4,13 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::{Bench, done};
-use super::sweep::keys;
-use super::{limit, search, stability, sweep};
+use super::{limit, search, stability};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::stability::map::{Axis, Cell, FixedStep};
-use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::target;
 use cmra::worker::studies::Found;
 
 #[test]
@@ -48,21 +45,6 @@ fn values_on_the_screen_have_six_digits_at_the_most() {
     bench.keys("/gamma<Enter><Enter>1/3<Enter>");
     let label = &bench.app.history.edits[0].label;
     assert_eq!(label, "gamma 1 -> 0.333333");
-}
-
-/// On a logarithmic time axis zoom and pan go by ratios: the middle of the view stays the middle in decades.
-#[test]
-fn zoom_on_a_logarithmic_axis_goes_by_decades() {
-    let mut bench = Bench::ascii(120, 40);
-    bench.keys("<Tab>X");
-    let (from, to) = bench.app.time_range_s(0);
-    bench.keys("l+");
-    let cursor = bench.app.pages.run.charts.cursor_s.unwrap();
-    let (near, far) = bench.app.time_range_s(0);
-    let decades = |a: f64, b: f64| (b / a).log10();
-    assert!((decades(near, far) / decades(from, to) - 0.5).abs() < 1e-9);
-    let before = decades(from, cursor) / decades(from, to);
-    assert!((decades(near, cursor) / decades(near, far) - before).abs() < 1e-9);
 }
 
 /// The line of a goal stands at its own value, not at that of the nearest label.
@@ -113,27 +95,6 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     }
 }
 
-/// One press moves the crosshair by one column of the plot as it is drawn.
-#[test]
-fn the_crosshair_goes_column_by_column() {
-    for size in [(60, 16), (80, 24), (120, 40), (200, 60)] {
-        let mut bench = Bench::ascii(size.0, size.1);
-        bench.keys("<Tab>l");
-        for _ in 0..30 {
-            bench.press("H");
-        }
-        let is_plot = |x: &u16| matches!(target(&bench.app, (*x, 3)), Some(Target::Value { .. }));
-        let columns = (0..size.0).filter(is_plot).count();
-        let (from, to) = bench.app.time_range_s(0);
-        assert_eq!(bench.app.pages.run.charts.cursor_s, Some(from));
-        for _ in 1..columns {
-            assert!(bench.app.pages.run.charts.cursor_s < Some(to));
-            bench.press("l");
-        }
-        assert_eq!(bench.app.pages.run.charts.cursor_s, Some(to), "{size:?}");
-    }
-}
-
 /// The curve and the map of the Limit tab are high enough to be read at 80 by 24.
 #[test]
 fn the_charts_of_the_limit_tab_can_be_read() {
@@ -163,25 +124,6 @@ fn the_map_of_mass_efficiency_names_its_axis_across() {
     let screen = bench.screen();
     let below = screen.lines().skip_while(|line| !line.contains("mass efficiency, up: gamma"));
     assert!(below.clone().any(|line| line.contains(" v_i [")), "{screen}");
-}
-
-#[test]
-fn a_logarithmic_scale_of_less_than_a_decade_keeps_its_bands() {
-    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, "2Y");
-    let screen = bench.screen();
-    assert!(screen.matches(" .. ").count() > 4, "{screen}");
-    assert!(screen.contains("Y: linear"), "{screen}");
-    assert!(!screen.contains("Y linear"), "{screen}");
-}
-
-#[test]
-fn the_contour_of_a_map_has_its_value_in_the_picture() {
-    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, "2e<C-u>map.svg<Enter>");
-    let (_, svg, _) = bench.exported().expect("a picture");
-    let note = svg.split('>').find(|text| text.starts_with("— ")).expect("the contour's note");
-    assert!(note.contains(" %"), "{note}");
 }
 
 #[test]

@@ -4,13 +4,10 @@ use std::sync::Arc;
 
 use super::bench::Bench;
 use super::pointer::{click, find};
-use super::search::in_search;
-use super::{limit, search, stability, sweep};
-use cmra::model::run::{EndReason, Outcome, Warning};
+use super::{stability, sweep};
 use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
-use cmra::tui::pages::search::state::Page;
 use cmra::tui::pages::{explore, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
@@ -122,25 +119,7 @@ fn a_key_without_effect_says_so() {
 }
 
 #[test]
-fn the_keys_row_omits_keys_without_effect() {
-    let mut bench = in_search((120, 36));
-    let keys = |bench: &Bench| bench.screen().lines().last().unwrap().to_owned();
-    bench.press("<Tab>");
-    assert!(keys(&bench).contains("Enter load"), "{}", keys(&bench));
-    bench.press("44");
-    search::answer(&mut bench);
-    assert_eq!(bench.app.pages.search.page, Page::Sensitivity);
-    assert!(!keys(&bench).contains("Enter"), "{}", keys(&bench));
-}
-
-#[test]
 fn lists_and_maps_have_their_ends_and_their_pages() {
-    let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
-    let last = bench.app.pages.limit.shots().len() - 1;
-    bench.keys("G");
-    assert_eq!(bench.app.pages.limit.cursor, Some(last));
-    bench.keys("g");
-    assert_eq!(bench.app.pages.limit.cursor, Some(0));
     let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
     let (column, row) = bench.app.pages.numerics.stability.cursor().unwrap();
     // On the scene itself its words stay in one row: a second one would move the map.
@@ -161,9 +140,7 @@ fn a_click_selects_a_run_and_one_beside_them_takes_the_keys_there() {
     assert_eq!((bench.app.pane(), bench.app.pages.run.selected), (run::RUNS, 2));
     let first = find(&bench, "oA ");
     click(&mut bench, first);
-    click(&mut bench, first);
-    assert!(bench.message().contains("load A"), "{}", bench.message());
-    assert_eq!(bench.app.scene, bench.app.base.scene);
+    assert_eq!(bench.app.pages.run.selected, 1);
     let heading = find(&bench, "Design variables");
     click(&mut bench, heading);
     assert_eq!(bench.app.pane(), run::VARIABLES);
@@ -181,35 +158,12 @@ fn on_a_screen_too_small_the_mouse_does_nothing() {
     assert_eq!((bench.app.pages.run.editor.selected, bench.app.tab), (before, Tab::Run));
 }
 
-#[test]
-fn the_summary_keeps_words_whole_and_says_once_how_the_run_ended() {
-    let mut bench = Bench::ascii(80, 24);
-    let mut shown = bench.app.shown.clone().unwrap();
-    let run = Arc::make_mut(&mut shown.run);
-    run.outcome = Outcome::Moving;
-    run.end = EndReason::Cancelled;
-    run.warnings = vec![
-        Warning::EndedEarly(EndReason::Cancelled),
-        Warning::InterfacePush { ratio: 2.9, t_s: 0.4e-3 },
-    ];
-    let warning = run.warnings[1].to_string();
-    bench.app.shown = Some(shown);
-    let summary = bench.app.summary();
-    assert_eq!(summary.matches("cancelled").count(), 1, "{summary}");
-    assert!(summary.lines().all(|line| line.chars().count() <= 80), "{summary}");
-    let words: Vec<&str> = summary.split_whitespace().collect();
-    let text = words.join(" ");
-    assert!(text.contains(&format!("outside validity: {warning}")), "{summary}");
-    assert!(summary.lines().last().unwrap().starts_with("              "), "{summary}");
-}
-
 /// A variable that an edit takes out of the list leaves the selection to a row of the list.
 #[test]
 fn the_selection_stays_in_the_list_of_variables() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("/m_2<Enter>h");
     assert!(bench.message().contains("cannot be stepped to less"), "{}", bench.message());
-    assert!(!bench.message().contains("step finer"), "there is nothing to step");
     let of_mass = bench.app.pages.run.editor.selected;
     bench.keys("<Enter>5<Enter>");
     bench.keys("/mount<Enter>l");

@@ -183,28 +183,3 @@ fn the_map_of_a_changed_scene_is_named_by_its_preset() {
     bench.keys("e<Enter>");
     assert_eq!(exported(&mut bench).0, "/home/ada/work/thesis-baseline-map.csv");
 }
-
-#[test]
-fn every_column_of_the_battery_can_be_reached_at_any_size() {
-    let columns = ["pass", "energy", "steps", "error against"];
-    for size in [(60, 16), (80, 24), (120, 40), (200, 60)] {
-        let mut bench = open(GlyphSet::Ascii, size);
-        bench.keys("<Tab>");
-        answer(&mut bench);
-        // The heading alone: the status row names some of them.
-        let heading = |bench: &Bench| {
-            let screen = bench.screen();
-            screen.lines().find(|line| line.contains("scene  ")).unwrap_or_default().to_owned()
-        };
-        let mut seen = String::new();
-        for _ in 0..columns.len() {
-            seen += &heading(&bench);
-            bench.keys("v");
-        }
-        assert!(columns.iter().all(|column| seen.contains(column)), "{size:?}: {seen}");
-        let all = columns.iter().all(|column| heading(&bench).contains(column));
-        let screen = bench.screen();
-        let paged = (1..9).any(|page| screen.contains(&format!("v columns {page}/")));
-        assert_eq!(!all, paged, "{size:?} {screen}");
-    }
-}

@@ -53,15 +53,6 @@ impl Scale {
             Self::Log10 => 10_f64.powf(place),
         }
     }
-
-    /// The other scale.
-    #[must_use]
-    pub fn toggled(self) -> Self {
-        match self {
-            Self::Linear => Self::Log10,
-            Self::Log10 => Self::Linear,
-        }
-    }
 }
 
 /// The range of values an axis shows. Always finite, never empty, never reversed.
@@ -190,22 +181,6 @@ impl ViewRange {
         if lo < hi { Self { lo, hi } } else { bounds }
     }
 
-    /// Moved by a fraction of its span, at most to the bounds; positive moves to greater values.
-    pub fn panned(self, scale: Scale, fraction: f64, bounds: Self) -> Self {
-        if !fraction.is_finite() {
-            return self;
-        }
-        let view = self.on(scale);
-        let span = scale.place(view.hi) - scale.place(view.lo);
-        let room = |from: f64, to: f64| (scale.place(to) - scale.place(from)) / span;
-        let down = room(view.lo, bounds.lo).min(0.0);
-        let fraction = fraction.clamp(down, room(view.hi, bounds.hi).max(0.0));
-        self.mapped(scale, |lo, hi| {
-            let by = (hi - lo) * fraction;
-            (lo + by, hi + by)
-        })
-    }
-
     /// Changes the bounds in the space of the scale. A result too narrow to show leaves the range as it is.
     fn mapped(self, scale: Scale, change: impl Fn(f64, f64) -> (f64, f64)) -> Self {
         let view = self.on(scale);
@@ -289,17 +264,6 @@ impl Mapping {
         let from_start = self.span * f64::from(cell) / f64::from(last);
         self.scale.back(self.from + from_start)
     }
-
-    /// A value moved by a given number of cells, and held in the view: how the crosshair walks. From outside it starts at the nearer
-    /// bound.
-    pub fn stepped(self, value: f64, by: i32) -> f64 {
-        let inside =
-            if value.is_nan() { self.view.lo } else { value.clamp(self.view.lo, self.view.hi) };
-        let cell = i32::from(self.cell(inside).unwrap_or(0));
-        let last = i32::from(self.cells.saturating_sub(1));
-        let target = cell.saturating_add(by).clamp(0, last);
-        self.value(u16::try_from(target).unwrap_or(0))
-    }
 }
 
 /// The whole number just below a position, if it is one of `count` places from 0. The one conversion from floating point to
@@ -374,7 +338,7 @@ mod tests {
             let view = ViewRange::new(a, b);
             let zoomed = view.zoomed(scale, c, d);
             let all = [
-                view, zoomed, view.on(scale), view.panned(scale, c, view), view.within(zoomed), view.padded(scale, 0.1),
+                view, zoomed, view.on(scale), view.within(zoomed), view.padded(scale, 0.1),
                 view.rounded(scale),
             ];
             for range in all {

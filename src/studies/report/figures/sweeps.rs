@@ -39,19 +39,18 @@ fn curve(grid: &Grid, axis: &sweep::Axis, output: usize) -> Option<Chart<'static
 
 fn map(grid: &Grid, x: &sweep::Axis, y: &sweep::Axis, output: usize) -> Option<Map<'static>> {
     let column = grid.plan().outputs()[output];
-    let at = |at_x: usize, at_y: usize| cell(grid.cell(at_x, at_y, output), Scale::Linear);
-    let marks = marks(column, points(grid, output), Scale::Linear);
+    let at = |at_x: usize, at_y: usize| cell(grid.cell(at_x, at_y, output));
+    let marks = marks(column, points(grid, output));
     let values = points(grid, output).filter_map(grid::Cell::value);
     let levels = Levels::of(Scale::Linear, values)?;
     let marks = marks.into_iter().map(|(letter, _, words)| (letter, words.to_owned())).collect();
     Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), at) })
 }
 
-/// What a map shows at a point: what the scale has no place for is a letter, too.
-pub fn cell(point: grid::Cell, scale: Scale) -> Cell {
+/// What a map shows at a point.
+pub fn cell(point: grid::Cell) -> Cell {
     match point {
-        grid::Cell::Value(value) if scale.shows(value) => Cell::Value(value),
-        grid::Cell::Value(_) => Cell::Mark('0', Tone::Faint),
+        grid::Cell::Value(value) => Cell::Value(value),
         grid::Cell::Outcome(outcome) => Cell::Mark(outcome.letter(), tone(outcome)),
         grid::Cell::Waiting => Cell::Empty,
     }
@@ -61,17 +60,13 @@ pub fn cell(point: grid::Cell, scale: Scale) -> Cell {
 pub fn marks(
     column: &Quantity,
     points: impl Iterator<Item = grid::Cell>,
-    scale: Scale,
 ) -> Vec<(char, Tone, &'static str)> {
     let mut list: Vec<(char, Tone, &'static str)> = Vec::new();
     for point in points {
-        let Cell::Mark(letter, tone) = cell(point, scale) else { continue };
+        let grid::Cell::Outcome(outcome) = point else { continue };
+        let letter = outcome.letter();
         if list.iter().all(|mark| mark.0 != letter) {
-            let words = match point {
-                grid::Cell::Outcome(outcome) => outcome.without_value(column),
-                grid::Cell::Value(_) | grid::Cell::Waiting => "zero or less: not on a log",
-            };
-            list.push((letter, tone, words));
+            list.push((letter, tone(outcome), outcome.without_value(column)));
         }
     }
     list.sort_unstable_by_key(|mark| mark.0);

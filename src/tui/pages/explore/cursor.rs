@@ -12,7 +12,7 @@ use crate::worker::studies::PictureSweep;
 impl App {
     /// The display of Explore: curves or a map.
     pub fn picture(&self) -> Picture {
-        self.pages.explore.plan.picture
+        self.pages.explore.picture
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.
@@ -42,53 +42,25 @@ impl App {
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
     }
 
-    /// What is under the cursor, in at most this many columns: units and long names go first.
+    /// What is under the cursor, in at most this many columns: of outputs that have no room only the one shown.
     pub fn sweep_readout(&self, width: usize) -> Option<String> {
         let grid = self.pages.explore.found()?;
-        let all = [Detail::Long, Detail::Short, Detail::Least];
-        Some(fitting(all.map(|words| self.readout_with(grid, words)), width))
-    }
-
-    fn readout_with(&self, grid: &Grid, words: Detail) -> String {
         let (x, y) = self.cursor_point(grid);
         let values = || values_at(grid, (x, y));
-        let at = |(axis, value): (&Axis, f64)| {
-            let shown = match words {
-                Detail::Long => axis.show(value, 5),
-                Detail::Short => significant(value, 5),
-                Detail::Least => significant(value, 4),
-            };
-            format!("{} {shown}", axis.symbol())
-        };
-        let mut parts: Vec<String> = values().map(at).collect();
-        let away = values().any(|(axis, value)| {
-            here(axis, &self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
-        });
-        let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
-        parts.clear();
+        let is_here = |(axis, value): (&Axis, f64)| here(axis, &self.scene) == Some(value);
+        let near = if values().all(is_here) { "" } else { "near " };
+        let place =
+            values().map(|(axis, value)| format!("{} {}", axis.symbol(), axis.show(value, 5)));
+        let place = place.collect::<Vec<_>>().join(" ");
         let (shown, _) = self.shown_output(grid);
-        for (index, output) in grid.plan().outputs().iter().enumerate() {
-            if words == Detail::Least && index != shown {
-                continue;
-            }
-            let name = words.of(output);
-            let text = match grid.cell(x, y, index) {
-                Cell::Value(value) if output.unit() == "%" => {
-                    format!("{} of rigid mount", output_value(output, value))
-                }
-                Cell::Value(value) => format!("{name} {}", output_value(output, value)),
-                Cell::Outcome(outcome) if outcome.is_stopped() => {
-                    format!("{name}: {}", outcome.without_value(output))
-                }
-                // The whole point is so, whatever the output.
-                Cell::Outcome(outcome) => outcome.without_value(output).to_owned(),
-                Cell::Waiting => "not computed yet".to_owned(),
-            };
-            if !parts.contains(&text) {
-                parts.push(text);
-            }
-        }
-        format!("{place}: {}", parts.join(", "))
+        let outputs = grid.plan().outputs().iter().enumerate();
+        let mut words: Vec<String> =
+            outputs.map(|(at, output)| cell_words(output, grid.cell(x, y, at))).collect();
+        let own = words[shown].clone();
+        // Of a point that came to nothing the words are the same, whatever the output.
+        words.dedup();
+        let all = format!("{near}{place}: {}", words.join(", "));
+        Some(fitting([all, format!("{near}{place}: {own}")], width))
     }
 
     /// The design under the cursor as a scene, with the values of the axes in words.
@@ -109,23 +81,23 @@ pub(crate) fn no_sweep(app: &App) -> String {
     nothing::<PictureSweep>(app, BEING_COMPUTED, None)
 }
 
-/// How much room a readout has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Detail {
-    Long,
-    Short,
-    /// Only the output that is shown.
-    Least,
-}
-
-impl Detail {
-    fn of(self, output: &Quantity) -> String {
-        match output.name {
-            _ if self == Self::Long => output.title(),
-            "max_plate_displacement_m" => "plate".to_owned(),
-            "final_penetration_m" | "first_arrest_penetration_m" => "depth".to_owned(),
-            _ => output.title(),
+/// An output at a point: its value, or why there is none.
+fn cell_words(output: &Quantity, cell: Cell) -> String {
+    let name = match output.name {
+        "max_plate_displacement_m" => "plate".to_owned(),
+        "final_penetration_m" | "first_arrest_penetration_m" => "depth".to_owned(),
+        _ => output.title(),
+    };
+    match cell {
+        Cell::Value(value) if output.unit() == "%" => {
+            format!("{} of rigid mount", output_value(output, value))
         }
+        Cell::Value(value) => format!("{name} {}", output_value(output, value)),
+        Cell::Outcome(outcome) if outcome.is_stopped() => {
+            format!("{name}: {}", outcome.without_value(output))
+        }
+        Cell::Outcome(outcome) => outcome.without_value(output).to_owned(),
+        Cell::Waiting => "not computed yet".to_owned(),
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::model::scene::ContactModel;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Plan, SweepError};
-use crate::tui::pages::explore::state::{Picture, has_family, sweep_of};
+use crate::tui::pages::explore::state::{CURVES, Picture, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::preset::Base;
 
@@ -40,7 +40,7 @@ impl App {
             Picture::Line if has_family(scene) => {
                 let second = axis(1)?;
                 let (name, ends) = (second.symbol(), second.ends());
-                axes.push(Axis::new(name, ends, self.pages.explore.plan.curves, second.spacing())?);
+                axes.push(Axis::new(name, ends, CURVES, second.spacing())?);
             }
             Picture::Line => {}
             Picture::Surface => axes.push(axis(1)?),
@@ -56,10 +56,6 @@ pub fn no_value(grid: &Grid, output: usize) -> [String; 2] {
     let name = column.title();
     if grid.progress().0 == 0 {
         return ["sweeping the first points".to_owned(), String::new()];
-    }
-    if cells(grid).any(|(x, y)| grid.cell(x, y, output).value().is_some()) {
-        let cure = "<log-y>: linear scale".to_owned();
-        return [format!("no {name} above 0: a log scale shows none"), cure];
     }
     let mut outcomes: Vec<_> = cells(grid).filter_map(|(x, y)| grid.outcome(x, y)).collect();
     outcomes.dedup();

@@ -1,22 +1,17 @@
-//! The setup of Explore as a list: axes, output, and the variables that are held. No drawing.
+//! The setup of Explore as a list: axes and output. No drawing.
 
 use crate::model::scene::Sweep;
 use crate::model::units;
-use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
+use crate::model::variables::{self, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::tui::pages::explore::plan::is_corrected_figure;
-use crate::tui::pages::explore::state::{
-    CURVES, Picture, SetupRow, Sweeping, completed, has_family, sweep_of,
-};
+use crate::tui::pages::explore::state::{Picture, SetupRow, completed, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::run;
-use crate::tui::pages::run::editor::{FIELD_DIGITS, number_in};
-use crate::tui::widgets::axis::{Part, meaning, numeric, over, place, whole};
-use crate::tui::widgets::form::{Form, FormRow, VALUE_WIDTH, quantity_after};
-use crate::tui::widgets::steps::{Input, Press};
-use crate::tui::widgets::text::fitting;
+use crate::tui::widgets::axis::{Part, numeric, over, place};
+use crate::tui::widgets::form::{Form, FormRow, quantity_after};
+use crate::tui::widgets::steps::Input;
 use crate::tui::widgets::{around, cycled};
 
 impl App {
@@ -31,22 +26,9 @@ impl App {
         rows.extend([R::Heading("Across"), R::Axis(1, Part::Name)]);
         if has_two {
             rows.extend([R::Axis(1, Part::From), R::Axis(1, Part::To)]);
-            let count = if is_map { R::Axis(1, Part::Points) } else { R::Curves };
-            rows.extend([count, R::Axis(1, Part::Spacing)]);
+            rows.extend(is_map.then_some(R::Axis(1, Part::Points)));
+            rows.push(R::Axis(1, Part::Spacing));
         }
-        rows.push(R::Heading("Hold"));
-        let sweep = sweep_of(&self.scene);
-        let swept = |variable: &Variable| {
-            let axes = if has_two { 2 } else { 1 };
-            let found = sweep.axes.iter().take(axes).map(|axis| variables::find(&axis.name));
-            found.flatten().any(|axis| variables::exclude_each_other(axis, variable))
-        };
-        let listed = |variable| variables::is_offered(variable, &self.scene);
-        let held = VARIABLES
-            .iter()
-            .enumerate()
-            .filter(|(_, variable)| listed(variable) && !swept(variable));
-        rows.extend(held.map(|(index, _)| R::Held(index)));
         rows
     }
 
@@ -85,65 +67,10 @@ impl App {
                     "curves: one for each value of the variable across, if any; map: colours over both",
                 )
             }
-            SetupRow::Curves => FormRow::typed("curves", self.pages.explore.plan.curves.to_string())
-                .means("how many curves, their values spread over the range"),
             SetupRow::Output => {
                 FormRow::quantity(&sweep.outputs[self.pages.explore.output_of(sweep)])
             }
-            SetupRow::Held(index) => self.held_line(index),
         }
-    }
-
-    fn held_line(&self, index: usize) -> FormRow {
-        let variable = &VARIABLES[index];
-        let is_number = matches!(variable.value(&self.scene), Value::Number(_));
-        let unit = self.pages.run.editor.unit(index);
-        let number = |digits| number_in(variable, &self.scene, unit, digits);
-        let texts = (1..=6).rev().map(number);
-        let shown = fitting(texts, usize::from(VALUE_WIDTH));
-        let is_used = variables::is_used(variable, &self.scene);
-        FormRow {
-            unit: if is_number { unit } else { "" },
-            text: Some(number(FIELD_DIGITS)),
-            takes_unit: true,
-            is_changed: variable.value(&self.scene) != variable.value(&self.base.scene),
-            role: if is_used { Role::Text } else { Role::Dim },
-            ..FormRow::word(variable.symbol, shown)
-        }
-        .means(format!("{} (held); {}", meaning(variable), variable.allowed()))
-    }
-}
-
-/// What an action does to a held variable beside typing a number; `None` where it means nothing of its own.
-pub(crate) fn act(app: &mut App, action: Action) -> bool {
-    let SetupRow::Held(index) = app.setup_row() else {
-        if action == Action::Reset {
-            app.tell("only held variables are reset here: <undo> undoes an edit");
-        }
-        return action == Action::Reset;
-    };
-    app.pages.run.editor.selected = index;
-    match action {
-        Action::Reset => edit::reset(app),
-        // A list of the words, or the other of two.
-        Action::Enter if !matches!(VARIABLES[index].kind, Kind::Number(_)) => run::open(app),
-        _ => return false,
-    }
-    true
-}
-
-/// Select the held variable of the row; whether it has a list of words.
-pub(crate) fn lists_words(app: &mut App) -> bool {
-    let SetupRow::Held(index) = app.setup_row() else { return false };
-    app.pages.run.editor.selected = index;
-    run::is_list(app)
-}
-
-/// The variable along on the other scale.
-pub(crate) fn toggle_spacing(app: &mut App) {
-    let next = Input::Step(Press::NEXT);
-    if let Err(error) = change(app, SetupRow::Axis(0, Part::Spacing), next) {
-        app.refuse(error);
     }
 }
 
@@ -165,26 +92,15 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
         }
         (SetupRow::Picture, Input::Step(press)) => {
             let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
-            tried(app, |sweeping| sweeping.plan.picture = next)?;
+            show_as(app, next)?;
             if next == Picture::Surface && is_corrected_figure(&app.base) {
                 app.tell("a map shows the corrected physics alone; as curves it has the printed scheme beside it");
             }
-        }
-        (SetupRow::Curves, _) => {
-            let curves = app.pages.explore.plan.curves;
-            let next = match input {
-                Input::Text(text) => whole(text, &CURVES)?,
-                Input::Step(press) => curves
-                    .saturating_add_signed(press.by() as i64)
-                    .clamp(*CURVES.start(), *CURVES.end()),
-            };
-            tried(app, |sweeping| sweeping.plan.curves = next)?;
         }
         (SetupRow::Output, _) => {
             let name = &sweep.outputs[app.pages.explore.output_of(&sweep)];
             choose_output(app, quantity_after(name, input)?);
         }
-        (SetupRow::Held(index), _) => edit::change(app, index, input)?,
         (SetupRow::Heading(_) | SetupRow::Picture, _) => {}
     }
     Ok(())
@@ -241,25 +157,16 @@ fn stood_in(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     completed(&app.scene, sweep)
 }
 
-/// Change how a picture is shown, unless the picture cannot be made then.
-fn tried(app: &mut App, change: impl FnOnce(&mut Sweeping)) -> Result<(), String> {
+/// Show curves or a map, unless that cannot be made.
+fn show_as(app: &mut App, picture: Picture) -> Result<(), String> {
     let state = app.snapshot();
-    change(&mut app.pages.explore);
+    app.pages.explore.picture = picture;
     if let Err(error) = app.sweep_plan() {
-        app.pages.explore.plan = state.plan;
+        app.pages.explore.picture = state.picture;
         return Err(error.to_string());
     }
-    let (before, after) = (state.plan, app.pages.explore.plan);
-    if after == before {
-        return Ok(());
-    }
-    let label = if before.picture == after.picture {
-        format!("curves {} -> {}", before.curves, after.curves)
-    } else {
-        let word = if after.picture == Picture::Line { "curves" } else { "a map" };
-        format!("show {word}")
-    };
-    edit::note(app, state, label, None);
+    let word = if picture == Picture::Line { "curves" } else { "a map" };
+    edit::note(app, state, format!("show {word}"), None);
     Ok(())
 }
 

@@ -4,7 +4,6 @@
 //! none, usual ones stand in until something is changed. The cursor only looks: until it is moved it stands on the grid point nearest
 //! to the scene.
 
-use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
@@ -12,7 +11,6 @@ use crate::model::variables;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, USUAL_OUTPUTS};
 use crate::tui::app::running::{Kept, Running};
-use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::preset::LabelledScene;
 use crate::tui::widgets::axis::over;
@@ -26,10 +24,8 @@ pub use crate::worker::studies::Picture;
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
 pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
 
-/// How many curves a family may have.
-pub(crate) const CURVES: RangeInclusive<u64> = 2..=7;
-/// Curves of a family unless another number is chosen.
-const USUAL_CURVES: u64 = 5;
+/// Curves of a family.
+pub(crate) const CURVES: u64 = 5;
 /// The axes that stand in where a scene has none: those of Figure 9.7, 9.10 and 9.11.
 const USUAL_AXES: [(&str, f64, f64, usize); 3] =
     [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
@@ -39,28 +35,12 @@ pub enum SetupRow {
     Heading(&'static str),
     Axis(usize, Part),
     Picture,
-    Curves,
     Output,
-    /// A held variable, by index into the table.
-    Held(usize),
 }
 
 impl Default for SetupRow {
     fn default() -> Self {
         Self::Axis(0, Part::Name)
-    }
-}
-
-/// How a sweep is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PicturePlan {
-    pub curves: u64,
-    pub picture: Picture,
-}
-
-impl Default for PicturePlan {
-    fn default() -> Self {
-        Self { curves: USUAL_CURVES, picture: Picture::Line }
     }
 }
 
@@ -70,26 +50,20 @@ pub struct Sweeping {
     pub result: Kept<Grid>,
     /// The curves of a figure by the scheme that the thesis prints.
     pub printed: Option<Arc<Grid>>,
-    /// The number of the last sweep that was said to take more than a minute.
-    pub warned: Option<u64>,
     /// Why the present axes cannot be swept.
     pub problem: Option<String>,
     pub row: SetupRow,
     /// The point under the cursor; `None`: the one nearest to the scene.
     pub cursor: Option<(usize, usize)>,
-    /// The part of the variable along that is in view; `None`: all of it.
-    pub zoomed: Option<ViewRange>,
     pub output: usize,
-    pub value_scale: Scale,
-    /// Curves of a family, and the picture.
-    pub plan: PicturePlan,
+    pub picture: Picture,
 }
 
 impl Sweeping {
     /// The grid, filled as far as it is, where it is of the picture shown.
     pub fn found(&self) -> Option<&Arc<Grid>> {
         let sweep = PictureSweep::of(self.result.asked.as_ref()?)?;
-        self.result.found.as_ref().filter(|_| sweep.picture == self.plan.picture)
+        self.result.found.as_ref().filter(|_| sweep.picture == self.picture)
     }
 
     /// The place of the output shown among those of a sweep.
@@ -97,30 +71,16 @@ impl Sweeping {
         self.output.min(sweep.outputs.len() - 1)
     }
 
-    /// Keep what was found; over other variables the cursor begins again, over other values of them it stays at its own.
+    /// Keep what was found; over other axes the cursor begins again.
     pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) {
         let before = self.found().cloned();
         if self.result.keep(running, news, Grid::is_complete)
             && let Some(grid) = &self.result.found
             && before.as_ref().is_none_or(|it| it.plan().axes() != grid.plan().axes())
         {
-            let at = self.cursor.zip(before);
-            self.cursor = at.and_then(|(at, old)| same_place(&old, at, grid));
-            self.zoomed = None;
+            self.cursor = None;
         }
     }
-}
-
-/// The point of a grid that is nearest to a point of another one over the same variables.
-fn same_place(old: &Grid, at: (usize, usize), new: &Grid) -> Option<(usize, usize)> {
-    let (before, after) = (old.plan().axes(), new.plan().axes());
-    let is_same = before.iter().map(Axis::symbol).eq(after.iter().map(Axis::symbol));
-    let value = |axis: usize| nearest(after.get(axis)?, old.coordinate(at, axis));
-    let is_inside = at.0 < old.counts().0 && at.1 < old.counts().1;
-    if !is_same || !is_inside {
-        return None;
-    }
-    Some((value(0)?, value(1).unwrap_or(0)))
 }
 
 /// The sweep of a scene, with usual axes and outputs where it has none; always two axes.

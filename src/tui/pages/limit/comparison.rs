@@ -1,49 +1,24 @@
 //! The comparison at equal areal mass in the Limit tab: the verdict, the figures of the candidates beside each other, the map of
 //! mass efficiency and the design under its cursor, in words and drawn.
 
-use crate::model::library::{Entry, Library};
 use crate::report;
 use crate::report::compare::{picture, reasons, verdict};
 use crate::report::figures::column_of;
 use crate::study::compare::map::Map;
 use crate::study::compare::{self, is_equal};
 use crate::study::sweep::Axis;
-use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::{copy_value, nearest, placed};
 use crate::tui::pages::limit::state::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::page::prelude::*;
-use crate::tui::widgets::text::put;
 use crate::worker::studies::{Comparison, EqualMass};
 
 /// What the rows of the comparison mean, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring must survive: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";
 
 impl App {
-    /// The absorbers of the library that the comparison can be made with.
-    pub fn absorbers(&self) -> Vec<&Entry> {
-        let parts = self.files.presets.iter().filter_map(|entry| entry.part.as_ref());
-        parts.filter(|part| part.library == Library::Absorbers).collect()
-    }
-
-    /// The absorber chosen, where it is not the scene's own.
-    pub fn absorber(&self) -> Option<&Entry> {
-        let name = self.pages.limit.absorber.as_ref()?;
-        self.absorbers().into_iter().find(|entry| entry.name == *name)
-    }
-
-    /// The scene that is compared: with the absorber chosen.
-    pub fn compared_scene(&self) -> Result<Scene, String> {
-        let mut scene = (*self.scene).clone();
-        if let Some(absorber) = self.absorber() {
-            absorber.apply(&mut scene).map_err(|error| error.to_string())?;
-        }
-        Ok(scene)
-    }
-
     /// Whether the comparison belongs to another scene than the one on the screen.
     pub fn comparison_is_old(&self) -> bool {
-        let kept = &self.pages.limit.comparison;
-        kept.found.is_some() && self.compared_scene().ok().as_ref() != Some(&*kept.scene)
+        self.pages.limit.comparison.is_old(&self.scene)
     }
 
     pub fn comparison(&self) -> Option<&Comparison> {
@@ -51,17 +26,7 @@ impl App {
     }
 
     pub fn comparison_lines(&self, width: usize) -> Vec<TextLine> {
-        self.comparison().map_or_else(Vec::new, |found| {
-            lines(&found.report, found.absorber.as_deref().unwrap_or("scene"), width)
-        })
-    }
-
-    /// With which absorber the comparison is made.
-    pub fn comparison_readout(&self) -> Option<String> {
-        let own = || "the scene's own spring".to_owned();
-        let named = |absorber: &Entry| format!("{}: {}", absorber.name, absorber.title);
-        let with = self.absorber().map_or_else(own, named);
-        Some(format!("absorber: {with} (<view>: the next one of the library)"))
+        self.comparison().map_or_else(Vec::new, |found| lines(&found.report, width))
     }
 
     /// The map, and its cell under the cursor: the one it was moved to, else the one nearest to the scene.
@@ -77,21 +42,21 @@ impl App {
         let Some((map, at)) = self.efficiency_cell() else {
             return Err(nothing::<EqualMass>(self, BEING_COMPUTED, None));
         };
-        if self.pages.limit.comparison.is_old(&self.efficiency_scene()?) {
+        if self.pages.limit.comparison.is_old(&self.efficiency_scene()) {
             return Err(old("scene"));
         }
-        Ok(placed(self.compared_scene()?, values(map, at)))
+        Ok(placed((*self.scene).clone(), values(map, at)))
     }
 
     /// The scene whose map is wanted: with the values that the axes of the one there have in its scene.
-    pub fn efficiency_scene(&self) -> Result<Scene, String> {
-        let mut scene = self.compared_scene()?;
+    pub fn efficiency_scene(&self) -> Scene {
+        let mut scene = (*self.scene).clone();
         if let Some(map) = self.comparison().and_then(|found| found.map.as_ref()) {
             for axis in [map.x(), map.y()] {
                 copy_value(axis, &self.pages.limit.comparison.scene, &mut scene);
             }
         }
-        Ok(scene)
+        scene
     }
 
     /// The description of the cell under the map's cursor.
@@ -118,7 +83,7 @@ fn values(map: &Map, (x, y): (usize, usize)) -> [(&Axis, f64); 2] {
 }
 
 /// The verdict, what to beware of, the candidates beside each other as on the printed page, then what the verdict rests on.
-fn lines(report: &compare::Report, scene: &str, width: usize) -> Vec<TextLine> {
+fn lines(report: &compare::Report, width: usize) -> Vec<TextLine> {
     let sentence = |role: Role, text: &str| -> Vec<TextLine> {
         let parts = wrap(text, width.saturating_sub(GOES_ON.len())).into_iter().enumerate();
         let lead = |at: usize| if at == 0 { "" } else { GOES_ON };
@@ -129,23 +94,16 @@ fn lines(report: &compare::Report, scene: &str, width: usize) -> Vec<TextLine> {
         lines.extend(sentence(Role::Warning, &format!("caution: {caution}")));
     }
     let table = report::compare::beside(report, width);
-    lines.extend(table.lines().enumerate().flat_map(|(at, line)| match at {
-        // The candidate that is the scene with another absorber has its name.
-        0 => vec![(headed(line, scene), Role::Text)],
-        _ if line.starts_with('*') => sentence(Role::Text, line),
-        _ => vec![(line.to_owned(), Role::Text)],
-    }));
+    for line in table.lines() {
+        if line.starts_with('*') {
+            lines.extend(sentence(Role::Text, line));
+        } else {
+            lines.push((line.to_owned(), Role::Text));
+        }
+    }
     lines.push((String::new(), Role::Text));
     lines.extend(reasons(report).iter().flat_map(|text| sentence(Role::Text, text)));
     lines
-}
-
-/// The heading of the table with another word for the scene, in the columns there are.
-fn headed(line: &str, scene: &str) -> String {
-    let Some((before, after)) = line.split_once("scene") else { return line.to_owned() };
-    let name = clip(scene, before.len() - before.trim_end().len() + "scene".len() - 1);
-    let (end, wide) = (before.len() + "scene".len(), usize::from(columns(&name)));
-    format!("{}{name}{after}", &line[..end.saturating_sub(wide)])
 }
 
 /// The indentation of the further lines of a sentence.
@@ -155,10 +113,7 @@ const GOES_ON: &str = "  ";
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let focused = app.has_focus(COMPARISON);
     let old = if app.comparison_is_old() { " (of another scene)" } else { "" };
-    let chosen = app.pages.limit.absorber.as_ref();
-    let absorber = app.comparison().map_or(chosen, |found| found.absorber.as_ref());
-    let with = absorber.map_or_else(String::new, |name| format!(" with {name}"));
-    let title = format!("Does moving armour pay?{with}{old}");
+    let title = format!("Does moving armour pay?{old}");
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     let height = usize::from(area.height.saturating_sub(2));
     let more = lines.len() > height;
@@ -195,39 +150,9 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let why = cell.map(|_| "no point has a mass efficiency");
         return canvas.put_centred(inner, &nothing::<EqualMass>(app, "computing the map", why));
     };
-    let marks = map.marks.iter().map(|(letter, words)| {
-        format!("{letter} {}", words.split([':', '(']).next().unwrap_or_default().trim_end())
-    });
-    // As many rows below as the letters need, while the map has most of the room.
-    let marks: Vec<String> = marks.collect();
-    let mut marks = wrap(&marks.join("; "), usize::from(area.width).saturating_sub(1));
-    marks.truncate(if map.marks.is_empty() { 0 } else { usize::from(area.height / 6) });
-    let below = 1 + u16::try_from(marks.len()).unwrap_or(0);
-    let above = Rect { height: area.height.saturating_sub(below), ..area };
     let cursor = column_of(found.x(), x).zip(column_of(found.y(), y));
     let title = format!("mass efficiency, up: {}", found.y().symbol()).into();
-    let map = report::map::Map { title, cursor, focused, ..map };
-    let layout = canvas.draw(&map, above);
-    let mut column = canvas.put(area, (1, above.height), "O line of 1 ", Role::Text);
-    let Some(levels) = &map.levels else { return };
-    let from = |band: usize| format!(" {}", significant(levels.band(band).0, 3));
-    let room = usize::from(area.width.saturating_sub(column));
-    // Where all have no room, every second one, every third one, ..., the last one always.
-    let every = |each: usize| (0..levels.bands()).rev().step_by(each);
-    let width = |each: usize| every(each).map(|band| from(band).len() + 2).sum::<usize>();
-    let count = levels.bands();
-    let each = (1..count).find(|each| width(*each) <= room).unwrap_or(count);
-    let mut bands: Vec<usize> = every(each).collect();
-    bands.reverse();
-    for band in bands {
-        let (symbol, style) = heatmap::swatch(band, levels.bands(), app.settings.theme);
-        let from = from(band);
-        column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
-        column = canvas.put(area, (column, above.height), &from, Role::Text);
-    }
-    for (row, text) in (above.height + 1..).zip(marks) {
-        canvas.put(area, (1, row), &text, Role::Text);
-    }
+    let layout = canvas.draw_map(&report::map::Map { title, cursor, focused, ..map }, area);
     canvas.plot(&layout, |x, y| {
         Some(Target::Cell(EFFICIENCY_MAP, (nearest(found.x(), x)?, nearest(found.y(), y)?)))
     });

@@ -8,7 +8,6 @@ use crate::report::accuracy::{TARGETS, advice, gain, printed_scheme, seconds};
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{ComparisonOptions, RESULTS};
 use crate::tui::pages::page::prelude::*;
-use crate::tui::widgets::along;
 use crate::worker::studies::Measurements;
 
 impl App {
@@ -17,18 +16,6 @@ impl App {
         let RunSettings { tolerance, .. } = self.pages.numerics.accuracy.report.scene.run;
         let run = RunSettings { tolerance, ..self.scene.run };
         Scene { run, ..Scene::clone(&self.scene) }
-    }
-
-    /// The error of every method at the crosshair, in one line.
-    pub fn accuracy_readout(&self) -> Option<String> {
-        let tab = &self.pages.numerics.accuracy;
-        let time_s = tab.cursor_s?;
-        let values = Method::ALL.into_iter().filter_map(|method| {
-            let (_, best) = tab.best_within(method, time_s)?;
-            Some(format!("{}={:.0e}", method.letter(), best.error()))
-        });
-        let values: Vec<String> = values.collect();
-        Some(format!("within {}: {}", seconds(time_s), values.join("  ")))
     }
 
     pub fn accuracy_status(&self) -> Vec<StatusPart> {
@@ -123,14 +110,11 @@ pub(crate) fn enter(app: &mut App) {
     }
 }
 
-pub(crate) fn act(app: &mut App, action: Action, columns: u16) -> bool {
+pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run => measure(app),
         Action::Enter => use_method(app),
-        _ => match along(action, 10) {
-            Some(by) => app.pages.numerics.accuracy.move_cursor(by.into(), columns),
-            None => return false,
-        },
+        _ => return false,
     }
     true
 }

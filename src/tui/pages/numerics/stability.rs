@@ -122,7 +122,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     let tab = &mut app.pages.numerics.stability;
     match action {
         Action::Run if on_scenes => ask_battery(app),
-        Action::View if on_scenes => tab.table_page += 1,
         _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
@@ -177,30 +176,14 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = title(found) + old;
     let cursor = tab.cursor();
     let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
-    let above = Rect { height: area.height.saturating_sub(1), ..area };
-    let layout = canvas.draw(&map, above);
-    legend(area, canvas);
-    let hint = app.keymap.shown(" <next-pane>: stiff scenes ");
-    let column = above.width.saturating_sub(columns(&hint) + 1);
-    canvas.put(above, (column, above.height.saturating_sub(1)), &hint, Role::Dim);
+    let layout = canvas.draw_map(&map, area);
     canvas.plot(&layout, |dt_s, value| Some(Target::Cell(STABILITY, found.nearest(dt_s, value)?)));
-}
-
-/// The legend of shades and marks, as long as there is room.
-fn legend(area: Rect, canvas: &mut Canvas<'_>) {
-    let shades = "blank accurate  . inaccurate  @ diverged";
-    let marks =
-        ["  # analytic limit  + this scene at the thesis's 1e-6 s", "  # limit  + 1e-6 s", ""];
-    let room = area.width.saturating_sub(1);
-    let fits = |marks: &&str| columns(shades) + columns(marks) <= room;
-    let marks = marks.into_iter().find(fits).unwrap_or_default();
-    canvas.put(area, (1, area.height - 1), &format!("{shades}{marks}"), Role::Text);
 }
 
 pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.stability;
     let rows = tab.rows();
-    let grid = Grid::of(table(rows).cells(&keys()), area.width.saturating_sub(2), tab.table_page);
+    let grid = Grid::new(table(rows).cells(&keys()), area.width.saturating_sub(2), u16::MAX);
     let height = usize::from(area.height.saturating_sub(3));
     let list = RowList { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
@@ -212,8 +195,7 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         String::new()
     };
     let title = format!("{title}{counted}");
-    let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
-    let hint = app.keymap.shown(&(hint + "<next-pane>: map"));
+    let hint = app.keymap.shown("<next-pane>: map");
     let pane = PaneFrame::new(title).right(hint).focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);

@@ -6,7 +6,7 @@ use crate::study::accuracy::{Measured, MethodReport, Report};
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, FixedStep, Map};
 use crate::tui::app::running::Kept;
-use crate::tui::chart::{Chart, Mapping, Scale, ViewRange};
+use crate::tui::chart::Chart;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
 use crate::worker::study::RowsSoFar;
@@ -29,8 +29,6 @@ pub struct Accuracy {
     pub report: Kept<Report>,
     /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
     pub selected: Option<usize>,
-    /// Where the crosshair stands: a run time, s.
-    pub cursor_s: Option<f64>,
     /// Points of the study requested last, once known.
     pub points_in_all: usize,
 }
@@ -70,41 +68,14 @@ impl Accuracy {
         self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
-    /// The chart, and the run times in view.
-    pub(crate) fn chart(&self) -> Option<(Chart<'static>, ViewRange)> {
-        let chart = error_over_time(self.report.found.as_ref()?)?;
-        let times = chart.x.view;
-        Some((chart, times))
+    pub(crate) fn chart(&self) -> Option<Chart<'static>> {
+        error_over_time(self.report.found.as_ref()?)
     }
 
-    /// Puts the crosshair on a run time, s, or on the nearest in view.
-    pub fn place_cursor(&mut self, run_time_s: f64) {
-        self.cursor_s = self.chart().map(|(_, times)| run_time_s.clamp(times.lo(), times.hi()));
-    }
-
-    /// Moves the crosshair by columns of a plot so wide; it starts in the middle.
-    pub fn move_cursor(&mut self, columns: i32, width: u16) {
-        let Some((_, times)) = self.chart() else { return };
-        let view = Mapping::new(Scale::Log10, times, width);
-        let here = self.cursor_s.unwrap_or_else(|| view.value(width / 2));
-        self.place_cursor(view.stepped(here, columns));
-    }
-
-    pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Parameter, &Measured)> {
-        let report = self.of(method)?;
-        let affordable = report.measured().filter(|(_, it)| it.min_s <= time_s);
-        affordable.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
-    }
-
-    /// What is to be shown of the selected method: the best within the crosshair's time, or its quickest where that is too
-    /// short; without a crosshair its most accurate point.
+    /// The most accurate point of the selected method.
     pub fn example(&self) -> Option<(Parameter, &Measured)> {
-        let method = self.method();
-        let time_s = self.cursor_s.unwrap_or(f64::INFINITY);
-        self.best_within(method, time_s).or_else(|| {
-            let all = self.of(method)?.measured();
-            all.min_by(|a, b| a.1.min_s.total_cmp(&b.1.min_s))
-        })
+        let measured = self.of(self.method())?.measured();
+        measured.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
     }
 }
 
@@ -118,7 +89,6 @@ pub struct Stability {
     pub battery: Kept<RowsSoFar<Row>>,
     /// The selected scene.
     pub selected: usize,
-    pub table_page: usize,
 }
 
 impl Stability {

@@ -9,7 +9,6 @@ use crate::numerics::{larger, smaller};
 use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
 use crate::tui::app::pins::RunView;
-use crate::tui::chart::Mapping;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::state::Window;
@@ -25,6 +24,12 @@ pub struct Curve<'a> {
 
 /// An event so near to the crosshair is under it, as a share of the range in view: half a column of a narrow chart.
 const NEAR: f64 = 0.01;
+
+/// How far a press moves the crosshair, as a share of the range in view.
+const STEP: f64 = 0.01;
+
+/// How much less, or more, of the time a zoom shows.
+const ZOOM: f64 = 2.0;
 
 /// How far beyond the range in view curves are given, as a share of it.
 const BEYOND: f64 = 0.02;
@@ -64,32 +69,21 @@ impl App {
         (0.0, if end > 0.0 { end } else { 1e-3 })
     }
 
-    /// The time range that a chart shows, s; begins above zero on a logarithmic axis.
+    /// The time range that a chart shows, s.
     pub fn time_range_s(&self, chart: usize) -> (f64, f64) {
         let window = self.pages.run.charts.windows[chart];
         let zoom_s = self.pages.run.charts.zoom_s[window as usize];
-        self.on_time_axis(zoom_s.map_or_else(|| self.window_s(window), |it| (it.lo(), it.hi())))
-    }
-
-    fn on_time_axis(&self, (from, to): (f64, f64)) -> (f64, f64) {
-        match self.pages.run.charts.time_scale {
-            Scale::Log10 if from <= 0.0 => (to * 1e-4, to),
-            Scale::Log10 | Scale::Linear => (from, to),
-        }
+        zoom_s.map_or_else(|| self.window_s(window), |it| (it.lo(), it.hi()))
     }
 
     /// The curves of a chart.
     pub fn curves(&self, chart: usize) -> Vec<Curve<'_>> {
-        let reference = self
-            .reference_pin()
-            .filter(|_| self.pages.run.charts.difference)
-            .and_then(|pin| pin.run.as_deref());
         let runs = self.visible_runs().into_iter();
-        runs.map(|view| self.curve(view, chart, reference)).collect()
+        runs.map(|view| self.curve(view, chart)).collect()
     }
 
     /// The points of a run that are in view, and one on either side of it.
-    fn curve<'a>(&self, view: RunView<'a>, chart: usize, reference: Option<&Run>) -> Curve<'a> {
+    fn curve<'a>(&self, view: RunView<'a>, chart: usize) -> Curve<'a> {
         let (run, quantity) = (view.run, self.pages.run.charts.quantities[chart]);
         let over_time = quantity.is_over_time();
         // Over the displacement the whole way is drawn.
@@ -107,14 +101,7 @@ impl App {
                 (t_s, last.plate_displacement_m + last.plate_velocity_m_s * (t_s - last.t_s))
             }));
         }
-        if let Some(run) = reference.filter(|_| over_time) {
-            // At a jump, the value before it of both.
-            points.dedup_by_key(|point| point.0.to_bits());
-            for (t_s, value) in &mut points {
-                *value -= quantity.at(run, *t_s).unwrap_or(f64::NAN);
-            }
-        }
-        if over_time && self.pages.run.charts.time_scale == Scale::Linear {
+        if over_time {
             points = thinned(points);
         }
         Curve { view, points }
@@ -131,8 +118,7 @@ impl App {
 
     /// The range of values to show, over the curves; a little room is left to the chart itself.
     pub fn value_range(&self, curves: &[Curve<'_>], chart: usize) -> (f64, f64) {
-        let (scale, (from, to)) =
-            (self.pages.run.charts.value_scales[chart], self.time_range_s(chart));
+        let (from, to) = self.time_range_s(chart);
         let seen = |t: f64| (from..=to).contains(&t);
         let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
         // What a curve passes at the ends of the range counts, too: there may be no point between them.
@@ -145,60 +131,23 @@ impl App {
         let at_ends = curves.iter().flat_map(|curve| [from, to].map(|t| at_end(curve, t)));
         let (low, high) = points
             .chain(at_ends.flatten())
-            .filter(|(t, value)| seen(*t) && scale.shows(*value))
+            .filter(|(t, value)| seen(*t) && value.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, value)| {
                 (smaller(low, value), larger(high, value))
             });
-        match (low < high, low.is_finite(), scale) {
-            (true, _, _) => (low, high),
-            (false, true, Scale::Linear) if low == 0.0 => (0.0, 1.0),
-            (false, true, Scale::Linear) => (low - 0.1 * low.abs(), high + 0.1 * high.abs()),
-            (false, true, Scale::Log10) => (low / 10.0, high * 10.0),
-            (false, false, _) => (0.1, 1.0),
+        match (low < high, low.is_finite()) {
+            (true, _) => (low, high),
+            (false, true) if low != 0.0 => (low - 0.1 * low.abs(), high + 0.1 * high.abs()),
+            (false, _) => (0.0, 1.0),
         }
     }
 
-    /// Move the crosshair by columns of a plot so wide; it starts in the middle and stays in the range.
-    pub fn move_cursor(&mut self, columns: i32, width: u16) {
+    /// Move the crosshair by hundredths of the range in view; it starts in the middle.
+    pub fn move_cursor(&mut self, by: i16) {
         let (from, to) = self.time_range_s(self.pages.run.charts.selected);
-        let view = Mapping::new(self.pages.run.charts.time_scale, ViewRange::new(from, to), width);
-        let middle = || view.value(width / 2);
-        let moved =
-            self.pages.run.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
-        self.pages.run.charts.cursor_s = Some(moved);
-    }
-
-    /// Move the crosshair to the next or previous event of the current run and bring it into view; gives its name.
-    pub fn move_to_event(&mut self, forward: bool) -> Option<&'static str> {
-        let events = &self.shown.as_ref()?.run.events;
-        let here = self.pages.run.charts.cursor_s;
-        let event = if forward {
-            let start = here.unwrap_or(f64::NEG_INFINITY);
-            events.iter().find(|event| event.t_s > start)
-        } else {
-            let start = here.unwrap_or(f64::INFINITY);
-            events.iter().rev().find(|event| event.t_s < start)
-        }?;
-        let (t_s, words) = (event.t_s, event.kind.words());
-        self.bring_into_view(t_s);
-        Some(words)
-    }
-
-    /// Put the crosshair on a time, and that into view.
-    pub fn bring_into_view(&mut self, t_s: f64) {
-        self.pages.run.charts.cursor_s = Some(t_s);
-        let (from, to) = self.time_range_s(self.pages.run.charts.selected);
-        if t_s < from || t_s > to {
-            let width = to - from;
-            *self.zoom_mut() =
-                Some(ViewRange::new((t_s - 0.5 * width).max(0.0), t_s + 0.5 * width));
-        }
-    }
-
-    /// The zoom of the selected chart, which it has in common with the others of its window.
-    fn zoom_mut(&mut self) -> &mut Option<ViewRange> {
-        &mut self.pages.run.charts.zoom_s
-            [self.pages.run.charts.windows[self.pages.run.charts.selected] as usize]
+        let middle = f64::midpoint(from, to);
+        let moved = |here: f64| (here + f64::from(by) * STEP * (to - from)).clamp(from, to);
+        self.pages.run.charts.cursor_s = Some(self.pages.run.charts.cursor_s.map_or(middle, moved));
     }
 
     /// The event of the current run under the crosshair.
@@ -217,34 +166,33 @@ impl App {
             .map(|event| event.kind.words())
     }
 
-    /// The time axis, of which a part can be chosen.
-    pub(crate) fn time_across(&mut self) -> Across<'_> {
-        let range = |(from, to)| ViewRange::new(from, to);
-        let view = range(self.time_range_s(self.pages.run.charts.selected));
-        let (_, whole_s) = self.window_s(Window::Whole);
-        let (from_s, home_s) =
-            self.window_s(self.pages.run.charts.windows[self.pages.run.charts.selected]);
-        let home = range(self.on_time_axis((from_s, home_s)));
-        let bounds = range((from_s, larger(whole_s, home_s)));
-        let (scale, about) = (self.pages.run.charts.time_scale, self.pages.run.charts.cursor_s);
-        let mut across = Across::of(self.zoom_mut(), home, scale, about);
-        (across.view, across.bounds) = (view, bounds);
-        across
+    /// Show a part of the time about the crosshair, or all of it; the charts of one window have it in common.
+    fn zoom(&mut self, action: Action) {
+        let charts = &self.pages.run.charts;
+        let (window, (from, to)) =
+            (charts.windows[charts.selected], self.time_range_s(charts.selected));
+        let about = charts.cursor_s.unwrap_or_else(|| f64::midpoint(from, to));
+        let (_, end_s) = self.window_s(window);
+        let view = ViewRange::new(from, to);
+        let next = match action {
+            Action::ZoomIn => view.zoomed(Scale::Linear, about, ZOOM),
+            Action::ZoomOut => view.zoomed(Scale::Linear, about, 1.0 / ZOOM),
+            _ => ViewRange::new(0.0, end_s),
+        };
+        let is_part = next.lo() > 0.0 || next.hi() < end_s;
+        self.pages.run.charts.zoom_s[window as usize] =
+            is_part.then(|| next.within(ViewRange::new(0.0, end_s)));
     }
 }
 
-/// Do what a key means in a plot of this many columns.
-pub(crate) fn act(app: &mut App, action: Action, columns: u16) -> bool {
+/// Do what a key means.
+pub(crate) fn act(app: &mut App, action: Action) -> bool {
     use Action as A;
     let selected = app.pages.run.charts.selected;
     match action {
-        A::LogX if !app.pages.run.charts.quantities[selected].is_over_time() => {
-            app.refuse("this chart has no time axis: <view> shows another one");
-        }
         A::Mark => runs::pin_scene(app),
-        A::EventNext => event(app, true),
-        A::EventPrevious => event(app, false),
         A::Window => window(app),
+        A::ZoomIn | A::ZoomOut | A::ZoomFit => app.zoom(action),
         A::View => {
             let mut next = app.pages.run.charts.quantities[selected].next();
             while app.pages.run.charts.quantities.contains(&next) {
@@ -252,42 +200,12 @@ pub(crate) fn act(app: &mut App, action: Action, columns: u16) -> bool {
             }
             app.pages.run.charts.quantities[selected] = next;
         }
-        A::LogX => {
-            app.pages.run.charts.time_scale = app.pages.run.charts.time_scale.toggled();
-            app.tell(format!("time axis: {}", word(app.pages.run.charts.time_scale)));
-        }
-        A::LogY => {
-            let scale = &mut app.pages.run.charts.value_scales[selected];
-            *scale = scale.toggled();
-            let text = format!("value axis: {}", word(*scale));
-            app.tell(text);
-        }
-        A::Difference => difference(app),
         _ => match along(action, 10) {
-            Some(by) => app.move_cursor(by.into(), columns),
+            Some(by) => app.move_cursor(by),
             None => return false,
         },
     }
     true
-}
-
-fn word(scale: Scale) -> &'static str {
-    match scale {
-        Scale::Linear => "linear",
-        Scale::Log10 => "logarithmic (values of zero or less are not drawn)",
-    }
-}
-
-fn event(app: &mut App, forward: bool) {
-    if app.move_to_event(forward).is_none() {
-        let text = match (&app.shown, forward) {
-            (None, _) => "no run yet",
-            (Some(shown), _) if shown.run.events.is_empty() => "this run has no events",
-            (Some(_), true) => "no later event",
-            (Some(_), false) => "no earlier event",
-        };
-        app.tell(text);
-    }
 }
 
 /// The selected chart shows the other part of the time.
@@ -301,17 +219,4 @@ fn window(app: &mut App) {
     };
     *window = next;
     app.tell(format!("{name}: {words}"));
-}
-
-fn difference(app: &mut App) {
-    let Some(letter) = app.reference_pin().map(|pin| pin.letter) else {
-        return app.refuse("no pinned run to compare with: <mark> pins the current one");
-    };
-    app.pages.run.charts.difference = !app.pages.run.charts.difference;
-    let text = if app.pages.run.charts.difference {
-        format!("curves are differences to {letter}: <difference> shows the values again")
-    } else {
-        "curves are values again".to_owned()
-    };
-    app.tell(text);
 }

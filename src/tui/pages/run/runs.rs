@@ -1,21 +1,16 @@
 //! The run on the screen and the pinned ones: their table, their names, pinning and copying.
 
-use std::fmt::Write as _;
-
-use crate::model::run::{Outcome, Run, Warning, envelope};
-use crate::model::units;
+use crate::model::run::{Outcome, Run};
 use crate::model::variables::{VARIABLES, Value};
-use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison};
 use crate::report::table::Table;
-use crate::study::quantities;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::state::RUNS;
 use crate::tui::widgets::steps::shown_number;
-use crate::tui::widgets::table::Grid;
+use crate::tui::widgets::table::{Grid, NAME_LEAST};
 
 impl App {
     /// The current run and the pinned ones beside each other.
@@ -36,33 +31,6 @@ impl App {
     /// The pin selected in the table of runs; `None`: the current run is.
     fn selected_pin(&self) -> Option<&Pin> {
         self.pins.get(self.pages.run.selected.checked_sub(1)?)
-    }
-
-    /// The last result in a few lines, for the main screen after leaving.
-    pub fn summary(&self) -> String {
-        let Some(shown) = &self.shown else {
-            return format!("{}: not run", self.base.name);
-        };
-        let run = &shown.run;
-        let name = self.name_of(&run.scene);
-        let outcome = format!("{} ({})", page::outcome(run), run.end.words());
-        let mut lines = [("scene", name), ("outcome", outcome)]
-            .map(|(label, text)| page::labelled(label, &text))
-            .to_vec();
-        lines.extend(run.stack.as_ref().map(|_| format!("\nresults{}:", page::of_first(run))));
-        lines.extend(page::results(run));
-        // How it ended stands beside the outcome already.
-        let ended = Warning::EndedEarly(run.end).to_string();
-        let warnings = envelope::warnings(run).into_iter().filter(|text| *text != ended);
-        lines.extend(warnings.map(|warning| page::labelled("warning", &warning)));
-        let room = usize::from(self.size.0).saturating_sub(LABEL).max(LABEL);
-        let hang = |line: String| {
-            // A label is columns of ASCII.
-            let (label, words) = line.split_at_checked(LABEL).unwrap_or((&line, ""));
-            let indent = format!("\n{:LABEL$}", "");
-            format!("{label}{}", wrap(words, room).join(&indent))
-        };
-        lines.into_iter().map(hang).collect::<Vec<_>>().join("\n")
     }
 
     /// A name for a scene: the preset's where nothing differs, else what differs (`gamma=1 d=0.5`).
@@ -102,7 +70,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     if area.width < ALL_COLUMNS {
         keys.retain(|key| !matches!(*key, "plastic" | "peak_mount_force_n"));
     }
-    let grid = Grid::shortened(table.cells(&keys), area.width.saturating_sub(LEAD + 1));
+    let grid = Grid::new(table.cells(&keys), area.width.saturating_sub(LEAD + 1), NAME_LEAST);
     let role = if focused { Role::Focus } else { Role::Title };
     canvas.put(area, (LEAD, 0), &grid.line(None), role);
     let list = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
@@ -113,17 +81,13 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         list,
         |row| Some(Target::Row(RUNS, row)),
         |canvas, row, index| {
-            let pin = index.checked_sub(1).map(|at| &app.pins[at]);
-            let visible = pin.map_or(app.pages.run.shows_current, |pin| pin.visible);
-            let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
-            let role = |role| if visible { role } else { Role::Dim };
-            let label = format!("{marker}{}", app.run_label(index));
-            canvas.put(row, (0, 0), &label, role(Role::Curve(index)));
+            let label = format!("{}{}", MARKERS[index % MARKERS.len()], app.run_label(index));
+            canvas.put(row, (0, 0), &label, Role::Curve(index));
             let line = grid.line(Some(index));
-            canvas.put(row, (LEAD, 0), &line, role(Role::Text));
+            canvas.put(row, (LEAD, 0), &line, Role::Text);
             let through = line.find("perforated").map(|at| LEAD + columns(&line[..at]));
             if let Some(at) = through {
-                canvas.put(row, (at, 0), "perforated", role(Role::Warning));
+                canvas.put(row, (at, 0), "perforated", Role::Warning);
             }
         },
     );
@@ -225,33 +189,10 @@ pub(crate) fn load(app: &mut App) {
     edit::commit_scene(app, scene, label, None);
 }
 
-pub(crate) fn show_or_hide(app: &mut App) {
-    let pin = app.pages.run.selected.checked_sub(1).and_then(|at| app.pins.get_mut(at));
-    let visible = pin.map_or(&mut app.pages.run.shows_current, |pin| &mut pin.visible);
-    *visible = !*visible;
-}
-
 pub(crate) fn copy(app: &mut App) {
-    let Some(shown) = &app.shown else {
+    if app.shown.is_none() {
         return app.refuse("nothing to copy yet: <run> runs the scene");
-    };
-    let run = &shown.run;
-    let mut text = format!("scene\t{}\noutcome\t{}\n", app.name_of(&run.scene), run.shot_outcome());
-    for quantity in COPIED.into_iter().filter_map(quantities::find) {
-        let value = quantity.value(run).map_or_else(|| "-".to_owned(), units::shortest);
-        let _ = writeln!(text, "{}\t{value}", quantity.name);
     }
+    let text = app.compared_runs().csv();
     app.request(Effect::Copy(text));
 }
-
-/// The quantities that are copied beside the outcome.
-const COPIED: [&str; 8] = [
-    "first_arrest_penetration_m",
-    "first_arrest_time_s",
-    "final_penetration_m",
-    "percent_of_baseline",
-    "peak_contact_force_n",
-    "max_plate_displacement_m",
-    "residual_velocity_m_s",
-    "interface_demand_ratio",
-];

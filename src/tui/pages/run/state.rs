@@ -1,7 +1,7 @@
 //! What the Run tab keeps.
 
 use crate::report::series::Channel;
-use crate::tui::chart::{Scale, ViewRange};
+use crate::tui::chart::ViewRange;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::pages::run::editor::Editor;
 
@@ -9,21 +9,14 @@ pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
 pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct RunPage {
     pub editor: Editor,
     pub charts: Charts,
     /// The row selected in the table of runs: 0 is the current run.
     pub selected: usize,
-    /// The current run is drawn.
-    pub shows_current: bool,
-}
-
-impl Default for RunPage {
-    fn default() -> Self {
-        let (editor, charts, selected) = Default::default();
-        Self { editor, charts, selected, shows_current: true }
-    }
+    /// The pane that has the keys fills the body.
+    pub is_full: bool,
 }
 
 /// Which part of the time is shown.
@@ -44,12 +37,8 @@ pub struct Charts {
     pub selected: usize,
     /// The crosshair, s since first contact.
     pub cursor_s: Option<f64>,
-    /// A time range chosen by zooming or panning, s, of the charts of each window; `None`: all of it.
+    /// A time range chosen by zooming, s, of the charts of each window; `None`: all of it.
     pub zoom_s: [Option<ViewRange>; 2],
-    pub time_scale: Scale,
-    pub value_scales: [Scale; 3],
-    /// Curves are differences to the first pinned run.
-    pub difference: bool,
 }
 
 impl Default for Charts {
@@ -60,9 +49,6 @@ impl Default for Charts {
             selected: 0,
             cursor_s: None,
             zoom_s: [None; 2],
-            time_scale: Scale::Linear,
-            value_scales: [Scale::Linear; 3],
-            difference: false,
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::report::table::Table;
 use crate::study::sweep;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::state::Searching;
-use crate::tui::widgets::table::Grid;
+use crate::tui::widgets::table::{Grid, NAME_LEAST};
 use crate::worker::studies::{SearchAnswer, searches};
 
 /// The result of a study of the tab, as its page shows it.
@@ -26,11 +26,6 @@ pub(crate) trait Answer {
     /// The places of the designs or solutions, in the order of the table.
     fn order(&self, _tab: &Searching) -> Vec<usize> {
         Vec::new()
-    }
-
-    /// The name of a design or solution.
-    fn name(&self, _tab: &Searching, _place: usize) -> Option<String> {
-        None
     }
 
     /// The design under the cursor, as a change of a scene.
@@ -64,7 +59,7 @@ pub(crate) trait Answer {
         false
     }
 
-    fn draw(&self, _app: &App, _area: Rect, _focused: bool, _canvas: &mut Canvas<'_>) {}
+    fn draw(&self, _app: &App, _area: Rect, _canvas: &mut Canvas<'_>) {}
 }
 
 macro_rules! answers {
@@ -104,7 +99,7 @@ pub(super) fn table_lines<R>(
 ) -> impl Iterator<Item = TextLine> {
     let rows = table.rows.len();
     let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-    let grid = Grid::shortened(table.cells(keys), room);
+    let grid = Grid::new(table.cells(keys), room, NAME_LEAST);
     std::iter::once(None)
         .chain((0..rows).map(Some))
         .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))

@@ -20,27 +20,14 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
         return;
     }
     let (top, rest) = split_bottom(results, below);
-    let focused = below == 0 && app.has_focus(RESULTS);
-    answer.draw(app, top, focused, canvas);
-    if below == 0 {
-        turn(app, top, canvas);
-    } else {
-        lines_below(app, &lines, rest, canvas);
-    }
-}
-
-/// Where else to look, in the lower line of a chart that stands alone.
-fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let hint = if app.pane() == SETUP { " <next-pane> " } else { " <full-pane>: in words " };
-    let hint = &app.keymap.shown(hint);
-    let column = area.width.saturating_sub(columns(hint) + 1);
-    canvas.put(area, (column, area.height - 1), hint, Role::Dim);
+    answer.draw(app, top, canvas);
+    lines_below(app, &lines, rest, canvas);
 }
 
 /// The text shown before there are results.
 fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = app.pages.search.page.title();
-    let alone = area.width == app.size.0 && !app.is_full();
+    let alone = area.width == app.size.0;
     let hint = app.keymap.shown(if alone { "<next-pane>: setup" } else { "" });
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
     let problem = app.pages.search.problem().map(|_| "see the message below");
@@ -60,7 +47,7 @@ pub(super) fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mu
     let is_table = app.pages.search.page == Page::Front && has_choices;
     let hint = if more && !has_choices { "<down>/<up>: more" } else { "" };
     // Where the setup has no room beside, nothing else tells of it.
-    let alone = area.width == app.size.0 && !app.is_full();
+    let alone = area.width == app.size.0;
     let hint = if alone { format!("<next-pane>: setup  {hint}") } else { hint.to_owned() };
     let hint = app.keymap.shown(&hint);
     let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);

@@ -31,16 +31,9 @@ impl Searching {
         }
     }
 
-    /// The measure that the table of the front is sorted by, by its place.
-    pub fn sorted(&self, front: &Report) -> usize {
-        let mut measures = front.request.measures().into_iter();
-        let chosen = measures.position(|measure| Some(measure.name) == self.sorting);
-        chosen.unwrap_or_else(|| self.across(front).0)
-    }
-
-    /// The places of all designs of a front in the order of the table.
+    /// The places of all designs of a front in the order of the table: by the objective across.
     pub fn sorted_places(&self, front: &Report) -> Vec<usize> {
-        let sorted = self.sorted(front);
+        let (sorted, _) = self.across(front);
         let value =
             |design: &Design| design.measures.get(sorted).copied().flatten().unwrap_or(f64::NAN);
         ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
@@ -67,11 +60,9 @@ impl Searching {
         self.order().into_iter().map(|at| &front.designs[at]).collect()
     }
 
-    /// The places of the measures drawn across and up.
+    /// The places of the measures drawn across and up: the first two objectives.
     pub fn across(&self, front: &Report) -> (usize, usize) {
-        let last = front.request.measures().len().saturating_sub(1);
-        let (across, up) = self.setup.axes;
-        (across.min(last), up.min(last))
+        (0, 1.min(front.request.measures().len().saturating_sub(1)))
     }
 
     /// How many things the cursor can stand on.
@@ -84,19 +75,14 @@ impl Searching {
         self.answer().is_some_and(|answer| answer.draws(self))
     }
 
-    /// Whether a right pane of this height has no room for a chart and this many lines of text: then z shows the text alone.
-    fn is_crowded(&self, height: u16, lines: usize) -> bool {
-        // A chart is drawn where four lines are left below it, or all there are.
-        self.draws() && height < CHART_ROWS + words_rows(lines).min(LEAST_WORDS)
-    }
-
-    /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart, none where it
-    /// stands alone.
+    /// Of a right pane so high, the rows of words below the chart, frame included: all of them where there is nothing to draw, or no
+    /// room for a chart with four lines below it, or all there are.
     pub fn words_height(&self, height: u16, lines: usize) -> u16 {
-        match (self.draws(), self.is_crowded(height, lines)) {
-            (true, false) => words_rows(lines).min(height - CHART_ROWS).max(3),
-            (true, true) => 0,
-            (false, _) => height,
+        let words = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
+        if self.draws() && height >= CHART_ROWS + words.min(LEAST_WORDS) {
+            words.min(height - CHART_ROWS).max(3)
+        } else {
+            height
         }
     }
 
@@ -147,19 +133,6 @@ impl Searching {
     pub fn selects_knee(&self) -> bool {
         self.knee().is_some_and(|knee| self.order().get(self.selected()) == Some(&knee))
     }
-
-    /// Sort the table of the front by its next objective.
-    pub fn sort_next(&mut self) {
-        let Some(front) = self.front() else { return };
-        let measures = front.request.measures();
-        let next = measures.get((self.sorted(front) + 1) % measures.len().max(1));
-        self.sorting = next.map(|measure| measure.name);
-    }
-}
-
-/// Rows of a pane with a given number of lines, frame included.
-fn words_rows(lines: usize) -> u16 {
-    u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2)
 }
 
 impl App {

@@ -31,7 +31,6 @@ fn rows(app: &App) -> Vec<Row> {
     rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
     rows.extend([Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
     rows.extend(app.bound_rows());
-    rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
     rows.extend([Row::Heading("Effort"), Row::Designs]);
     rows
 }
@@ -72,11 +71,6 @@ impl Answer for Report {
 
     fn order(&self, tab: &Searching) -> Vec<usize> {
         tab.sorted_places(self)
-    }
-
-    fn name(&self, tab: &Searching, place: usize) -> Option<String> {
-        let words = design_cells(tab, self).into_iter().take(1);
-        words.map(|column| column.cells[place].clone()).next()
     }
 
     fn design(&self, app: &App) -> Result<LabelledScene, String> {
@@ -126,7 +120,7 @@ impl Answer for Report {
             column.cells = order.iter().map(|at| column.cells[*at].clone()).collect();
         }
         let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-        let grid = Grid::of(columns, room, 0);
+        let grid = Grid::new(columns, room, u16::MAX);
         let mut lines = vec![note(format!("  {}", grid.line(None)))];
         for at in 0..order.len() {
             let mark = if at == selected { ">" } else { " " };
@@ -146,7 +140,7 @@ impl Answer for Report {
     }
 
     /// Designs as points.
-    fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let (found, tab) = (self, &app.pages.search);
         let (across, up) = tab.across(found);
         let measures = found.request.measures();
@@ -176,7 +170,6 @@ impl Answer for Report {
             Curve::points('X', "", selected).emphasis(Emphasis::Selected),
         ];
         let chart = Chart {
-            focused,
             crosshair: selected.map(|place| place.0),
             legend: Legend::Hidden,
             ..Chart::new(title, x, y, curves)
@@ -195,9 +188,8 @@ pub(super) fn of_knee(tab: &Searching, front: &Report) -> String {
     format!(", knee of {across} and {up}")
 }
 
-/// The columns of the table of designs, by their places; `*` marks the one it is sorted by.
+/// The columns of the table of designs, by their places.
 pub(crate) fn design_cells(tab: &Searching, front: &Report) -> Vec<Cells> {
-    let measures = front.request.measures();
     let objectives = front.request.objectives.len();
     let mut keys = page_keys(front);
     // The objectives first, then the variables.
@@ -210,9 +202,6 @@ pub(crate) fn design_cells(tab: &Searching, front: &Report) -> Vec<Cells> {
         names[at] = if is_knee { "knee".to_owned() } else { (number + 1).to_string() };
     }
     let mut columns = table("", front).cells(&keys);
-    if let Some(sorted) = keys.iter().position(|key| *key == measures[tab.sorted(front)].name) {
-        columns[sorted].head.insert(0, '*');
-    }
     columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });
     columns
 }

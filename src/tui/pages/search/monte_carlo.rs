@@ -84,7 +84,7 @@ impl Answer for Report {
     }
 
     /// How often a value falls into each of some bins, as steps.
-    fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let tab = &app.pages.search;
         let Some(summary) = drawn(self, tab) else { return };
         let Summary { measure, sorted, .. } = summary;
@@ -113,7 +113,6 @@ impl Answer for Report {
             summary.quantile(share).map(|quantile| Mark::new(quantile.value, tag))
         };
         let chart = Chart {
-            focused,
             marks: [at(0.05, "5 %"), at(0.5, "median"), at(0.95, "95 %")]
                 .into_iter()
                 .flatten()

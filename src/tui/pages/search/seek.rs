@@ -58,11 +58,6 @@ impl Answer for Report {
         (0..self.solutions().count()).collect()
     }
 
-    fn name(&self, _: &Searching, place: usize) -> Option<String> {
-        let mut solutions = self.solutions().zip(&self.checked);
-        solutions.nth(place).map(|(it, own)| solution(self, it, own))
-    }
-
     fn design(&self, app: &App) -> Result<LabelledScene, String> {
         let chosen = app.pages.search.chosen().and_then(|at| self.solutions().nth(at));
         let solution = chosen.ok_or("no solution to load: change the goal or the range")?;
@@ -106,7 +101,7 @@ impl Answer for Report {
         self.scan.iter().any(|point| point.1.is_some())
     }
 
-    fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let report = self;
         let points: Vec<(f64, f64)> =
             report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
@@ -123,7 +118,6 @@ impl Answer for Report {
         let selected = app.pages.search.chosen().and_then(|at| report.solutions().nth(at));
         let lines = report.solutions().map(|found| Mark::new(found.place.at, ""));
         let chart = Chart {
-            focused,
             marks: lines.collect(),
             levels: vec![Mark::new(
                 report.target,

@@ -12,9 +12,6 @@ use crate::tui::widgets::axis::{Part, meaning, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_meaning};
 use crate::worker::studies::SearchRequest;
 
-/// The effect of choosing an axis of the chart.
-const AXIS: &str = "which objective the chart shows along this axis";
-
 /// Short names of the usual objectives.
 pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount force"];
 
@@ -118,20 +115,12 @@ impl App {
             ),
             Row::Designs => FormRow::typed("designs", setup.designs.to_string())
                 .means("designs to try; the front has at most 100 of them"),
-            Row::Across => FormRow::word("across", self.axis_title(setup.axes.0)).means(AXIS),
-            Row::Up => FormRow::word("up", self.axis_title(setup.axes.1)).means(AXIS),
             Row::Output => FormRow::quantity(setup.output),
             Row::Percent => FormRow::percent("std dev", setup.percent)
                 .means("standard deviation of every input, lognormal"),
             Row::Samples => FormRow::typed("samples", setup.samples.to_string())
                 .means("number of samples; the confidence interval narrows with its square root"),
         }
-    }
-
-    fn axis_title(&self, at: usize) -> &'static str {
-        let chosen = self.chosen_objectives();
-        let name = chosen.get(at.min(chosen.len().saturating_sub(1)));
-        name.map_or("-", |at| OBJECTIVES[*at])
     }
 
     /// The places of the objectives that count.

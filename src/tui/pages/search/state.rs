@@ -59,8 +59,6 @@ pub struct Searching {
     pub problem: [Option<String>; Page::COUNT],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
     pub cursor: [Option<usize>; Page::COUNT],
-    /// The measure that the designs of a front are sorted by; `None`: the objective across.
-    pub sorting: Option<&'static str>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -79,8 +77,6 @@ pub struct Setup {
     pub feasible: bool,
     /// Designs that a front tries.
     pub designs: usize,
-    /// Measures drawn across and up, by their place.
-    pub axes: (usize, usize),
     /// The result of sensitivity and scatter.
     pub output: &'static str,
     /// Relative deviation of every input, percent.
@@ -100,7 +96,6 @@ impl Default for Setup {
             subject_to: front.subject_to,
             feasible: front.is_feasible,
             designs: front.samples,
-            axes: (0, 1),
             output: "percent_of_baseline",
             percent: 2.0,
             samples: 10_000,
@@ -124,8 +119,6 @@ pub enum Row {
     Feasible,
     /// Designs that a front tries.
     Designs,
-    Across,
-    Up,
     /// The result of sensitivity and scatter.
     Output,
     /// Relative deviation of the inputs.

@@ -35,7 +35,6 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let is_long = below.len() > rows;
     let (top, gains) = split_bottom(rest, GAIN_ROWS + u16::from(is_long));
     let wanted = match body.width {
-        _ if app.is_full() => 0,
         0..72 => 29,
         72..WIDE => 35,
         WIDE..116 => 54,
@@ -52,7 +51,7 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
-    let Some((mut chart, _)) = tab.chart() else {
+    let Some(mut chart) = tab.chart() else {
         let inner = PaneFrame::new("Relative error").draw(area, canvas);
         let why = app.needs_single_plate().map(|_| NEEDS_SINGLE);
         let text = nothing::<Measurements>(app, "measuring the first points", why);
@@ -67,11 +66,8 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             (false, false) => Emphasis::Normal,
         };
     }
-    chart.crosshair = tab.cursor_s;
     chart.focused = app.dialog.is_none();
-    let layout = canvas.draw(&chart, area);
-    canvas.plot_columns = Some(layout.plot.width);
-    canvas.plot(&layout, |value, _| Some(Target::Value { pane: ACCURACY, chart: 0, value }));
+    canvas.draw(&chart, area);
 }
 
 /// The table, and below it a description of the selected method.
@@ -79,7 +75,7 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
     let methods: &[MethodReport] = tab.report.found.as_ref().map_or(&[], |report| &report.methods);
     let cells = accuracy::methods(methods).cells(&KEYS);
-    let grid = Grid::of(cells, area.width.saturating_sub(2 + LETTER), 0);
+    let grid = Grid::new(cells, area.width.saturating_sub(2 + LETTER), u16::MAX);
     let inner = PaneFrame::new("Methods").draw(area, canvas);
     canvas.put(inner, (LETTER, 0), &grid.line(None), Role::Dim);
     let count = Method::ALL.len();

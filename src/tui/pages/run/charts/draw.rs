@@ -47,7 +47,6 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let areas: Vec<Rect> = places.iter().map(|place| place.area).collect();
     align_gutters(&mut charts, &areas);
     canvas.pane(area, CHARTS);
-    // The crosshair walks through the columns of the chart that has the keys.
     for (chart, place) in charts.iter().zip(&places) {
         if let Some(why) = &place.absent {
             absent(app, place, why, chart.focused, canvas);
@@ -61,7 +60,6 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 
 /// Say what the areas of a chart are to the mouse.
 fn hits(app: &App, chart: usize, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
-    canvas.plot_columns.get_or_insert(layout.plot.width);
     if app.pages.run.charts.quantities[chart].is_over_time() {
         canvas.plot(layout, |value, _| Some(Target::Value { pane: CHARTS, chart, value }));
     }
@@ -149,10 +147,9 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if area.height < 3 || !app.visible_runs().is_empty() {
         return;
     }
-    let text = match (&app.shown, &app.jobs.current) {
-        (Some(_), _) => "all runs are hidden: <show-hide> in the table of runs shows them",
-        (None, Some(_)) => "running the first time",
-        (None, None) => NO_RESULTS,
+    let text = match &app.jobs.current {
+        Some(_) => "running the first time",
+        None => NO_RESULTS,
     };
     canvas.put_centred(area, &app.keymap.shown(text));
 }
@@ -172,7 +169,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.
     let room = usize::from(place.area.width.saturating_sub(5));
-    let alike = alike(data);
+    let alike = alike(app, index, data);
     let taken = if alike.is_empty() { 0 } else { alike.len() + 4 };
     let title = title(app, index, room.saturating_sub(taken));
     if !quantity.is_over_time() {
@@ -180,12 +177,8 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     }
     let range @ (from, to) = app.time_range_s(index);
     let time = ViewRange::new(from, to);
-    let x = Axis::new("t", time)
-        .unit(Unit::with_prefix(time.size(), "s"))
-        .scale(app.pages.run.charts.time_scale);
-    let scale = app.pages.run.charts.value_scales[index];
-    let shown = app.shown.iter().filter(|_| app.pages.run.shows_current);
-    let marks = shown.flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
+    let x = Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s"));
+    let marks = app.shown.iter().flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
     let left = room.saturating_sub(title.chars().count() + 4);
     Chart {
         marks: marks.collect(),
@@ -193,19 +186,13 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
         crosshair: app.pages.run.charts.cursor_s,
         frame,
         note: note(app, index, alike, left).into(),
-        ..Chart::new(title, x, value_axis(app, data, index).scale(scale), curves.collect())
+        ..Chart::new(title, x, value_axis(app, data, index), curves.collect())
     }
 }
 
 /// The plate's thickness, and where the stop stands.
 fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
-    let Some(shown) = app
-        .shown
-        .as_ref()
-        .filter(|_| app.pages.run.shows_current && !app.pages.run.charts.difference)
-    else {
-        return Vec::new();
-    };
+    let Some(shown) = &app.shown else { return Vec::new() };
     let scene = &shown.run.scene;
     match quantity {
         Channel::Penetration => vec![Mark::new(scene.target.thickness_m, "h")],
@@ -218,11 +205,13 @@ fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
 }
 
 /// The pins that coincide with the current run in a chart: `A = now`.
-fn alike(data: &[Data<'_>]) -> String {
-    let now = data.iter().find(|curve| curve.view.letter.is_none());
+fn alike(app: &App, chart: usize, data: &[Data<'_>]) -> String {
+    let quantity = app.pages.run.charts.quantities[chart];
+    let range = app.time_range_s(chart);
+    let now = data.iter().find(|curve| curve.view.letter.is_none()).map(|curve| curve.view.run);
     let alike = data.iter().filter_map(|curve| {
         let letter = curve.view.letter?;
-        now.filter(|now| coincide(now, curve)).map(|_| format!("{letter} = now"))
+        coincide(quantity, now?, curve.view.run, range).then(|| format!("{letter} = now"))
     });
     alike.collect::<Vec<_>>().join(", ")
 }
@@ -239,27 +228,17 @@ fn note(app: &App, chart: usize, alike: String, room: usize) -> String {
 /// Parts of a range that nobody sees apart.
 const APART: f64 = 0.01;
 
-/// Whether two curves are one on the screen.
-fn coincide(one: &Data<'_>, other: &Data<'_>) -> bool {
-    let all = || one.points.iter().chain(&other.points).filter(|point| point.1.is_finite());
-    let size = all().fold(0.0_f64, |most, point| most.max(point.1.abs()));
-    let lies_on = |points: &[(f64, f64)], (t, value): (f64, f64)| {
-        let after = points.partition_point(|point| point.0 < t);
-        let right = points.get(after)?;
-        let left = points.get(after.saturating_sub(1))?;
-        let width = right.0 - left.0;
-        let share = if width > 0.0 { (t - left.0) / width } else { 1.0 };
-        let there = left.1 + share * (right.1 - left.1);
-        let near = |there: f64| (there - value).abs() <= APART * size;
-        // Where it jumps, either value will do.
-        let mut same = points[after..].iter().take_while(|point| point.0.total_cmp(&t).is_eq());
-        Some(near(there) || near(left.1) || same.any(|point| near(point.1)))
-    };
-    let on = |curve: &Data<'_>, other: &Data<'_>| {
-        let mut points = curve.points.iter().filter(|point| point.1.is_finite());
-        points.all(|point| lies_on(&other.points, *point).unwrap_or(false))
-    };
-    all().next().is_some() && on(one, other) && on(other, one)
+/// Whether a quantity of two runs is one curve on the screen over a range of times.
+fn coincide(quantity: Channel, one: &Run, other: &Run, (from, to): (f64, f64)) -> bool {
+    let times = (0..=100).map(|step| from + (to - from) * f64::from(step) / 100.0);
+    let at = |t_s| (quantity.at(one, t_s), quantity.at(other, t_s));
+    let pairs: Vec<(Option<f64>, Option<f64>)> = times.map(at).collect();
+    let values = pairs.iter().flat_map(|pair| [pair.0, pair.1]).flatten();
+    let size = values.fold(0.0_f64, |most, value| most.max(value.abs()));
+    pairs.into_iter().all(|pair| match pair {
+        (Some(a), Some(b)) => (a - b).abs() <= APART * size,
+        (a, b) => a.is_none() && b.is_none(),
+    })
 }
 
 /// What depends on the plate's displacement, with what the current run used of its mechanism, and its limits.
@@ -271,18 +250,14 @@ fn over_displacement<'a>(
     curves: Vec<Curve<'a>>,
 ) -> Chart<'a> {
     let quantity = app.pages.run.charts.quantities[index];
-    let run = app.shown.as_ref().filter(|_| app.pages.run.shows_current).map(|shown| &shown.run);
+    let run = app.shown.as_ref().map(|shown| &shown.run);
     let law = run.and_then(|run| Law::of(run));
     let points = || data.iter().flat_map(|curve| curve.points.iter());
     let limits = law.iter().flat_map(|law| <[f64; 2]>::from(law.range_m()));
     let x = Axis::over("x", "m", Scale::Linear, points().map(|point| point.0).chain(limits));
-    let scale = app.pages.run.charts.value_scales[index];
-    let y = Axis::over("", quantity.unit(), scale, points().map(|point| point.1));
+    let y = Axis::over("", quantity.unit(), Scale::Linear, points().map(|point| point.1));
     let none = || Axis::new("", ViewRange::default());
-    let (x, mut y) = (x.unwrap_or_else(none), y.unwrap_or_else(none));
-    if scale == Scale::Linear {
-        y = y.with_zero();
-    }
+    let (x, y) = (x.unwrap_or_else(none), y.unwrap_or_else(none).with_zero());
     let levels = if quantity == Channel::Stress { vec![Mark::new(1.0, "yield")] } else { vec![] };
     Chart {
         marks: law.map_or_else(Vec::new, |law| law.marks()),
@@ -296,19 +271,11 @@ fn over_displacement<'a>(
 
 /// A vertical axis that shows all of some curves.
 fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
-    let (scale, unit) =
-        (app.pages.run.charts.value_scales[chart], app.pages.run.charts.quantities[chart].unit());
     let (low, high) = app.value_range(data, chart);
-    let values = match scale {
-        Scale::Linear => ViewRange::new(low, high),
-        Scale::Log10 => ViewRange::new(low, high).on(scale),
-    };
     // Rates at or above zero begin at zero: the eye takes the axis for it.
-    let values = if scale == Scale::Linear && low >= 0.0 && low < 0.5 * high {
-        ViewRange::new(0.0, values.hi())
-    } else {
-        values
-    };
+    let from = if low >= 0.0 && low < 0.5 * high { 0.0 } else { low };
+    let values = ViewRange::new(from, high);
+    let unit = app.pages.run.charts.quantities[chart].unit();
     Axis::new("", values).unit(Unit::with_prefix(values.size(), unit))
 }
 
@@ -322,11 +289,6 @@ fn label(view: &RunView<'_>) -> String {
 fn title(app: &App, chart: usize, room: usize) -> String {
     let quantity = app.pages.run.charts.quantities[chart];
     let name = quantity.title().trim_end_matches(" over displacement");
-    if let Some(pin) =
-        app.reference_pin().filter(|_| app.pages.run.charts.difference && quantity.is_over_time())
-    {
-        return format!("{name} minus that of {}", pin.letter);
-    }
     let window = match app.pages.run.charts.windows[chart] {
         Window::Whole if quantity.is_over_time() => ", whole",
         Window::Whole | Window::Contact => "",

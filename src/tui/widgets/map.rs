@@ -1,0 +1,80 @@
+//! A map in its pane, and in the rows below it what its bands, its contour and its letters mean.
+
+use ratatui::layout::Rect;
+
+use crate::model::units::significant;
+use crate::report::map::{Cell, LINE, Map};
+use crate::tui::chart::heatmap::swatch;
+use crate::tui::chart::{Layout, Scale, Unit, ViewRange};
+use crate::tui::theme::Role;
+use crate::tui::widgets::text::{columns, put};
+use crate::tui::widgets::{Canvas, split_bottom};
+
+/// Part of the rows that words below a map may take.
+const WORDS: u16 = 10;
+
+/// A letter and what it means; what stands behind a colon or in parentheses is for the printed page.
+fn named(letter: char, words: &str) -> String {
+    let words = words.strip_prefix("blank: ").unwrap_or(words);
+    let words = words.split([':', '(']).next().unwrap_or_default().trim();
+    if letter == ' ' { format!("blank {words}") } else { format!("{letter} {words}") }
+}
+
+impl Canvas<'_> {
+    /// Draw a map with its key, and tell where everything lies.
+    pub(crate) fn draw_map(&mut self, map: &Map<'_>, area: Rect) -> Layout {
+        let is_drawn = |letter: char| {
+            let others = [(LINE, !map.line.is_empty()), (map.present.map_or(' ', |it| it.1), true)];
+            let mut marks = map.cells.iter();
+            marks.any(|cell| matches!(cell, Cell::Mark(mark, _) if *mark == letter))
+                || others.contains(&(letter, true))
+        };
+        let marks = map.marks.iter().filter(|(letter, _)| is_drawn(*letter));
+        let mut words: Vec<String> = Vec::new();
+        for text in marks.map(|(letter, words)| named(*letter, words)) {
+            let room = usize::from(area.width).saturating_sub(3);
+            match words.last_mut() {
+                Some(line) if line.len() + text.len() < room => {
+                    line.push_str("; ");
+                    line.push_str(&text);
+                }
+                _ => words.push(text),
+            }
+        }
+        words.truncate(usize::from(area.height / WORDS));
+        let bands = u16::from(map.levels.is_some());
+        let below = u16::try_from(words.len()).unwrap_or(0);
+        let (above, below) = split_bottom(area, below + bands);
+        let layout = self.draw(map, above);
+        self.put_bands(map, below);
+        for (row, text) in (bands..).zip(words) {
+            self.put(below, (1, row), &text, Role::Text);
+        }
+        layout
+    }
+
+    /// The bands in one row, each with its lower bound: where all have no room, every second one, every third one, ...
+    fn put_bands(&mut self, map: &Map<'_>, area: Rect) {
+        let Some(levels) = &map.levels else { return };
+        let range = ViewRange::of(Scale::Linear, map.values()).unwrap_or_default();
+        let unit = Unit::with_prefix(range.size(), map.unit);
+        let contour = map.contour.as_ref().map(|(_, name)| named('O', name));
+        let unit_name =
+            Some(&*unit.name).filter(|name| !name.is_empty()).map(|it| format!("{it}:"));
+        let lead: Vec<String> = contour.into_iter().chain(unit_name).collect();
+        let lead = lead.join("  ");
+        let mut column = self.put(area, (1, 0), &lead, Role::Text);
+        let from = |band: usize| format!(" {}", significant(levels.band(band).0 * unit.factor, 3));
+        let count = levels.bands();
+        let room = area.width.saturating_sub(column);
+        let width = |every: usize| {
+            (0..count).step_by(every).map(|band| columns(&from(band)) + 2).sum::<u16>()
+        };
+        let every = (1..count).find(|every| width(*every) <= room).unwrap_or(count);
+        for band in (0..count).step_by(every) {
+            let (symbol, style) = swatch(band, count, self.theme);
+            column = put(self, area, (column + 1, 0), &symbol.to_string(), style);
+            column = self.put(area, (column, 0), &from(band), Role::Text);
+        }
+    }
+}
