@@ -57,12 +57,12 @@ fn valid_a_mount_that_turns_a_mass_takes_its_part_of_the_contact_force() {
         let rows_n = greatest_of_rows_n(&pairs, |[contact, spring, ..]| {
             (turning_kg * contact + plate_kg * spring) / (turning_kg + plate_kg)
         });
-        assert_near(number(&run(&pairs), "peak_mount_force_n"), rows_n, 1e-5);
+        assert_near(number(&run(&pairs), "peak_mount_force_n"), rows_n, 1e-4);
         let asked = ["--over", "gamma=1..2:2", "--outputs", "peak_mount_force_n", "--csv", "-"];
         let set = pairs.split_whitespace().flat_map(|pair| ["--set", pair]);
         let (swept, _) = says("sweep", &set.chain(asked).collect::<Vec<_>>(), 0);
         let first = swept.lines().nth(1).unwrap().split(',').nth(2).unwrap();
-        assert_near(first.parse().unwrap(), rows_n, 1e-5);
+        assert_near(first.parse().unwrap(), rows_n, 1e-4);
     }
 }
 

@@ -249,6 +249,8 @@ fn a_shell() {
     let job = Command::new(program).process_group(0).spawn().expect("it starts");
     let job = Pid::from_raw(job.id().try_into().expect("a number")).expect("not zero");
     tcsetpgrp(stdin(), job).expect("the terminal is ours");
+    // A job that was faster has been stopped: it asked something of a terminal that was not yet its own.
+    kill_process(job, Signal::CONT).expect("it is there");
     let tell = |text: &str| drop(write!(std::io::stderr(), "\r\n{text}> "));
     tell(&format!("job {}", job.as_raw_nonzero()));
     while let Ok(Some((_, status))) = waitpid(Some(job), WaitOptions::UNTRACED) {
