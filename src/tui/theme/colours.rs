@@ -1,8 +1,8 @@
 //! How many colours the terminal has, and which one a role gets at each depth.
 //!
 //! Every fixed shade is readable on white and on black (contrast at least 3 : 1 on both, WCAG 2.1 criterion 1.4.11; tested),
-//! and the curves are told apart without the red or the green cones, too (they were chosen with the matrices of Machado, Oliveira and
-//! Fernandes, 2009: at least 30 apart in L*a*b*). In sixteen colours the terminal's own palette decides: those are used that xterm's makes readable on both.
+//! and the curves are told apart without the red or the green cones, too (tested with the matrices of Machado, Oliveira and
+//! Fernandes, 2009). In sixteen colours the terminal's own palette decides: those are used that xterm's makes readable on both.
 
 use cmra_studies::enumeration;
 use ratatui::style::Color;
@@ -154,12 +154,65 @@ mod tests {
     }
 
     /// Relative luminance, WCAG 2.1.
-    fn luminance((r, g, b): (u8, u8, u8)) -> f64 {
-        let [r, g, b] = [r, g, b].map(|byte| {
+    fn luminance(rgb: (u8, u8, u8)) -> f64 {
+        let [r, g, b] = linear(rgb);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    fn linear((r, g, b): (u8, u8, u8)) -> [f64; 3] {
+        [r, g, b].map(|byte| {
             let c = f64::from(byte) / 255.0;
             if c <= 0.03928 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-        });
-        0.2126 * r + 0.7152 * g + 0.0722 * b
+        })
+    }
+
+    /// A matrix times linear red, green, blue.
+    fn seen(matrix: [[f64; 3]; 3], rgb: [f64; 3]) -> [f64; 3] {
+        matrix.map(|row| row.iter().zip(rgb).map(|(a, b)| a * b).sum())
+    }
+
+    /// CIE L*a*b* of linear sRGB, white D65.
+    fn lab(rgb: [f64; 3]) -> [f64; 3] {
+        let to_xyz = [[0.4125, 0.3576, 0.1804], [0.2127, 0.7152, 0.0722], [0.0193, 0.1192, 0.9503]];
+        let [x, y, z] = seen(to_xyz, rgb.map(|c| c.clamp(0.0, 1.0)));
+        let f = |t: f64| if t > 0.008_856 { t.cbrt() } else { (903.3 * t + 16.0) / 116.0 };
+        let (x, y, z) = (f(x / 0.9505), f(y), f(z / 1.0888));
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// Without the red cones, the green ones, the blue ones: Machado, Oliveira and Fernandes, 2009, severity 1. Curves are at least
+    /// 30 apart in L*a*b*, 15 without the blue cones; 2.3 is what is just noticed.
+    #[test]
+    fn curves_are_told_apart_by_every_kind_of_sight() {
+        let kinds = [
+            ("all", 30.0, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
+            (
+                "no red",
+                30.0,
+                [[0.1523, 1.0526, -0.2049], [0.1145, 0.7863, 0.0992], [-0.0039, -0.0481, 1.0520]],
+            ),
+            (
+                "no green",
+                30.0,
+                [[0.3673, 0.8606, -0.2280], [0.2801, 0.6725, 0.0474], [-0.0118, 0.0429, 0.9689]],
+            ),
+            (
+                "no blue",
+                15.0,
+                [[1.2555, -0.0767, -0.1788], [-0.0784, 0.9309, 0.1476], [0.0047, 0.6914, 0.3039]],
+            ),
+        ];
+        let shades: Vec<Shade> = CURVES.into_iter().flatten().collect();
+        for (kind, least, matrix) in kinds {
+            for (at, one) in shades.iter().enumerate() {
+                for other in &shades[at + 1..] {
+                    let [a, b] =
+                        [one, other].map(|shade| lab(seen(matrix, linear(xterm(shade.ansi)))));
+                    let apart = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+                    assert!(apart.sqrt() >= least, "{kind}: {one:?}, {other:?}: {apart}");
+                }
+            }
+        }
     }
 
     /// The first sixteen of xterm's palette.
