@@ -407,7 +407,7 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
 
 fn saved(app: &mut App, name: String, files: &[PathBuf]) {
     let Some(path) = files.first() else { return };
-    app.tell(format!("saved `{name}` as {}", path.display()));
+    app.tell(format!("saved {}", path.display()));
     let is_mine = !preset::is_path(&name);
     if !is_mine {
         app.note_recent(path);

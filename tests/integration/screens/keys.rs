@@ -436,7 +436,7 @@ fn a_scene_is_saved_to_the_file_it_came_from() {
     let exists = ExportOutcome::Exists(file.clone());
     bench.send(Message::Done(EffectReport::Saved("my.toml".to_owned(), exists)));
     // The path may be long: the question wraps.
-    assert!(bench.screen().contains("exists: o overwrite"), "{}", bench.screen());
+    assert!(bench.screen().contains("o overwrite"), "{}", bench.screen());
     bench.press("o");
     assert_eq!(saves(&bench)[1], (file.clone(), true));
     bench.send(Message::Done(EffectReport::Saved(
