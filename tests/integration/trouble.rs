@@ -128,7 +128,7 @@ fn a_table_whose_name_is_taken_goes_by_another_one() {
     terminal.send("3");
     terminal.wait_for("v_bl");
     terminal.send("e\x15taken.csv\r");
-    terminal.wait_for("exists: o overwrite");
+    terminal.wait_for("o overwrite");
     terminal.send("\x1b");
     terminal.wait_for("Enter write");
     terminal.send("\x15free.csv\r");

@@ -468,7 +468,7 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
     assert!(bench.screen().contains("built-in preset"));
     assert!(saves(&bench).is_empty());
     bench.press("<C-u>heavy-plate<Enter>");
-    assert!(bench.screen().contains("exists: o overwrite"));
+    assert!(bench.screen().contains("o overwrite"));
     assert!(saves(&bench).is_empty());
     bench.press("y");
     assert_eq!(saves(&bench), [("heavy-plate".to_owned(), true)]);
