@@ -281,7 +281,7 @@ fn sweep(scenes: Scenes, count: u64, stride: u64) -> Vec<Shortfall> {
 }
 
 /// At most one in this many inside the envelope uses up its work undecided, and says so: plates that oscillate hundreds of times within the
-/// contact through the zero of a spring with an exponent below about 0.2.
+/// contact through the zero of a spring or damper with a small exponent.
 const UNDECIDED_IN: u64 = 95;
 /// One scene in this many is run by default.
 const SAMPLE: u64 = 41;
