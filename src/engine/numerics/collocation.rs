@@ -440,20 +440,16 @@ impl<const D: usize, const S: usize> Factored<D, S> {
             pivots[at] = pivot;
             column.swap(at, pivot);
             let inverse = 1.0 / column[at];
-            // Zeros leave alone what is above: columns of a length that is known when this is compiled are faster than their parts.
-            let mut factors = [[0.0; D]; S];
-            let below = factors.as_flattened_mut()[at + 1..].iter_mut();
-            for (factor, value) in below.zip(&mut column[at + 1..]) {
-                *value *= inverse;
-                *factor = *value;
+            let factors = &mut column[at + 1..];
+            for factor in factors.iter_mut() {
+                *factor *= inverse;
             }
             for other in rest {
-                other.as_flattened_mut().swap(at, pivot);
-                let above = other.as_flattened()[at];
-                for (values, factors) in other.iter_mut().zip(&factors) {
-                    for (value, factor) in values.iter_mut().zip(factors) {
-                        *value -= factor * above;
-                    }
+                let other = other.as_flattened_mut();
+                other.swap(at, pivot);
+                let above = other[at];
+                for (value, factor) in other[at + 1..].iter_mut().zip(&*factors) {
+                    *value -= factor * above;
                 }
             }
         }
