@@ -200,10 +200,10 @@ impl<const S: usize> Member<S> {
     }
 
     /// The coefficients from which on the acceleration's are seen to fall, how many of the last are the end of the fall, and by which
-    /// power of it the error is less than they are.
+    /// power of it the error is less than they are: over four degrees, so that the error is taken to be that of six degrees more.
     const FALL: (usize, usize, f64) = if S > 4 { (S - 6, 2, 1.5) } else { (0, 1, 1.0) };
 
-    /// The power of the step by which its error grows, about: of the estimate below, less than the order of the method.
+    /// The power of the step by which its error grows, about: of the estimate below, no more than the order of the method.
     const ERROR_ORDER: f64 = if S > 4 { S + 6 } else { 2 * S - 1 } as f64;
 
     /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations.
