@@ -5,14 +5,13 @@
 //! force held. It ends when the relative velocity falls below 0.01 m/s or the area vanishes. What is wrong with it is named in
 //! [`Listing`]. Here is the contact; the whole run is in `listing`.
 
+use crate::model::contact::Geometry;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::model::scene::{Jumps, Listing, Reading, Scene};
 use crate::model::worded::worded;
-use section::Faces;
 
 pub(super) mod listing;
-pub mod section;
 
 /// Relative velocity at which the listing stops, m/s.
 const SLOW_M_S: f64 = 0.01;
@@ -69,11 +68,10 @@ pub struct State {
 }
 
 /// The scheme, made ready for one scene.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Scheme {
     listing: Listing,
-    faces: Faces,
-    radius_m: f64,
+    geometry: Geometry,
     projectile_kg: f64,
     strength_pa: f64,
     drag_kg_m3: f64,
@@ -134,20 +132,19 @@ fn runge_kutta<const N: usize>(
 impl Scheme {
     /// The scheme of a valid scene under one reading of the listing.
     pub fn of(scene: &Scene, listing: Listing) -> Self {
-        let faces = Faces::of(scene);
+        let geometry = Geometry::of(scene);
         let plate = (!scene.is_rigid()).then(|| plate_of(scene, listing.damper));
         Self {
             listing,
-            faces,
-            radius_m: scene.projectile.tip_radius_m,
             projectile_kg: scene.projectile.mass_kg,
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: scene.projectile.velocity_m_s,
             cos: match listing.obliquity {
                 Reading::Printed => 1.0,
-                Reading::Corrected => faces.cos,
+                Reading::Corrected => geometry.nose.cos,
             },
+            geometry,
             start: [scene.start_m(), scene.plate_velocity_m_s()],
             plate,
         }
@@ -235,19 +232,20 @@ impl Scheme {
     }
 
     fn depth_m(&self, pen_m: f64, travel_m: f64, increment_m: f64) -> f64 {
-        let r = self.radius_m;
         match self.listing.coupling {
-            Reading::Printed => self.faces.depth(pen_m / r) * r - increment_m,
-            Reading::Corrected => self.faces.depth(travel_m / r) * r,
+            Reading::Printed => self.geometry.depth_m(pen_m) - increment_m,
+            Reading::Corrected => self.geometry.depth_m(travel_m),
         }
     }
 
     fn force_n(&self, depth_m: f64, slip_m_s: f64) -> (f64, f64) {
-        let r = self.radius_m;
-        let overwritten =
-            self.listing.jumps == Jumps::Ignored && depth_m / r > self.faces.full_from();
-        let area =
-            if overwritten { f64::NAN } else { self.faces.area_at_depth(depth_m / r) * r * r };
+        let Geometry { nose, thickness_m, .. } = &self.geometry;
+        let overwritten = self.listing.jumps == Jumps::Ignored && depth_m > nose.full_from_m();
+        let area = if overwritten {
+            f64::NAN
+        } else {
+            nose.area_m2(depth_m) - nose.area_m2(depth_m - thickness_m)
+        };
         (area, area * (self.drag_kg_m3 * slip_m_s * slip_m_s + self.strength_pa))
     }
 

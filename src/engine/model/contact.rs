@@ -9,7 +9,6 @@
 use std::f64::consts::PI;
 
 use crate::model::scene::Scene;
-use crate::numerics::crossing::rise;
 use crate::numerics::quadrature::gauss;
 use crate::numerics::{larger, smaller};
 
@@ -342,16 +341,9 @@ impl Geometry {
 }
 
 impl AreaPiece {
-    /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`.
+    /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`: Newton's method, whose slope is the area
+    /// itself, kept inside the bracket by bisection.
     fn travel_at_volume_m(&self, nose: &NoseGeometry, volume_m3: f64, whole_m3: f64) -> f64 {
-        if let Some([c1, c2, c3]) = self.law.ahead(self.from_m) {
-            return self.from_m + rise(&[0.0, c1, c2, c3], volume_m3, self.to_m - self.from_m);
-        }
-        self.travel_by_newton_m(nose, volume_m3, whole_m3)
-    }
-
-    /// The same for any area: Newton's method, whose slope is the area itself, kept inside the bracket by bisection.
-    fn travel_by_newton_m(&self, nose: &NoseGeometry, volume_m3: f64, whole_m3: f64) -> f64 {
         let (mut low, mut high) = (self.from_m, self.to_m);
         let mut q = low + (high - low) * (volume_m3 / whole_m3);
         for _ in 0..100 {
@@ -379,36 +371,20 @@ impl AreaPiece {
     /// Integral of the area over the last `width` before `to_m`, m³: exact in `width` however small it is.
     #[inline]
     pub fn swept_before_m3(&self, nose: &NoseGeometry, to_m: f64, width: f64) -> f64 {
-        if let Some([c1, c2, c3]) = self.law.behind(to_m) {
-            return width * (c1 + width * (c2 + width * c3));
+        if let AreaLaw::Quadratic { origin_m, a } = self.law {
+            let s = to_m - origin_m;
+            let (area, slope) = (a[0] + s * (a[1] + s * a[2]), a[1] + 2.0 * s * a[2]);
+            return width * (area + width * (width * (a[2] / 3.0) - 0.5 * slope));
         }
-        self.swept_by_rule_m3(nose, to_m - width, width)
-    }
-
-    /// The same for any area: q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
-    fn swept_by_rule_m3(&self, nose: &NoseGeometry, from_m: f64, width: f64) -> f64 {
+        // Any other area: q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
         gauss(0.0, 1.0, 2, |s| {
-            let q_m = from_m + width * s * s * (3.0 - 2.0 * s);
+            let q_m = to_m - width + width * s * s * (3.0 - 2.0 * s);
             self.law.area_m2(nose, q_m) * width * 6.0 * s * (1.0 - s)
         })
     }
 }
 
 impl AreaLaw {
-    /// The volume swept over a length after the travel `from_m`, where the area is a quadratic: a cubic in the length, without
-    /// a constant.
-    pub fn ahead(&self, from_m: f64) -> Option<[f64; 3]> {
-        let Self::Quadratic { origin_m, a } = *self else { return None };
-        let s = from_m - origin_m;
-        Some([a[0] + s * (a[1] + s * a[2]), 0.5 * a[1] + s * a[2], a[2] / 3.0])
-    }
-
-    /// The same over the last length before the travel `to_m`.
-    pub fn behind(&self, to_m: f64) -> Option<[f64; 3]> {
-        let [c1, c2, c3] = self.ahead(to_m)?;
-        Some([c1, -c2, c3])
-    }
-
     /// The area at travel `q_m`, m².
     pub fn area_m2(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
         match *self {

@@ -6,7 +6,6 @@
 
 use crate::model::scene::{Scene, Stop, StopKind};
 
-mod combine;
 pub mod curve;
 pub(in crate::model) mod damper;
 pub mod inertia;

@@ -317,32 +317,9 @@ fn number(text: &str) -> Option<(f64, &str)> {
 
 /// Length in bytes of the longest prefix that reads as a decimal number.
 fn number_prefix(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let digits_from = |mut at: usize| {
-        while bytes.get(at).is_some_and(u8::is_ascii_digit) {
-            at += 1;
-        }
-        at
-    };
-    let start = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    let whole = digits_from(start);
-    let mut end = whole;
-    let mut digits = whole - start;
-    if bytes.get(whole) == Some(&b'.') {
-        end = digits_from(whole + 1);
-        digits += end - whole - 1;
-    }
-    if digits == 0 {
-        return 0;
-    }
-    if matches!(bytes.get(end), Some(b'e' | b'E')) {
-        let sign = end + 1 + usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
-        let exponent = digits_from(sign);
-        if exponent > sign {
-            end = exponent;
-        }
-    }
-    end
+    let is_of_number = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
+    let most = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
+    (1..=most).rev().find(|end| text[..*end].parse::<f64>().is_ok()).unwrap_or(0)
 }
 
 /// The text for a missing number: NaN and infinity are never shown.

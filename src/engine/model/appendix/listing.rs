@@ -189,7 +189,7 @@ impl Work<'_> {
         let part = if after.area_m2 > 0.0 {
             before.slip_m_s / (before.slip_m_s - after.slip_m_s)
         } else {
-            let geometry = crate::model::contact::Geometry::of(self.scene);
+            let geometry = &self.scheme.geometry;
             let exit_m = geometry.depth_m(geometry.exit_m);
             (exit_m - before.depth_m) / (after.depth_m - before.depth_m)
         };

@@ -7,7 +7,7 @@ use super::visible::{has_second, is_hydrodynamic, is_listing, is_sprung, may_sto
 use super::{Group, Variable};
 use crate::model::mechanism::kinds::add_spring_rows;
 use crate::model::scene::{
-    Combination, Contact, Damper, Interface, Listing, Mechanism, Plate, Projectile, RunSettings,
+    Contact, Damper, Interface, Listing, Mechanism, Plate, Projectile, RunSettings,
     Scene, Second, Stack, Stop, Target,
 };
 
@@ -71,43 +71,11 @@ pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
     rows
 });
 
-/// Where rows of springs stand in the table.
-struct SpringRows {
-    /// The first that a plain power law has no need of.
-    beyond_plain: usize,
-    /// The first that no run has any need of, behind those of the first spring.
-    beyond_first: usize,
-    /// The first of the second spring.
-    second: usize,
-    /// The first behind them.
-    end: usize,
-}
-
-static SPRING_ROWS: LazyLock<SpringRows> = LazyLock::new(|| {
-    let at = |key| VARIABLES.iter().position(|row| row.key == key).unwrap_or_default();
-    SpringRows {
-        beyond_plain: at("mechanism.spring.count"),
-        beyond_first: at("mechanism.combination"),
-        second: at("mechanism.second.coefficient"),
-        end: at("mechanism.stop.position_m"),
-    }
-});
-
-/// The rows whose values a run of this scene may read: a plain spring has no need of the rest.
-pub(super) fn checked(scene: &Scene) -> impl Iterator<Item = &'static Variable> {
-    let rows = &*SPRING_ROWS;
-    let mechanism = &scene.mechanism;
-    let first = if mechanism.is_plain() { rows.beyond_plain } else { rows.beyond_first };
-    let is_alone = mechanism.combination == Combination::Alone;
-    let second = if is_alone { rows.end } else { rows.second };
-    VARIABLES[..first].iter().chain(&VARIABLES[second..])
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::HashSet;
 
-    use super::{SPRING_ROWS, VARIABLES};
+    use super::VARIABLES;
 
     #[test]
     fn names_are_unique() {
@@ -117,12 +85,5 @@ mod tests {
                 assert!(seen.insert(*name), "{name} twice");
             }
         }
-    }
-
-    #[test]
-    fn the_rows_of_the_springs_are_found_in_their_order() {
-        let rows = &*SPRING_ROWS;
-        let places = [0, rows.beyond_plain, rows.beyond_first, rows.second, rows.end];
-        assert!(places.is_sorted_by(|a, b| a < b), "{places:?}");
     }
 }
