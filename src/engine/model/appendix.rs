@@ -10,6 +10,7 @@ use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::model::scene::{Jumps, Listing, Reading, Scene};
 use crate::model::worded::worded;
+use crate::numerics::larger;
 
 pub(super) mod listing;
 
@@ -133,7 +134,13 @@ impl Scheme {
     /// The scheme of a valid scene under one reading of the listing.
     pub fn of(scene: &Scene, listing: Listing) -> Self {
         let geometry = Geometry::of(scene);
-        let plate = (!scene.is_rigid()).then(|| plate_of(scene, listing.damper));
+        let spring = &scene.mechanism.spring;
+        let plate = (!scene.is_rigid()).then(|| Plate {
+            mass_kg: scene.plate_mass_kg(),
+            spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
+            damper: scene.mechanism.damper.law(),
+            signed: listing.damper == Reading::Corrected,
+        });
         Self {
             listing,
             projectile_kg: scene.projectile.mass_kg,
@@ -263,17 +270,12 @@ impl Scheme {
     }
 }
 
-/// Run the listing's contact phase with steps of `dt_s` and at most `steps_max` of them.
+/// Run the contact phase of the listing as printed with steps of `dt_s` and at most `steps_max` of them.
 ///
 /// # Errors
 /// A [`Refusal`] when it does not come to an end, or diverges.
-pub fn contact(
-    scene: &Scene,
-    dt_s: f64,
-    coupling: Reading,
-    steps_max: usize,
-) -> Result<ContactEnd, Refusal> {
-    let scheme = Scheme::of(scene, Listing::coupled(dt_s, coupling));
+pub fn contact(scene: &Scene, dt_s: f64, steps_max: usize) -> Result<ContactEnd, Refusal> {
+    let scheme = Scheme::of(scene, Listing { step_s: dt_s, ..Listing::default() });
     if scheme.plate.is_some() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }
@@ -281,7 +283,7 @@ pub fn contact(
     let (mut state, mut deepest) = (scheme.start(), 0.0);
     for i in 0..steps_max {
         scheme.step(&mut state)?;
-        deepest = if state.depth_m > deepest { state.depth_m } else { deepest };
+        deepest = larger(state.depth_m, deepest);
         if stop_m.is_some_and(|stop| state.plate[0] >= stop) {
             return Err(Refusal::StopWithinContact);
         }
@@ -293,59 +295,16 @@ pub fn contact(
     Err(Refusal::StepBudget)
 }
 
-fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
-    let spring = &scene.mechanism.spring;
-    Plate {
-        mass_kg: scene.plate_mass_kg(),
-        spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
-        damper: scene.mechanism.damper.law(),
-        signed: damper_reading == Reading::Corrected,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::variables::scene_with;
 
-    /// The constants of the listing on a plate of the thesis: 2024 aluminium, twice 75.8 `MPa`.
-    fn listing(pairs: &str) -> Scene {
-        scene_with(&format!("rho=2780 S_y=1.516e8 {pairs}"))
-    }
-
-    #[test]
-    fn valid_depths_of_a_cocked_plate() {
-        for (cocking_m, printed, corrected) in
-            [(0.01, 5.769, 4.468), (0.1, 5.025, 3.560), (0.5, 2.856, 1.686)]
-        {
-            let scene = listing(&format!("d={cocking_m}"));
-            for (coupling, expected) in
-                [(Reading::Printed, printed), (Reading::Corrected, corrected)]
-            {
-                let depth_mm = contact(&scene, 1e-6, coupling, 1_000_000).unwrap().depth_m * 1e3;
-                assert!((depth_mm - expected).abs() < 2e-3, "{cocking_m}: {depth_mm}");
-            }
-        }
-    }
-
-    /// The relative travel of a free plate is that of one at rest and a slower shot; as printed the first step takes the shot's own velocity.
-    #[test]
-    fn valid_a_plate_that_moves_at_first_contact() {
-        let depth_m = |pairs: &str| {
-            contact(&listing(pairs), 1e-7, Reading::Corrected, 1_000_000).unwrap().depth_m
-        };
-        let (moving, resting) = (depth_m("k=0 v_i=100 w_0=20"), depth_m("k=0 v_i=80"));
-        assert!((moving / resting - 1.0).abs() < 1e-9, "{moving}, not {resting}");
-        let printed = Listing::coupled(1e-6, Reading::Printed);
-        let start = Scheme::of(&listing("d=0.01 w_0=20"), printed).start();
-        assert_eq!((start.plate, start.slip_m_s), ([-0.01, 20.0], 100.0));
-    }
-
     #[test]
     fn a_short_budget_and_a_stop_are_refused() {
-        let few = contact(&listing(""), 1e-6, Reading::Printed, 20);
+        let few = contact(&Scene::default(), 1e-6, 20);
         assert_eq!(few, Err(Refusal::StepBudget));
-        let stopped = contact(&listing("x_stop=0.001"), 1e-6, Reading::Corrected, 1_000);
+        let stopped = contact(&scene_with("x_stop=0.001"), 1e-6, 1_000);
         assert_eq!(stopped, Err(Refusal::StopWithinContact));
     }
 }

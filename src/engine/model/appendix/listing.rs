@@ -45,28 +45,21 @@ struct Work<'a> {
 
 /// Simulate a valid scene by the listing.
 pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
-    let mut run = simulate(scene, settings, observer);
-    if scene.is_rigid() {
-        run.baseline_penetration_m = run.final_penetration_m;
+    let listing = scene.contact.appendix;
+    let mut run = once(scene, listing, settings.series, observer);
+    if settings.estimate && run.end.is_complete() {
+        let half = Listing { step_s: 0.5 * listing.step_s, ..listing };
+        let second = once(scene, half, false, observer);
+        estimate::set(&mut run, &second, EstimateBasis::HalfStep, ROUNDING);
+    }
+    run.baseline_penetration_m = if scene.is_rigid() {
+        run.final_penetration_m
     } else {
         let mut rigid = Scene::clone(scene);
         rigid.plate.mount = Mount::Rigid;
         rigid.run.horizon_s = None;
-        let quiet = Settings { series: false, estimate: false };
-        run.baseline_penetration_m =
-            simulate(&Arc::new(rigid), quiet, observer).final_penetration_m;
-    }
-    run
-}
-
-fn simulate(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
-    let mut run = once(scene, scene.contact.appendix, settings.series, observer);
-    if settings.estimate && run.end.is_complete() {
-        let half =
-            Listing { step_s: 0.5 * scene.contact.appendix.step_s, ..scene.contact.appendix };
-        let second = once(scene, half, false, observer);
-        estimate::set(&mut run, &second, EstimateBasis::HalfStep, ROUNDING);
-    }
+        once(&Arc::new(rigid), listing, false, observer).final_penetration_m
+    };
     run
 }
 
@@ -195,20 +188,17 @@ impl Work<'_> {
         };
         let part = part.clamp(0.0, 1.0);
         let between = |a: f64, b: f64| a + part * (b - a);
-        let pair = |a: [f64; 2], b: [f64; 2]| [between(a[0], b[0]), between(a[1], b[1])];
+        let plate = [0, 1].map(|i| between(before.plate[i], after.plate[i]));
         self.t_s = ((step - 1) as f64 + part) * self.scheme.listing.step_s;
         self.state = State {
             pen_m: between(before.pen_m, after.pen_m),
-            travel_m: between(before.travel_m, after.travel_m),
             velocity_m_s: between(before.velocity_m_s, after.velocity_m_s),
-            plate: pair(before.plate, after.plate),
+            plate,
             // Nothing is rewound: the located state is where the rest begins.
-            plate_before: pair(before.plate, after.plate),
-            slip_m_s: between(before.slip_m_s, after.slip_m_s),
+            plate_before: plate,
             depth_m: between(before.depth_m, after.depth_m),
-            area_m2: between(before.area_m2, after.area_m2),
             force_n: between(before.force_n, after.force_n),
-            force_before_n: after.force_before_n,
+            ..after
         };
     }
 

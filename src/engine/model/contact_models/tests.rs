@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::Values;
+use crate::model::appendix::Scheme;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, Sample, Warning};
 use crate::model::scene::{Jumps, Listing, Reading, Scene, SpringKind};
@@ -233,25 +234,36 @@ fn valid_the_listing_gives_the_baselines_of_an_independent_port() {
     }
 }
 
+/// Percents of 7.129 mm, rho = 2780, dt = 1e-6: an independent port of the listing.
 #[test]
 fn valid_the_error_of_the_printed_coupling() {
-    // Of 7.129 mm, rho = 2780, dt = 1e-6: an independent port of the listing.
-    let known = [
-        (0.8, 78.4, 60.1),
-        (1.0, 82.4, 64.4),
-        (2.0, 92.2, 76.7),
-        (3.0, 95.8, 82.7),
-        (5.0, 98.4, 88.6),
-        (7.0, 99.2, 91.5),
-    ];
-    for (gamma, printed, corrected) in known {
+    for (pairs, printed, corrected) in [
+        ("gamma=0.8", 78.4, 60.1),
+        ("gamma=1", 82.4, 64.4),
+        ("gamma=2", 92.2, 76.7),
+        ("gamma=5", 98.4, 88.6),
+        ("gamma=7", 99.2, 91.5),
+        ("d=0.01", 80.92, 62.67),
+        ("d=0.1", 70.49, 49.94),
+        ("d=0.5", 40.06, 23.65),
+    ] {
         for (coupling, percent) in [(Reading::Printed, printed), (Reading::Corrected, corrected)] {
             let listing = Listing { coupling, ..Listing::default() };
-            let run = listed(&format!("rho=2780 gamma={gamma}"), listing);
-            let found = depth_mm(&run) / 7.129 * 100.0;
-            assert!((found - percent).abs() < 0.06, "{gamma} {coupling:?}");
+            let found = depth_mm(&listed(&format!("rho=2780 {pairs}"), listing)) / 7.129 * 100.0;
+            assert!((found - percent).abs() < 0.06, "{pairs} {coupling:?}: {found}");
         }
     }
+}
+
+/// The relative travel of a free plate is that of one at rest and a slower shot; as printed the first step takes the shot's own velocity.
+#[test]
+fn valid_a_plate_that_moves_at_first_contact() {
+    let fixed = Listing::coupled(1e-7, Reading::Corrected);
+    let depth_mm = |pairs: &str| depth_mm(&listed(&format!("dt=1e-7 k=0 {pairs}"), fixed));
+    let (moving, resting) = (depth_mm("v_i=100 w_0=20"), depth_mm("v_i=80"));
+    assert!(close(moving, resting, 1e-9), "{moving}, not {resting}");
+    let start = Scheme::of(&scene_with("d=0.01 w_0=20"), Listing::default()).start();
+    assert_eq!((start.plate, start.slip_m_s), ([-0.01, 20.0], 100.0));
 }
 
 /// `impdur`, `MaxPen`, `PeakForce` and `MaxDisp` of a port of the listing line by line, with the stop time `tmax` for the horizon.

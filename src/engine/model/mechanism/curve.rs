@@ -55,7 +55,8 @@ impl Curve {
         stations.sort_by(f64::total_cmp);
         stations.dedup();
         curve.extremes_m = curve.changes(Piece::tangent);
-        let lowest = stations.iter().map(|x| curve.energy(*x)).min_by(f64::total_cmp).unwrap_or(0.0);
+        let lowest =
+            stations.iter().map(|x| curve.energy(*x)).min_by(f64::total_cmp).unwrap_or(0.0);
         for offset in &mut curve.offsets_j {
             *offset -= lowest;
         }

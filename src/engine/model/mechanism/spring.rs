@@ -4,9 +4,9 @@
 
 use std::sync::Arc;
 
+use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::{Curve, SCALE_M};
 use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::PowerLaw;
 use crate::model::scene;
 use crate::numerics::larger;
 

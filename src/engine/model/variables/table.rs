@@ -7,8 +7,8 @@ use super::visible::{has_second, is_hydrodynamic, is_listing, is_sprung, may_sto
 use super::{Group, Variable};
 use crate::model::mechanism::kinds::add_spring_rows;
 use crate::model::scene::{
-    Contact, Damper, Interface, Listing, Mechanism, Plate, Projectile, RunSettings,
-    Scene, Second, Stack, Stop, Target,
+    Contact, Damper, Interface, Listing, Mechanism, Plate, Projectile, RunSettings, Scene, Second,
+    Stack, Stop, Target,
 };
 
 /// Defines where parts stand in a scene: their group, their path, and when they are listed and used.
@@ -70,20 +70,3 @@ pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
     RunSettings::add_rows::<Scene>(&mut rows);
     rows
 });
-
-#[cfg(test)]
-mod tests {
-    use std::collections::HashSet;
-
-    use super::VARIABLES;
-
-    #[test]
-    fn names_are_unique() {
-        let mut seen = HashSet::new();
-        for variable in VARIABLES.iter() {
-            for name in [variable.symbol, variable.key].iter().chain(variable.aliases) {
-                assert!(seen.insert(*name), "{name} twice");
-            }
-        }
-    }
-}
