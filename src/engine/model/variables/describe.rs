@@ -1,6 +1,6 @@
 //! Descriptions of variables: the name in words, and when a scene uses it. Both are read off the table and its rules.
 
-use super::{Kind, VARIABLES, Value, Variable, find, is_listed, is_used};
+use super::{Kind, VARIABLES, Value, Variable, is_listed, is_used};
 use crate::model::scene::Scene;
 
 /// How keys end in their units, the longer before its own end.
@@ -108,6 +108,7 @@ pub fn used_where(variable: &Variable, scene: &Scene) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::variables::find;
 
     /// A name that two variables had would lead to the first.
     #[test]
