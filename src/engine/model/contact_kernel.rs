@@ -9,7 +9,7 @@
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
-use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw};
+use crate::model::mechanism::{Mechanism, PowerLaw};
 use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::{larger, smaller};
 use expansion::{Constants, Series, StepTime};
@@ -77,11 +77,6 @@ pub struct ContactEnd {
     pub steps: usize,
 }
 
-/// Whether a law is linear, or none at all.
-fn is_linear(law: PowerLaw) -> bool {
-    matches!(law.kind(), PowerKind::Absent | PowerKind::Linear)
-}
-
 impl Contact {
     /// Prepare the contact of a scene that has been validated.
     pub fn of(scene: &Scene) -> Self {
@@ -94,8 +89,8 @@ impl Contact {
             geometry,
             spring,
             damper,
-            has_linear_spring: is_linear(spring),
-            has_linear_damper: is_linear(damper),
+            has_linear_spring: spring.is_linear(),
+            has_linear_damper: damper.is_linear(),
             constants: Constants::of(scene, cos),
             start_m: scene.start_m(),
             scale_s: None,

@@ -435,12 +435,11 @@ pub fn fixed_significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let exponent = format!("{value:.*e}", digits.saturating_sub(1))
-        .rsplit_once('e')
-        .and_then(|(_, exponent)| exponent.parse::<i64>().ok())
-        .unwrap_or(0);
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let exponent = scientific.rsplit_once('e').and_then(|(_, it)| it.parse::<i64>().ok());
+    let exponent = exponent.unwrap_or(0);
     if !(-4..=6).contains(&exponent) {
-        return format!("{value:.*e}", digits.saturating_sub(1));
+        return scientific;
     }
     let places = i64::try_from(digits).unwrap_or(6) - 1 - exponent;
     format!("{value:.*}", usize::try_from(places).unwrap_or(0))

@@ -18,8 +18,7 @@ use crate::model::scene::{InterfaceLaw, Listing, Mount, Reading, Scene};
 use crate::numerics::larger;
 
 /// Steps of the contact, and afterwards, at most.
-const CONTACT_STEPS_MAX: usize = 2_000_000;
-const AFTER_STEPS_MAX: usize = 2_000_000;
+const STEPS_MAX: usize = 2_000_000;
 /// Points to draw in the contact, and afterwards, at most (or so).
 const POINTS: usize = 4_000;
 /// The observer is called once every few steps.
@@ -144,7 +143,7 @@ impl Work<'_> {
 
     /// The contact, to its end by the listing's own rule.
     fn contact(&mut self, observer: Observer<'_>) -> Result<Outcome, EndReason> {
-        for step in 1..=CONTACT_STEPS_MAX {
+        for step in 1..=STEPS_MAX {
             if step.is_multiple_of(LOOK) && observer(self.t_s) == ControlFlow::Break(()) {
                 return Err(EndReason::Cancelled);
             }
@@ -245,7 +244,7 @@ impl Work<'_> {
         let dt_s = self.scheme.listing.step_s;
         let mut y = self.state.plate_before;
         let (flying_m_s, start_m) = (self.state.velocity_m_s, self.state.pen_m - y[0]);
-        for step in 1..=AFTER_STEPS_MAX {
+        for step in 1..=STEPS_MAX {
             if until_s.is_some_and(|until_s| self.t_s + 0.5 * dt_s > until_s) {
                 let turned = self.run.max_plate_displacement_m.is_some();
                 // What the listing prints is the greatest displacement within the time it was given.
