@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn valid_depths_and_times_of_the_model_page() {
+    fn valid_depths_and_times_of_rigid_and_free_plates() {
         let geometry = Geometry::of(&Scene::default());
         let rigid = passage(&geometry, f64::INFINITY);
         assert!((depth(&rigid) - 7.113_055e-3).abs() < 5e-10);
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn valid_limit_velocities_of_the_model_page() {
+    fn valid_limit_velocities_of_rigid_and_free_plates() {
         let geometry = Geometry::of(&Scene::default());
         let limits = [(f64::INFINITY, 232.295_378), (1.0, 347.708_052), (7.0, 250.327_205)];
         for (gamma, limit) in limits {

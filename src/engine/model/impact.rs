@@ -45,7 +45,7 @@ const FOLLOWED_HORIZONS: f64 = 50.0;
 
 /// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
-    let extent = Extent { keep_series: settings.series, window: Some(window), horizons: 1.0 };
+    let extent = Extent { keep_series: settings.series, window: Some(window), ..Extent::BARE };
     let stepping = Stepping::Collocation(local_tolerance(scene));
     let run = run_by(scene, extent, stepping, observer);
     if settings.estimate && run.end.is_complete() {
@@ -76,7 +76,8 @@ fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
     };
     let tolerance = local_tolerance(&scene);
     let stepping = Stepping::Second(LOOSER * tolerance);
-    let second = run_by(&scene, Extent::BARE, stepping, &mut show);
+    let extent = Extent { all_loads: false, ..Extent::BARE };
+    let second = run_by(&scene, extent, stepping, &mut show);
     if second.end != EndReason::Cancelled {
         let floor = larger(ROUNDING, FLOOR * tolerance);
         estimate::set(&mut run, &second, EstimateBasis::SecondComputation, floor);

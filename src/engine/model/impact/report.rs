@@ -58,11 +58,14 @@ impl Course<'_> {
         self.decided = (farthest != Farthest::Pending).then_some((outcome, farthest));
     }
 
-    /// Whether what follows may load the mount, or the joined interface, more than they have been.
-    pub(super) fn loads_may_grow(&mut self) -> bool {
+    /// Whether what follows may load the mount, or the joined interface, more than they have been; or, if not all loads are asked for, push
+    /// the interface more.
+    pub(super) fn loads_may_grow(&mut self, all: bool) -> bool {
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         let equations = Equations { setup, mode };
-        if equations.plate_rests() || equations.drives_away(state).is_some() {
+        let is_joined = mode.contact == Contact::Joined;
+        let is_loaded = !equations.plate_rests() && equations.drives_away(state).is_none();
+        if !is_loaded || !(all || is_joined) {
             return false;
         }
         let energy_j = equations.energy_j(state);
@@ -71,11 +74,10 @@ impl Course<'_> {
         let most_n = bounds.map(|most_n| most_n / setup.interface_fraction());
         let known_n = record.loads.known_n(&equations, state);
         let grows = |(most_n, known_n): (f64, f64)| most_n > known_n * (1.0 + GROWTH);
-        if !(grows((most_n[0], known_n.0)) || grows((most_n[1], known_n.1))) {
+        if !(grows((most_n[0], known_n.0)) || all && grows((most_n[1], known_n.1))) {
             return false;
         }
-        let is_joined = mode.contact == Contact::Joined;
-        let exceeds = is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
+        let exceeds = all && is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
             || setup.stop.is_some()
             || setup.is_absorbing()

@@ -49,12 +49,14 @@ pub(in crate::model) struct Extent<'a> {
     pub(in crate::model) window: Option<&'a Window>,
     /// How many times as long as usual a run is followed that oscillates on undecided.
     pub(in crate::model) horizons: f64,
+    /// All loads are wanted: not only the push through the joined interface, of which alone the error is estimated.
+    pub(in crate::model) all_loads: bool,
 }
 
 impl Extent<'_> {
     /// The results alone.
     pub(in crate::model) const BARE: Self =
-        Self { keep_series: false, window: None, horizons: 1.0 };
+        Self { keep_series: false, window: None, horizons: 1.0, all_loads: true };
 }
 
 /// A run in progress.
@@ -96,7 +98,7 @@ pub(super) fn run<const S: usize>(
     let mut end = progress.follow(observer);
     let course = progress.results();
     if end == EndReason::Decided {
-        end = progress.follow_on(observer);
+        end = progress.follow_on(extent.all_loads, observer);
     }
     report::gather(progress.completed(course), end)
 }
@@ -177,7 +179,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
 
     /// Goes on after the results are known: for the greatest loads of mount and interface, to the second turn of the plate, and to draw the
     /// end of the contact and the way to the greatest displacement.
-    fn follow_on(&mut self, observer: Observer<'_>) -> EndReason {
+    fn follow_on(&mut self, all_loads: bool, observer: Observer<'_>) -> EndReason {
         let scene = self.course.scene;
         let is_drawn = self.course.record.keep_series && scene.run.horizon_s.is_none();
         let (turns, steps) = (self.course.record.turns, self.course.record.steps);
@@ -186,7 +188,9 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let mut end = EndReason::Decided;
         loop {
             let turned = self.course.record.turns - turns;
-            if loads.is_none() && (turned >= TURNS_FOLLOWED || !self.course.loads_may_grow()) {
+            if loads.is_none()
+                && (turned >= TURNS_FOLLOWED || !self.course.loads_may_grow(all_loads))
+            {
                 loads = Some(self.course.record.loads);
             }
             let draws = is_drawn

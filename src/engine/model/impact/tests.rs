@@ -284,7 +284,7 @@ fn valid_every_method_steps_to_the_same_end() {
 fn valid_rows_at_equal_times_lie_on_the_motion() {
     let scene = Arc::new(scene_with("gamma=1 k=0"));
     let window = Window::with_steps(1e-6, 1_000);
-    let extent = Extent { keep_series: true, window: Some(&window), horizons: 1.0 };
+    let extent = Extent { keep_series: true, window: Some(&window), ..Extent::BARE };
     let found = run_to_end(&scene, Stepping::Collocation(1e-12), extent);
     let rows = window.rows();
     let end_s = 1.25 * found.first_arrest.unwrap().t_s;
