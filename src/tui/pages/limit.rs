@@ -4,6 +4,7 @@ pub mod comparison;
 pub mod residual;
 pub mod state;
 
+use crate::model::run::envelope;
 use crate::report::{self, limit};
 use crate::study::compare;
 use crate::study::limit::{COMMAND, Limit};
@@ -110,7 +111,10 @@ impl Page for LimitTab {
             let at_limit = report.at_limit.as_ref();
             parts.extend(at_limit.map_or_else(
                 || app.validity_part(),
-                |it| outside(it.breaches.iter().map(|breach| breach.check), " at the limit", ""),
+                |run| {
+                    let breaches = envelope::of_run(run).into_iter();
+                    outside(breaches.map(|breach| breach.check), " at the limit", "")
+                },
             ));
             if let Limit::Found { basis, .. } = report.limit {
                 parts.push(part(Severity::Note, format!("by {}", basis.words())));

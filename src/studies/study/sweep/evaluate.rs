@@ -10,7 +10,7 @@ use std::sync::Arc;
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
-use crate::study::compare::{self, Absence, Hardware, WIDTH};
+use crate::study::compare::{self, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
 use crate::study::outcome::{Failure, PointOutcome};
@@ -160,7 +160,7 @@ fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
         Some(Search::LimitIfSpringSurvives) => compare::limit_if_spring_survives_m_s(&run.scene),
         Some(Search::MassEfficiency) => {
             let found = compare::mass_efficiency(&run.scene, Hardware::default(), WIDTH);
-            found.map_err(Absence::words)
+            found.map_err(|absence| absence.words.to_owned())
         }
         None => output.value(run).ok_or_else(String::new),
     }
