@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     if let Some(axis) = arguments.map {
         return draw_map(arguments, axis);
     }
-    arguments.study.table.check()?;
+    arguments.study.table.check(false)?;
     if arguments.study.scene.is_given() {
         return Err(CliError::Option(
             "SCENE and --set belong to --map: the check of stiff scenes has its own scenes; add --map k (or n, b), or omit SCENE and --set"
