@@ -57,7 +57,9 @@ fn writes_until_it_is_killed() {
         let scene = scene(STATES[state]);
         let exported = table_of(Arc::clone(&runs[state]));
         let text = csv(&exported);
-        destination(place, "run.csv").write(text.as_bytes(), &export::scenes(&exported), true).unwrap();
+        destination(place, "run.csv")
+            .write(text.as_bytes(), &export::scenes(&exported), true)
+            .unwrap();
         preset::save(&paths, "mine", &scene, Existing::Replace).unwrap();
         session::save(&paths.session_file(), &session_of(scene), &mut known).unwrap();
         let (rows, beside) = table(state);

@@ -55,6 +55,16 @@ pub struct Claim {
     check: fn(&Shots<'_>) -> Check,
 }
 
+/// A claim of a name, a place, a verdict and a preset, with what the thesis says, why the verdict is what it is, and the check.
+const fn claim(
+    (id, place, verdict, preset): (&'static str, &'static str, ClaimVerdict, Option<&'static str>),
+    says: &'static str,
+    cause: &'static str,
+    check: fn(&Shots<'_>) -> Check,
+) -> Claim {
+    Claim { id, place, says, cause, verdict, preset, check }
+}
+
 /// The result by one method.
 struct Check {
     /// In words.
