@@ -174,7 +174,9 @@ impl Quantity {
 
 use Dimension::{ArealMass, Energy, Force, Impulse, Length, Mass, Number, Time, Velocity};
 use FromContact::{Displacement, End, WithScene};
-use Trait::{CountsSprings, Estimate, OfComputation, OfHole, OfPerforation, OfStack, Percent, Whole};
+use Trait::{
+    CountsSprings, Estimate, OfComputation, OfHole, OfPerforation, OfStack, Percent, Whole,
+};
 
 /// Why there is no displacement, and no percentage.
 const UNSTOPPED: &str = "nothing stops the plate";
