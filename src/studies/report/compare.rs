@@ -8,7 +8,6 @@ use crate::model::mechanism::Mechanism;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::units::{fixed_significant, velocity};
-use crate::report::chart::Scale;
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, Tone};
@@ -185,7 +184,7 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
         absences.map(|absence| (absence.letter, absence.words.to_owned())).collect();
     marks.sort();
     marks.dedup();
-    let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;
+    let levels = Levels::of(found.cells.iter().filter_map(|cell| cell.ok()))?;
     Some(map::Map {
         contour: Some((1.0, LINE.into())),
         marks,

@@ -249,14 +249,14 @@ fn over(buffer: &mut Buffer, at: (u16, u16), symbol: char) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, Scale, ViewRange};
+    use super::super::{Axis, ViewRange};
     use super::*;
 
     #[test]
     fn no_contour_runs_between_values_equal_within_rounding() {
         let flat = |x: usize, y: usize| Cell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
         let axis = Axis::new("x", ViewRange::new(0.0, 10.0));
-        let levels = Levels::of(Scale::Linear, [0.0, 110.0]);
+        let levels = Levels::of([0.0, 110.0]);
         let map = Map {
             contour: Some((100.0 + 3e-14, "".into())),
             ..Map::new("flat", (axis.clone(), axis), (11, 6), levels, flat)
