@@ -630,6 +630,14 @@ fn valid_a_fused_interface_that_is_asked_for_too_much_has_the_plastic_answer_bes
     for other in ["run --set k=0", "run --set d=0.5 --set interface=plastic"] {
         assert_eq!(line(other), None, "{other}");
     }
+    let json = |arguments: &str| -> serde_json::Value {
+        serde_json::from_str(&place.cmra(&format!("run --json {arguments}")).out).unwrap()
+    };
+    let (beside, own) = (json("--set d=0.5"), json("--set d=0.5 --set interface=plastic"));
+    for key in ["outcome", "residual_velocity_m_s", "max_plate_displacement_m"] {
+        assert!(beside["plastic"][key] == own[key] && !own[key].is_null(), "{key}");
+    }
+    assert!(own["plastic"].is_null());
 }
 
 /// A person reads JSON from its top: the scene, what came out, the rest; rows have the order of the table's columns.

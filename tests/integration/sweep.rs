@@ -56,6 +56,7 @@ fn a_csv_has_the_axes_first_then_every_key_of_a_run() {
                 "lower_bounds",
                 "penetration_at_most_m",
                 "nose_protrusion_m",
+                "plastic",
                 // These two need the series of a run.
                 "mount_impulse_n_s",
                 "peak_mount_force_n",

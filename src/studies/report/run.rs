@@ -171,6 +171,13 @@ fn plastic(run: &Arc<Run>) -> String {
     format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
 }
 
+/// Of a run beside another: its outcome and results.
+fn outcome_and_results(run: &Run) -> Value {
+    let outcome = [("outcome".to_owned(), Value::from(run.shot_outcome().word()))];
+    let results = of_runs().map(|column| (column.name.to_owned(), result(run, column)));
+    Value::Object(outcome.into_iter().chain(results).collect())
+}
+
 /// A run of a scene of this name, computed in a given number of seconds, as one object with its keys in the order a reader expects.
 pub fn json(name: &str, run: &Run, took_s: f64) -> String {
     let scene = &run.scene;
@@ -212,6 +219,7 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
         ("run_time_s", Value::from(took_s)),
         ("omitted", Value::from(run.omitted.clone())),
         ("warnings", Value::from(warnings(run))),
+        ("plastic", run.plastic.as_ref().map_or(Value::Null, |run| outcome_and_results(run))),
         ("energy_j", energy(&run.ledger)),
         (
             "events",
