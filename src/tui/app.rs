@@ -67,7 +67,7 @@ pub enum Typing {
 }
 
 /// The whole state.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct App {
     /// Columns and rows of the terminal.
     pub size: (u16, u16),

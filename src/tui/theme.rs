@@ -12,7 +12,7 @@ pub mod glyphs;
 pub mod pane;
 
 pub use colours::ColourDepth;
-pub use glyphs::{GlyphSet, Lines, ascii_pass};
+pub use glyphs::{GlyphSet, ascii_pass};
 pub use pane::PaneFrame;
 
 /// The columns a text takes on the screen: a wide character takes two, a mark on another one none.
@@ -61,11 +61,6 @@ impl Theme {
     /// The theme the environment requests; `env` looks up a variable of it.
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         Self { glyphs: GlyphSet::detect(&env), depth: ColourDepth::detect(&env) }
-    }
-
-    /// The lines and joints of the glyph set.
-    pub fn lines(self) -> &'static Lines {
-        self.glyphs.lines()
     }
 
     pub fn style(self, role: Role) -> Style {

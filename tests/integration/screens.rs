@@ -24,7 +24,6 @@ mod tasks;
 mod thesis;
 
 use bench::Bench;
-use cmra::tui::app::App;
 use cmra::tui::message::{ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
@@ -154,12 +153,6 @@ fn the_export_target_exists() {
     assert_snapshot!(bench.screen());
 }
 
-fn anywhere(app: &App, size: (u16, u16)) -> App {
-    let mut app = app.clone();
-    app.size = size;
-    app
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
@@ -178,7 +171,7 @@ proptest! {
         stability::answer(&mut bench);
         sweep::answer(&mut bench);
         limit::answer(&mut bench);
-        bench.app = anywhere(&bench.app, (columns, rows));
+        bench.app.size = (columns, rows);
         let drawn = bench.screen();
         prop_assert!(drawn.lines().count() <= usize::from(rows) || rows == 0);
     }

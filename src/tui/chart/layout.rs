@@ -129,7 +129,7 @@ fn ends(chart: &Chart<'_>, rows: Mapping) -> Ticks {
     let zero = rows.cell(0.0).filter(|cell| (1..top).contains(cell));
     let zero = zero.map(|cell| Tick { cell, value: 0.0, label: "0".to_owned() });
     let labelled = [Some(tick(0)), zero, Some(tick(top))];
-    Ticks { labelled: labelled.into_iter().flatten().collect(), ..Ticks::default() }
+    Ticks { labelled: labelled.into_iter().flatten().collect(), exponent: 0 }
 }
 
 /// Half rows from one label to the next.

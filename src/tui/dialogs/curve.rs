@@ -19,7 +19,7 @@ pub(super) fn ask(app: &mut App, word: &str) {
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Curve;
 
 impl Purpose for Curve {

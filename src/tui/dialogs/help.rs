@@ -17,7 +17,7 @@ pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
     listed(Help, 0)
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Help;
 
 const SENTENCE: u16 = 15;

@@ -14,7 +14,7 @@ use crate::tui::widgets::{RowList, rows_moved};
 const PAGE: usize = 11;
 
 /// Where a person is in a list.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Picker {
     pub filter: TextField,
     /// The selected row of those that pass the filter.
@@ -24,7 +24,7 @@ pub(crate) struct Picker {
 }
 
 /// What a dialog lists.
-pub(crate) trait List: Clone + Debug + 'static {
+pub(crate) trait List: Debug + 'static {
     /// The action that opens it, whose key closes it again.
     const OPENED_BY: Action;
     /// Characters go into a text that its rows are filtered by.
@@ -41,7 +41,7 @@ pub(crate) trait List: Clone + Debug + 'static {
 }
 
 /// A dialog of a list.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Listed<L> {
     list: L,
     picker: Picker,

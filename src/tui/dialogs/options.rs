@@ -27,7 +27,7 @@ pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
     listed(Options, 0)
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Options;
 
 /// Where the values begin.

@@ -16,7 +16,7 @@ pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
     listed(Palette, 0)
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Palette;
 
 impl List for Palette {

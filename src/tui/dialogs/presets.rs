@@ -23,7 +23,7 @@ pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
     listed(Presets, 0)
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Presets;
 
 const NAMES: u16 = 32;

@@ -15,7 +15,7 @@ pub(crate) fn open(app: &mut App) {
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Words;
 
 const WIDTH: u16 = 58;

@@ -172,12 +172,11 @@ impl Page for ExploreTab {
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&kept.scene) });
         let (is_complete, (done, total)) = (kept.is_complete, grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
-        let own = Arc::clone(plan);
-        let notes = move || sweep_file::notes(&own, missing.as_deref());
-        let grid = Arc::clone(grid);
-        let csv = move |name: &str| sweep::grid_csv(name, &grid);
+        let notes = sweep_file::notes(plan, missing.as_deref());
+        let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
+        let csv = move || sweep::grid_csv(&name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.noted(app.name_of(&scene), &scene, "sweep", notes))
+        Some(table.noted(&scene, "sweep", notes))
     }
 
     fn form(&self, app: &App) -> Option<Form> {

@@ -126,44 +126,41 @@ impl Page for LimitTab {
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let (limit, comparison) = (&app.pages.limit.report, &app.pages.limit.comparison);
-        let file = |what: &str| format!("{}-{what}.csv", app.base_stem());
+        let scene = if app.pane() == RESIDUAL { &limit.scene } else { &comparison.scene };
+        let (name, stem) = (app.name_of(scene), app.base_stem());
         let found = comparison.found.clone();
-        Some(match app.pane() {
+        let (table, command) = match app.pane() {
             RESIDUAL => {
                 let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
-                let csv = move |name: &str| {
+                let csv = move || {
                     let warnings = limit::warnings(&report);
-                    limit::shots(name, &report).with_warnings(&warnings).csv()
+                    limit::shots(&name, &report).with_warnings(&warnings).csv()
                 };
-                let title = "Export the shots to CSV";
-                let table = PageTable::new(title, file("limit"), limit.is_complete, csv);
-                table.of(app.name_of(&limit.scene), &limit.scene, COMMAND)
+                let (title, file) = ("Export the shots to CSV", format!("{stem}-limit.csv"));
+                (PageTable::new(title, file, limit.is_complete, csv), COMMAND.to_owned())
             }
             COMPARISON => {
-                let (found, title) = (found?, "Export the comparison to CSV");
+                let found = found?;
+                let (title, file) = ("Export the comparison to CSV", format!("{stem}-compare.csv"));
                 let is_complete = found.report.is_complete;
-                let csv = move |name: &str| {
+                let csv = move || {
                     let warnings = validity::of_scene(&found.report.scene);
-                    report::compare::table(name, &found.report).with_warnings(&warnings).csv()
+                    report::compare::table(&name, &found.report).with_warnings(&warnings).csv()
                 };
-                let table = PageTable::new(title, file("compare"), is_complete, csv);
-                table.of(
-                    app.name_of(&comparison.scene),
-                    &comparison.scene,
-                    &compare::Request::default().to_string(),
-                )
+                let command = compare::Request::default().to_string();
+                (PageTable::new(title, file, is_complete, csv), command)
             }
             _ => {
-                let (map, title) = (found?.map.clone()?, "Export the map to CSV");
-                let is_complete = map.is_complete();
+                let map = found?.map.clone()?;
+                let (title, file) = ("Export the map to CSV", format!("{stem}-mass-efficiency.csv"));
                 let axes = Some([map.x().clone(), map.y().clone()]);
                 let request = compare::Request { map: axes, ..compare::Request::default() };
-                let command = request.to_string();
-                let csv = move |name: &str| report::compare::map_table(name, &map).csv();
-                let table = PageTable::new(title, file("mass-efficiency"), is_complete, csv);
-                table.of(app.name_of(&comparison.scene), &comparison.scene, &command)
+                let is_complete = map.is_complete();
+                let csv = move || report::compare::map_table(&name, &map).csv();
+                (PageTable::new(title, file, is_complete, csv), request.to_string())
             }
-        })
+        };
+        Some(table.of(scene, &command))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

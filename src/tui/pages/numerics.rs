@@ -107,18 +107,16 @@ impl Page for NumericsTab {
                 let kept = &app.pages.numerics.accuracy.report;
                 let (report, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
                 let file = format!("{}-accuracy.csv", app.base_stem());
-                let csv = move |name: &str| accuracy_table::table(name, &report).csv();
-                PageTable::new("Export the measurements to CSV", file, is_complete, csv).of(
-                    app.name_of(&kept.scene),
-                    &kept.scene,
-                    "accuracy",
-                )
+                let name = app.name_of(&kept.scene);
+                let csv = move || accuracy_table::table(&name, &report).csv();
+                PageTable::new("Export the measurements to CSV", file, is_complete, csv)
+                    .of(&kept.scene, "accuracy")
             }
             STIFF_SCENES => {
                 let kept = &app.pages.numerics.stability.battery;
                 let found = kept.found.clone().filter(|found| !found.rows.is_empty())?;
                 let is_complete = kept.is_complete;
-                let csv = move |_: &str| stability_table::table(&found.rows).csv();
+                let csv = move || stability_table::table(&found.rows).csv();
                 PageTable::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
             }
             _ => {
@@ -127,13 +125,14 @@ impl Page for NumericsTab {
                 let file = format!("{}-map.csv", app.base_stem());
                 let command =
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
-                let warnings: Vec<String> =
-                    library::warnings(&kept.scene).map(str::to_owned).collect();
-                let csv = move |name: &str| {
-                    stability_table::map_table(name, &map).with_warnings(&warnings).csv()
+                let (name, scene) = (app.name_of(&kept.scene), Arc::clone(&kept.scene));
+                let csv = move || {
+                    let warnings: Vec<String> =
+                        library::warnings(&scene).map(str::to_owned).collect();
+                    stability_table::map_table(&name, &map).with_warnings(&warnings).csv()
                 };
-                let table = PageTable::new("Export the map to CSV", file, is_complete, csv);
-                table.of(app.name_of(&kept.scene), &kept.scene, &command)
+                PageTable::new("Export the map to CSV", file, is_complete, csv)
+                    .of(&kept.scene, &command)
             }
         })
     }

@@ -222,9 +222,10 @@ impl Page for SearchTab {
         let kept = app.pages.search.shown()?;
         let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
         let (scene, answer) = (Arc::clone(&kept.scene), Arc::clone(kept.found.as_ref()?));
-        let csv = move |name: &str| answer.csv(&scene, name);
+        let name = app.name_of(&scene);
+        let csv = move || answer.csv(&scene, &name);
         let table = PageTable::new("Export the results to CSV", file, kept.is_complete, csv);
-        Some(table.of(app.name_of(&kept.scene), &kept.scene, &command))
+        Some(table.of(&kept.scene, &command))
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -257,7 +258,10 @@ impl Page for SearchTab {
             SETUP => {
                 app.pages.search.row = app.search_choices(app.pages.search.page)[row];
             }
-            _ => app.pages.search.select(row),
+            _ => {
+                let tab = &mut app.pages.search;
+                tab.cursor[tab.page as usize] = Some(row);
+            }
         }
     }
 

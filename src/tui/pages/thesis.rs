@@ -117,7 +117,7 @@ impl Page for ThesisTab {
                 ("claims.csv", tab.report.is_complete, text)
             }
         };
-        Some(PageTable::new("Export this page to CSV", file, is_complete, move |_| text.clone()))
+        Some(PageTable::new("Export this page to CSV", file, is_complete, move || text.clone()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use ratatui::symbols::border;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Widget};
 
@@ -69,7 +70,7 @@ impl<'a> PaneFrame<'a> {
     pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Rect {
         let area = area.intersection(buffer.area);
         let border = theme.style(if self.focused { Role::Focus } else { Role::Border });
-        let mut set = theme.glyphs.border();
+        let mut set = border::PLAIN;
         if let Some((continues, below)) = self.stacked {
             if continues {
                 (set.top_left, set.top_right) = ("├", "┤");
@@ -111,13 +112,14 @@ impl<'a> PaneFrame<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::ColourDepth;
+    use super::super::{ColourDepth, ascii_pass};
     use super::*;
 
     fn lines(pane: &PaneFrame<'_>, width: u16, height: u16) -> Vec<String> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
         pane.render(area, &mut buffer, Theme::PLAIN);
+        ascii_pass(&mut buffer);
         buffer
             .content
             .chunks(usize::from(width.max(1)))

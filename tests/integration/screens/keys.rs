@@ -610,8 +610,8 @@ fn leaving_asks_only_while_a_run_has_been_going_on_for_long() {
     bench.press("jjl");
     let job = bench.jobs().remove(0);
     // Not long yet: the session is safe, so nothing is asked.
-    let mut quick = bench.copy();
-    quick.press("q");
+    let mut quick = Bench::ascii(80, 24);
+    quick.press("jjlq");
     assert!(quits(&quick));
     let elapsed = std::time::Duration::from_millis(20);
     // Its first report sets the clock; a job that ends in time is forgotten.

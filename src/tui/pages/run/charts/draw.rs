@@ -71,10 +71,9 @@ fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canva
     let pane = PaneFrame::new(title).focused(focused).stacked(place.begins, Below::Nothing);
     pane.draw(place.area, canvas);
     if place.below == Below::End {
-        let set = app.settings.theme.glyphs.border();
         let role = if focused { Role::Focus } else { Role::Border };
-        canvas.put(place.area, (0, 0), set.bottom_left, role);
-        canvas.put(place.area, (place.area.width - 1, 0), set.bottom_right, role);
+        canvas.put(place.area, (0, 0), "└", role);
+        canvas.put(place.area, (place.area.width - 1, 0), "┘", role);
     }
 }
 
