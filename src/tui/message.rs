@@ -47,8 +47,6 @@ pub enum EffectReport {
     Said(Severity, String),
     /// The session cannot be kept any more, and why; or it can again.
     Session(Result<(), String>),
-    /// A spring's measured curve was read: whose, the file, and its points.
-    Curve(PathBuf, Result<Arc<[[f64; 2]]>, String>),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -111,8 +109,6 @@ pub enum FileTask {
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
-    /// Read a measured curve for a spring.
-    ReadCurve(PathBuf),
 }
 
 /// The content of a file to write.

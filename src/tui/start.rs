@@ -83,32 +83,32 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
         Ok(config) => config,
         Err(text) => return app.say(Severity::Warning, text),
     };
+    let mut refused = Vec::new();
     match Keymap::remapped(&config.keys) {
         Ok(keymap) => {
             app.keymap = keymap;
-            for (name, _) in config.keys.iter().filter(|(_, keys)| keys.is_empty()) {
-                let text = format!("[keys] {name} = []: no key does it now; `:{name}` does");
-                app.say(Severity::Warning, format!("{}: {text}", path.display()));
-            }
+            let without = config.keys.iter().filter(|(_, keys)| keys.is_empty());
+            let text = |name| format!("[keys] {name} = []: no key does it now; `:{name}` does");
+            refused.extend(without.map(|(name, _)| text(name)));
         }
-        Err(text) => app.say(Severity::Warning, format!("{}: {text}", path.display())),
+        Err(text) => refused.push(text),
     }
     if let (None, Some(word)) = (glyphs, &config.characters) {
         match GlyphSet::named(word) {
             Ok(choice) => {
                 app.settings.theme.glyphs = choice.unwrap_or_else(|| GlyphSet::detect(environment));
             }
-            Err(error) => app.say(Severity::Warning, format!("{}: {error}", path.display())),
+            Err(error) => refused.push(error),
         }
     }
     if let Some(word) = &config.colours {
         match ColourDepth::named(word) {
             Some(depth) => app.settings.theme.depth = depth,
-            None => app.say(
-                Severity::Warning,
-                format!("{}: colours = \"{word}\": use none, sixteen or 256", path.display()),
-            ),
+            None => refused.push(format!("colours = \"{word}\": use none, sixteen or 256")),
         }
+    }
+    for text in refused {
+        app.say(Severity::Warning, format!("{}: {text}", path.display()));
     }
 }
 

@@ -144,16 +144,6 @@ mod tests {
     }
 
     #[test]
-    fn the_background_is_always_the_terminals_own() {
-        for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256] {
-            let theme = Theme { glyphs: GlyphSet::Braille, depth };
-            for role in ROLES {
-                assert_eq!(theme.style(role).bg, None, "{role:?}");
-            }
-        }
-    }
-
-    #[test]
     fn errors_warnings_and_notes_differ_at_every_depth() {
         for depth in ColourDepth::ALL {
             let theme = Theme { glyphs: GlyphSet::Ascii, depth };

@@ -4,7 +4,6 @@ mod accuracy;
 mod bench;
 mod cases;
 mod charts;
-mod curve;
 mod doors;
 mod edits;
 mod exports;
@@ -133,7 +132,6 @@ fn dialogs() {
         ("help", "jj?"),
         ("help_charts", "<Tab>?/zoom"),
         ("palette", ":expo"),
-        ("options", "oj"),
         ("presets", "p<Down><Down>"),
         ("save", "jls"),
         ("save_over", "s<C-u>heavy-plate<Enter>"),

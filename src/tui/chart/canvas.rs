@@ -301,16 +301,6 @@ mod tests {
     }
 
     #[test]
-    fn flat_lines_have_one_dot_a_column_and_steep_ones_one_a_row() {
-        let mut flat = Canvas::new(GlyphSet::Ascii, 6, 2);
-        flat.line((0.5, 0.5), (5.5, 1.5), 0);
-        assert_eq!(picture(&flat), ["   ***", "***   "]);
-        let mut steep = Canvas::new(GlyphSet::Ascii, 2, 4);
-        steep.line((0.5, 0.5), (1.5, 3.5), 0);
-        assert_eq!(picture(&steep), [" *", " *", "* ", "* "]);
-    }
-
-    #[test]
     fn lines_are_cut_at_the_edges_however_long_they_are() {
         let mut canvas = Canvas::new(GlyphSet::Ascii, 4, 3);
         canvas.line((-1e9, 1.5), (1e9, 1.5), 0);
@@ -328,14 +318,5 @@ mod tests {
             canvas.dot(index / 4, 3 - index % 4, 0);
             assert_eq!(picture(&canvas), [*character]);
         }
-    }
-
-    #[test]
-    fn half_blocks_hold_two_dots() {
-        let mut canvas = Canvas::new(GlyphSet::Block, 3, 1);
-        canvas.dot(0, 1, 0);
-        canvas.dot(1, 0, 0);
-        canvas.span(2, -7.0, 99.0, 0);
-        assert_eq!(picture(&canvas), ["▀▄█"]);
     }
 }

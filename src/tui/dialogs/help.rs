@@ -70,19 +70,13 @@ fn rows(app: &App) -> Vec<HelpRow> {
         let keys = line.unwrap_or_else(|| app.keymap.label(row.action));
         HelpRow { keys, is_own: true, help: app.keymap.shown(row.help) }
     });
-    let lines = |everywhere: bool| {
-        let explained = move |line: &KeyHelp| pane.keys.iter().any(|row| has(line, row.action));
-        let scoped = move |line: &&KeyHelp| match line.scope {
-            Scope::Everywhere => everywhere,
-            Scope::Listed => !everywhere && !explained(line),
-        };
-        LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
-            keys: app.keymap.line_label(line),
-            is_own: !everywhere,
-            help: app.keymap.shown(line.meaning),
-        })
-    };
-    own.chain(lines(false)).chain(lines(true)).collect()
+    let everywhere = LINES.iter().filter(|line| line.scope == Scope::Everywhere);
+    own.chain(everywhere.map(|line| HelpRow {
+        keys: app.keymap.line_label(line),
+        is_own: false,
+        help: app.keymap.shown(line.meaning),
+    }))
+    .collect()
 }
 
 /// The words and signs of the Run tab.

@@ -46,7 +46,9 @@ impl List for Palette {
             }
             Some(Item::Preset(entry)) => {
                 let entry = entry.clone();
-                presets::take(app, entry);
+                if let Err(why) = presets::take(app, entry) {
+                    app.refuse(why);
+                }
             }
         }
         Outcome::Closes

@@ -99,27 +99,29 @@ impl Page for ExploreTab {
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let found = app.pages.explore.found();
         let computing = app.jobs.running::<PictureSweep>();
-        let mut parts = vec![match (computing, &app.pages.explore.problem, found) {
-            (Some(computing), ..) => {
+        let progress = match (computing, found) {
+            (Some(computing), _) => {
                 let points = computing.counted("of", " points");
                 let left = computing.left().filter(|left| left.as_secs() > 0);
                 let left =
                     left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
-                Progress::Running(format!("sweeping{points}{left}")).part()
+                Progress::Running(format!("sweeping{points}{left}"))
             }
-            (None, Some(problem), _) => part(Severity::Error, problem.clone()),
-            _ if app.sweep_is_old() => Progress::Old("scene").part(),
-            (None, None, None) => Progress::Nothing.part(),
-            (None, None, Some(grid)) => {
+            _ if app.sweep_is_old() => Progress::Old("scene"),
+            (None, None) => Progress::Nothing,
+            (None, Some(grid)) => {
                 let (done, total) = grid.progress();
                 match app.pages.explore.result.took.filter(|_| grid.is_complete()) {
                     Some(took) => {
-                        Progress::Done(format!("{total} points in {}", show_duration(took))).part()
+                        Progress::Done(format!("{total} points in {}", show_duration(took)))
                     }
-                    None => Progress::Cut(format!(" after {done} of {total} points")).part(),
+                    None => Progress::Cut(format!(" after {done} of {total} points")),
                 }
             }
-        }];
+        };
+        let problem = app.pages.explore.problem.clone().filter(|_| computing.is_none());
+        let mut parts =
+            vec![problem.map_or_else(|| progress.part(), |text| part(Severity::Error, text))];
         if let Some(grid) = found {
             let others = grid.outcomes().each();
             for (word, count) in others.filter(|(word, count)| *count > 0 && *word != "arrested") {
@@ -127,14 +129,13 @@ impl Page for ExploreTab {
                 parts.push(part(severity, format!("{count} {word}")));
             }
             if differs_from_printed(app) {
-                let short = "faint: the printed scheme";
-                parts.push((Severity::Note, PRINTED.to_owned(), short.to_owned()));
+                parts.push(part(Severity::Note, "faint: the printed scheme"));
             }
             let output = app.shown_output(grid).0;
             parts.extend(at_rest(grid, output).map(|text| part(Severity::Note, text)));
         }
         let ends = found.map(|grid| grid.outside_at_ends.iter().map(|it| it.0));
-        parts.extend(outside(ends.into_iter().flatten(), " at the ends", " (<tab-log>:Log)"));
+        parts.extend(outside(ends.into_iter().flatten(), " at the ends"));
         parts.extend(app.validity_part());
         parts
     }

@@ -153,12 +153,19 @@ impl Page for RunTab {
         true
     }
 
+    /// The number in the unit that stands behind it.
     fn text(&self, app: &App, _row: usize) -> String {
-        app.variable_text()
+        let editor = &app.pages.run.editor;
+        let unit = editor.unit(editor.selected);
+        editor::number_in(editor.variable(), &app.scene, unit, editor::FIELD_DIGITS)
     }
 
     fn change(&self, app: &mut App, _row: usize, input: Input<'_>) -> Result<(), String> {
-        edit::change(app, app.pages.run.editor.selected, input)
+        let index = app.pages.run.editor.selected;
+        match input {
+            Input::Text(text) => edit::read(app, index, text),
+            Input::Step(_) => Ok(()),
+        }
     }
 
     fn go_to_value(&self, app: &mut App, chart: usize, value: f64) {

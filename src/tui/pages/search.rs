@@ -15,8 +15,8 @@ use crate::study::quantities::{Needs, named};
 use crate::study::search::front::SAMPLES as DESIGNS;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
-use crate::tui::app::history::{Snapshot, Stepping};
-use crate::tui::app::notice::outside as validity;
+use crate::tui::app::history::Snapshot;
+use crate::tui::app::notice::outside;
 use crate::tui::pages::page::move_by;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
@@ -27,7 +27,7 @@ use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
-use crate::tui::widgets::steps::{Input, Press};
+use crate::tui::widgets::steps::Input;
 use crate::worker::studies::{SearchRequest, searches};
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
@@ -186,15 +186,18 @@ impl Page for SearchTab {
             }
             (None, None) => Progress::Nothing,
         };
-        let problem = tab.problem().is_some() && running.is_none() && tab.answer().is_none();
-        let refused = || part(Severity::Error, "this cannot be searched for");
-        let first = if problem { refused() } else { progress.part() };
+        let is_refused = tab.problem().is_some() && running.is_none() && tab.answer().is_none();
+        let first = if is_refused {
+            part(Severity::Error, "this cannot be searched for")
+        } else {
+            progress.part()
+        };
         let count = count.map(|runs| part(Severity::Note, runs));
         let answer = tab.answer().filter(|_| running.is_none());
         let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
         let ends = answer.filter(|_| !app.search_is_old()).into_iter();
         let ends = ends.flat_map(Answer::outside_at_ends);
-        let ends = self::validity(ends.map(|it| it.0), " at the ends", " (<tab-log>:Log)");
+        let ends = outside(ends.map(|it| it.0), " at the ends");
         std::iter::once(first).chain(ends).chain(validity).chain(count).collect()
     }
 
@@ -236,7 +239,7 @@ impl Page for SearchTab {
         let row = app.search_choices(app.pages.search.page)[row];
         let before = app.snapshot();
         change(app, row, input)?;
-        note_change(app, row, before, matches!(input, Input::Step(_)));
+        note_change(app, row, before);
         follow(app);
         Ok(())
     }
@@ -273,8 +276,6 @@ impl Page for SearchTab {
 
 /// Far along a front, in designs.
 const FAR: i16 = 10;
-/// Steps of numbers that are not typed.
-const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000];
 
 /// Lines of the words that have no room.
 pub(crate) fn hidden_lines(app: &App) -> usize {
@@ -311,13 +312,11 @@ fn look(app: &mut App) {
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
-fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
+fn note_change(app: &mut App, row: Row, before: Snapshot) {
     if app.pages.search.setup == before.search {
         return;
     }
-    let stepping = stepped.then_some(Stepping::Search(app.pages.search.page, row));
-    let first = Arc::clone(&app.history.extended(stepping).unwrap_or(&before).search);
-    let after = std::mem::replace(&mut app.pages.search.setup, first);
+    let after = std::mem::replace(&mut app.pages.search.setup, Arc::clone(&before.search));
     let old = app.search_line(row, &app.search_bounds());
     app.pages.search.setup = after;
     let new = app.search_line(row, &app.search_bounds());
@@ -327,7 +326,7 @@ fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     } else {
         format!("search: {} {} -> {}", new.label, old.value, new.value)
     };
-    edit::note(app, before, label, stepping);
+    edit::note(app, before, label, None);
 }
 
 pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
@@ -353,7 +352,6 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;
             setup.goal.1 = column.parse(text)?;
         }
-        (Row::Goal | Row::Bounds, Input::Step(_)) => app.tell("<enter> types a value here"),
         (Row::Bound(at), _) => {
             let old = bounds.get(at).ok_or("this variable no longer exists")?;
             let new = match input {
@@ -365,7 +363,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
         }
         (Row::Objective(at), Input::Step(_)) => setup.objectives[at] = !setup.objectives[at],
         (Row::Feasible, Input::Step(_)) => setup.feasible = !setup.feasible,
-        (_, Input::Step(press)) => step_number(setup, row, press),
+        (_, Input::Step(_)) => app.tell("<enter> types a value here"),
         (_, Input::Text(text)) => read_number(setup, row, text)?,
     }
     Ok(())
@@ -379,24 +377,6 @@ fn first_goal(app: &App, name: &str) -> f64 {
     let velocity_m_s = app.scene.projectile.velocity_m_s;
     let value = value.unwrap_or_else(|| if name.ends_with("_m_s") { velocity_m_s } else { 1.0 });
     significant(value, 2).parse().unwrap_or(value)
-}
-
-fn step_number(setup: &mut Setup, row: Row, press: Press) {
-    match row {
-        Row::Designs => {
-            let tried = if press.up { 2 * setup.designs } else { setup.designs / 2 };
-            setup.designs = tried.clamp(*DESIGNS.start(), *DESIGNS.end());
-        }
-        Row::Percent => {
-            setup.percent = (setup.percent + 0.5 * press.by() as f64).clamp(0.5, 50.0);
-        }
-        Row::Samples => {
-            let at = SAMPLES.iter().position(|count| *count >= setup.samples).unwrap_or(0);
-            let next = at.saturating_add_signed(press.by());
-            setup.samples = SAMPLES[next.min(SAMPLES.len() - 1)];
-        }
-        _ => {}
-    }
 }
 
 fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {

@@ -1,6 +1,6 @@
 //! One action: the page that is shown comes first, then what the action means anywhere.
 
-use crate::tui::app::edit;
+use crate::tui::app::{Settings, edit};
 use crate::tui::dialogs;
 use crate::tui::keymap::Call;
 use crate::tui::message::Content;
@@ -20,7 +20,8 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if action != Action::Back {
         app.jobs.stop_confirmation_shown = false;
     }
-    if !steps(app, action) {
+    // Steps of a variable join into one edit.
+    if step_of(action).is_none() || app.pane() != VARIABLES {
         app.history.commit();
         app.pages.run.editor.stepped = None;
     }
@@ -60,11 +61,6 @@ fn in_form(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// Whether an action steps the value of a row: such steps join into one edit.
-fn steps(app: &App, action: Action) -> bool {
-    step_of(action).is_some() && (app.pane() == VARIABLES || pages::of(app.tab).form(app).is_some())
-}
-
 /// What an action does where the page has no meaning of its own for it.
 fn anywhere(app: &mut App, action: Action) {
     use Action as A;
@@ -84,11 +80,40 @@ fn anywhere(app: &mut App, action: Action) {
         A::Cancel | A::Back | A::Quit => leave(app, action),
         A::Redraw => app.request(Effect::Redraw),
         A::Suspend => app.request(Effect::Suspend),
+        A::Characters | A::Colours | A::Mouse => change_setting(app, action),
         _ => {
-            let key = app.keymap.label(action);
-            app.tell(format!("`{key}` does nothing here: <help> lists the keys"));
+            let label = app.keymap.label(action);
+            does_nothing(app, &label);
         }
     }
+}
+
+/// Say that a key has no meaning here.
+pub(crate) fn does_nothing(app: &mut App, label: &str) {
+    app.tell(format!("`{label}` does nothing here: <help> lists the keys"));
+}
+
+/// Take the next value of a setting.
+fn change_setting(app: &mut App, action: Action) {
+    let Settings { theme, mouse } = &mut app.settings;
+    let text = match action {
+        Action::Characters => {
+            theme.glyphs = theme.glyphs.next();
+            format!("characters: {}", theme.glyphs)
+        }
+        Action::Colours => {
+            theme.depth = theme.depth.next();
+            format!("colours: {}", theme.depth.word())
+        }
+        _ => {
+            *mouse = !*mouse;
+            app.effects.push(Effect::Mouse(*mouse));
+            let words = ["off: the terminal selects text", "on: a click selects, the wheel moves"];
+            format!("mouse {}", words[usize::from(*mouse)])
+        }
+    };
+    app.tell(text);
+    app.request(Effect::SaveSession);
 }
 
 /// Show a tab; one that is shown already shows its next page.

@@ -7,7 +7,7 @@ use super::bench::Bench;
 use super::{limit, stability};
 use cmra::tui::keymap::Keymap;
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::Message;
+use cmra::tui::message::Effect;
 use cmra::tui::preset::PresetEntry;
 use cmra::tui::theme::GlyphSet;
 
@@ -75,18 +75,14 @@ fn a_preset_of_a_figure_opens_its_sweep() {
 }
 
 #[test]
-fn options_are_a_menu_of_named_lines() {
+fn characters_colours_and_mouse_are_changed_by_a_key() {
     let mut bench = Bench::ascii(80, 24);
-    bench.press("o");
-    let screen = bench.screen();
-    for name in ["characters", "colours", "mouse"] {
-        assert!(screen.contains(name), "{name}: {screen}");
+    for (key, said) in [("m", "characters: block"), ("t", "colours: 256"), ("M", "mouse on")] {
+        bench.press(key);
+        assert!(bench.message().starts_with(said), "{key}: {}", bench.message());
     }
-    bench.press("jj<Enter>");
     assert!(bench.app.settings.mouse);
-    bench.send(Message::Resize(80, 24));
-    bench.press("<Esc>");
-    assert!(!bench.app.has_dialog());
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::Mouse(true))));
 }
 
 /// A name that no quantity has is answered with titles as they stand on the screen, never with keys of files.

@@ -34,11 +34,10 @@ impl App {
         let mut parts = vec![progress.part()];
         let Some(report) = &tab.report.found else { return parts };
         if let Some(reference) = report.references.any() {
-            let sure = reference.uncertainty.map(|it| format!("{it:.0e}"));
-            let sure = sure.as_deref().unwrap_or("unknown");
+            let sure = reference.uncertainty.map(|it| format!(", to {it:.0e}"));
             let words = reference.basis.words();
-            let long = format!("reference {words}, uncertainty {sure}");
-            parts.push((Severity::Note, long, format!("ref. {words}")));
+            let text = format!("reference {words}{}", sure.unwrap_or_default());
+            parts.push(part(Severity::Note, text));
             let ending = match reference.results[0] {
                 Some(depth_m) => format!("{} deep", engineering(depth_m, "m", 7)),
                 None => reference.outcome.word().to_owned(),

@@ -22,9 +22,6 @@ pub struct Curve<'a> {
     pub points: Vec<(f64, f64)>,
 }
 
-/// An event so near to the crosshair is under it, as a share of the range in view: half a column of a narrow chart.
-const NEAR: f64 = 0.01;
-
 /// How far a press moves the crosshair, as a share of the range in view.
 const STEP: f64 = 0.01;
 
@@ -148,22 +145,6 @@ impl App {
         let middle = f64::midpoint(from, to);
         let moved = |here: f64| (here + f64::from(by) * STEP * (to - from)).clamp(from, to);
         self.pages.run.charts.cursor_s = Some(self.pages.run.charts.cursor_s.map_or(middle, moved));
-    }
-
-    /// The event of the current run under the crosshair.
-    pub fn event_at_cursor(&self) -> Option<&'static str> {
-        let cursor = self.pages.run.charts.cursor_s?;
-        let run = &self.shown.as_ref()?.run;
-        let (from, to) = self.time_range_s(self.pages.run.charts.selected);
-        let near = NEAR * (to - from);
-        run.events
-            .iter()
-            .filter(|event| (event.t_s - cursor).abs() <= near)
-            .min_by(|a, b| {
-                let distance = |t: f64| (t - cursor).abs();
-                distance(a.t_s).total_cmp(&distance(b.t_s))
-            })
-            .map(|event| event.kind.words())
     }
 
     /// Show a part of the time about the crosshair, or all of it; the charts of one window have it in common.

@@ -39,8 +39,8 @@ fn rows(app: &App) -> Vec<Row> {
 fn request(app: &App) -> Result<SearchRequest, String> {
     let over = app.varied()?;
     let setup = &app.pages.search.setup;
-    let chosen = app.chosen_objectives().into_iter();
-    let objectives = chosen.map(|at| Objective::of(USUAL[at], false));
+    let chosen = USUAL.into_iter().zip(setup.objectives).filter(|(_, is_chosen)| *is_chosen);
+    let objectives = chosen.map(|(name, _)| Objective::of(name, false));
     let objectives: Vec<Objective> =
         objectives.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
     if objectives.is_empty() {
@@ -104,11 +104,11 @@ impl Answer for Report {
 
     fn validity(&self, _app: &App) -> Option<StatusPart> {
         if self.designs.len() == 1 {
-            return outside(self.outside.iter().map(|(check, _)| *check), " of the design", "");
+            return outside(self.outside.iter().map(|(check, _)| *check), " of the design");
         }
         (!self.outside.is_empty()).then(|| {
             let list = format!("of {} designs: {}", self.designs.len(), counted(&self.outside));
-            (Severity::Warning, format!("! outside validity, {list}"), format!("! {list}"))
+            part(Severity::Warning, format!("! validity {list}"))
         })
     }
 
@@ -140,8 +140,11 @@ impl Answer for Report {
         let (across, up) = axes(self);
         let measures = self.request.measures();
         let axis = |label: String, at: usize| {
-            let values: Vec<f64> =
-                self.designs.iter().filter_map(|it| it.measures.get(at).copied().flatten()).collect();
+            let values: Vec<f64> = self
+                .designs
+                .iter()
+                .filter_map(|it| it.measures.get(at).copied().flatten())
+                .collect();
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             let axis = Axis::fitted(label, measures[at].unit(), Scale::Linear, values)?;
             // Nothing that is never below zero has room there.

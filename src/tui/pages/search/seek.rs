@@ -75,7 +75,7 @@ impl Answer for Report {
     fn validity(&self, _app: &App) -> Option<StatusPart> {
         let fails = self.checked.iter().flat_map(|checked| &checked.fails);
         let place = if self.checked.len() > 1 { " of solutions" } else { " of the solution" };
-        outside(fails.copied(), place, "")
+        outside(fails.copied(), place)
     }
 
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {

@@ -123,11 +123,6 @@ impl App {
         }
     }
 
-    /// The places of the objectives that count.
-    pub(crate) fn chosen_objectives(&self) -> Vec<usize> {
-        (0..OBJECTIVES.len()).filter(|at| self.pages.search.setup.objectives[*at]).collect()
-    }
-
     /// What the setup of a page asks for.
     pub fn search_request(&self, page: Page) -> Result<SearchRequest, String> {
         (STUDIES[page as usize].request)(self)

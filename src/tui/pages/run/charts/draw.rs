@@ -9,7 +9,7 @@ use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
-    self, Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
+    Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
 };
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::{Curve as Data, is_free, is_held};
@@ -53,15 +53,11 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
             continue;
         }
         let layout = canvas.draw(chart, place.area);
-        hits(app, place.chart, &layout, canvas);
+        let at = place.chart;
+        if app.pages.run.charts.quantities[at].is_over_time() {
+            canvas.plot(&layout, |value, _| Some(Target::Value { pane: CHARTS, chart: at, value }));
+        }
         nothing_yet(app, place.area, canvas);
-    }
-}
-
-/// Say what the areas of a chart are to the mouse.
-fn hits(app: &App, chart: usize, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
-    if app.pages.run.charts.quantities[chart].is_over_time() {
-        canvas.plot(layout, |value, _| Some(Target::Value { pane: CHARTS, chart, value }));
     }
 }
 
