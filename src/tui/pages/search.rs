@@ -257,14 +257,11 @@ impl Page for SearchTab {
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        match app.pane() {
-            SETUP => {
-                app.pages.search.row = app.search_choices(app.pages.search.page)[row];
-            }
-            _ => {
-                let tab = &mut app.pages.search;
-                tab.cursor[tab.page as usize] = Some(row);
-            }
+        if app.pane() == SETUP {
+            app.pages.search.row = app.search_choices(app.pages.search.page)[row];
+        } else {
+            let tab = &mut app.pages.search;
+            tab.cursor[tab.page as usize] = Some(row);
         }
     }
 

@@ -53,7 +53,10 @@ impl App {
             // Alone, the run needs no name.
             parts.push(match views.len() {
                 1 => values,
-                _ => format!("{} {values}", view.letter.map_or("now".to_owned(), String::from)),
+                _ => format!(
+                    "{} {values}",
+                    view.letter.map_or_else(|| "now".to_owned(), String::from)
+                ),
             });
         }
         parts.join(" | ")
