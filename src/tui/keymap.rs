@@ -160,9 +160,6 @@ pub enum Action {
     Suspend,
     Redraw,
     Reset,
-    ZoomIn,
-    ZoomOut,
-    ZoomFit,
     Window,
     ResetAll,
 }
@@ -317,16 +314,10 @@ impl Keymap {
         })
     }
 
-    /// The keys of a line of the table: `1-7`, `u Ctrl-r`, `h j k l`.
+    /// The keys of a line of the table: `u Ctrl-r`, `h j k l`.
     pub fn line_label(&self, line: &KeyHelp) -> String {
         let labels = line.keys.iter().map(|(action, _, _)| self.label(*action));
-        let labels: Vec<String> = labels.filter(|label| !label.is_empty()).collect();
-        let digits = labels.len() > 2
-            && labels.iter().zip('1'..='9').all(|(label, digit)| *label == digit.to_string());
-        match (labels.first(), labels.last()) {
-            (Some(first), Some(last)) if digits => format!("{first}-{last}"),
-            _ => labels.join(" "),
-        }
+        labels.filter(|label| !label.is_empty()).collect::<Vec<String>>().join(" ")
     }
 }
 
@@ -424,7 +415,6 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 
     line(Listed, &[(A::Reset, "reset", "d Del")], "reset this row"),
-    line(Listed, &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-"), (A::ZoomFit, "zoom-fit", "0")], "zoom in, zoom out, show everything"),
     line(Listed, &[(A::Window, "window", "c")], "show the contact only, or the whole response"),
 ];
 

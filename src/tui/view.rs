@@ -145,7 +145,6 @@ fn pair(app: &App, action: Action) -> String {
     let opposite = match action {
         Action::Right => Some((Action::Left, false)),
         Action::Down => Some((Action::Up, true)),
-        Action::ZoomIn => Some((Action::ZoomOut, true)),
         _ => None,
     };
     let own = app.keymap.label(action);

@@ -130,7 +130,7 @@ fn the_log_tab() {
 fn dialogs() {
     for (name, keys) in [
         ("help", "jj?"),
-        ("help_charts", "<Tab>?/zoom"),
+        ("help_charts", "<Tab>?"),
         ("palette", ":expo"),
         ("presets", "p<Down><Down>"),
         ("save", "jls"),

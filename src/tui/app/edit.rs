@@ -92,7 +92,6 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
 pub(crate) fn load(app: &mut App, base: Base, picture: Picture) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
-    app.pages.run.charts.zoom_s = [None; 2];
     app.pages.run.charts.cursor_s = None;
     app.pages.explore.picture = picture;
     (app.scene, app.base) = (Arc::clone(&base.scene), base);

@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
 use crate::study::parallel::cores;
-use crate::tui::app::notice::{Notice, warning_text};
+use crate::tui::app::notice::Notice;
 use crate::tui::app::pins::{Pin, Shown};
 use crate::tui::app::running::Running;
 use crate::tui::message::Message;
@@ -95,8 +95,8 @@ fn study_report(app: &mut App, at: usize, body: &ReportBody) -> Running {
         return app.jobs.studies.remove(at);
     }
     let running = &mut app.jobs.studies[at];
-    if let ReportBody::Progress { progress: JobProgress::Points(done, total), elapsed } = *body {
-        (running.points, running.elapsed) = (Some((done, total)), elapsed);
+    if let ReportBody::Progress { progress: JobProgress::Points(done, total), .. } = *body {
+        running.points = Some((done, total));
     }
     running.clone()
 }
@@ -179,7 +179,7 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
         // What comes after the run is for the status row and the Log tab: it would take the place of the answer.
         .filter(|warning| !matches!(warning, Warning::InterfaceRebound { .. }))
         .filter(|warning| !known.iter().any(|old| same_kind(old, warning)))
-        .map(warning_text)
+        .map(ToString::to_string)
         .collect();
     // The status row has them in a few words: their sentences are for the Log tab.
     for text in new {

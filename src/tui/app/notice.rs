@@ -53,16 +53,6 @@ pub(crate) fn old(whose: &str) -> String {
     format!("another {whose}'s results: press <run>")
 }
 
-/// A warning with the key that acts on it, where there is one.
-pub fn warning_text(warning: &Warning) -> String {
-    match warning {
-        Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
-            format!("{warning} (interface law: `interface` among the variables)")
-        }
-        _ => warning.to_string(),
-    }
-}
-
 /// The checks of the model's validity that fail there.
 pub(crate) fn outside(checks: impl Iterator<Item = Check>, place: &str) -> Option<StatusPart> {
     let mut labels: Vec<&str> = Vec::new();

@@ -2,10 +2,8 @@
 //!
 //! Coordinates run in dots, x to the right and y upward from the lower left corner of the lower left dot.
 
-use ratatui::text::Span;
-
 use crate::report::chart::scale::whole_below;
-use crate::report::chart::{Curve, Emphasis, Mapping, Scale};
+use crate::report::chart::{Curve, Emphasis, Mapping};
 use crate::tui::theme::{GlyphSet, Role};
 
 /// The bits of a braille character, in rows of two dots: 1 4 / 2 5 / 3 6 / 7 8.
@@ -19,17 +17,6 @@ pub(super) fn role(curve: &Curve<'_>) -> Role {
     match curve.emphasis {
         Emphasis::Faint | Emphasis::Stale => Role::Dim,
         Emphasis::Normal | Emphasis::Selected => Role::Curve(curve.colour),
-    }
-}
-
-/// The marker, if it takes exactly one cell; else one that does.
-pub(super) fn cell_marker(curve: &Curve<'_>) -> char {
-    let mut bytes = [0; 4];
-    let text: &str = curve.marker.encode_utf8(&mut bytes);
-    if !curve.marker.is_control() && Span::raw(text).width() == 1 {
-        curve.marker
-    } else {
-        MARKERS[0]
     }
 }
 
@@ -230,15 +217,6 @@ pub(super) fn trace(
         }
     }
     pen.lift();
-}
-
-/// How many points have finite values but no place on a logarithmic axis.
-pub(super) fn left_out_of(curve: &Curve<'_>, x_scale: Scale, y_scale: Scale) -> usize {
-    if x_scale == Scale::Linear && y_scale == Scale::Linear {
-        return 0;
-    }
-    let finite = curve.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
-    finite.filter(|(x, y)| !(x_scale.shows(*x) && y_scale.shows(*y))).count()
 }
 
 struct Pen<'a> {

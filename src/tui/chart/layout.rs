@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::canvas::{cell_marker, left_out_of, role};
+use super::canvas::role;
 use crate::report::chart::ticks::{Along, Tick, Ticks};
 use crate::report::chart::{Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale};
 use crate::tui::theme::{PaneFrame, Theme};
@@ -49,8 +49,8 @@ impl Layout {
     }
 }
 
-pub(super) fn frame_of(chart: &Chart<'_>) -> PaneFrame<'static> {
-    let frame = PaneFrame::default().focused(chart.focused);
+pub(super) fn frame_of(chart: &Chart<'_>, title: String) -> PaneFrame<'static> {
+    let frame = PaneFrame::new(title).focused(chart.focused);
     match chart.frame {
         Frame::Boxed => frame,
         Frame::Stacked { begins, below } => frame.stacked(begins, below),
@@ -157,7 +157,7 @@ pub(super) struct Plan<'a> {
 
 /// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own, where the chart is high enough.
 pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'a> {
-    let inner = frame_of(chart).inner(area);
+    let inner = frame_of(chart, String::new()).inner(area);
     let room = usize::from(area.width.saturating_sub(8));
     let entries = legend(chart, theme);
     let full = layout(chart, inner, false);
@@ -205,8 +205,9 @@ fn stacked<'a>(
 
 /// How many points a logarithmic axis cannot show, for the title.
 fn hidden(chart: &Chart<'_>) -> String {
-    let count = |curve: &Curve<'_>| left_out_of(curve, chart.x.scale, chart.y.scale);
-    match chart.curves.iter().map(count).sum() {
+    let points = chart.curves.iter().flat_map(|curve| curve.points.iter());
+    let finite = points.filter(|(x, y)| x.is_finite() && y.is_finite());
+    match finite.filter(|(x, y)| !(chart.x.scale.shows(*x) && chart.y.scale.shows(*y))).count() {
         0 => String::new(),
         count => format!(" ({count} <= 0 not drawn)"),
     }
@@ -220,7 +221,7 @@ fn title_text(chart: &Chart<'_>, layout: &Layout) -> String {
 fn legend<'a>(chart: &'a Chart<'_>, theme: Theme) -> Vec<[Span<'a>; 2]> {
     let entry = |curve: &Curve<'_>| {
         let old = if curve.emphasis == Emphasis::Stale { " (old)" } else { "" };
-        let marker = Span::styled(cell_marker(curve).to_string(), theme.style(role(curve)));
+        let marker = Span::styled(curve.marker.to_string(), theme.style(role(curve)));
         [marker, Span::raw(format!(" {}{old}", curve.label))]
     };
     let is_shown = |curve: &&Curve<'_>| chart.legend != Legend::Hidden && !curve.label.is_empty();

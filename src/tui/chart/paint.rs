@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::Span;
 
-use super::canvas::{Canvas, cell_marker, role, trace};
+use super::canvas::{Canvas, role, trace};
 use super::layout::Layout;
 use crate::report::chart::ticks::{Tick, label_start};
 use crate::report::chart::{Chart, Curve, Emphasis, Frame, Mark, Scale};
@@ -265,7 +265,7 @@ impl Painter<'_> {
                 if let Some((owner, dots)) = canvas.cell(usize::from(column), usize::from(row)) {
                     let curve = &self.chart.curves[owner];
                     let character = match self.theme.glyphs {
-                        GlyphSet::Ascii => cell_marker(curve),
+                        GlyphSet::Ascii => curve.marker,
                         GlyphSet::Block | GlyphSet::Braille => dots,
                     };
                     let style = self.curve_style(curve);
@@ -278,7 +278,7 @@ impl Painter<'_> {
             if let (Ok(column), Ok(row)) = place {
                 let curve = &self.chart.curves[owner];
                 let style = self.curve_style(curve);
-                self.put(plot.x + column, plot.y + row, cell_marker(curve), style);
+                self.put(plot.x + column, plot.y + row, curve.marker, style);
             }
         }
         self.crosshair(&canvas);
@@ -296,7 +296,7 @@ impl Painter<'_> {
                 let style = self.curve_style(curve);
                 let under = crosshair == Some(column);
                 let style = if under { style.add_modifier(Modifier::BOLD) } else { style };
-                self.put(plot.x + column, plot.y + row, cell_marker(curve), style);
+                self.put(plot.x + column, plot.y + row, curve.marker, style);
             }
         }
     }
@@ -321,7 +321,7 @@ impl Painter<'_> {
                 Some((owner, _)) => {
                     let curve = &self.chart.curves[owner];
                     let style = self.curve_style(curve).add_modifier(Modifier::BOLD);
-                    (cell_marker(curve), style)
+                    (curve.marker, style)
                 }
                 None => ('│', self.theme.style(Role::Crosshair)),
             };

@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::layout::Constraint;
 use ratatui::widgets::{Clear, Widget};
 
 use crate::tui::app::dialog::{Dialog, Outcome};
@@ -140,14 +141,7 @@ pub(crate) fn frame(
         height: screen.height.saturating_sub(4),
         ..screen
     };
-    let width = width.min(body.width);
-    let height = height.min(body.height);
-    let area = Rect {
-        x: body.x + (body.width - width) / 2,
-        y: body.y + (body.height - height) / 2,
-        width,
-        height,
-    };
+    let area = body.centered(Constraint::Max(width), Constraint::Max(height));
     canvas.cover();
     Clear.render(area, canvas);
     let inner = pane.focused(true).draw(area, canvas);

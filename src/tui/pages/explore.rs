@@ -101,11 +101,7 @@ impl Page for ExploreTab {
         let computing = app.jobs.running::<PictureSweep>();
         let progress = match (computing, found) {
             (Some(computing), _) => {
-                let points = computing.counted("of", " points");
-                let left = computing.left().filter(|left| left.as_secs() > 0);
-                let left =
-                    left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
-                Progress::Running(format!("sweeping{points}{left}"))
+                Progress::Running(format!("sweeping{}", computing.counted("of", " points")))
             }
             _ if app.sweep_is_old() => Progress::Old("scene"),
             (None, None) => Progress::Nothing,
@@ -128,10 +124,10 @@ impl Page for ExploreTab {
                 let severity = if word == "separated" { Severity::Note } else { Severity::Warning };
                 parts.push(part(severity, format!("{count} {word}")));
             }
-            if differs_from_printed(app) {
-                parts.push(part(Severity::Note, "faint: the printed scheme"));
-            }
             let output = app.shown_output(grid).0;
+            if !curves::printed(app, grid, output).is_empty() {
+                parts.push(part(Severity::Note, "faint: the printed scheme; others: corrected"));
+            }
             parts.extend(at_rest(grid, output).map(|text| part(Severity::Note, text)));
         }
         let ends = found.map(|grid| grid.outside_at_ends.iter().map(|it| it.0));
@@ -143,10 +139,6 @@ impl Page for ExploreTab {
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         if PrintedSweep::of(&running.asked).is_some() {
             app.pages.explore.printed = news.found::<Grid>().filter(|grid| grid.is_complete());
-            // Said until someone moves over the figure.
-            if app.pages.explore.cursor.is_none() && differs_from_printed(app) {
-                app.tell(PRINTED);
-            }
         }
         if PictureSweep::of(&running.asked).is_none() {
             return;
@@ -202,14 +194,6 @@ impl Page for ExploreTab {
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         curves::render(app, body, canvas);
     }
-}
-
-/// Which curves of a figure are which.
-const PRINTED: &str = "faint: the thesis's own scheme, as printed; the others: corrected";
-
-fn differs_from_printed(app: &App) -> bool {
-    let found = app.pages.explore.found();
-    found.is_some_and(|grid| !curves::printed(app, grid, app.shown_output(grid).0).is_empty())
 }
 
 /// Far along a picture, in points.

@@ -6,7 +6,7 @@ pub mod state;
 
 use crate::report::{self, limit};
 use crate::study::compare;
-use crate::study::limit::{COMMAND, Limit};
+use crate::study::limit::COMMAND;
 use crate::study::monte_carlo;
 use crate::study::validity;
 use crate::tui::app::notice::outside;
@@ -92,10 +92,6 @@ impl Page for LimitTab {
                 || app.validity_part(),
                 |it| outside(it.breaches.iter().map(|breach| breach.check), " at the limit"),
             ));
-            if let Limit::Found { basis, .. } = report.limit {
-                parts.push(part(Severity::Note, format!("by {}", basis.words())));
-            }
-            parts.push(part(Severity::Note, format!("curve of {} shots", report.shots.len())));
         }
         parts
     }

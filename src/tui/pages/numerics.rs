@@ -20,7 +20,6 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: STABILITY, label: "Stability", keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
-        key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", keys: &[
         key(A::Down, "scene", "select another scene"),
@@ -39,19 +38,6 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Show(STABILITY, None), "Stability", "largest stable step fixed step map"),
     Command::new(Call::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
 ];
-
-impl App {
-    /// Why the tab shows nothing where its study looks at one plate and the scene is a stack.
-    pub(crate) fn needs_single_plate(&self) -> Option<String> {
-        let is_empty = match self.pane() {
-            ACCURACY => self.pages.numerics.accuracy.report.found.is_none(),
-            STABILITY => self.pages.numerics.stability.map.found.is_none(),
-            _ => false,
-        };
-        let single = crate::model::variables::require_single(&self.scene);
-        single.err().filter(|_| is_empty).map(|error| error.to_string())
-    }
-}
 
 pub(crate) struct NumericsTab;
 
@@ -79,9 +65,6 @@ impl Page for NumericsTab {
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
-        if let Some(why) = app.needs_single_plate() {
-            return Some((Severity::Warning, why));
-        }
         match app.pane() {
             ACCURACY => None,
             STABILITY => note(app.map_readout()),

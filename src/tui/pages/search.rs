@@ -25,7 +25,7 @@ use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Bound, Row, Setup};
 use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
-use crate::tui::widgets::form::{Form, percent, quantity_after};
+use crate::tui::widgets::form::{Form, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::steps::Input;
 use crate::worker::studies::{SearchRequest, searches};
@@ -47,7 +47,7 @@ pub use state::{RESULTS, SETUP};
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: SETUP, label: "Search setup", keys: &[
-        key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off) or a goal"),
+        key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log) or a goal"),
         key(A::Right, "change", "take the next value, or switch on and off"),
         key(A::Run, "search", "search with this setup"),
         key(A::Down, "move", "move to another row"),
@@ -383,7 +383,12 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
             setup.subject_to = bounds.collect::<Result<_, _>>()?;
         }
         Row::Designs => setup.designs = whole(text, &DESIGNS)?,
-        Row::Percent => setup.percent = percent(text, 1e-3..=100.0)?,
+        Row::Percent => {
+            let percent = text.trim_end_matches('%').trim().parse().ok();
+            let percent = percent.filter(|percent| (1e-3..=100.0).contains(percent));
+            let why = || format!("`{text}` must be from 0.001 to 100 %");
+            setup.percent = percent.ok_or_else(why)?;
+        }
         Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
         _ => {}
     }

@@ -25,11 +25,6 @@ impl<'a> PaneFrame<'a> {
         Self { title: title.into(), ..Self::default() }
     }
 
-    #[must_use]
-    pub fn titled(self, title: impl Into<Line<'a>>) -> Self {
-        Self { title: title.into(), ..self }
-    }
-
     /// With this at the right of the top line; omitted where there is no room.
     #[must_use]
     pub fn right(mut self, right: impl Into<Line<'a>>) -> Self {

@@ -13,7 +13,6 @@ use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
 use cmra::report::series::Channel;
 use cmra::tui::app::notice::Severity;
-use cmra::tui::chart::ViewRange;
 use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::{Key, LINES};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
@@ -356,21 +355,9 @@ fn the_crosshair_reads_out() {
 }
 
 #[test]
-fn zoom_keeps_the_crosshair_and_fit_shows_everything() {
+fn a_chart_shows_the_contact_or_the_whole_response() {
     let mut bench = bench();
-    bench.keys("<Tab>LL");
-    let whole = bench.app.time_range_s(0);
-    bench.keys("+++");
-    let (from, to) = bench.app.time_range_s(0);
-    let cursor = bench.app.pages.run.charts.cursor_s.unwrap();
-    assert!(from < cursor && cursor < to && (to - from) < 0.2 * (whole.1 - whole.0));
-    bench.keys("--");
-    assert!(bench.app.time_range_s(0).0 >= 0.0);
-    bench.keys("------");
-    assert_eq!(bench.app.time_range_s(0), whole);
-    bench.keys("+0");
-    assert_eq!(bench.app.time_range_s(0), whole);
-    bench.keys("c");
+    bench.keys("<Tab>c");
     assert_eq!(bench.app.pages.run.charts.windows[0], Window::Whole);
     assert_eq!(bench.app.time_range_s(0), (0.0, 1.3e-3));
 }
@@ -719,26 +706,6 @@ fn a_rigid_stop_has_no_stiffness() {
     assert_eq!(Channel::Stiffness.absence(&scene), Some("no spring"));
     scene.mechanism.stop.kind = StopKind::Elastic;
     assert_eq!(Channel::Stiffness.absence(&scene), None);
-}
-
-/// Zoomed in between two points of a series, a chart and its picture show the part of the curve there.
-#[test]
-fn a_chart_between_two_points_shows_its_curve() {
-    let mut bench = bench();
-    bench.keys("<Tab>");
-    let series = &bench.app.shown.as_ref().unwrap().run.series;
-    let (before, after) = (series[50].t_s, series[51].t_s);
-    let (from, to) = (0.75 * before + 0.25 * after, 0.25 * before + 0.75 * after);
-    bench.app.pages.run.charts.zoom_s[0] = Some(ViewRange::new(from, to));
-    let curves = bench.app.curves(0);
-    let middle = f64::midpoint(from, to);
-    let value = Channel::Penetration.at(curves[0].view.run, middle).unwrap();
-    let (low, high) = bench.app.value_range(&curves, 0);
-    assert!(low < value && value < high && high - low < 0.1 * value, "{low} {value} {high}");
-    drop(curves);
-    bench.keys("e<C-u>zoom.svg<Enter>");
-    let (_, drawn, _) = bench.exported().expect("a file");
-    assert!(drawn.contains("<polyline"), "{drawn}");
 }
 
 /// Go to the charts, and with `v` to a quantity in the first of them.

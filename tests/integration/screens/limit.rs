@@ -97,7 +97,7 @@ fn the_status_names_what_is_outside_validity_at_the_limit() {
     end(&mut bench, |report| report.at_limit.clone_from(&at_limit));
     let screen = bench.screen();
     assert!(
-        screen.contains("! validity at the limit: h/D, spring, spring mass, interface |"),
+        screen.contains("! validity at the limit: h/D, spring, spring mass, interface"),
         "{screen}"
     );
 }

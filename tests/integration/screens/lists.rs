@@ -175,8 +175,8 @@ fn no_text_has_a_key_that_is_not_in_force() {
     let mut bench = Bench::ascii(160, 50);
     let mut keys = BTreeMap::new();
     for (action, key) in [
-        ("zoom-in", vec!["F1"]),
-        ("zoom-out", vec!["F2"]),
+        ("down", vec!["F1"]),
+        ("up", vec!["F2"]),
         ("far-left", vec!["F3"]),
         ("far-right", vec!["F4"]),
         ("tab-limit", vec!["F7"]),
@@ -190,7 +190,7 @@ fn no_text_has_a_key_that_is_not_in_force() {
     let screen = bench.screen();
     assert!(screen.contains(" F7:Limit "), "{screen}");
     let footer = screen.lines().last().unwrap();
-    assert!(footer.contains(" F1/F2 zoom ") && !footer.contains("   "), "{footer}");
+    assert!(footer.contains(" F1/F2 chart ") && !footer.contains("   "), "{footer}");
     assert!(!footer.contains("whole") && !footer.contains("pin"), "{footer}");
     bench.keys("?");
     assert!(bench.screen().contains("(F3 F4 ten columns)"), "{}", bench.screen());

@@ -125,13 +125,8 @@ impl App {
             Some(_) if self.is_stale() && self.jobs.current.is_none() => {
                 part(Severity::Warning, old("scene"))
             }
-            Some(shown) => match shown.took {
-                Some(took) if shown.run.end.is_complete() => {
-                    part(Severity::Note, format!("done {}", show_duration(took)))
-                }
-                Some(_) => part(Severity::Warning, "ended early"),
-                None => part(Severity::Warning, "cancelled: a part is shown"),
-            },
+            Some(shown) if shown.took.is_some() => part(Severity::Warning, "ended early"),
+            Some(_) => part(Severity::Warning, "cancelled: a part is shown"),
         }
     }
 }

@@ -296,18 +296,20 @@ fn title(app: &App, chart: usize, room: usize) -> String {
     let name = format!("{name}{}{window}", of_first(run));
     match quantity {
         Channel::Penetration => fitting(depth_titles(&name, run), room),
-        Channel::ContactForce => fitting([format!("{name}, {}", peak(run)), name], room),
+        Channel::ContactForce => {
+            let peak = peak(run);
+            fitting([format!("{name}, {peak}"), format!("Force, {peak}")], room)
+        }
         Channel::PlateDisplacement => {
             let travel = travel(run);
-            let brief = format!("Plate{window}: {travel}");
-            fitting([format!("{name}: {travel}"), brief, format!("Plate: {travel}"), name], room)
+            fitting([format!("{name}: {travel}"), format!("Plate: {travel}")], room)
         }
         _ => {
             let values = run.series.iter().map(|sample| quantity.of(sample).abs());
             let most = values.filter(|value| value.is_finite()).fold(0.0, f64::max);
             let most = engineering(most, quantity.unit());
             let title = format!("{name}, greatest {most}");
-            fitting([if quantity.is_over_time() { title } else { name.clone() }, name], room)
+            fitting([if quantity.is_over_time() { title } else { name }], room)
         }
     }
 }
@@ -318,19 +320,15 @@ fn depth_titles(name: &str, run: &Run) -> Vec<String> {
         return vec![format!("{name}: {}", page::outcome(run)), name.to_owned()];
     };
     let percent = run.percent_of_baseline().filter(|_| run.scene.plate.mount == Mount::Sprung);
-    let percent = percent.map(|percent| format!("{percent:.0} %"));
-    let long = percent.clone().map_or_else(String::new, |it| format!(" ({it} of rigid mount)"));
-    let short = percent.map_or_else(String::new, |it| format!(" ({it})"));
+    let share = |of: &str| percent.map_or_else(String::new, |it| format!(" ({it:.0} %{of})"));
     let plastic = plastic(run).map_or_else(String::new, |it| format!("; plastic: {it}"));
     let colon = if run.outcome == Outcome::Perforated { ":" } else { "" };
-    [
-        format!("{name}{colon} {depth}{long}{plastic}"),
-        format!("{name}{colon} {depth}{short}{plastic}"),
-        format!("{name}{colon} {depth}{plastic}"),
+    vec![
+        format!("{name}{colon} {depth}{}{plastic}", share(" of rigid mount")),
+        format!("{name}{colon} {depth}{}{plastic}", share("")),
         format!("Depth {depth}{plastic}"),
         format!("{depth}{plastic}"),
     ]
-    .into()
 }
 
 /// The depth of a shot, and what becomes of it after the first contact; `None` where it is not known.
