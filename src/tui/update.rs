@@ -273,7 +273,8 @@ pub(crate) fn click(app: &mut App, target: Target) {
         }
         return;
     }
-    if is_typing(app) {
+    // What is being typed is not taken away by a click.
+    if app.typing.is_some() {
         return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
     }
     app.history.commit();
@@ -300,7 +301,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
 
 /// The wheel, upward or downward, over something or over nothing in particular.
 pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
-    if is_typing(app) {
+    if app.typing.is_some() {
         return;
     }
     if let Some(
@@ -318,11 +319,6 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     } else {
         act::act(app, if up { Action::Up } else { Action::Down });
     }
-}
-
-/// Whether a text is being typed: no click may take it away.
-fn is_typing(app: &App) -> bool {
-    app.typing.is_some()
 }
 
 /// An effect has been carried out, or has failed: the dialog that asked for it hears of it first.

@@ -129,7 +129,7 @@ impl<P: Purpose> Asking<P> {
             let there = self.purpose.there(app, &self.ask);
             (format!("! {there} exists: o overwrite, Esc back"), Role::Warning)
         } else if let Some(error) = &self.ask.text.error {
-            (app.keymap.shown(&format!("x {error}")), Role::Error)
+            (app.keymap.shown(&format!("error: {error}")), Role::Error)
         } else {
             (self.purpose.hint(app, &self.ask), Role::Dim)
         };

@@ -3,7 +3,7 @@
 use crate::model::variables::Kind;
 use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::dialogs::list::{List, Picker, frame, listed};
-use crate::tui::keymap::{KeyHelp, LINES, Scope};
+use crate::tui::keymap::{LINES, Scope};
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
@@ -62,13 +62,10 @@ struct HelpRow {
 /// The keys of the focused pane first, with what they do there, then those that work everywhere.
 fn rows(app: &App) -> Vec<HelpRow> {
     let pane = pages::spec(app.pane());
-    let has = |line: &KeyHelp, action| line.keys.iter().any(|(one, ..)| *one == action);
-    let own = pane.keys.iter().map(|row| {
-        // A line of keys that the pane explains itself is listed there only.
-        let of_row = |line: &&KeyHelp| line.scope != Scope::Everywhere && has(line, row.action);
-        let line = LINES.iter().find(of_row).map(|line| app.keymap.line_label(line));
-        let keys = line.unwrap_or_else(|| app.keymap.label(row.action));
-        HelpRow { keys, is_own: true, help: app.keymap.shown(row.help) }
+    let own = pane.keys.iter().map(|row| HelpRow {
+        keys: app.keymap.label(row.action),
+        is_own: true,
+        help: app.keymap.shown(row.help),
     });
     let everywhere = LINES.iter().filter(|line| line.scope == Scope::Everywhere);
     own.chain(everywhere.map(|line| HelpRow {

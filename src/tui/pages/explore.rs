@@ -125,9 +125,6 @@ impl Page for ExploreTab {
                 parts.push(part(severity, format!("{count} {word}")));
             }
             let output = app.shown_output(grid).0;
-            if !curves::printed(app, grid, output).is_empty() {
-                parts.push(part(Severity::Note, "faint: the printed scheme; others: corrected"));
-            }
             parts.extend(at_rest(grid, output).map(|text| part(Severity::Note, text)));
         }
         let ends = found.map(|grid| grid.outside_at_ends.iter().map(|it| it.0));
@@ -139,6 +136,13 @@ impl Page for ExploreTab {
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         if PrintedSweep::of(&running.asked).is_some() {
             app.pages.explore.printed = news.found::<Grid>().filter(|grid| grid.is_complete());
+            // Said until someone moves over the figure; after that the legend names them.
+            let found = app.pages.explore.found().filter(|_| app.pages.explore.cursor.is_none());
+            let differs =
+                |grid: &Arc<Grid>| !curves::printed(app, grid, app.shown_output(grid).0).is_empty();
+            if found.is_some_and(differs) {
+                app.tell("faint: the thesis's own scheme, as printed; the others: corrected");
+            }
         }
         if PictureSweep::of(&running.asked).is_none() {
             return;

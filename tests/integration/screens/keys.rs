@@ -459,7 +459,7 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
     bench.press("y");
     assert_eq!(saves(&bench), [("heavy-plate".to_owned(), true)]);
     let ended = |outcome| Message::Done(EffectReport::Saved("heavy-plate".to_owned(), outcome));
-    let error = |bench: &Bench| bench.screen().contains("x the disk is full");
+    let error = |bench: &Bench| bench.screen().contains("error: the disk is full");
     bench.send(ended(ExportOutcome::Failed("the disk is full".to_owned())));
     assert!(error(&bench), "{}", bench.screen());
     // A dialog that was opened meanwhile asked for something else.

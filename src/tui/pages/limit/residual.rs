@@ -127,8 +127,7 @@ impl App {
         parts.extend(self.v50().and_then(v50).map(|text| format!("V50 {text}")));
         // Where there is one row, the pane itself has the limit in full.
         if self.layout().message.height > 1 {
-            let at = usize::from(severity == Severity::Warning);
-            parts.insert(at.min(parts.len()), self.limit_headline(usize::MAX)?);
+            parts.insert(0, self.limit_headline(usize::MAX)?);
         }
         Some((severity, parts.join("; ")))
     }
