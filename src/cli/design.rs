@@ -64,7 +64,7 @@ fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let [back, forward] = design::elastic(m, v, m_2, 0.0);
     let left = 0.5 * (m + m_2) * common * common;
     let drawn = variables_energy_j(scene);
-    let spring = design::coil_spring_mass_kg(left + drawn, &Wire::default());
+    let spring = (left + drawn) / Wire::default().specific_energy_j_kg();
     let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
     let stone = design::stone_depth_m(m, v, r, rho, c_t.unwrap_or(1.0));
     let rod = design::Rod::of(scene);

@@ -91,7 +91,9 @@ fn variable_page(variable: &Variable) -> String {
         let unit = variable.unit();
         line("thesis", format!("{} to {} {unit}", shortest(low), shortest(high)).trim_end());
     }
-    line("used", &used_when(variable));
+    if let Some(used) = used_when(variable) {
+        line("used", &used);
+    }
     line("source", variable.source);
     line("for example", &format!("--set {}={}", variable.symbol, example(variable)));
     page

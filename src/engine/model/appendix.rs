@@ -5,14 +5,14 @@
 //! force held. It ends when the relative velocity falls below 0.01 m/s or the area vanishes. What is wrong with it is named in
 //! [`Listing`]. Here is the contact; the whole run is in `listing`.
 
+use crate::model::contact::Geometry;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::model::scene::{Jumps, Listing, Reading, Scene};
 use crate::model::worded::worded;
-use section::Faces;
+use crate::numerics::larger;
 
 pub(super) mod listing;
-pub mod section;
 
 /// Relative velocity at which the listing stops, m/s.
 const SLOW_M_S: f64 = 0.01;
@@ -69,11 +69,10 @@ pub struct State {
 }
 
 /// The scheme, made ready for one scene.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Scheme {
     listing: Listing,
-    faces: Faces,
-    radius_m: f64,
+    geometry: Geometry,
     projectile_kg: f64,
     strength_pa: f64,
     drag_kg_m3: f64,
@@ -134,20 +133,25 @@ fn runge_kutta<const N: usize>(
 impl Scheme {
     /// The scheme of a valid scene under one reading of the listing.
     pub fn of(scene: &Scene, listing: Listing) -> Self {
-        let faces = Faces::of(scene);
-        let plate = (!scene.is_rigid()).then(|| plate_of(scene, listing.damper));
+        let geometry = Geometry::of(scene);
+        let spring = &scene.mechanism.spring;
+        let plate = (!scene.is_rigid()).then(|| Plate {
+            mass_kg: scene.plate_mass_kg(),
+            spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
+            damper: scene.mechanism.damper.law(),
+            signed: listing.damper == Reading::Corrected,
+        });
         Self {
             listing,
-            faces,
-            radius_m: scene.projectile.tip_radius_m,
             projectile_kg: scene.projectile.mass_kg,
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: scene.projectile.velocity_m_s,
             cos: match listing.obliquity {
                 Reading::Printed => 1.0,
-                Reading::Corrected => faces.cos,
+                Reading::Corrected => geometry.nose.cos,
             },
+            geometry,
             start: [scene.start_m(), scene.plate_velocity_m_s()],
             plate,
         }
@@ -235,19 +239,20 @@ impl Scheme {
     }
 
     fn depth_m(&self, pen_m: f64, travel_m: f64, increment_m: f64) -> f64 {
-        let r = self.radius_m;
         match self.listing.coupling {
-            Reading::Printed => self.faces.depth(pen_m / r) * r - increment_m,
-            Reading::Corrected => self.faces.depth(travel_m / r) * r,
+            Reading::Printed => self.geometry.depth_m(pen_m) - increment_m,
+            Reading::Corrected => self.geometry.depth_m(travel_m),
         }
     }
 
     fn force_n(&self, depth_m: f64, slip_m_s: f64) -> (f64, f64) {
-        let r = self.radius_m;
-        let overwritten =
-            self.listing.jumps == Jumps::Ignored && depth_m / r > self.faces.full_from();
-        let area =
-            if overwritten { f64::NAN } else { self.faces.area_at_depth(depth_m / r) * r * r };
+        let Geometry { nose, thickness_m, .. } = &self.geometry;
+        let overwritten = self.listing.jumps == Jumps::Ignored && depth_m > nose.full_from_m();
+        let area = if overwritten {
+            f64::NAN
+        } else {
+            nose.area_m2(depth_m) - nose.area_m2(depth_m - thickness_m)
+        };
         (area, area * (self.drag_kg_m3 * slip_m_s * slip_m_s + self.strength_pa))
     }
 
@@ -265,17 +270,12 @@ impl Scheme {
     }
 }
 
-/// Run the listing's contact phase with steps of `dt_s` and at most `steps_max` of them.
+/// Run the contact phase of the listing as printed with steps of `dt_s` and at most `steps_max` of them.
 ///
 /// # Errors
 /// A [`Refusal`] when it does not come to an end, or diverges.
-pub fn contact(
-    scene: &Scene,
-    dt_s: f64,
-    coupling: Reading,
-    steps_max: usize,
-) -> Result<ContactEnd, Refusal> {
-    let scheme = Scheme::of(scene, Listing::coupled(dt_s, coupling));
+pub fn contact(scene: &Scene, dt_s: f64, steps_max: usize) -> Result<ContactEnd, Refusal> {
+    let scheme = Scheme::of(scene, Listing { step_s: dt_s, ..Listing::default() });
     if scheme.plate.is_some() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }
@@ -283,7 +283,7 @@ pub fn contact(
     let (mut state, mut deepest) = (scheme.start(), 0.0);
     for i in 0..steps_max {
         scheme.step(&mut state)?;
-        deepest = if state.depth_m > deepest { state.depth_m } else { deepest };
+        deepest = larger(state.depth_m, deepest);
         if stop_m.is_some_and(|stop| state.plate[0] >= stop) {
             return Err(Refusal::StopWithinContact);
         }
@@ -295,59 +295,16 @@ pub fn contact(
     Err(Refusal::StepBudget)
 }
 
-fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
-    let spring = &scene.mechanism.spring;
-    Plate {
-        mass_kg: scene.plate_mass_kg(),
-        spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
-        damper: scene.mechanism.damper.law(),
-        signed: damper_reading == Reading::Corrected,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::variables::scene_with;
 
-    /// The constants of the listing on a plate of the thesis: 2024 aluminium, twice 75.8 `MPa`.
-    fn listing(pairs: &str) -> Scene {
-        scene_with(&format!("rho=2780 S_y=1.516e8 {pairs}"))
-    }
-
-    #[test]
-    fn valid_depths_of_a_cocked_plate() {
-        for (cocking_m, printed, corrected) in
-            [(0.01, 5.769, 4.468), (0.1, 5.025, 3.560), (0.5, 2.856, 1.686)]
-        {
-            let scene = listing(&format!("d={cocking_m}"));
-            for (coupling, expected) in
-                [(Reading::Printed, printed), (Reading::Corrected, corrected)]
-            {
-                let depth_mm = contact(&scene, 1e-6, coupling, 1_000_000).unwrap().depth_m * 1e3;
-                assert!((depth_mm - expected).abs() < 2e-3, "{cocking_m}: {depth_mm}");
-            }
-        }
-    }
-
-    /// The relative travel of a free plate is that of one at rest and a slower shot; as printed the first step takes the shot's own velocity.
-    #[test]
-    fn valid_a_plate_that_moves_at_first_contact() {
-        let depth_m = |pairs: &str| {
-            contact(&listing(pairs), 1e-7, Reading::Corrected, 1_000_000).unwrap().depth_m
-        };
-        let (moving, resting) = (depth_m("k=0 v_i=100 w_0=20"), depth_m("k=0 v_i=80"));
-        assert!((moving / resting - 1.0).abs() < 1e-9, "{moving}, not {resting}");
-        let printed = Listing::coupled(1e-6, Reading::Printed);
-        let start = Scheme::of(&listing("d=0.01 w_0=20"), printed).start();
-        assert_eq!((start.plate, start.slip_m_s), ([-0.01, 20.0], 100.0));
-    }
-
     #[test]
     fn a_short_budget_and_a_stop_are_refused() {
-        let few = contact(&listing(""), 1e-6, Reading::Printed, 20);
+        let few = contact(&Scene::default(), 1e-6, 20);
         assert_eq!(few, Err(Refusal::StepBudget));
-        let stopped = contact(&listing("x_stop=0.001"), 1e-6, Reading::Corrected, 1_000);
+        let stopped = contact(&scene_with("x_stop=0.001"), 1e-6, 1_000);
         assert_eq!(stopped, Err(Refusal::StopWithinContact));
     }
 }

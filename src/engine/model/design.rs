@@ -1,7 +1,6 @@
-//! Formulas a designer works with that need no simulation: ricochet, Stone's depth, collisions, effective thickness, and what a
-//! coil spring weighs. Thesis chapters 2, 4, 5 and 9.5.
+//! Formulas a designer works with that need no simulation: ricochet, Stone's depth, and collisions. Thesis chapters 2, 4 and 5.
 
-use crate::model::scene::{Scene, Wire};
+use crate::model::scene::Scene;
 
 /// A projectile as Tate's formula sees it: a long rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,13 +68,6 @@ pub fn inelastic(m_a: f64, v_a: f64, m_b: f64, v_b: f64) -> f64 {
     (m_a * v_a + m_b * v_b) / (m_a + m_b)
 }
 
-/// The least mass of the active coils of a helical spring that stores `energy_j`: `4 rho G U / tau²`, whatever its
-/// stiffness, kg.
-pub fn coil_spring_mass_kg(energy_j: f64, wire: &Wire) -> f64 {
-    let tau = wire.shear_strength_pa;
-    4.0 * wire.density_kg_m3 * wire.shear_modulus_pa * energy_j / (tau * tau)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -95,12 +87,6 @@ mod tests {
     }
 
     #[test]
-    fn valid_a_steel_coil_weighs_five_grams_a_joule_at_700_megapascal() {
-        let grams = 1e3 * coil_spring_mass_kg(1.0, &Wire::default());
-        assert!((grams - 5.1).abs() < 0.03, "{grams}");
-    }
-
-    #[test]
     fn tate_and_stone_have_the_powers_they_should() {
         let rod = Rod {
             density_kg_m3: 7850.0,
@@ -117,11 +103,5 @@ mod tests {
         let depth = |v: f64, r: f64| stone_depth_m(0.03, v, r, 2710.0, 1e6);
         assert!((depth(200.0, 0.01) / depth(100.0, 0.01) - 4.0).abs() < 1e-12);
         assert!((depth(100.0, 0.01) / depth(100.0, 0.02) - 4.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn valid_a_plate_at_60_degrees_is_twice_as_thick() {
-        let oblique = crate::model::variables::scene_with("h=0.02 theta=60deg");
-        assert!((oblique.effective_thickness_m() - 0.04).abs() < 1e-15);
     }
 }

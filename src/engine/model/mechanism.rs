@@ -6,7 +6,6 @@
 
 use crate::model::scene::{Scene, Stop, StopKind};
 
-mod combine;
 pub mod curve;
 pub(in crate::model) mod damper;
 pub mod inertia;
@@ -28,21 +27,8 @@ pub struct PowerLaw {
     pub exponent: f64,
 }
 
-/// How a power law is computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PowerKind {
-    /// The coefficient is zero.
-    Absent,
-    /// The exponent is one.
-    Linear,
-    /// A whole exponent from 2 to [`WHOLE_MAX`].
-    Whole(usize),
-    /// Anything else.
-    General,
-}
-
-/// The greatest whole exponent that is computed by products.
-pub const WHOLE_MAX: usize = 6;
+/// The greatest exponent that is taken as whole.
+const WHOLE_MAX: usize = 6;
 
 impl PowerLaw {
     /// No force.
@@ -64,64 +50,55 @@ impl PowerLaw {
         !self.is_absent() && self.exponent < 1.0
     }
 
-    /// How it is computed.
+    /// Its exponent where that is a whole number up to six.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "exponents are positive"
     )]
-    pub fn kind(self) -> PowerKind {
-        if self.is_absent() {
-            return PowerKind::Absent;
-        }
+    pub fn whole_exponent(self) -> Option<usize> {
         // Too large an exponent saturates, and is none of them.
         let nearest = (self.exponent + 0.5) as usize;
         let is_whole = (self.exponent - nearest as f64).abs() < f64::EPSILON;
-        match nearest {
-            1 if is_whole => PowerKind::Linear,
-            2..=WHOLE_MAX if is_whole => PowerKind::Whole(nearest),
-            _ => PowerKind::General,
-        }
+        (is_whole && (1..=WHOLE_MAX).contains(&nearest)).then_some(nearest)
+    }
+
+    /// Whether it is linear, or no law at all.
+    pub fn is_linear(self) -> bool {
+        self.is_absent() || self.whole_exponent() == Some(1)
     }
 
     /// Whether the law is one analytic function through zero (linear, cubic, ...).
     pub fn is_smooth_at_zero(self) -> bool {
-        match self.kind() {
-            PowerKind::Absent | PowerKind::Linear => true,
-            PowerKind::Whole(n) => n % 2 == 1,
-            PowerKind::General => false,
-        }
+        self.is_absent() || self.whole_exponent().is_some_and(|n| n % 2 == 1)
     }
 
     /// The force at `z`.
     pub fn force(self, z: f64) -> f64 {
-        match self.kind() {
-            PowerKind::Absent => 0.0,
-            PowerKind::Linear => self.coefficient * z,
-            PowerKind::Whole(_) | PowerKind::General => {
-                self.coefficient * z.abs().powf(self.exponent) * sign(z)
-            }
+        if self.is_absent() {
+            0.0
+        } else if self.is_linear() {
+            self.coefficient * z
+        } else {
+            self.coefficient * z.abs().powf(self.exponent) * sign(z)
         }
     }
 
     /// The force on one side of zero, 1 or -1: a square goes on smoothly a little beyond it, any other law oddly.
     pub fn force_on(self, side: f64, z: f64) -> f64 {
-        match self.kind() {
-            PowerKind::Whole(2) => self.coefficient * z * z * side,
-            PowerKind::Whole(3) => self.coefficient * z * z * z,
+        match self.whole_exponent().filter(|_| !self.is_absent()) {
+            Some(2) => self.coefficient * z * z * side,
+            Some(3) => self.coefficient * z * z * z,
             _ => self.force(z),
         }
     }
 
     /// The derivative of the force at `z`; infinite at zero for exponents below one.
     pub fn tangent(self, z: f64) -> f64 {
-        match self.kind() {
-            PowerKind::Absent => 0.0,
-            PowerKind::Linear => self.coefficient,
-            PowerKind::Whole(_) | PowerKind::General => {
-                self.coefficient * self.exponent * z.abs().powf(self.exponent - 1.0)
-            }
+        if self.is_linear() {
+            return self.coefficient;
         }
+        self.coefficient * self.exponent * z.abs().powf(self.exponent - 1.0)
     }
 
     /// The integral of the force from 0 to `z`: for a spring, the energy it stores.
@@ -138,7 +115,7 @@ impl PowerLaw {
             return f64::INFINITY;
         }
         let power = force.abs() / self.coefficient;
-        if self.kind() == PowerKind::Linear { power } else { power.powf(1.0 / self.exponent) }
+        if self.is_linear() { power } else { power.powf(1.0 / self.exponent) }
     }
 
     /// The |z| at which the integral is `integral`; infinite when there is no law.
@@ -224,15 +201,6 @@ mod power {
             assert!((law.force(law.at_force(3.0)) - 3.0).abs() < 1e-13);
             assert!((law.integral(law.at_integral(3.0)) - 3.0).abs() < 1e-13);
         }
-    }
-
-    #[test]
-    fn kinds_follow_the_exponent() {
-        let kind = |exponent| PowerLaw { coefficient: 1.0, exponent }.kind();
-        assert_eq!(kind(1.0), PowerKind::Linear);
-        assert_eq!(kind(3.0), PowerKind::Whole(3));
-        assert_eq!(kind(0.5), PowerKind::General);
-        assert_eq!(PowerLaw { coefficient: 0.0, exponent: 0.5 }.kind(), PowerKind::Absent);
     }
 }
 

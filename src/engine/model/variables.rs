@@ -409,7 +409,7 @@ pub fn set_by_name(
 /// # Errors
 /// The first [`VariableError`] found, in the order of the table.
 pub fn validate(scene: &Scene) -> Result<(), VariableError> {
-    for variable in table::checked(scene) {
+    for variable in VARIABLES.iter() {
         let (Kind::Number(number), Value::Number(value)) = (&variable.kind, variable.value(scene))
         else {
             continue;

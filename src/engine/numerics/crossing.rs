@@ -109,20 +109,6 @@ mod tests {
     }
 
     #[test]
-    fn a_jet_is_the_polynomials_values() {
-        // (1 + s)^6 and its derivatives.
-        let s: f64 = 0.3;
-        let (value, slope, half_bend) = jet(&[1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0], s);
-        assert!((value - (1.0 + s).powi(6)).abs() < 1e-14, "{value}");
-        assert!((slope - 6.0 * (1.0 + s).powi(5)).abs() < 1e-13, "{slope}");
-        assert!((half_bend - 15.0 * (1.0 + s).powi(4)).abs() < 1e-13, "{half_bend}");
-        let (value, slope, half_bend) = jet(&[1.0, 3.0, 3.0, 1.0], s);
-        assert!((value - (1.0 + s).powi(3)).abs() < 1e-15, "{value}");
-        assert!((slope - 3.0 * (1.0 + s).powi(2)).abs() < 1e-14, "{slope}");
-        assert!((half_bend - 3.0 * (1.0 + s)).abs() < 1e-14, "{half_bend}");
-    }
-
-    #[test]
     fn a_fall_is_found_and_a_dip_suspected() {
         assert!((zero(&[2.0, -1.0, -1.0, 0.0], 3.0) - 1.0).abs() < 1e-15);
         assert!(dips(&[1.0, -4.0, 4.0, 0.0], 1.0));

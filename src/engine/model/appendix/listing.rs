@@ -18,8 +18,7 @@ use crate::model::scene::{InterfaceLaw, Listing, Mount, Reading, Scene};
 use crate::numerics::larger;
 
 /// Steps of the contact, and afterwards, at most.
-const CONTACT_STEPS_MAX: usize = 2_000_000;
-const AFTER_STEPS_MAX: usize = 2_000_000;
+const STEPS_MAX: usize = 2_000_000;
 /// Points to draw in the contact, and afterwards, at most (or so).
 const POINTS: usize = 4_000;
 /// The observer is called once every few steps.
@@ -45,28 +44,21 @@ struct Work<'a> {
 
 /// Simulate a valid scene by the listing.
 pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
-    let mut run = simulate(scene, settings, observer);
-    if scene.is_rigid() {
-        run.baseline_penetration_m = run.final_penetration_m;
+    let listing = scene.contact.appendix;
+    let mut run = once(scene, listing, settings.series, observer);
+    if settings.estimate && run.end.is_complete() {
+        let half = Listing { step_s: 0.5 * listing.step_s, ..listing };
+        let second = once(scene, half, false, observer);
+        estimate::set(&mut run, &second, EstimateBasis::HalfStep, ROUNDING);
+    }
+    run.baseline_penetration_m = if scene.is_rigid() {
+        run.final_penetration_m
     } else {
         let mut rigid = Scene::clone(scene);
         rigid.plate.mount = Mount::Rigid;
         rigid.run.horizon_s = None;
-        let quiet = Settings { series: false, estimate: false };
-        run.baseline_penetration_m =
-            simulate(&Arc::new(rigid), quiet, observer).final_penetration_m;
-    }
-    run
-}
-
-fn simulate(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
-    let mut run = once(scene, scene.contact.appendix, settings.series, observer);
-    if settings.estimate && run.end.is_complete() {
-        let half =
-            Listing { step_s: 0.5 * scene.contact.appendix.step_s, ..scene.contact.appendix };
-        let second = once(scene, half, false, observer);
-        estimate::set(&mut run, &second, EstimateBasis::HalfStep, ROUNDING);
-    }
+        once(&Arc::new(rigid), listing, false, observer).final_penetration_m
+    };
     run
 }
 
@@ -151,7 +143,7 @@ impl Work<'_> {
 
     /// The contact, to its end by the listing's own rule.
     fn contact(&mut self, observer: Observer<'_>) -> Result<Outcome, EndReason> {
-        for step in 1..=CONTACT_STEPS_MAX {
+        for step in 1..=STEPS_MAX {
             if step.is_multiple_of(LOOK) && observer(self.t_s) == ControlFlow::Break(()) {
                 return Err(EndReason::Cancelled);
             }
@@ -189,26 +181,23 @@ impl Work<'_> {
         let part = if after.area_m2 > 0.0 {
             before.slip_m_s / (before.slip_m_s - after.slip_m_s)
         } else {
-            let geometry = crate::model::contact::Geometry::of(self.scene);
+            let geometry = &self.scheme.geometry;
             let exit_m = geometry.depth_m(geometry.exit_m);
             (exit_m - before.depth_m) / (after.depth_m - before.depth_m)
         };
         let part = part.clamp(0.0, 1.0);
         let between = |a: f64, b: f64| a + part * (b - a);
-        let pair = |a: [f64; 2], b: [f64; 2]| [between(a[0], b[0]), between(a[1], b[1])];
+        let plate = [0, 1].map(|i| between(before.plate[i], after.plate[i]));
         self.t_s = ((step - 1) as f64 + part) * self.scheme.listing.step_s;
         self.state = State {
             pen_m: between(before.pen_m, after.pen_m),
-            travel_m: between(before.travel_m, after.travel_m),
             velocity_m_s: between(before.velocity_m_s, after.velocity_m_s),
-            plate: pair(before.plate, after.plate),
+            plate,
             // Nothing is rewound: the located state is where the rest begins.
-            plate_before: pair(before.plate, after.plate),
-            slip_m_s: between(before.slip_m_s, after.slip_m_s),
+            plate_before: plate,
             depth_m: between(before.depth_m, after.depth_m),
-            area_m2: between(before.area_m2, after.area_m2),
             force_n: between(before.force_n, after.force_n),
-            force_before_n: after.force_before_n,
+            ..after
         };
     }
 
@@ -255,7 +244,7 @@ impl Work<'_> {
         let dt_s = self.scheme.listing.step_s;
         let mut y = self.state.plate_before;
         let (flying_m_s, start_m) = (self.state.velocity_m_s, self.state.pen_m - y[0]);
-        for step in 1..=AFTER_STEPS_MAX {
+        for step in 1..=STEPS_MAX {
             if until_s.is_some_and(|until_s| self.t_s + 0.5 * dt_s > until_s) {
                 let turned = self.run.max_plate_displacement_m.is_some();
                 // What the listing prints is the greatest displacement within the time it was given.

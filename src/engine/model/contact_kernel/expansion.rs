@@ -162,9 +162,9 @@ impl StepTime {
 }
 
 impl Constants {
-    /// Those of a scene whose plate moves or stays where it is.
-    pub(super) fn of(scene: &Scene, cos: f64, moves: bool) -> Self {
-        let plate_mobility = if moves { 1.0 / moving_plate_kg(scene) } else { 0.0 };
+    /// Those of a scene.
+    pub(super) fn of(scene: &Scene, cos: f64) -> Self {
+        let plate_mobility = if scene.is_rigid() { 0.0 } else { 1.0 / moving_plate_kg(scene) };
         Self {
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),

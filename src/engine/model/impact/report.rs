@@ -8,7 +8,7 @@ use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Contact, Mode};
 use crate::model::impact::outcome::Farthest;
 use crate::model::impact::record::Record;
-use crate::model::mechanism::{Inertia, PowerKind, load};
+use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled, Outcome, Run,
     STILL_WITHIN_CONTACT, Warning,
@@ -319,14 +319,14 @@ impl Course<'_> {
     fn omitted(&self) -> Vec<&'static str> {
         let (setup, record) = (self.setup, &self.record);
         let spring = &setup.spring;
-        let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
+        let whole = |law: PowerLaw| !law.is_absent() && law.whole_exponent().is_some();
         let rows = [
             (setup.still, "plate motion"),
             (spring.is_absent(), "spring"),
             (setup.damper.is_absent(), "damper"),
             (setup.stop.is_none(), "stop"),
-            (spring.power().is_some_and(|law| whole(law.kind())), "spring power function"),
-            (whole(setup.damper.kind()), "damper power function"),
+            (spring.power().is_some_and(whole), "spring power function"),
+            (whole(setup.damper), "damper power function"),
             (setup.geometry.nose.sin == 0.0, "obliquity"),
             (!self.flows() || self.deepest_m() <= setup.geometry.bend_m, "exit face"),
             (record.was_held, STILL_WITHIN_CONTACT),

@@ -16,19 +16,13 @@ const DOUBLINGS: i32 = 80;
 /// A length for a law that has none, m: a plate's travel, about.
 pub(super) const SCALE_M: f64 = 1e-3;
 
-/// Pieces between knots: one piece more than knots.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Segments {
-    /// Rising, m.
-    pub knots_m: Vec<f64>,
-    /// The first goes to minus, the last to plus infinity.
-    pub pieces: Vec<Piece>,
-}
-
 /// A force law over all displacements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    segments: Segments,
+    /// Rising, m.
+    knots_m: Vec<f64>,
+    /// Between the knots, one more than those: the first goes to minus, the last to plus infinity.
+    pieces: Vec<Piece>,
     /// What each piece's energy lacks: continuous, and zero at the lowest point, J.
     offsets_j: Vec<f64>,
     /// Knots and zeros of the force, rising: the energy rises or falls all the way between two of them, m.
@@ -41,29 +35,28 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// A law of these segments; `scale_m` > 0 is a length it is made of.
-    pub fn new(segments: Segments, scale_m: f64) -> Self {
-        let count = segments.pieces.len();
+    /// A law of pieces between rising knots, one more than those; `scale_m` > 0 is a length it is made of.
+    pub fn new(knots_m: Vec<f64>, pieces: Vec<Piece>, scale_m: f64) -> Self {
         let mut curve = Self {
-            offsets_j: vec![0.0; count],
+            offsets_j: vec![0.0; pieces.len()],
             stations_m: Vec::new(),
             extremes_m: Vec::new(),
             scale_m,
-            steep: segments.pieces.iter().any(Piece::is_steep_at_zero),
-            segments,
+            steep: pieces.iter().any(Piece::is_steep_at_zero),
+            knots_m,
+            pieces,
         };
-        for (at, knot) in curve.segments.knots_m.iter().enumerate() {
-            let pieces = &curve.segments.pieces;
-            let reached = pieces[at].energy(*knot) + curve.offsets_j[at];
-            curve.offsets_j[at + 1] = reached - pieces[at + 1].energy(*knot);
+        for (at, knot) in curve.knots_m.iter().enumerate() {
+            let reached = curve.pieces[at].energy(*knot) + curve.offsets_j[at];
+            curve.offsets_j[at + 1] = reached - curve.pieces[at + 1].energy(*knot);
         }
         let mut stations = curve.changes(Piece::force);
-        stations.extend_from_slice(&curve.segments.knots_m);
+        stations.extend_from_slice(&curve.knots_m);
         stations.sort_by(f64::total_cmp);
         stations.dedup();
         curve.extremes_m = curve.changes(Piece::tangent);
-        let lowest = stations.iter().map(|x| curve.energy(*x)).min_by(f64::total_cmp);
-        let lowest = lowest.unwrap_or(0.0);
+        let lowest =
+            stations.iter().map(|x| curve.energy(*x)).min_by(f64::total_cmp).unwrap_or(0.0);
         for offset in &mut curve.offsets_j {
             *offset -= lowest;
         }
@@ -80,39 +73,47 @@ impl Curve {
             mirrored.chain(laws.iter().skip(skip).map(|(_, piece)| piece.clone())).collect();
         let behind = laws.iter().skip(1).rev().map(|(from, _)| -from);
         let ahead = laws.iter().skip(skip).map(|(from, _)| *from);
-        Self::new(Segments { knots_m: behind.chain(ahead).collect(), pieces }, scale_m)
+        Self::new(behind.chain(ahead).collect(), pieces, scale_m)
     }
 
-    /// The segments it was made of.
-    pub fn segments(&self) -> &Segments {
-        &self.segments
+    /// It and another law, displaced alike: the forces add.
+    #[must_use]
+    pub fn parallel(&self, other: &Self) -> Self {
+        let mut knots_m = [self.knots_m.as_slice(), &other.knots_m].concat();
+        knots_m.sort_by(f64::total_cmp);
+        knots_m.dedup();
+        let begins = [f64::NEG_INFINITY].iter().chain(&knots_m);
+        let at = |curve: &Self, begin: f64| curve.piece(curve.region(begin)).clone();
+        let both = |begin: &f64| Piece::Parallel(Box::new([at(self, *begin), at(other, *begin)]));
+        let pieces = begins.map(both).collect();
+        Self::new(knots_m, pieces, larger(self.scale_m, other.scale_m))
     }
 
-    /// A length that the law is made of, m.
-    pub fn scale_m(&self) -> f64 {
-        self.scale_m
+    /// The ends of its pieces, rising, m.
+    pub fn knots_m(&self) -> &[f64] {
+        &self.knots_m
     }
 
     /// The stretch that x lies in; a knot belongs to the stretch above it.
     pub fn region(&self, x: f64) -> usize {
-        self.segments.knots_m.partition_point(|knot| *knot <= x)
+        self.knots_m.partition_point(|knot| *knot <= x)
     }
 
     /// The same, but a knot belongs to the stretch below it.
     pub fn region_below(&self, x: f64) -> usize {
-        self.segments.knots_m.partition_point(|knot| *knot < x)
+        self.knots_m.partition_point(|knot| *knot < x)
     }
 
     /// The ends of a stretch, m; infinite at either end of the law.
     pub fn ends(&self, region: usize) -> (f64, f64) {
-        let knots = &self.segments.knots_m;
+        let knots = &self.knots_m;
         let below = if region == 0 { f64::NEG_INFINITY } else { knots[region - 1] };
         (below, knots.get(region).copied().unwrap_or(f64::INFINITY))
     }
 
     /// The analytic law of a stretch.
     pub fn piece(&self, region: usize) -> &Piece {
-        &self.segments.pieces[region]
+        &self.pieces[region]
     }
 
     /// Whether the law is infinitely steep at zero.
@@ -224,10 +225,7 @@ impl Curve {
 
     /// Whether there is no force between two displacements.
     pub fn is_slack(&self, low: f64, high: f64) -> bool {
-        let inside = |x: &&f64| (low..=high).contains(*x);
-        let ends = [low, high].into_iter().map(|x| self.force_towards(x));
-        let mut marks = self.stations_m.iter().chain(&self.extremes_m).filter(inside);
-        ends.into_iter().all(|force| force == 0.0) && marks.all(|x| self.force(*x) == 0.0)
+        self.forces_between(low, high) == (0.0, 0.0)
     }
 
     /// The force at x, or what it goes to where x is infinite, N.
@@ -255,7 +253,7 @@ impl Curve {
     /// Where a function of the pieces changes sign, rising order not promised, m.
     fn changes(&self, f: impl Fn(&Piece, f64) -> f64) -> Vec<f64> {
         let mut found = Vec::new();
-        for (region, piece) in self.segments.pieces.iter().enumerate() {
+        for (region, piece) in self.pieces.iter().enumerate() {
             let (low, high) = self.span(region);
             let place = |i: usize| low + (high - low) * i as f64 / LOOKS as f64;
             for i in 0..LOOKS {

@@ -26,14 +26,3 @@ impl Damper {
         PowerLaw { coefficient: self.coefficient, exponent: self.exponent }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn valid_a_damper_resists_with_b_times_a_power_of_the_velocity() {
-        let law = Damper { coefficient: 3.0, exponent: 2.0 }.law();
-        assert!((law.force(2.0) - 12.0).abs() < 1e-14 && (law.force(-2.0) + 12.0).abs() < 1e-14);
-    }
-}

@@ -6,13 +6,9 @@
 //! spring weighs at least `4 rho G U/tau²` for the energy U it has to store; U is that of the cocked spring and of
 //! projectile, plate and the spring's own moving part at common velocity, together.
 
-use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
 use crate::model::scene::{self, OwnMass, Scene, SpringKind};
 use crate::numerics::larger;
-
-/// The part of a coil spring that moves with its end.
-const COIL_PART: f64 = 1.0 / 3.0;
 
 /// The additional mass that moves with the plate, kg.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -85,7 +81,7 @@ impl OmittedMass {
         }
         let spring = &mechanism.spring;
         let is_counted = spring.own_mass == OwnMass::Counted;
-        let part = if spring.is_absent() { COIL_PART } else { spring.moving_part() };
+        let part = spring.moving_part();
         let of = |mass_kg, is_least| Self { mass_kg, is_least, moving_kg: part * mass_kg };
         let own_kg = mass_kg(scene);
         let known = own_kg.filter(|_| !is_counted).map(|mass_kg| of(mass_kg, false));
@@ -134,8 +130,7 @@ pub fn is_uncounted(scene: &Scene) -> bool {
 /// Beside a second spring it is taken to store all of the latter: an upper bound. `None` of other springs than coils where no specific
 /// energy is given.
 fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
-    let coil_j_kg = || spring.law().is_coil().then(|| 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
-    let energy_j_kg = scene.mechanism.energy_j_kg.or_else(coil_j_kg)?;
+    let energy_j_kg = scene.mechanism.specific_energy_j_kg()?;
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
     let cocked_j = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);
     let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());

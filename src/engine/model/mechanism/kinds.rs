@@ -5,10 +5,10 @@
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::Curve;
-use crate::model::scene::{Mechanism, OwnMass, Scene, Wire};
-use crate::model::variables::part::{Place, parts};
+use crate::model::scene::{OwnMass, Wire};
+use crate::model::variables::part::{parts, place};
 use crate::model::variables::visible::is_sprung;
-use crate::model::variables::{Group, Variable, VariableError};
+use crate::model::variables::{Variable, VariableError};
 use crate::model::worded::worded;
 
 mod beam;
@@ -23,28 +23,6 @@ mod table;
 
 pub use beam::Beam;
 pub use table::Table;
-
-/// Says where a part of a spring stands: the end of the key of its table, its place, and when a spring needs it.
-macro_rules! spring_part {
-    ($part:ty, $key:expr, |$spring:ident| $place:expr $(, $matters:expr)?) => {
-        impl SpringPart for $part {
-            const FIELD: &'static str = $key;
-
-            fn of($spring: &Spring) -> &Self {
-                &$place
-            }
-
-            fn of_mut($spring: &mut Spring) -> &mut Self {
-                &mut $place
-            }
-
-            $(fn matters(mechanism: &Mechanism) -> bool {
-                let $spring = &mechanism.spring;
-                $matters
-            })?
-        }
-    };
-}
 
 /// Defines the spring and the kinds in the order of lists. A line has the module of a kind, its parameters, and the kind, or those
 /// of the same parameters, with the words for files and screens.
@@ -86,16 +64,17 @@ macro_rules! kinds {
             }
         }
 
-        $(spring_part! {
-            $field::$part, concat!(".", stringify!($field)), |spring| spring.$field,
-            matches!(spring.kind, $(SpringKind::$kind)|+)
-        })+
+        $(place!(
+            Mechanism, mechanism.spring.$field: $field::$part,
+            listed |scene| matches!(scene.mechanism.spring.kind, $(SpringKind::$kind)|+),
+            used is_sprung
+        );)+
 
         /// Adds the rows of the spring.
         pub(in crate::model) fn add_spring_rows(rows: &mut Vec<Variable>) {
-            Spring::add_rows::<OfSpring>(rows);
-            $($field::$part::add_rows::<OfSpring>(rows);)+
-            Wire::add_rows::<OfSpring>(rows);
+            Spring::add_rows(rows);
+            $($field::$part::add_rows(rows);)+
+            Wire::add_rows(rows);
         }
     };
 }
@@ -108,23 +87,23 @@ kinds! {
             choice().called("spring_kind").from("thesis equation 9.3, chapters 5 and 6");
         pub coefficient: f64 = 1e5 => "k", "stiffness", "spring coefficient: the spring's force is k |x|^n sgn(x)",
             number(SpringCoefficient, NonNegative).called("stiffness").searched(0.0, 7.5e6).log()
-            .when(|scene| P::part(scene).kind == SpringKind::PowerLaw)
+            .when(|scene| scene.mechanism.spring.kind == SpringKind::PowerLaw)
             .from("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
         pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
             number(Number, Positive).searched(0.1, 3.0).log()
-            .listed_when(|scene| P::part(scene).law().has_exponent())
-            .used_when(|scene| P::part(scene).law().has_exponent() && !P::part(scene).is_absent())
+            .listed_when(|scene| scene.mechanism.spring.law().has_exponent())
+            .used_when(|scene| scene.mechanism.spring.law().has_exponent() && !scene.mechanism.spring.is_absent())
             .from("thesis Table 9.2 (range searched)");
         pub count: f64 = 1.0 => "N_spring", "springs", "number of equal springs that act in parallel",
             number(Number, Positive)
-            .when(|scene| P::part(scene).kind != SpringKind::PowerLaw || !P::part(scene).is_single())
+            .when(|scene| scene.mechanism.spring.kind != SpringKind::PowerLaw || !scene.mechanism.spring.is_single())
             .from("thesis Figure 6.9; 1 unless given");
         pub own_mass: OwnMass = OwnMass::Ignored => "own_mass", "spring inertia",
             "whether the part of the spring that moves with the plate adds to its mass",
             choice().seldom().from("thesis section 8.3.1: springs are massless");
         pub mass_kg: Option<f64> = None => "m_spring", "spring mass", "the spring's whole mass",
             optional(Mass, NonNegative, "auto")
-            .when(|scene| P::part(scene).own_mass == OwnMass::Counted || P::part(scene).mass_kg.is_some())
+            .when(|scene| scene.mechanism.spring.own_mass == OwnMass::Counted || scene.mechanism.spring.mass_kg.is_some())
             .from("auto: of its beams, U/e_spring, or of a coil 4 rho G U/tau^2 (thesis section 9.5.1)");
         /// The wire it is wound of, where its mass follows from that.
         pub wire: Wire = Wire::default();
@@ -256,60 +235,13 @@ impl Spring {
     }
 }
 
-/// A part of a spring, or the whole, whose fields are variables.
-trait SpringPart {
-    /// The end of the key of its table.
-    const FIELD: &'static str;
-
-    fn of(spring: &Spring) -> &Self;
-
-    fn of_mut(spring: &mut Spring) -> &mut Self;
-
-    /// Whether the spring of a mechanism needs it.
-    fn matters(_: &Mechanism) -> bool {
-        true
-    }
-}
-
-spring_part!(Spring, "", |spring| *spring);
-
-impl SpringPart for Wire {
-    const FIELD: &'static str = ".wire";
-
-    fn of(spring: &Spring) -> &Self {
-        &spring.wire
-    }
-
-    fn of_mut(spring: &mut Spring) -> &mut Self {
-        &mut spring.wire
-    }
-
-    /// Without a given energy per mass a coil's mass follows from its wire.
-    fn matters(mechanism: &Mechanism) -> bool {
+place!(Mechanism, mechanism.spring: Spring, used is_sprung);
+// Without a given energy per mass a coil's mass follows from its wire.
+place!(
+    Mechanism, mechanism.spring.wire: Wire,
+    listed |scene| {
+        let mechanism = &scene.mechanism;
         mechanism.energy_j_kg.is_none() && mechanism.are_coils() && mechanism.has_springs()
-    }
-}
-
-/// The place of the spring and its parts in a scene.
-enum OfSpring {}
-
-impl<T: SpringPart> Place<T> for OfSpring {
-    const GROUP: Group = Group::Mechanism;
-    const PATH: [&'static str; 2] = ["mechanism.spring", T::FIELD];
-
-    fn part(scene: &Scene) -> &T {
-        T::of(&scene.mechanism.spring)
-    }
-
-    fn part_mut(scene: &mut Scene) -> &mut T {
-        T::of_mut(&mut scene.mechanism.spring)
-    }
-
-    fn is_listed(scene: &Scene) -> bool {
-        T::matters(&scene.mechanism)
-    }
-
-    fn is_used(scene: &Scene) -> bool {
-        is_sprung(scene) && <Self as Place<T>>::is_listed(scene)
-    }
-}
+    },
+    used is_sprung
+);

@@ -97,36 +97,3 @@ impl Piece {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn power(coefficient: f64, exponent: f64, side: f64) -> Piece {
-        Piece::Power { law: PowerLaw { coefficient, exponent }, side }
-    }
-
-    fn pieces() -> Vec<(Piece, f64)> {
-        let link = Piece::Link { force_n: 30.0, reach_m: 0.25 };
-        let cubic = Piece::Cubic { from_m: 0.1, c: [3.0, 40.0, -50.0, 600.0] };
-        vec![
-            (cubic.clone(), 0.14),
-            (link.clone(), -0.1),
-            (link.clone(), 0.0),
-            (power(5e2, 0.6, -1.0), -0.2),
-            (power(5e2, 4.0, 1.0), 0.3),
-            (Piece::Parallel(Box::new([cubic, link])), 0.13),
-        ]
-    }
-
-    #[test]
-    fn force_is_the_slope_of_the_energy_and_tangent_that_of_the_force() {
-        for (piece, x) in pieces() {
-            let h = 1e-5;
-            let slope = |f: &dyn Fn(f64) -> f64| (f(x + h) - f(x - h)) / (2.0 * h);
-            let (force, tangent) = (slope(&|x| piece.energy(x)), slope(&|x| piece.force(x)));
-            assert!((force - piece.force(x)).abs() < 1e-6 * (1.0 + force.abs()), "{piece:?}");
-            assert!((tangent / piece.tangent(x) - 1.0).abs() < 1e-6, "{piece:?}");
-        }
-    }
-}

@@ -4,9 +4,9 @@
 
 use std::sync::Arc;
 
-use crate::model::mechanism::curve::{Curve, SCALE_M, Segments};
+use crate::model::mechanism::PowerLaw;
+use crate::model::mechanism::curve::{Curve, SCALE_M};
 use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::{PowerLaw, combine};
 use crate::model::scene;
 use crate::numerics::larger;
 
@@ -37,7 +37,7 @@ impl Spring {
                 Self::Power(PowerLaw { coefficient, ..law })
             }
             _ if second.is_absent() => Self::from(curve()),
-            _ => Self::Curve(Arc::new(combine::parallel(&curve(), &Curve::power(second)))),
+            _ => Self::Curve(Arc::new(curve().parallel(&Curve::power(second)))),
         }
     }
 
@@ -45,11 +45,10 @@ impl Spring {
     #[must_use]
     pub fn beside_stop(&self, at_m: f64, stiffness_n_m: f64) -> Self {
         let pieces = vec![Piece::line(at_m, 0.0, 0.0), Piece::line(at_m, 0.0, stiffness_n_m)];
-        let stop =
-            Curve::new(Segments { knots_m: vec![at_m], pieces }, larger(at_m.abs(), SCALE_M));
+        let stop = Curve::new(vec![at_m], pieces, larger(at_m.abs(), SCALE_M));
         Self::Curve(Arc::new(match self {
-            Self::Power(law) => combine::parallel(&Curve::power(*law), &stop),
-            Self::Curve(curve) => combine::parallel(curve, &stop),
+            Self::Power(law) => Curve::power(*law).parallel(&stop),
+            Self::Curve(curve) => curve.parallel(&stop),
         }))
     }
 

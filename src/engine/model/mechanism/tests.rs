@@ -16,7 +16,7 @@ fn curves() -> Vec<(String, Curve)> {
     let kind = SpringKind::Bistable;
     let bistable = Parameters { kind, ..Parameters::default() }.curve();
     let steep = Curve::power(PowerLaw { coefficient: 1e7, exponent: 1.5 });
-    list.push(("bistable and power law".to_owned(), combine::parallel(&bistable, &steep)));
+    list.push(("bistable and power law".to_owned(), bistable.parallel(&steep)));
     list
 }
 
@@ -27,7 +27,7 @@ fn every_force_is_the_slope_of_its_energy_and_every_tangent_that_of_its_force() 
             let x = 0.000_731 * f64::from(i) + 1.3e-5;
             let h = 1e-7;
             let far = |knot: &f64| (knot - x).abs() > 2.0 * h;
-            if !curve.segments().knots_m.iter().all(far) {
+            if !curve.knots_m().iter().all(far) {
                 continue;
             }
             let force = (curve.energy(x + h) - curve.energy(x - h)) / (2.0 * h);
@@ -43,7 +43,7 @@ fn every_force_is_the_slope_of_its_energy_and_every_tangent_that_of_its_force() 
 #[test]
 fn forces_and_energies_are_continuous_and_no_energy_is_below_zero() {
     for (name, curve) in curves() {
-        for (at, knot) in curve.segments().knots_m.iter().enumerate() {
+        for (at, knot) in curve.knots_m().iter().enumerate() {
             let (below, above) = (curve.piece(at).force(*knot), curve.piece(at + 1).force(*knot));
             assert!((below - above).abs() < 1e-9 * (1.0 + below.abs()), "{name} at {knot}");
             // Also around a knot at zero.
@@ -91,12 +91,12 @@ fn a_straight_stretch_of_a_table_is_one_piece() {
     };
     let row = |i: i32| [1e-4 * f64::from(i), 10.0 * f64::from(i)];
     let straight = table((-1000..1000).map(row).collect());
-    assert_eq!(straight.segments().knots_m, []);
+    assert_eq!(straight.knots_m(), []);
     assert!((straight.force(0.03) - 3e3).abs() < 1e-9);
-    assert_eq!(table((0..1000).map(row).collect()).segments().knots_m, []);
+    assert_eq!(table((0..1000).map(row).collect()).knots_m(), []);
     // Level from 0.5 mm on: the curve leaves the line at the point before, and is level from the bend on.
     let bent = |i: i32| [1e-4 * f64::from(i), 10.0 * f64::from(i.min(5))];
-    let knots_m = table((0..10).map(bent).collect()).segments().knots_m.clone();
+    let knots_m = table((0..10).map(bent).collect()).knots_m().to_vec();
     assert_eq!(knots_m, [-5e-4, -4e-4, 4e-4, 5e-4]);
 }
 

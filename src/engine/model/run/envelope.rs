@@ -442,56 +442,41 @@ pub fn remarks(run: &Run) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scene::{Closure, Layer};
+    use crate::model::scene::Layer;
     use crate::model::simulate::bare_run as run;
 
     fn checks(found: &[Breach]) -> Vec<Check> {
         found.iter().map(|breach| breach.check).collect()
     }
 
-    /// A scene inside every rule: a 12 mm plate under the 20 mm projectile of Borvik 2002, 10 D wide, on a rigid mount.
-    fn inside() -> Scene {
-        let mut scene = Scene::default();
-        (scene.projectile.mass_kg, scene.projectile.tip_radius_m) = (0.197, 0.01);
-        scene.projectile.velocity_m_s = 200.0;
-        scene.target.thickness_m = 0.012;
-        scene.target.density_kg_m3 = 7850.0;
-        scene.plate.mass_ratio = 7850.0 * 0.012 * 0.2 * 0.2 / 0.197;
-        scene.mechanism.spring.coefficient = 0.0;
-        scene
+    /// A scene inside every rule, changed: a 12 mm plate under the 20 mm projectile of Borvik 2002, 10 D wide, without a spring.
+    fn inside(changes: &str) -> Scene {
+        let own = "m_p=0.197 R=0.01 v_i=200 h=0.012 rho=7850 face=0.2 k=0";
+        variables::scene_with(&format!("{own} {changes}"))
     }
 
     #[test]
     fn every_rule_is_kept_inside_and_each_breach_gives_its_number_and_direction() {
         use Direction::{Conservative, Unconservative, Unknown};
-        type Change = fn(&mut Scene);
-        assert_eq!(of_scene(&inside()), []);
-        let cases: [(Change, Check, Direction, &str); 12] = [
+        assert_eq!(of_scene(&inside("")), []);
+        for (changes, check, direction, number) in [
+            ("h=1mm", Check::Thickness, Unconservative, "several sheets"),
+            ("rho=1200", Check::Material, Unknown, "no metal"),
             // 0.06/0.02 = 3.
-            (|it| it.target.thickness_m = 1e-3, Check::Thickness, Unconservative, "several sheets"),
-            (|it| it.target.density_kg_m3 = 1200.0, Check::Material, Unknown, "no metal"),
-            (|it| it.target.thickness_m = 0.06, Check::Thickness, Conservative, "h/D = 3"),
-            (|it| it.target.dishing = false, Check::Thickness, Unconservative, "h/D = 0.6"),
-            (|it| it.projectile.nose = Nose::Blunt, Check::Nose, Unconservative, "60 %"),
-            (|it| it.projectile.nose = Nose::Pointed, Check::Nose, Unknown, "hemispherical"),
+            ("h=60mm", Check::Thickness, Conservative, "h/D = 3"),
+            ("dishing=off", Check::Thickness, Unconservative, "h/D = 0.6"),
+            ("nose=blunt", Check::Nose, Unconservative, "60 %"),
+            ("nose=pointed", Check::Nose, Unknown, "hemispherical"),
             // 1.5e9/2e9 and a drag of 7850/4 * 200^2 = 7.85e7 Pa more.
-            (|it| it.target.flow_strength_pa = 1.5e9, Check::NosePressure, Conservative, "0.789"),
+            ("S_y=1.5e9", Check::NosePressure, Conservative, "0.789"),
             // 4/3 pi 0.01^3 7850 = 32.9 g.
-            (|it| it.projectile.mass_kg = 0.03, Check::NoseMass, Unknown, "32.9 g"),
-            (|it| it.projectile.velocity_m_s = 20.0, Check::Velocity, Unknown, "20 m/s"),
-            (|it| it.projectile.velocity_m_s = 1200.0, Check::Velocity, Unknown, "erosion"),
-            (
-                |it| it.projectile.obliquity_deg = 30.0,
-                Check::Obliquity,
-                Conservative,
-                "8.6 % at 30",
-            ),
-            (|it| it.mechanism.stop.position_m = Some(0.01), Check::Stop, Unconservative, "stop"),
-        ];
-        for (change, check, direction, number) in cases {
-            let mut scene = inside();
-            change(&mut scene);
-            let found = of_scene(&scene);
+            ("m_p=30g", Check::NoseMass, Unknown, "32.9 g"),
+            ("v_i=20", Check::Velocity, Unknown, "20 m/s"),
+            ("v_i=1200", Check::Velocity, Unknown, "erosion"),
+            ("theta=30deg", Check::Obliquity, Conservative, "8.6 % at 30"),
+            ("x_stop=0.01", Check::Stop, Unconservative, "stop"),
+        ] {
+            let found = of_scene(&inside(changes));
             let breach = found.iter().find(|breach| breach.check == check);
             let breach = breach.unwrap_or_else(|| panic!("{check:?}: {found:?}"));
             assert_eq!(breach.direction, direction, "{check:?}");
@@ -502,65 +487,47 @@ mod tests {
     /// gamma 0.05 of the baseline has a face of 0.21 cm² under a nose of 1.27 cm².
     #[test]
     fn a_face_smaller_than_the_nose_is_a_breach() {
-        let mut scene = Scene::default();
-        scene.plate.mass_ratio = 0.05;
+        let scene = variables::scene_with("gamma=0.05");
         assert!((scene.plate_face_m().powi(2) - 0.21e-4).abs() < 0.005e-4);
         let found = of_scene(&scene);
         let text = found.iter().find(|breach| breach.check == Check::Face).unwrap().to_string();
         assert!(text.contains("plate face is 4.63 mm square, 0.364 D"), "{text}");
-        scene.plate.mount = Mount::Rigid;
-        assert!(!checks(&of_scene(&scene)).contains(&Check::Face));
+        let held = variables::scene_with("gamma=0.05 mount=rigid");
+        assert!(!checks(&of_scene(&held)).contains(&Check::Face));
     }
 
     /// gamma = 1 moves on at 50 m/s, half of the shot's 100 m/s; a heavy plate at 10 m/s.
     #[test]
     fn a_run_warns_of_spring_stop_and_interface() {
-        let mut scene = inside();
-        scene.mechanism.spring.coefficient = 1e6;
-        assert!(!checks(&of_run(&run(&scene))).contains(&Check::Spring));
-        let mut light = Scene::default();
-        light.mechanism.spring.coefficient = 1e5;
-        let text =
-            of_run(&run(&light)).iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-        assert!(text.contains("spring end moves at"), "{text}");
+        assert!(!checks(&of_run(&run(&inside("k=1e6")))).contains(&Check::Spring));
+        let found = |changes: &str| of_run(&run(&variables::scene_with(changes)));
         // One coil that acts beside a beam is enough; one without force is none.
         for (pairs, surges) in [
             ("k=1e5 combine=parallel k_2=0", true),
             ("spring=prbm-cantilever combine=parallel k_2=1e5", true),
             ("spring=prbm-cantilever combine=parallel k_2=0", false),
         ] {
-            let found = of_run(&run(&variables::scene_with(pairs)));
-            let is_found = found.iter().any(|it| it.to_string().contains("spring end moves at"));
-            assert_eq!(is_found, surges, "{pairs}");
+            let surge = found(pairs).iter().any(|it| it.text.contains("spring end moves at"));
+            assert_eq!(surge, surges, "{pairs}");
         }
         // A stop that is never reached is not a breach of a run, one that is hit is.
-        light.mechanism.stop.position_m = Some(10.0);
-        assert!(!checks(&of_run(&run(&light))).contains(&Check::Stop));
-        light.mechanism.stop.position_m = Some(0.001);
-        assert!(checks(&of_run(&run(&light))).contains(&Check::Stop));
+        assert!(!checks(&found("x_stop=10")).contains(&Check::Stop));
+        assert!(checks(&found("x_stop=0.001")).contains(&Check::Stop));
         // Cocked by 0.5 m the interface must carry 25.1 kN and carries 8.7 kN.
-        light.mechanism.stop.position_m = None;
-        light.plate.cocking_m = 0.5;
-        let found = of_run(&run(&light));
-        let breach = found.iter().find(|breach| breach.check == Check::Interface).unwrap();
+        let cocked = found("d=0.5");
+        let breach = cocked.iter().find(|breach| breach.check == Check::Interface).unwrap();
         assert!(breach.to_string().contains("interface push is 2.8"), "{breach}");
     }
 
     /// The second element, 30 mm thick on 1e6 N/m, has what it has alone under the shot that meets it, and names itself.
     #[test]
     fn a_stack_has_the_breaches_of_all_its_plates() {
-        let mut scene = inside();
-        scene.projectile.velocity_m_s = 500.0;
-        let Scene { target, plate, ref mechanism, .. } = scene;
-        let mut second = Layer { target, plate, mechanism: mechanism.clone() };
-        second.target.thickness_m = 0.03;
-        second.mechanism.spring.coefficient = 1e6;
-        scene.stack.base_thickness_m = Some(0.012);
-        scene.stack.layers.push(second.clone());
+        let mut scene = inside("v_i=500 h_base=0.012");
+        let Scene { target, plate, mechanism, .. } = inside("h=0.03 k=1e6");
+        scene.stack.layers.push(Layer { target, plate, mechanism });
         let stack = run(&scene);
         let struck = stack.plates().nth(1).unwrap().scene.projectile.velocity_m_s;
-        let mut alone = inside();
-        (alone.target, alone.mechanism) = (second.target, second.mechanism);
+        let mut alone = inside("h=0.03 k=1e6");
         alone.projectile.velocity_m_s = struck;
         let expected = of_run(&run(&alone));
         // 0.03/0.02 = 1.5.
@@ -604,15 +571,15 @@ mod tests {
     /// Rolled armour of 6 to 14 mm under a core of 6.25 mm came out too high (`validate`): h/D from 0.96 to 2.2. Mild steel did not.
     #[test]
     fn a_thin_hard_plate_is_unconservative() {
-        let mut scene = inside();
-        scene.projectile.tip_radius_m = 0.003_124_2;
-        (scene.target.closure, scene.target.dishing) = (Closure::Cavity, false);
-        for (yield_pa, thickness_m, is_breached) in
-            [(9e8, 0.006, true), (9e8, 0.014, true), (9e8, 0.016, false), (2.5e8, 0.014, false)]
-        {
-            (scene.target.yield_pa, scene.target.thickness_m) = (yield_pa, thickness_m);
+        for (own, is_breached) in [
+            ("Y=900MPa h=6mm", true),
+            ("Y=900MPa h=14mm", true),
+            ("Y=900MPa h=16mm", false),
+            ("Y=250MPa h=14mm", false),
+        ] {
+            let scene = inside(&format!("R=3.1242mm closure=cavity dishing=off {own}"));
             let found = thickness(&scene);
-            assert_eq!(found.is_some(), is_breached, "{yield_pa} {thickness_m}");
+            assert_eq!(found.is_some(), is_breached, "{own}");
             assert!(found.is_none_or(|it| it.direction == Direction::Unconservative));
         }
     }

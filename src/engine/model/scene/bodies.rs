@@ -300,7 +300,7 @@ fn sizes() -> Vec<Variable> {
                 },
                 ..Number::of(Dimension::$quantity, Allowed::Positive)
             };
-            Variable::at::<Plate, Scene>($key, Kind::Number(number))
+            Variable::at::<Plate>($key, Kind::Number(number))
                 .listed_when(|scene| matches!(scene.plate.size, PlateSize::$size(_)))
                 .used_when(is_sprung)
                 .seldom()

@@ -71,6 +71,15 @@ worded! {
     }
 }
 
+impl Wire {
+    /// Energy that the active coils of a helical spring store per mass at the wire's strength, whatever its stiffness:
+    /// tau²/(4 rho G), J/kg.
+    pub fn specific_energy_j_kg(&self) -> f64 {
+        let Self { density_kg_m3, shear_modulus_pa, shear_strength_pa: tau } = self;
+        tau * tau / (4.0 * density_kg_m3 * shear_modulus_pa)
+    }
+}
+
 impl Mechanism {
     /// The second spring where it acts, else none.
     pub fn second_law(&self) -> PowerLaw {
@@ -91,15 +100,11 @@ impl Mechanism {
         !(self.spring.is_absent() && self.second_law().is_absent())
     }
 
-    /// Energy that the spring or absorber takes up per mass of its own, J/kg: given, or tau²/(4 rho G) of a wire in torsion;
+    /// Energy that the spring or absorber takes up per mass of its own, J/kg: given, or that of the wire;
     /// `None` of other springs than coils.
     pub fn specific_energy_j_kg(&self) -> Option<f64> {
-        let wire = self.spring.wire;
-        let coil = || {
-            wire.shear_strength_pa * wire.shear_strength_pa
-                / (4.0 * wire.density_kg_m3 * wire.shear_modulus_pa)
-        };
-        self.energy_j_kg.or_else(|| self.are_coils().then(coil))
+        self.energy_j_kg
+            .or_else(|| self.are_coils().then(|| self.spring.wire.specific_energy_j_kg()))
     }
 
     /// Whether the springs that act are wound of wire, as a second one always is.
@@ -109,7 +114,7 @@ impl Mechanism {
 
     /// Whether one of the springs that are there is wound of wire.
     pub fn has_coil(&self) -> bool {
-        (self.spring.law().is_coil() && !self.spring.is_absent()) || !self.second_law().is_absent()
+        (self.are_coils() && !self.spring.is_absent()) || !self.second_law().is_absent()
     }
 
     /// The least mass of springs that store this energy, J, kg; `None` where their specific energy is not known.

@@ -1,6 +1,6 @@
 //! Descriptions of variables: the name in words, and when a scene uses it. Both are read off the table and its rules.
 
-use super::{Kind, VARIABLES, Value, Variable, find, is_listed, is_used};
+use super::{Kind, VARIABLES, Value, Variable, is_listed, is_used};
 use crate::model::scene::Scene;
 
 /// How keys end in their units, the longer before its own end.
@@ -83,29 +83,11 @@ fn acts(variable: &Variable, scene: &Scene) -> bool {
     is_used(variable, &scene) && is_listed(variable, &scene)
 }
 
-/// When scenes use a variable, in words: read off [`is_used`] by changing a plain scene in one place, or in two.
-pub fn used_when(variable: &Variable) -> String {
-    let acts = |scene: &Scene| acts(variable, scene);
-    // What most scenes have.
-    let mut plain = Scene::default();
-    (plain.mechanism.spring.coefficient, plain.mechanism.damper.coefficient) = (1e5, 0.0);
-    if !acts(&plain) {
-        return used_where(variable, &Scene::default());
-    }
-    let without = changes(&plain).into_iter().filter(|(_, scene)| !acts(scene));
-    let without: Vec<String> = without.map(|(text, scene)| unless(&text, &scene, acts)).collect();
-    if without.is_empty() { "always".to_owned() } else { format!("unless {}", without.join(", ")) }
-}
-
-/// A change that brings a variable out of use, with the value of another choice that it takes as well.
-fn unless(text: &str, scene: &Scene, acts: impl Fn(&Scene) -> bool) -> String {
-    let symbol = |text: &str| text.split(' ').next().unwrap_or_default().to_owned();
-    let mut others = texts(choices(scene), acts).into_iter().map(|cure| symbol(&cure));
-    let other = others.find(|other| *other != symbol(text)).and_then(|other| find(&other).ok());
-    other.map_or_else(
-        || text.to_owned(),
-        |other| format!("{text} with {} = {}", other.symbol, other.show(scene)),
-    )
+/// Where scenes use a variable that the usual one does not, in words: read off [`is_used`] by changing that scene in one place, or in
+/// two.
+pub fn used_when(variable: &Variable) -> Option<String> {
+    let usual = Scene::default();
+    (!acts(variable, &usual)).then(|| used_where(variable, &usual))
 }
 
 /// The changes of a scene that does not use a variable which bring it into use: one, or two together.
@@ -125,18 +107,18 @@ pub fn used_where(variable: &Variable, scene: &Scene) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::HashMap;
-
     use super::*;
+    use crate::model::variables::find;
 
+    /// A name that two variables had would lead to the first.
     #[test]
-    fn names_are_unique_and_lead_to_their_variable() {
-        let mut seen: HashMap<String, &str> = HashMap::new();
+    fn each_name_leads_to_its_variable() {
         for variable in VARIABLES.iter() {
             let name = variable.name();
-            let before = seen.insert(name.clone(), variable.key);
-            assert_eq!(before, None, "{name}: {}", variable.key);
-            assert_eq!(find(&name).map(|found| found.key), Ok(variable.key), "{name}");
+            let names = [variable.symbol, variable.key, &name];
+            for name in names.iter().chain(variable.aliases) {
+                assert_eq!(find(name).map(|found| found.key), Ok(variable.key), "{name}");
+            }
         }
         for (name, symbol) in [
             ("velocity", "v_i"),
@@ -165,27 +147,20 @@ mod tests {
 
     #[test]
     fn use_is_described_in_words() {
-        let when = |name: &str| used_when(find(name).unwrap());
-        assert_eq!(when("v_i"), "always");
-        assert_eq!(when("m"), "where b > 0");
-        assert_eq!(when("k_stop"), "where x_stop given and stop_kind = elastic");
-        assert!(when("gamma").starts_with("unless mount = rigid"), "{}", when("gamma"));
+        let of = |name: &str| find(name).unwrap();
+        let when = |name: &str| used_when(of(name)).unwrap_or_default();
+        for (name, words) in [
+            ("v_i", ""),
+            ("m", "where b > 0"),
+            ("k_stop", "where x_stop given and stop_kind = elastic"),
+            ("k_2", "where combine = parallel"),
+            ("Y", "where closure = double-yield or closure = cavity or closure = by-thickness"),
+            ("rho_p", "where theta > 0 or m_p below that of the nose sphere"),
+        ] {
+            assert_eq!(when(name), words, "{name}");
+        }
         assert!(when("l_beam").contains("spring = "), "{}", when("l_beam"));
-        assert_eq!(
-            when("Y"),
-            "where closure = double-yield or closure = cavity or closure = by-thickness"
-        );
-        assert!(when("h").starts_with("unless model = initial-velocity"), "{}", when("h"));
-        assert_eq!(when("d"), "unless mount = rigid");
-        assert!(
-            when("C_d").contains("closure = by-thickness with drag = closure"),
-            "{}",
-            when("C_d")
-        );
-        assert!(when("tau_wire").starts_with("unless e_spring given"), "{}", when("tau_wire"));
-        assert_eq!(when("face"), "unless mount = rigid");
         let rigid = crate::model::variables::scene_with("face=0.1 mount=rigid");
-        assert_eq!(used_where(find("face").unwrap(), &rigid), "where mount = sprung");
-        assert_eq!(when("rho_p"), "where theta > 0 or m_p below that of the nose sphere");
+        assert_eq!(used_where(of("face"), &rigid), "where mount = sprung");
     }
 }

@@ -11,17 +11,17 @@ pub(in crate::model) const TABLE_9_2: &str = "thesis Table 9.2 (range searched)"
 /// The source of most defaults of the springs.
 pub(in crate::model) const NO_VALUES: &str = "assumption: the thesis gives no values";
 
-/// A place of a scene at which a part `T` stands.
-pub(in crate::model) trait Place<T> {
+/// A part of a scene whose fields are variables.
+pub(in crate::model) trait Part {
     /// The group of the editor that its fields stand in.
     const GROUP: Group;
 
-    /// The start of the keys of its fields, in two pieces, for example `mechanism.damper` and nothing.
-    const PATH: [&'static str; 2];
+    /// The start of the keys of its fields, for example `mechanism.damper`.
+    const PATH: &'static str;
 
-    fn part(scene: &Scene) -> &T;
+    fn of(scene: &Scene) -> &Self;
 
-    fn part_mut(scene: &mut Scene) -> &mut T;
+    fn of_mut(scene: &mut Scene) -> &mut Self;
 
     /// Whether a list shows its fields at all.
     fn is_listed(_: &Scene) -> bool {
@@ -29,9 +29,40 @@ pub(in crate::model) trait Place<T> {
     }
 
     /// Whether its fields have any effect.
-    fn is_used(_: &Scene) -> bool {
-        true
+    fn is_used(scene: &Scene) -> bool {
+        Self::is_listed(scene)
     }
+}
+
+/// Says where a part stands in a scene: its group, its path, and when it is listed and, of that, used.
+macro_rules! place {
+    (
+        $group:ident, $first:ident $(. $field:ident)*: $part:ty
+        $(, listed $listed:expr)? $(, used $used:expr)?
+    ) => {
+        impl $crate::model::variables::part::Part for $part {
+            const GROUP: $crate::model::variables::Group = $crate::model::variables::Group::$group;
+            const PATH: &'static str = concat!(stringify!($first) $(, ".", stringify!($field))*);
+
+            fn of(scene: &$crate::model::scene::Scene) -> &Self {
+                &scene.$first$(.$field)*
+            }
+
+            fn of_mut(scene: &mut $crate::model::scene::Scene) -> &mut Self {
+                &mut scene.$first$(.$field)*
+            }
+
+            $(fn is_listed(scene: &$crate::model::scene::Scene) -> bool {
+                let listed: fn(&$crate::model::scene::Scene) -> bool = $listed;
+                listed(scene)
+            })?
+
+            $(fn is_used(scene: &$crate::model::scene::Scene) -> bool {
+                let used: fn(&$crate::model::scene::Scene) -> bool = $used;
+                Self::is_listed(scene) && used(scene)
+            })?
+        }
+    };
 }
 
 /// Defines structs whose fields are variables. A field has its type, its default value, its symbol, its label (a noun of at most
@@ -41,7 +72,7 @@ pub(in crate::model) trait Place<T> {
 /// pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity", number(Velocity, Positive).from(TABLE_9_1);
 /// ```
 ///
-/// A field without a row is a part by itself, or `each(function)` lists rows for it. In the expressions `P` is the [`Place`].
+/// A field without a row is a part by itself, or `each(function)` lists rows for it.
 macro_rules! parts {
     ($(
         $(#[$meta:meta])*
@@ -71,12 +102,10 @@ macro_rules! parts {
 
         impl $name {
             /// Adds the rows of its fields, in order.
-            pub(in crate::model) fn add_rows<P: $crate::model::variables::part::Place<Self>>(
-                rows: &mut Vec<$crate::model::variables::Variable>,
-            ) {
+            pub(in crate::model) fn add_rows(rows: &mut Vec<$crate::model::variables::Variable>) {
                 rows.reserve([$(stringify!($field)),+].len());
                 $($(rows.extend($crate::model::variables::part::row! {
-                    P, $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
+                    $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
                     $(.$more($($value),*))*
                 });)?)+
             }
@@ -86,17 +115,17 @@ macro_rules! parts {
 
 /// The rows that belong to a field: one with a symbol, or those a function lists.
 macro_rules! row {
-    ($place:ident, $field:ident: $type:ty, [], each($rows:expr)) => {
+    ($field:ident: $type:ty, [], each($rows:expr)) => {
         $rows()
     };
     (
-        $place:ident, $field:ident: $type:ty, [$symbol:literal, $label:literal, $meaning:literal],
+        $field:ident: $type:ty, [$symbol:literal, $label:literal, $meaning:literal],
         $kind:ident($($of_kind:tt)*) $(.$more:ident($($value:expr),*))*
     ) => {
         [
-            $crate::model::variables::Variable::at::<Self, $place>(
+            $crate::model::variables::Variable::at::<Self>(
                 stringify!($field),
-                $crate::model::variables::part::kind!($place, $field: $type, $kind($($of_kind)*)),
+                $crate::model::variables::part::kind!($field: $type, $kind($($of_kind)*)),
             )
             .named($symbol, $label, $meaning)
             $(.$more($($value),*))*
@@ -107,12 +136,12 @@ macro_rules! row {
 /// The kind of a variable that is a field of a part, with its access.
 macro_rules! kind {
     // A required number.
-    ($place:ident, $field:ident: $type:ty, number($quantity:ident, $($allowed:tt)+)) => {{
-        use $crate::model::variables::{Allowed, Kind, Number};
+    ($field:ident: $type:ty, number($quantity:ident, $($allowed:tt)+)) => {{
+        use $crate::model::variables::{Allowed, Kind, Number, part::Part};
         Kind::Number(Number {
-            get: |scene| Some($place::part(scene).$field),
+            get: |scene| Some(<Self as Part>::of(scene).$field),
             set: |scene, value| {
-                $place::part_mut(scene).$field = value.unwrap_or_default();
+                <Self as Part>::of_mut(scene).$field = value.unwrap_or_default();
                 // The plate's mass ratio may depend on it.
                 scene.follow_size();
             },
@@ -120,40 +149,39 @@ macro_rules! kind {
         })
     }};
     // An optional number, with the word for its absence.
-    ($place:ident, $field:ident: $type:ty, optional($quantity:ident, $allowed:ident, $absent:literal)) => {{
-        use $crate::model::variables::{Allowed, Kind, Number};
+    ($field:ident: $type:ty, optional($quantity:ident, $allowed:ident, $absent:literal)) => {{
+        use $crate::model::variables::{Allowed, Kind, Number, part::Part};
         Kind::Number(Number {
             absent: Some($absent),
-            get: |scene| $place::part(scene).$field,
-            set: |scene, value| $place::part_mut(scene).$field = value,
+            get: |scene| <Self as Part>::of(scene).$field,
+            set: |scene, value| <Self as Part>::of_mut(scene).$field = value,
             ..Number::of($crate::model::units::Dimension::$quantity, Allowed::$allowed)
         })
     }};
     // One of a few words.
-    ($place:ident, $field:ident: $type:ty, choice()) => {{
-        use $crate::model::variables::{Choice, Kind};
+    ($field:ident: $type:ty, choice()) => {{
+        use $crate::model::variables::{Choice, Kind, part::Part};
         Kind::Choice(Choice {
             words: &<$type>::WORDS,
-            get: |scene| $place::part(scene).$field as usize,
+            get: |scene| <Self as Part>::of(scene).$field as usize,
             set: |scene, index| {
-                $place::part_mut(scene).$field = <$type>::ALL[index.min(<$type>::ALL.len() - 1)];
+                <Self as Part>::of_mut(scene).$field = <$type>::ALL[index.min(<$type>::ALL.len() - 1)];
             },
         })
     }};
     // Anything else.
-    ($place:ident, $field:ident: $type:ty, is($kind:expr)) => {
+    ($field:ident: $type:ty, is($kind:expr)) => {
         $kind
     };
 }
 
-pub(in crate::model) use {kind, parts, row};
+pub(in crate::model) use {kind, parts, place, row};
 
 impl Variable {
     /// A variable that is a field of a part, or goes with one; its further attributes follows.
-    pub(in crate::model) fn at<T, P: Place<T>>(field: &str, kind: Kind) -> Self {
-        let [path, of_path] = P::PATH;
+    pub(in crate::model) fn at<P: Part>(field: &str, kind: Kind) -> Self {
         Self {
-            key: [path, of_path, ".", field].concat().leak(),
+            key: [P::PATH, ".", field].concat().leak(),
             symbol: "",
             label: "",
             own_name: "",

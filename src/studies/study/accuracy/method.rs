@@ -12,7 +12,7 @@ use crate::model::contact_kernel::Contact;
 use crate::model::impact::Stepping;
 use crate::model::impact::step_by;
 use crate::model::run::{EndReason, Outcome, Run};
-use crate::model::scene::{InterfaceLaw, Reading, Scene};
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::study::quantities;
 
@@ -303,7 +303,7 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
 }
 
 fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
-    let end = appendix::contact(scene, dt_s, Reading::Printed, STEPS_MAX);
+    let end = appendix::contact(scene, dt_s, STEPS_MAX);
     let end = end.map_err(Refusal::Listing)?;
     let depth_m = (end.outcome == Outcome::Arrested).then_some(end.depth_m);
     Ok(of_contact(end.outcome, depth_m, end.t_s, (end.steps, 5 * end.steps)))

@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use crate::numerics::minimum;
+use crate::numerics::maximum;
 
 const P: (f64, f64) = (1.0, 12.0);
 /// Range in which the limit is looked for, over the least impact velocity that perforated.
@@ -38,10 +38,9 @@ impl ResidualLaw {
         if shots.len() < 4 {
             return None;
         }
-        let misfit = |p, limit| Self::scaled(shots, p, limit).map_or(f64::NAN, |it| it.misfit_m_s);
-        let limit_for =
-            |p: f64| minimum::in_bracket(LEAST_LIMIT * least, least, |it| misfit(p, it));
-        let p = minimum::in_bracket(P.0, P.1, |p| misfit(p, limit_for(p)));
+        let fit = |p, limit| Self::scaled(shots, p, limit).map_or(f64::NAN, |it| -it.misfit_m_s);
+        let limit_for = |p| maximum::in_bracket(LEAST_LIMIT * least, least, &|it| fit(p, it));
+        let p = maximum::in_bracket(P.0, P.1, &|p| fit(p, limit_for(p)));
         Self::scaled(shots, p, limit_for(p)).filter(|law| law.a > 0.0)
     }
 

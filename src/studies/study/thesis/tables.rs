@@ -4,7 +4,6 @@ use std::collections::HashSet;
 
 use super::ClaimVerdict::{Corrected, Misprint, NotReproduced, Reproduced};
 use super::{Check, Claim, Shots, four, list, millimetres, near};
-use crate::model::design;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EventKind, Run, Sample};
 use crate::model::scene::{Beam, Jumps, Listing, Reading, Wire};
@@ -204,7 +203,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let motion_j = 0.5 * (2.0 * 0.0295) * 50.0 * 50.0;
             let coils = |d_m: f64| {
                 let energy_j = motion_j + 0.5 * 1e5 * d_m * d_m;
-                design::coil_spring_mass_kg(energy_j, &Wire::default()) / 0.0295
+                energy_j / Wire::default().specific_energy_j_kg() / 0.0295
             };
             let (uncocked, cocked) = (coils(0.0), coils(0.5));
             let [low, high] = [uncocked, cocked].map(four);

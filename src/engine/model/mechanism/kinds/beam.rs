@@ -5,7 +5,7 @@
 //! section 9.5.2. A beam that is guided at its end is two half-length cantilevers, `2 K` at each of its two pivots.
 
 use super::{Bounds, Law, Spring, SpringKind};
-use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::variables::part::parts;
 use crate::numerics::root::in_bracket;
@@ -95,7 +95,7 @@ impl Law for Beam {
         let limit = self.limit_m();
         let beyond = |x: f64| Piece::line(x, link.force(x), link.tangent(x));
         let pieces = vec![beyond(-limit), link.clone(), beyond(limit)];
-        Curve::new(Segments { knots_m: vec![-limit, limit], pieces }, limit)
+        Curve::new(vec![-limit, limit], pieces, limit)
     }
 
     fn bounds(&self, spring: &Spring) -> Vec<Bounds> {

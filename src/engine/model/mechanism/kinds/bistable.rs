@@ -1,7 +1,7 @@
 //! A spring with two stable positions, the first at x = 0.
 
 use super::{Law, Spring};
-use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::units;
 use crate::model::variables::VariableError;
@@ -33,7 +33,7 @@ impl Law for Bistable {
         let c = [0.0, factor * u * s, -factor * sum, factor];
         // One cubic all over; its zeros are knots, between which the energy only rises or only falls.
         let pieces = vec![Piece::Cubic { from_m: 0.0, c }; 4];
-        Curve::new(Segments { knots_m: vec![0.0, u, s], pieces }, s)
+        Curve::new(vec![0.0, u, s], pieces, s)
     }
 
     fn check(&self, path: &str) -> Result<(), VariableError> {

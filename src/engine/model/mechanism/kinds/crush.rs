@@ -1,7 +1,7 @@
 //! An absorber that only pushes: it is crushed at a constant force and unloads elastically from where it was crushed to.
 
 use super::{Bounds, Law, Spring};
-use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::units;
 use crate::model::variables::VariableError;
@@ -54,7 +54,7 @@ impl Law for Crush {
             knots_m.extend([from, stroke]);
             pieces.extend([Piece::line(from, force, 0.0), elastic(stroke)]);
         }
-        Curve::new(Segments { knots_m, pieces }, stroke)
+        Curve::new(knots_m, pieces, stroke)
     }
 
     /// An absorber begins to be crushed before it is flat.

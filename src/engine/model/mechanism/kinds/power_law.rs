@@ -2,7 +2,7 @@
 
 use super::{Law, Spring};
 use crate::model::mechanism::PowerLaw;
-use crate::model::mechanism::curve::{Curve, SCALE_M, Segments};
+use crate::model::mechanism::curve::{Curve, SCALE_M};
 use crate::model::mechanism::piece::Piece;
 
 pub(super) struct Plain;
@@ -31,6 +31,6 @@ impl Curve {
         } else {
             (vec![0.0], vec![side(-1.0), side(1.0)])
         };
-        Self::new(Segments { knots_m, pieces }, SCALE_M)
+        Self::new(knots_m, pieces, SCALE_M)
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Bounds, Law, Spring};
-use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::units;
 use crate::model::variables::VariableError;
@@ -93,7 +93,7 @@ impl Law for Table {
         let knots_m = laws.iter().skip(usize::from(begins_straight)).map(|(from, _)| *from);
         let beyond = (!begins_straight).then(|| end(0));
         let pieces = beyond.into_iter().chain(laws.iter().map(|(_, piece)| piece.clone()));
-        Curve::new(Segments { knots_m: knots_m.collect(), pieces: pieces.collect() }, scale_m)
+        Curve::new(knots_m.collect(), pieces.collect(), scale_m)
     }
 
     /// A table has enough points, which are finite, rise in x, and reach the rest position.
