@@ -403,7 +403,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
     line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
     line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),
-    line(Everywhere, &[(A::Mark, "mark", "Space")], "pin or unpin a run to compare with; mark a row of a table"),
+    line(Everywhere, &[(A::Mark, "mark", "Space")], "pin or unpin a run to compare with"),
     line(Everywhere, &[(A::View, "view", "v")], "next view of this pane"),
     line(Everywhere, &[(A::Run, "run", "r")], "run again what this page computes"),
     line(Everywhere, &[(A::Export, "export", "e"), (A::Copy, "copy", "y")], "export, copy what this page shows"),
