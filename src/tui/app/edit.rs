@@ -227,7 +227,9 @@ pub(crate) fn step(app: &mut App, press: Press) {
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(index));
     }
-    app.tell(edge(variable, press.up));
+    let way = if press.up { "more" } else { "less" };
+    let (symbol, allowed) = (variable.symbol, variable.allowed());
+    app.tell(format!("{symbol} cannot be stepped to {way}: it must be {allowed}"));
 }
 
 fn step_number(
@@ -243,11 +245,6 @@ fn step_number(
     };
     app.pages.run.editor.stepped = Some((index, plain));
     steps::stepped(number, value, press, plain)
-}
-
-fn edge(variable: &Variable, up: bool) -> String {
-    let way = if up { "more" } else { "less" };
-    format!("{} cannot be stepped to {way}: it must be {}", variable.symbol, variable.allowed())
 }
 
 fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) {

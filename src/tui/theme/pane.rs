@@ -17,7 +17,6 @@ pub struct PaneFrame<'a> {
     focused: bool,
     /// It continues a box above it, and what its lower line is.
     stacked: Option<(bool, Below)>,
-    keeps_right: bool,
 }
 
 impl<'a> PaneFrame<'a> {
@@ -25,17 +24,10 @@ impl<'a> PaneFrame<'a> {
         Self { title: title.into(), ..Self::default() }
     }
 
-    /// With this at the right of the top line; omitted where there is no room.
+    /// With this at the right of the top line; where it has no room there, in the lower line of a frame of its own.
     #[must_use]
     pub fn right(mut self, right: impl Into<Line<'a>>) -> Self {
         self.right = right.into();
-        self
-    }
-
-    /// What is at the right stands in the line below where it has no room on top.
-    #[must_use]
-    pub fn keeps_right(mut self) -> Self {
-        self.keeps_right = true;
         self
     }
 
@@ -92,11 +84,7 @@ impl<'a> PaneFrame<'a> {
         let room = usize::from(area.width).saturating_sub(6);
         if right.width() > 2 && self.title.width() + right.width() <= room {
             block = block.title_top(right.right_aligned());
-        } else if right.width() > 2
-            && self.keeps_right
-            && self.stacked.is_none()
-            && right.width() <= room
-        {
+        } else if right.width() > 2 && self.stacked.is_none() && right.width() <= room {
             block = block.title_bottom(right.right_aligned());
         }
         let inner = block.inner(area);

@@ -66,7 +66,7 @@ fn curves(
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
     let printed = printed(app, grid, output);
     let values = lines.iter().chain(&printed).flatten().map(|point| point.1);
-    let y = chart::Axis::fitted("", column.unit(), Scale::Linear, values)?;
+    let y = chart::Axis::fitted("", column.unit(), values)?;
     let (x, selected) = app.cursor_point(grid);
     let curves = lines.iter().enumerate().map(|(index, points)| {
         let name = axes.get(1).map_or_else(String::new, |axis| {

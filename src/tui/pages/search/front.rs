@@ -146,7 +146,7 @@ impl Answer for Report {
                 .filter_map(|it| it.measures.get(at).copied().flatten())
                 .collect();
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-            let axis = Axis::fitted(label, measures[at].unit(), Scale::Linear, values)?;
+            let axis = Axis::fitted(label, measures[at].unit(), values)?;
             // Nothing that is never below zero has room there.
             let lo = if least < 0.0 { axis.view.lo() } else { axis.view.lo().max(0.0) };
             Some(Axis { view: ViewRange::new(lo, axis.view.hi()), ..axis })
