@@ -156,21 +156,16 @@ impl NoseGeometry {
     }
 
     /// The section across sphere and cylinder: with kappa = 1 - p cos/R, the height of the face above the sphere's
-    /// centre over R, A/R² = cos (1 - kappa²) phi + acos(kappa/sin) - kappa (sin² - kappa²)^(1/2); see [`NoseGeometry::fullness`] for phi.
+    /// centre over R, A/R² = cos (1 - kappa²) phi + acos(kappa/sin) - kappa (sin² - kappa²)^(1/2). phi is half the angle of the face's
+    /// circle on the sphere that lies on the forward hemisphere: pi within the cap, 0 where only the cylinder is crossed.
     fn partial_m2(&self, p_m: f64) -> f64 {
-        let r = self.radius_m;
-        let kappa = 1.0 - p_m * self.cos / r;
-        let chord = larger(self.sin * self.sin - kappa * kappa, 0.0).sqrt();
-        let ring = self.fullness(kappa);
-        let beyond = (kappa / self.sin).clamp(-1.0, 1.0).acos();
-        r * r * (self.cos * (1.0 - kappa * kappa) * ring + beyond - kappa * chord)
-    }
-
-    /// Half the angle of the face's circle on the sphere that lies on the forward hemisphere: pi within the cap, 0 when
-    /// only the cylinder is crossed.
-    pub fn fullness(&self, kappa: f64) -> f64 {
-        let cosine = -kappa * self.cos / (self.sin * (1.0 - kappa * kappa).sqrt());
-        cosine.clamp(-1.0, 1.0).acos()
+        let (r, sin, cos) = (self.radius_m, self.sin, self.cos);
+        let kappa = 1.0 - p_m * cos / r;
+        let circle = 1.0 - kappa * kappa;
+        let phi = (-kappa * cos / (sin * circle.sqrt())).clamp(-1.0, 1.0).acos();
+        let beyond = (kappa / sin).clamp(-1.0, 1.0).acos();
+        let chord = larger(sin * sin - kappa * kappa, 0.0).sqrt();
+        r * r * (cos * circle * phi + beyond - kappa * chord)
     }
 }
 

