@@ -18,12 +18,8 @@ worded! {
 
 impl Library {
     /// The name of its file, without the ending.
-    pub fn file(self) -> &'static str {
-        match self {
-            Self::Threats => "threats",
-            Self::Materials => "materials",
-            Self::Absorbers => "absorbers",
-        }
+    pub fn file(self) -> String {
+        format!("{}s", self.word())
     }
 
     /// The start of the line in a scene's notes that warns of one of its entries.

@@ -39,35 +39,35 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// The unit in which values of this kind are stored and shown beside a bare number, the units they may be written in, and a
-    /// text that would do.
-    fn row(self) -> (&'static str, &'static [Unit], &'static str) {
+    /// The unit in which values of this kind are stored and stand beside a bare number, that in which people read them on a screen,
+    /// the units they may be written in, and a text that would do.
+    fn row(self) -> (&'static str, &'static str, &'static [Unit], &'static str) {
         match self {
-            Self::Number => ("", table::NUMBER_UNITS, "1.5"),
-            Self::Mass => ("kg", table::MASS_UNITS, "29.5g"),
-            Self::Length => ("m", table::LENGTH_UNITS, "25.4mm"),
-            Self::Velocity => ("m/s", table::VELOCITY_UNITS, "100 m/s"),
-            Self::Angle => ("deg", table::ANGLE_UNITS, "30deg"),
-            Self::Density => ("kg/m3", table::DENSITY_UNITS, "2710 kg/m3"),
-            Self::Pressure => ("Pa", table::PRESSURE_UNITS, "151.6 MPa"),
-            Self::Time => ("s", table::TIME_UNITS, "150 us"),
-            Self::Force => ("N", table::FORCE_UNITS, "19kN"),
-            Self::Impulse => ("N s", table::IMPULSE_UNITS, "12 N s"),
-            Self::Energy => ("J", table::ENERGY_UNITS, "1.5kJ"),
-            Self::SpecificEnergy => ("J/kg", table::SPECIFIC_ENERGY_UNITS, "20kJ/kg"),
-            Self::Stiffness => ("N/m", table::STIFFNESS_UNITS, "7.5MN/m"),
-            Self::Damping => ("N s/m", table::DAMPING_UNITS, "2 kN s/m"),
-            Self::SpringCoefficient => ("N/m^n", table::STIFFNESS_UNITS, "7.5MN/m"),
-            Self::DamperCoefficient => ("N(s/m)^m", table::DAMPING_UNITS, "2 kN s/m"),
-            Self::Twist => ("rad/m", table::TWIST_UNITS, "50 rad/m"),
-            Self::Inertia => ("kg m2", table::INERTIA_UNITS, "5e-6 kg m2"),
-            Self::ArealMass => ("kg/m2", table::AREAL_MASS_UNITS, "40 kg/m2"),
+            Self::Number => ("", "", table::NUMBER_UNITS, "1.5"),
+            Self::Mass => ("kg", "g", table::MASS_UNITS, "29.5g"),
+            Self::Length => ("m", "mm", table::LENGTH_UNITS, "25.4mm"),
+            Self::Velocity => ("m/s", "m/s", table::VELOCITY_UNITS, "100 m/s"),
+            Self::Angle => ("deg", "deg", table::ANGLE_UNITS, "30deg"),
+            Self::Density => ("kg/m3", "kg/m3", table::DENSITY_UNITS, "2710 kg/m3"),
+            Self::Pressure => ("Pa", "MPa", table::PRESSURE_UNITS, "151.6 MPa"),
+            Self::Time => ("s", "ms", table::TIME_UNITS, "150 us"),
+            Self::Force => ("N", "kN", table::FORCE_UNITS, "19kN"),
+            Self::Impulse => ("N s", "N s", table::IMPULSE_UNITS, "12 N s"),
+            Self::Energy => ("J", "J", table::ENERGY_UNITS, "1.5kJ"),
+            Self::SpecificEnergy => ("J/kg", "J/kg", table::SPECIFIC_ENERGY_UNITS, "20kJ/kg"),
+            Self::Stiffness => ("N/m", "kN/m", table::STIFFNESS_UNITS, "7.5MN/m"),
+            Self::Damping => ("N s/m", "N s/m", table::DAMPING_UNITS, "2 kN s/m"),
+            Self::SpringCoefficient => ("N/m^n", "kN/m^n", table::STIFFNESS_UNITS, "7.5MN/m"),
+            Self::DamperCoefficient => ("N(s/m)^m", "N(s/m)^m", table::DAMPING_UNITS, "2 kN s/m"),
+            Self::Twist => ("rad/m", "rad/m", table::TWIST_UNITS, "50 rad/m"),
+            Self::Inertia => ("kg m2", "kg m2", table::INERTIA_UNITS, "5e-6 kg m2"),
+            Self::ArealMass => ("kg/m2", "kg/m2", table::AREAL_MASS_UNITS, "40 kg/m2"),
         }
     }
 
     /// The units this kind may be written in, the stored one first.
     fn units(self) -> &'static [Unit] {
-        self.row().1
+        self.row().2
     }
 
     /// The unit in which values of this kind are stored and shown beside a bare number.
@@ -77,20 +77,11 @@ impl Dimension {
 
     /// The unit in which people read values of this kind on a screen.
     pub fn shown_unit(self) -> &'static str {
-        match self {
-            Self::Mass => "g",
-            Self::Length => "mm",
-            Self::Pressure => "MPa",
-            Self::Force => "kN",
-            Self::Time => "ms",
-            Self::Stiffness => "kN/m",
-            Self::SpringCoefficient => "kN/m^n",
-            _ => self.unit(),
-        }
+        self.row().1
     }
 
     fn example(self) -> &'static str {
-        self.row().2
+        self.row().3
     }
 
     fn accepted(self) -> String {
@@ -140,16 +131,16 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, Quantit
     if trimmed.is_empty() {
         return Err(QuantityError(format!("empty: write a number, for example `{example}`")));
     }
-    let (shown, column) =
-        (quoted(trimmed), 1 + text.chars().count() - text.trim_start().chars().count());
+    let shown = quoted(trimmed);
+    let column = |rest: &str| 1 + text.trim_end().chars().count() - rest.chars().count();
     let (value, rest) = expression(trimmed).ok_or_else(|| {
-        let column = column + number_prefix(trimmed);
+        let column = column(&trimmed[number_prefix(trimmed)..]);
         QuantityError(format!(
             "`{shown}` is not a number (column {column}): write for example `{example}`"
         ))
     })?;
     if let Some(point) = with_point(trimmed, rest) {
-        let column = column + trimmed.chars().count() - rest.chars().count();
+        let column = column(rest);
         return Err(QuantityError(format!("`{shown}` has a comma (column {column}): {point}")));
     }
     let unit = rest.trim();
@@ -164,8 +155,7 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, Quantit
         table::STORED
     } else {
         find_unit(unit, quantity).ok_or_else(|| {
-            let before = trimmed.chars().count() - rest.trim_start().chars().count();
-            let (column, accepted) = (column + before, quantity.accepted());
+            let (column, accepted) = (column(unit), quantity.accepted());
             let bare = match quantity.unit() {
                 _ if needs_unit => String::new(),
                 "" => ", or no unit".to_owned(),
