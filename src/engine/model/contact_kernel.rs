@@ -1,13 +1,12 @@
 //! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps
 //! and searches that request nothing else.
 //!
-//! Without spring and damper a contact has a closed form. Else its Taylor recurrence is unrolled at compile time for each kind of
-//! spring and damper (`law.rs`, `expansion.rs`) and integrated step by step (`integration.rs`). A law that is singular where the plate
-//! starts is put in a moment later (`start.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a
-//! plate that comes back through a singular point, one that a spring or damper holds too stiffly for its steps) are left to the
+//! The contact's Taylor recurrence is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`) and
+//! integrated step by step (`integration.rs`). A law that is singular where the plate starts is put in a moment later (`start.rs`).
+//! Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back through a singular point, one
+//! that a spring or damper holds too stiffly for its steps) are left to the
 //! simulation: [`Contact::run`] returns `None`.
 
-use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
 use crate::model::mechanism::{Mechanism, PowerLaw};
 use crate::model::scene::{ContactModel, Scene};
@@ -29,8 +28,6 @@ const PLATE_PART_MIN: f64 = 1e-4;
 /// First unit of a step, relative to the contact's duration and, on a graded clock, to where it starts.
 const EVEN_UNIT: f64 = 0.5;
 const GRADED_UNIT: f64 = 0.6;
-/// Shots that leave with less than this part of their velocity are integrated: the closed form gives their velocity few digits.
-const SLOW_EXIT: f64 = 0.05;
 /// Time up to which a plate is expanded without its singular laws, as part of the contact's duration.
 const MOMENT_MAX: f64 = 0.1;
 
@@ -122,47 +119,8 @@ impl Contact {
         if self.left_to_others {
             return None;
         }
-        if self.spring.is_absent()
-            && self.damper.is_absent()
-            && let Some(end) = self.closed()
-        {
-            return Some(end);
-        }
         let accuracy = Accuracy { tolerance, plate_m };
         self.integrate(self.begin(accuracy)?, accuracy)
-    }
-
-    /// A contact that only inertia resists, in closed form.
-    fn closed(&self) -> Option<ContactEnd> {
-        let Constants { slip_mobility, plate_mobility, cos, velocity_m_s, .. } = self.constants;
-        let passage = Passage {
-            geometry: &self.geometry,
-            mobility_per_kg: slip_mobility,
-            strength_pa: self.constants.strength_pa,
-            drag_kg_m3: self.constants.drag_kg_m3,
-            velocity_m_s,
-        };
-        let ending = passage.ending();
-        let (travel_m, slip) = match ending {
-            Ending::Exit { velocity_m_s } => (self.geometry.exit_m, velocity_m_s),
-            Ending::Arrest { travel_m } => (travel_m, 0.0),
-        };
-        let arrested = matches!(ending, Ending::Arrest { .. });
-        if !arrested && slip < SLOW_EXIT * velocity_m_s {
-            return None;
-        }
-        let t_s = passage.time_s(ending);
-        let fraction = cos * plate_mobility / slip_mobility;
-        let plate_displacement_m = self.start_m + fraction * (velocity_m_s * t_s - travel_m);
-        Some(ContactEnd {
-            arrested,
-            t_s,
-            penetration_m: self.geometry.depth_m(travel_m),
-            plate_displacement_m,
-            plate_velocity_m_s: fraction * (velocity_m_s - slip),
-            max_displacement_m: plate_displacement_m,
-            steps: 0,
-        })
     }
 
     /// Whether the spring is singular where the plate starts.
