@@ -46,7 +46,7 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
     let file = format!("presets/library/{}.toml", library.file());
     let (mut entries, wrong) = entries(library, bundled(library), (&file, None));
     let mut problems: Vec<FileError> = wrong.into_iter().map(FileError::Scene).collect();
-    let Some(path) = paths.map(|paths| paths.library_file(&library.file())) else {
+    let Some(path) = paths.map(|paths| paths.library_file(library.file())) else {
         return (entries, problems);
     };
     match read::text_file(&path, read::BYTES_MAX) {
