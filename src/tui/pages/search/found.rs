@@ -1,6 +1,6 @@
 //! What the Search tab has found, which design is selected, and whether all of it is old. No drawing.
 
-use crate::numerics::statistics::ascending;
+use crate::numerics::statistics::sorted_by;
 use crate::study::search::front::{Design, Report};
 use crate::tui::app::running::Kept;
 use crate::tui::pages::explore::state::copy_value;
@@ -36,7 +36,7 @@ impl Searching {
         let (sorted, _) = self.across(front);
         let value =
             |design: &Design| design.measures.get(sorted).copied().flatten().unwrap_or(f64::NAN);
-        ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
+        sorted_by((0..front.designs.len()).collect(), |at| value(&front.designs[*at]))
     }
 
     /// The same as its page shows it.
