@@ -82,12 +82,8 @@ impl<'p> Kernel<'p> {
             if !(decides(scene, wanted) && self.tells_force(scene)) {
                 continue;
             }
-            let contact = Contact::of(scene);
-            let end = if self.displacement {
-                contact.run_minding_plate(tolerance)
-            } else {
-                contact.run(tolerance)
-            };
+            let run = if self.displacement { Contact::run_minding_plate } else { Contact::run };
+            let end = Contact::of(scene).and_then(|contact| run(&contact, tolerance));
             let answer = end.map(|end| self.finish(scene, end));
             // The mount of a plate that never moves bears the contact force, which takes a simulation.
             let still = |displaced_m| self.force && holds_still(scene, displaced_m);
