@@ -8,7 +8,7 @@ use std::fmt;
 
 pub use crate::model::run::check::Check;
 
-use crate::model::design::Rod;
+use crate::model::design::critical_obliquity_deg;
 use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
 use crate::model::run::{EventKind, Run, Warning};
@@ -287,7 +287,7 @@ pub fn oblique_error(theta: f64) -> String {
 
 /// That a shot is likely to glance off, which the model does not know; `None` up to Tate's critical angle.
 pub fn ricochet(scene: &Scene) -> Option<String> {
-    let critical = Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3);
+    let critical = critical_obliquity_deg(scene);
     (scene.projectile.obliquity_deg > critical).then(|| {
         let critical = significant(critical, 3);
         format!("beyond Tate's critical {critical} deg, a rule for long rods at high speed, ricochet is likely")
