@@ -70,8 +70,6 @@ pub struct AreaPiece {
 /// The engaged area as a function of travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AreaLaw {
-    /// No contact.
-    None,
     /// a0 + a1 (q - origin) + a2 (q - origin)², m².
     Quadratic {
         /// Where the polynomial is centred, m.
@@ -185,7 +183,7 @@ impl Geometry {
             bend_m,
             lag_m,
             exit_m: exit_depth + lag_m,
-            pieces: [AreaPiece { from_m: 0.0, to_m: 0.0, law: AreaLaw::None }; PIECES_MAX],
+            pieces: [AreaPiece::free(0.0, 0.0); PIECES_MAX],
             count: 0,
         };
         geometry.cut();
@@ -215,14 +213,10 @@ impl Geometry {
     /// The piece that holds at travel `q_m`, the later one at a joint; free space before and after.
     pub fn piece(&self, q_m: f64) -> AreaPiece {
         if q_m < 0.0 {
-            return AreaPiece { from_m: f64::NEG_INFINITY, to_m: 0.0, law: AreaLaw::None };
+            return AreaPiece::free(f64::NEG_INFINITY, 0.0);
         }
         let found = self.pieces().iter().find(|piece| q_m < piece.to_m);
-        found.copied().unwrap_or(AreaPiece {
-            from_m: self.exit_m,
-            to_m: f64::INFINITY,
-            law: AreaLaw::None,
-        })
+        found.copied().unwrap_or(AreaPiece::free(self.exit_m, f64::INFINITY))
     }
 
     /// The piece that holds just before travel `q_m`, for a projectile that is pulled out.
@@ -324,6 +318,11 @@ impl Geometry {
 }
 
 impl AreaPiece {
+    /// Free space.
+    const fn free(from_m: f64, to_m: f64) -> Self {
+        Self { from_m, to_m, law: AreaLaw::Quadratic { origin_m: 0.0, a: [0.0; 3] } }
+    }
+
     /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`: of a quadratic area a cubic's zero, else by
     /// Newton's method, whose slope is the area itself, kept inside the bracket by bisection.
     fn travel_at_volume_m(&self, nose: &NoseGeometry, volume_m3: f64, whole_m3: f64) -> f64 {
@@ -380,7 +379,6 @@ impl AreaLaw {
     /// The area at travel `q_m`, m².
     pub fn area_m2(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
         match *self {
-            Self::None => 0.0,
             Self::Quadratic { origin_m, a } => {
                 let s = q_m - origin_m;
                 a[0] + s * (a[1] + s * a[2])
