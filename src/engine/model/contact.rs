@@ -216,7 +216,7 @@ impl Geometry {
             return AreaPiece::free(f64::NEG_INFINITY, 0.0);
         }
         let found = self.pieces().iter().find(|piece| q_m < piece.to_m);
-        found.copied().unwrap_or(AreaPiece::free(self.exit_m, f64::INFINITY))
+        found.copied().unwrap_or_else(|| AreaPiece::free(self.exit_m, f64::INFINITY))
     }
 
     /// The piece that holds just before travel `q_m`, for a projectile that is pulled out.

@@ -102,7 +102,7 @@ impl Contact {
     pub(super) fn area_law(&self, piece: usize) -> Option<Area> {
         match self.geometry.pieces().get(piece)?.law {
             AreaLaw::Quadratic { origin_m, a } => Some(Area { origin_m, a }),
-            _ => None,
+            AreaLaw::Partial { .. } => None,
         }
     }
 
