@@ -11,6 +11,7 @@ mod encode;
 pub(super) mod hook;
 
 use std::io;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -32,6 +33,9 @@ use rustix::termios::{QueueSelector, tcflush};
 
 /// Whether the terminal is ours at present (raw, alternate screen).
 static ENTERED: AtomicBool = AtomicBool::new(false);
+
+/// Held while the terminal is given back: the process may end by another thread as soon as that is done, not before.
+static RESTORING: Mutex<()> = Mutex::new(());
 
 static MOUSE: AtomicBool = AtomicBool::new(false);
 
@@ -193,6 +197,7 @@ impl Drop for Guard {
 /// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone). A terminal that takes no
 /// bytes loses the frames on their way to it, so that there is room for the farewell.
 pub(super) fn restore() {
+    let _one = RESTORING.lock();
     if ENTERED.swap(false, Ordering::SeqCst) {
         let takes =
             || poll_stdout(PollFlags::OUT, Some(SHORT)).is_ok_and(|found| !found.is_empty());
@@ -324,10 +329,14 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
 /// Wait for events of the terminal, at most this long; gives those that have come, hang-ups and errors among them.
 fn poll_stdout(wanted: PollFlags, patience: Option<Duration>) -> Result<PollFlags, Errno> {
     let out = stdout();
-    let mut watched = [PollFd::new(&out, wanted)];
     let patience = patience.and_then(|wait| Timespec::try_from(wait).ok());
-    match poll(&mut watched, patience.as_ref()) {
-        Ok(_) | Err(Errno::INTR) => Ok(watched[0].revents()),
-        Err(error) => Err(error),
+    loop {
+        let mut watched = [PollFd::new(&out, wanted)];
+        match poll(&mut watched, patience.as_ref()) {
+            Ok(_) => return Ok(watched[0].revents()),
+            // A signal says nothing of the terminal.
+            Err(Errno::INTR) => {}
+            Err(error) => return Err(error),
+        }
     }
 }

@@ -107,7 +107,7 @@ fn valid_the_rounding_of_the_elastic_rise_does_not_matter() {
             assert!(is_near || expected.is_nan(), "{pairs}: {found} for {expected}");
         }
         let first: Vec<f64> =
-            run.series.iter().take(50).map(|row| row.plate_displacement_m).collect();
+            run.series.iter().take(40).map(|row| row.plate_displacement_m).collect();
         assert!(first.is_sorted(), "{pairs}: {first:?}");
     }
 }

@@ -9,8 +9,9 @@ use crate::numerics::larger;
 /// Rounding that no second computation can see, relative.
 pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Part of the tolerance, relative to the cocking distance, that both computations may leave of a plate that creeps back to zero.
-const SHARED: f64 = 1e-5;
+/// How many times its difference from the other a computation may be off that passed through another number of events: the least error of
+/// each sends it another way, and the two may have come out close to each other by chance.
+const ANOTHER_WAY: f64 = 10.0;
 
 /// What rounding errors of a quantity are relative to besides its own size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,8 +52,12 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
         run.error_estimate = Some(ErrorEstimate { relative: f64::INFINITY, basis });
         return;
     }
-    // First order: half the step leaves half of the error.
-    let factor = if basis == EstimateBasis::HalfStep { 2.0 } else { 1.0 };
+    let factor = match basis {
+        // First order: half the step leaves half of the error.
+        EstimateBasis::HalfStep => 2.0,
+        _ if run.cost.events != second.cost.events => ANOTHER_WAY,
+        _ => 1.0,
+    };
     run.error_estimates = ESTIMATED
         .iter()
         .filter_map(|(name, scale, get)| {
@@ -65,12 +70,10 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
                 Scale::LimitVelocity => {
                     f64::EPSILON * (struck / run.residual_velocity_m_s?).powi(2)
                 }
-                Scale::CockingDistance => {
-                    let shared = larger(ROUNDING, SHARED * run.scene.run.tolerance);
-                    shared * run.scene.start_m().abs() / value.abs()
-                }
+                Scale::CockingDistance => ROUNDING * run.scene.start_m().abs() / value.abs(),
             };
-            let relative = difference(value, other, larger(floor, rounding))? * factor;
+            let off = factor * (value - other).abs();
+            let relative = relative(off, value, larger(floor, rounding))?;
             Some(ResultError { name, relative })
         })
         .collect();
@@ -83,10 +86,9 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     run.error_estimate = found.map(|error| ErrorEstimate { relative: error.relative, basis });
 }
 
-/// The difference of a value from another, relative to the value, which is not known better than to a floor; nothing for zero.
-fn difference(value: f64, other: f64, floor: f64) -> Option<f64> {
-    let relative = larger((value - other).abs() / value.abs(), floor);
-    relative.is_finite().then_some(relative)
+/// What a value is off by, relative to it, which is not known better than to a floor; nothing for zero.
+fn relative(off: f64, value: f64, floor: f64) -> Option<f64> {
+    Some(larger(off / value.abs(), floor)).filter(|relative| relative.is_finite())
 }
 
 #[cfg(test)]
@@ -94,12 +96,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_difference_is_relative_and_not_below_its_floor() {
-        assert_eq!(difference(1.0, 1.0, 1e-15), Some(1e-15));
-        assert!((difference(-1.0, -1.01, 1e-15).unwrap() - 0.01).abs() < 1e-15);
-        assert_eq!(difference(0.0, 0.0, 1e-15), None);
-        assert_eq!(difference(0.0, 1.0, 1e-15), None);
-        // No digit is known.
-        assert_eq!(difference(1.0, 0.0, 1e-15), Some(1.0));
+    fn an_error_is_relative_and_not_below_its_floor() {
+        assert_eq!(relative(0.0, 1.0, 1e-15), Some(1e-15));
+        assert!((relative(0.01, -2.0, 1e-15).unwrap() - 0.005).abs() < 1e-15);
+        assert_eq!(relative(0.0, 0.0, 1e-15), None);
+        assert_eq!(relative(1.0, 0.0, 1e-15), None);
     }
 }

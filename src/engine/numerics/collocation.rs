@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use crate::numerics::quadrature::legendre;
 use crate::numerics::step::{
-    Acceleration, Near, Point, Slopes, Square, Step, Stepper, dot, integrals, series,
+    Acceleration, Near, Point, Slopes, Square, Step, Stepper, dot, series,
 };
 use crate::numerics::{larger, smaller};
 
@@ -89,13 +89,12 @@ pub(crate) struct Member<const S: usize> {
     gauss: [Gauss<S>; S],
 }
 
-/// A node of Gauss's rule on a step, its weight, and the Legendre polynomials there with their integrals.
+/// A node of Gauss's rule on a step, its weight, and the Legendre polynomials there.
 #[derive(Debug)]
 struct Gauss<const S: usize> {
     at: f64,
     weight: f64,
     values: [f64; S],
-    integrals: [f64; S],
 }
 
 pub(crate) static NINE: LazyLock<Member<9>> = LazyLock::new(Member::new);
@@ -158,6 +157,12 @@ fn legendre_and_slope(n: usize, x: f64) -> (f64, f64) {
     (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
 }
 
+/// The integral of the Legendre polynomial of degree k, shifted to (0, 1), from 0 to theta.
+fn integral(k: usize, theta: f64) -> f64 {
+    let p = legendre::<10>(2.0 * theta - 1.0);
+    if k == 0 { theta } else { (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64 }
+}
+
 impl<const S: usize> Member<S> {
     fn new() -> Self {
         let order = S as f64;
@@ -183,8 +188,7 @@ impl<const S: usize> Member<S> {
         }
         let mut a = [[0.0; S]; S];
         for (row, node) in a.iter_mut().zip(&nodes) {
-            let integrals = integrals::<S>(*node);
-            *row = std::array::from_fn(|j| (0..S).map(|k| integrals[k] * modes[k][j]).sum());
+            *row = std::array::from_fn(|j| (0..S).map(|k| integral(k, *node) * modes[k][j]).sum());
         }
         let square = std::array::from_fn(|i| {
             std::array::from_fn(|j| (0..S).map(|k| a[i][k] * a[k][j]).sum())
@@ -194,7 +198,7 @@ impl<const S: usize> Member<S> {
             let x = polished(guess, |x| legendre_and_slope(S, x));
             let slope = legendre_and_slope(S, x).1;
             let (at, weight) = (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope));
-            Gauss { at, weight, values: legendre(x), integrals: integrals(at) }
+            Gauss { at, weight, values: legendre(x) }
         });
         Self { nodes, a, square, modes, gauss }
     }
@@ -342,13 +346,9 @@ impl<const S: usize> Member<S> {
         let coefficients = |value: &dyn Fn(usize) -> f64| {
             std::array::from_fn(|k| (0..S).map(|j| self.modes[k][j] * value(j)).sum())
         };
-        Step {
-            h,
-            start,
-            acceleration: std::array::from_fn(|d| coefficients(&|j| stages[j][d])),
-            speed: std::array::from_fn(|d| coefficients(&|j| points[j].1[d])),
-            end: points[S - 1],
-        }
+        let acceleration = std::array::from_fn(|d| coefficients(&|j| stages[j][d]));
+        let speed = std::array::from_fn(|d| coefficients(&|j| points[j].1[d]));
+        Step::new(h, [start, points[S - 1]], &speed, acceleration)
     }
 
     /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
@@ -374,8 +374,8 @@ impl<const S: usize> Member<S> {
             tail.0[d] = h * tail.1[d];
         }
         let mut defect = ([0.0; D], [0.0; D]);
-        for Gauss { at, weight, values, integrals } in &self.gauss {
-            let (place, speed) = step.after(integrals);
+        for Gauss { at, weight, values } in &self.gauss {
+            let (place, speed) = step.at(*at);
             for (d, wanted) in law.at(&place, &speed).into_iter().enumerate() {
                 let given = dot(&step.acceleration[d], values);
                 let missed = h * weight * (wanted - given);

@@ -130,7 +130,7 @@ fn through<const D: usize>(
     end: Point<D>,
     [first, last]: [[f64; D]; 2],
 ) -> Step<D, COEFFICIENTS> {
-    let mut step = Step { h, start, acceleration: [[0.0; 5]; D], speed: [[0.0; 5]; D], end };
+    let (mut acceleration, mut speed) = ([[0.0; COEFFICIENTS]; D], [[0.0; COEFFICIENTS]; D]);
     for d in 0..D {
         // In Legendre polynomials of the part of the step: the mean is the change of the speed, the moment about the end that of the place.
         let mean = (end.1[d] - start.1[d]) / h;
@@ -138,8 +138,8 @@ fn through<const D: usize>(
         let tilt = 3.0 * mean - 6.0 * moment;
         let bend = 0.5 * (first[d] + last[d]) - mean;
         let twist = 0.5 * (last[d] - first[d]) - tilt;
-        step.acceleration[d] = [mean, tilt, bend, twist, 0.0];
-        step.speed[d] = [
+        acceleration[d] = [mean, tilt, bend, twist, 0.0];
+        speed[d] = [
             start.1[d] + h * (0.5 * mean - tilt / 6.0),
             h * (0.5 * mean - bend / 10.0),
             h * (tilt / 6.0 - twist / 14.0),
@@ -147,7 +147,7 @@ fn through<const D: usize>(
             h * twist / 14.0,
         ];
     }
-    step
+    Step::new(h, [start, end], &speed, acceleration)
 }
 
 #[cfg(test)]

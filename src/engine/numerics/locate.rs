@@ -21,22 +21,23 @@ pub(crate) enum Found {
     Unresolved(usize),
 }
 
-/// Looks for the first fall of gaps that `values` writes for a part of the step, of which the first `count` are watched.
+/// Looks for the first fall of gaps, at most [`GAPS_MAX`]: `gap` gives that of an index at a part of the step.
 ///
 /// A gap that begins at zero has to rise first.
-pub(crate) fn first_fall(count: usize, values: impl Fn(f64, &mut [f64; GAPS_MAX])) -> Found {
-    first_fall_of(count, &values)
+pub(crate) fn first_fall(count: usize, gap: impl Fn(f64, usize) -> f64) -> Found {
+    first_fall_of(count, &gap)
 }
 
 /// The same, compiled once for all motions.
-fn first_fall_of(count: usize, values: &dyn Fn(f64, &mut [f64; GAPS_MAX])) -> Found {
+fn first_fall_of(count: usize, gap: &dyn Fn(f64, usize) -> f64) -> Found {
     let at = |theta: f64| {
         let mut gaps = [0.0; GAPS_MAX];
-        values(theta, &mut gaps);
+        for (which, value) in gaps[..count].iter_mut().enumerate() {
+            *value = gap(theta, which);
+        }
         gaps
     };
-    let one = |theta: f64, which: usize| at(theta)[which];
-    let fall = |from: f64, to: f64, which: usize| in_bracket(from, to, |theta| one(theta, which));
+    let fall = |from: f64, to: f64, which: usize| in_bracket(from, to, |theta| gap(theta, which));
     let (mut older, mut before) = ([f64::NAN; GAPS_MAX], at(0.0));
     for cell in 1..=CELLS {
         let (from, to) = ((cell - 1) as f64 / CELLS as f64, cell as f64 / CELLS as f64);
@@ -49,7 +50,7 @@ fn first_fall_of(count: usize, values: &dyn Fn(f64, &mut [f64; GAPS_MAX])) -> Fo
             } else if cell == 1 && b <= 0.0 && c < 0.0 {
                 return Found::Unresolved(which);
             } else if let Some(bottom) = bottom(from, [a, b, c])
-                && one(bottom, which) < 0.0
+                && gap(bottom, which) < 0.0
             {
                 let start = if bottom < from { from - 1.0 / CELLS as f64 } else { from };
                 fall(start, bottom, which)
@@ -84,7 +85,7 @@ mod tests {
     use super::*;
 
     fn of(gap: impl Fn(f64) -> f64) -> Found {
-        first_fall(1, |theta, gaps| gaps[0] = gap(theta))
+        first_fall(1, |theta, _| gap(theta))
     }
 
     fn is_at(found: Found, exact: f64) -> bool {
@@ -116,9 +117,7 @@ mod tests {
 
     #[test]
     fn of_several_gaps_the_first_to_fall_counts() {
-        let found = first_fall(3, |t, gaps| {
-            (gaps[0], gaps[1], gaps[2]) = (0.52 - t, 0.51 - t, 0.9 - t);
-        });
+        let found = first_fall(3, |t, which| [0.52, 0.51, 0.9][which] - t);
         assert!(matches!(found, Found::Fall(1, at) if (at - 0.51).abs() < 1e-14), "{found:?}");
     }
 }

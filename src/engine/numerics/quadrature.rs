@@ -81,9 +81,9 @@ const fn gauss_16() -> [Node; 8] {
     rule
 }
 
-/// The reciprocals of whole numbers: a number times its own is exactly one as far as they go.
-pub(crate) const RECIPROCALS: [f64; 36] = {
-    let mut all = [0.0; 36];
+/// The reciprocals of whole numbers, which cost less than divisions.
+const RECIPROCALS: [f64; 16] = {
+    let mut all = [0.0; 16];
     let mut number = 1;
     while number < all.len() {
         all[number] = 1.0 / number as f64;

@@ -1,6 +1,6 @@
 //! What methods that step through a motion have in common: the law of the motion, and each step as polynomials.
 
-use crate::numerics::quadrature::{RECIPROCALS, legendre};
+use crate::numerics::quadrature::legendre;
 
 /// A square matrix.
 pub(crate) type Square<const D: usize> = [[f64; D]; D];
@@ -65,38 +65,90 @@ pub(crate) struct Near<const D: usize, const S: usize> {
     pub(crate) over: f64,
 }
 
-/// A step of length h, in Legendre polynomials of the part theta of it, 0 to 1.
+/// A step of length h, in polynomials of the part theta of it, 0 to 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Step<const D: usize, const S: usize> {
     /// Its length.
     pub(crate) h: f64,
     /// Places and speeds at its start.
-    pub(crate) start: Point<D>,
-    /// Coefficients of the acceleration.
+    start: Point<D>,
+    /// Legendre coefficients of the acceleration.
     pub(crate) acceleration: [[f64; S]; D],
-    /// Coefficients of the speed as far as the places follow from it.
-    pub(crate) speed: [[f64; S]; D],
+    /// What places and speeds have changed by.
+    changes: ([Change<S>; D], [Change<S>; D]),
     /// Places and speeds at its end.
     pub(crate) end: Point<D>,
 }
 
 impl<const D: usize, const S: usize> Step<D, S> {
-    /// Places and speeds at a part of it; a little beyond its end, too.
-    pub(crate) fn at(&self, theta: f64) -> Point<D> {
-        self.after(&integrals(theta))
+    /// From Legendre coefficients of the acceleration, and of the speed as far as the places follow from it.
+    pub(crate) fn new(
+        h: f64,
+        [start, end]: [Point<D>; 2],
+        speed: &[[f64; S]; D],
+        acceleration: [[f64; S]; D],
+    ) -> Self {
+        let changes = |rates: &[[f64; S]; D]| rates.each_ref().map(|rates| Change::of(rates, h));
+        Self { h, start, acceleration, changes: (changes(speed), changes(&acceleration)), end }
     }
 
-    /// The same at the part to which the Legendre polynomials have these integrals.
-    pub(crate) fn after(&self, integrals: &[f64; S]) -> Point<D> {
-        let after =
-            |start: f64, coefficients: &[f64; S]| start + self.h * dot(coefficients, integrals);
-        let (place, speed) = &self.start;
-        (
-            std::array::from_fn(|d| after(place[d], &self.speed[d])),
-            std::array::from_fn(|d| after(speed[d], &self.acceleration[d])),
-        )
+    /// Places and speeds at a part of it; a little beyond its end, too.
+    pub(crate) fn at(&self, theta: f64) -> Point<D> {
+        let x = 2.0 * theta - 1.0;
+        let after = |start: &[f64; D], changes: &[Change<S>; D]| {
+            std::array::from_fn(|d| start[d] + changes[d].at(x))
+        };
+        (after(&self.start.0, &self.changes.0), after(&self.start.1, &self.changes.1))
     }
 }
+
+/// The change of a place or a speed on a step, in powers of x = 2 theta - 1: exactly zero where the step begins.
+#[derive(Clone, Debug)]
+struct Change<const S: usize> {
+    /// Coefficients of x, x² and so on.
+    powers: [f64; S],
+    /// Their sum at x = -1.
+    start: f64,
+}
+
+impl<const S: usize> Change<S> {
+    /// Over a step of h at a rate with these Legendre coefficients.
+    fn of(rate: &[f64; S], h: f64) -> Self {
+        let mut powers = [0.0; S];
+        for (coefficient, integral) in rate.iter().zip(&INTEGRALS) {
+            for (power, of_x) in powers.iter_mut().zip(integral) {
+                *power += h * coefficient * of_x;
+            }
+        }
+        let start = Self { powers, start: 0.0 }.at(-1.0);
+        Self { powers, start }
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        x * self.powers.iter().rev().fold(0.0, |sum, power| sum * x + power) - self.start
+    }
+}
+
+/// The most stages that a method has.
+const STAGES_MAX: usize = 9;
+
+/// The integrals of the Legendre polynomials over the part theta of a step, in powers of x = 2 theta - 1 from the first on.
+const INTEGRALS: [[f64; STAGES_MAX]; STAGES_MAX] = {
+    let mut table = [[0.0; STAGES_MAX]; STAGES_MAX];
+    let (mut before, mut p, mut degree) = ([0.0; STAGES_MAX], [0.0; STAGES_MAX], 0);
+    p[0] = 1.0;
+    while degree < STAGES_MAX {
+        let (k, mut next, mut j) = (degree as f64, [0.0; STAGES_MAX], 0);
+        while j < STAGES_MAX {
+            table[degree][j] = 0.5 * p[j] / (j + 1) as f64;
+            let raised = if j > 0 { p[j - 1] } else { 0.0 };
+            next[j] = ((2.0 * k + 1.0) * raised - k * before[j]) / (k + 1.0);
+            j += 1;
+        }
+        (before, p, degree) = (p, next, degree + 1);
+    }
+    table
+};
 
 /// Sums of Legendre polynomials of a part of a step, 0 to 1, with these coefficients.
 pub(crate) fn series<const D: usize, const S: usize>(
@@ -112,22 +164,6 @@ pub(crate) fn dot<const S: usize>(one: &[f64; S], other: &[f64; S]) -> f64 {
     one.iter().zip(other).map(|(a, b)| a * b).sum()
 }
 
-/// The integral from 0 to theta of the Legendre polynomials of degree below S, shifted to (0, 1).
-pub(crate) fn integrals<const S: usize>(theta: f64) -> [f64; S] {
-    let x = 2.0 * theta - 1.0;
-    let (mut before, mut now) = (1.0, x);
-    std::array::from_fn(|k| {
-        if k == 0 {
-            return theta;
-        }
-        let degree = k as f64;
-        let next = ((2.0 * degree + 1.0) * x * now - degree * before) * RECIPROCALS[k + 1];
-        let integral = (next - before) * RECIPROCALS[2 * (2 * k + 1)];
-        (before, now) = (now, next);
-        integral
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -136,13 +172,8 @@ mod tests {
     /// 6 (theta² - theta) + 1: it is the whole of y'.
     #[test]
     fn valid_places_are_the_integrals_of_the_speeds_and_these_of_the_accelerations() {
-        let step: Step<1, 3> = Step {
-            h: 3.0,
-            start: ([5.0], [1.0]),
-            acceleration: [[0.0, 2.0, 0.0]],
-            speed: [[0.0, 0.0, 1.0]],
-            end: ([5.0], [1.0]),
-        };
+        let ends = [([5.0], [1.0]); 2];
+        let step = Step::new(3.0, ends, &[[0.0, 0.0, 1.0]], [[0.0, 2.0, 0.0]]);
         for theta in [0.0, 0.25, 0.5, 1.0] {
             let (place, speed) = step.at(theta);
             let exact = 1.0 + 6.0 * (theta * theta - theta);
@@ -157,6 +188,8 @@ mod tests {
     /// A gap that is zero where a step begins has to be zero on its polynomial too.
     #[test]
     fn valid_a_step_begins_exactly_where_it_begins() {
-        assert_eq!(integrals::<9>(0.0).map(|integral| integral.abs().to_bits()), [0; 9]);
+        let start = ([0.1], [0.3]);
+        let step = Step::new(0.7, [start; 2], &[[0.3, 0.2, 0.1]], [[0.9, 0.5, 0.7]]);
+        assert_eq!(step.at(0.0), start);
     }
 }

@@ -6,7 +6,7 @@ use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
-use crate::study::accuracy::method::{Answer, Parameter};
+use crate::study::accuracy::method::{Answer, Method, Parameter};
 use crate::study::accuracy::reference::References;
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, RESULTS, Report, Saving};
 
@@ -117,7 +117,10 @@ pub fn advice(report: &Report) -> String {
         .map_or_else(String::new, |run_s| format!("; {} with series and estimate", seconds(run_s)));
     match report.usable(target) {
         Some(found) => format!("{target:.0e}: {} {}{with}", seconds(found.min_s), by(&found)),
-        None => format!("{target:.0e}: auto does not reach it here"),
+        None if report.is_measured(Method::Auto) => {
+            format!("{target:.0e}: auto does not reach it here")
+        }
+        None => format!("{target:.0e}: auto is not measured yet"),
     }
 }
 

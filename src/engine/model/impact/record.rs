@@ -37,10 +37,9 @@ pub(super) struct Record<'a> {
     pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
     pub(super) loads: Loads,
-    /// Greatest displacement and when it was reached, and the least, m and s.
+    /// Greatest displacement and when it was reached, m and s.
     pub(super) farthest_m: f64,
     pub(super) farthest_s: f64,
-    pub(super) least_m: f64,
     /// Greatest speed of the plate at the ends of steps, m/s.
     pub(super) fastest_m_s: f64,
     /// A steep law held the plate up to the first arrest.
@@ -73,7 +72,7 @@ impl Record<'_> {
     /// Notes the first moment.
     pub(super) fn begin(&mut self, equations: &Equations<'_>, state: &State) {
         let x_m = equations.displacement_m(state.x_m);
-        (self.farthest_m, self.least_m) = (x_m, x_m);
+        self.farthest_m = x_m;
         self.peak_contact_n = equations.contact_n(state);
         if equations.setup.law == Law::AtOnce {
             self.note(state.t_s, EventKind::FirstArrest);
@@ -90,18 +89,17 @@ impl Record<'_> {
     /// Notes a step, whose states are given by the part of it.
     pub(super) fn step(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
         self.steps += 1;
-        self.reach(equations, path.end());
         self.add_work(equations, path);
         self.note_forces(equations, path);
         self.draw(equations, LOOKS, path);
     }
 
-    fn reach(&mut self, equations: &Equations<'_>, state: &State) {
+    /// Notes a state that the run has come to.
+    pub(super) fn reach(&mut self, equations: &Equations<'_>, state: &State) {
         let x_m = equations.displacement_m(state.x_m);
         if x_m > self.farthest_m {
             (self.farthest_m, self.farthest_s) = (x_m, state.t_s);
         }
-        self.least_m = smaller(x_m, self.least_m);
         self.fastest_m_s = larger(state.w_m_s.abs(), self.fastest_m_s);
     }
 
@@ -190,7 +188,7 @@ impl Record<'_> {
                 holds * equations.strength_n(path.end())
                     - way * equations.setup.interface_fraction() * force_n(theta)
             };
-            let found = first_fall(1, |theta, gaps| gaps[0] = gap_n(theta));
+            let found = first_fall(1, |theta, _| gap_n(theta));
             path.at(if let Found::Fall(_, theta) = found { theta } else { 1.0 }).t_s
         };
         self.note_load(equations, path.end(), [push_n, pull_n]);
@@ -291,6 +289,7 @@ impl Record<'_> {
         (before, from): (&Equations<'_>, &State),
         (after, to): (&Equations<'_>, &State),
     ) {
+        self.fastest_m_s = larger(from.w_m_s.abs(), self.fastest_m_s);
         self.reach(after, to);
         self.mark(event, (before, from), (after, to));
         let lost_j = before.kinetic_j(from) - after.kinetic_j(to);

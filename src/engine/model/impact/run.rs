@@ -21,7 +21,7 @@ use crate::numerics::{larger, smaller};
 /// Evaluations of the equations after which a run ends undecided: about 0.2 s.
 const EVALUATIONS_MAX: usize = 800_000;
 /// Length of the first step in passages of a tip radius.
-const FIRST_STEP: f64 = 0.2;
+const FIRST_STEP: f64 = 0.5;
 /// Part of a step that is tried where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
 const CLOSER: f64 = 1.0 / 16.0;
 /// Part of a step from the end of which its polynomial is followed to an event: over so little it is as good as at the end.
@@ -318,17 +318,17 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         };
         let at = |part: f64| law.state(&start, start.t_s + part * h_s, &step.at(part));
         let path = Path::of(&at);
-        let found = first_fall(events.list().len(), |theta, gaps| {
-            let state = path.at(theta);
-            for (value, event) in gaps.iter_mut().zip(events.list()) {
-                let is_zero = theta == 0.0 && self.is_undone_by(*event);
-                *value = if is_zero { 0.0 } else { gap(equations, *event, &state) };
-            }
+        let found = first_fall(events.list().len(), |theta, which| {
+            let event = events.list()[which];
+            let is_zero = theta == 0.0 && self.is_undone_by(event);
+            if is_zero { 0.0 } else { gap(equations, event, &path.at(theta)) }
         });
         match found {
             Found::Nothing => {
                 self.course.record.step(equations, &path);
-                self.course.state = law.state(&start, start.t_s + h_s, &step.end);
+                let end = law.state(&start, start.t_s + h_s, &step.end);
+                self.course.record.reach(equations, &end);
+                self.course.state = end;
                 self.last = None;
                 let mut acceleration = [[0.0; S]; 2];
                 acceleration[..D].copy_from_slice(&step.acceleration);

@@ -3,19 +3,20 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::equations::Setup;
-use super::run::{self, Extent};
+use super::run::Extent;
 use super::stepping::{Stepping, run_by};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Outcome, Run};
+use crate::model::scene::Scene;
 use crate::model::variables::scene_with;
-use crate::numerics::collocation::{Collocation, NINE, SEVEN};
+
+fn run_to_end(scene: &Arc<Scene>, stepping: Stepping, extent: Extent<'_>) -> Run {
+    run_by(scene, extent, stepping, &mut |_| ControlFlow::Continue(()))
+}
 
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
-    let found = run_by(&scene, Extent::BARE, Stepping::Collocation(1e-12), &mut |_| {
-        ControlFlow::Continue(())
-    });
+    let found = run_to_end(&scene, Stepping::Collocation(1e-12), Extent::BARE);
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -108,7 +109,7 @@ fn valid_a_free_plate_that_moves_is_struck_as_one_at_rest_by_a_slower_shot() {
                 let (own, other) = (it(&moving), it(&resting));
                 assert_eq!(own.is_some(), other.is_some());
                 let pair = own.zip(other);
-                assert!(pair.is_none_or(|(own, other)| is_near(own, other + more, 1e-12)));
+                assert!(pair.is_none_or(|(own, other)| is_near(own, other + more, 1e-11)));
             };
             same(|run| run.first_arrest.map(|it| it.penetration_m), 0.0);
             same(|run| run.first_arrest.map(|it| it.t_s), 0.0);
@@ -231,22 +232,8 @@ fn valid_the_lumped_interface_throws_the_projectile_back() {
 fn the_two_members_agree() {
     for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.2", "b=2000 k=1e5", "k=1e5 theta=30deg"] {
         let scene = Arc::new(scene_with(pairs));
-        let setup = Setup::of(&scene, 1e-12);
-        let go_on = &mut |_: f64| ControlFlow::Continue(());
-        let nine = run::run(
-            &scene,
-            &setup,
-            &Collocation { member: &*NINE, tolerance: 1e-12 },
-            Extent::BARE,
-            go_on,
-        );
-        let seven = run::run(
-            &scene,
-            &setup,
-            &Collocation { member: &*SEVEN, tolerance: 1e-11 },
-            Extent::BARE,
-            go_on,
-        );
+        let nine = run_to_end(&scene, Stepping::Collocation(1e-12), Extent::BARE);
+        let seven = run_to_end(&scene, Stepping::Second(1e-11), Extent::BARE);
         let depth = |run: &Run| run.final_penetration_m.unwrap();
         assert!(is_near(depth(&nine), depth(&seven), 1e-11), "{pairs}");
         assert!(nine.cost.steps < 300, "{pairs}: {:?}", nine.cost);
@@ -272,7 +259,7 @@ fn valid_every_method_steps_to_the_same_end() {
     for pairs in ["k=1e5", "k=1e5 interface=plastic gamma=0.8 b=50", "h=0.003 v_i=400 k=1e5"] {
         let scene = Arc::new(scene_with(pairs));
         let end = |stepping: Stepping| {
-            let run = run_by(&scene, Extent::BARE, stepping, &mut |_| ControlFlow::Continue(()));
+            let run = run_to_end(&scene, stepping, Extent::BARE);
             assert!(run.end.is_complete(), "{pairs}: {stepping:?} {:?}", run.end);
             let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
             [time_s, run.final_penetration_m, run.peak_contact_force_n].map(Option::unwrap)
@@ -298,8 +285,7 @@ fn valid_rows_at_equal_times_lie_on_the_motion() {
     let scene = Arc::new(scene_with("gamma=1 k=0"));
     let window = Window::with_steps(1e-6, 1_000);
     let extent = Extent { keep_series: true, window: Some(&window), horizons: 1.0 };
-    let go_on = &mut |_: f64| ControlFlow::Continue(());
-    let found = run_by(&scene, extent, Stepping::Collocation(1e-12), go_on);
+    let found = run_to_end(&scene, Stepping::Collocation(1e-12), extent);
     let rows = window.rows();
     let end_s = 1.25 * found.first_arrest.unwrap().t_s;
     assert!((rows.len() as f64 - 1.0 - (end_s / 1e-6).floor()).abs() < 0.5, "{}", rows.len());
@@ -329,8 +315,7 @@ fn results_do_not_depend_on_whether_a_series_is_kept() {
         let scene = Arc::new(scene_with(pairs));
         let results = |keep_series: bool| {
             let extent = Extent { keep_series, ..Extent::BARE };
-            let go_on = &mut |_: f64| ControlFlow::Continue(());
-            let found = run_by(&scene, extent, Stepping::Collocation(1e-12), go_on);
+            let found = run_to_end(&scene, Stepping::Collocation(1e-12), extent);
             assert_eq!(found.series.is_empty(), !keep_series);
             Run { series: Vec::new(), events: Vec::new(), omitted: Vec::new(), ..found }
         };
