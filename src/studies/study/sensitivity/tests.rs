@@ -23,7 +23,7 @@ fn what_has_an_effect_comes_first_and_the_ends_are_those_of_runs() {
     let mut fast = rigid();
     fast.projectile.velocity_m_s = 120.0;
     let exact = plain_run(&fast).unwrap().final_penetration_m.unwrap();
-    assert!((found.bars[1].high.unwrap() / exact - 1.0).abs() < 1e-14);
+    assert!((found.bars[1].high.unwrap() / exact - 1.0).abs() < 1e-9);
 }
 
 /// What Monte Carlo scatters varies too: of a plate by its face and a closure by cavity the shot, the plate and its material; of the
