@@ -40,7 +40,7 @@ pub(super) struct AccuracyArguments {
 
 /// Compare the methods on the scene; exit status 1 when `auto` gave no answer somewhere.
 pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
+    arguments.table.check(true)?;
     let Preset { name, scene, .. } = arguments.scene.load()?;
     let effort = if arguments.quick { ComparisonOptions::QUICK } else { ComparisonOptions::FULL };
     let report = progress::study(1, "points", |context| {

@@ -63,12 +63,9 @@ impl CliError {
             Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             Self::Stdout(_)
             | Self::Workbench(_)
-            | Self::File(
-                FileError::Write { .. }
-                | FileError::Kept { .. }
-                | FileError::Csv(_)
-                | FileError::NoHome,
-            ) => ExitCode::FAILURE,
+            | Self::File(FileError::Write { .. } | FileError::Kept { .. } | FileError::NoHome) => {
+                ExitCode::FAILURE
+            }
             Self::File(_) | Self::Exists { .. } | Self::Option(_) => ExitCode::from(2),
         }
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::cli::progress::was_interrupted;
-use crate::cli::table::{TableArguments, TableDestination};
+use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::atomic;
 use crate::report::svg::{self, Picture, Svg};
@@ -30,7 +30,7 @@ impl PictureArguments {
 
     /// Whether they can be written where they are to go: checked before a long computation, not after it.
     pub(super) fn check(&self, table: &TableArguments) -> Result<(), CliError> {
-        if self.is_stdout() && (table.json || matches!(table.target(), TableDestination::Stdout)) {
+        if self.is_stdout() && (table.json || table.is_stdout()) {
             return Err(CliError::Option(
                 "--svg - writes to standard output, as --json and --csv - do: name a file for one of them".to_owned(),
             ));
@@ -38,7 +38,7 @@ impl PictureArguments {
         if let Some(path) = self.svg.as_ref().filter(|_| !self.is_stdout()) {
             atomic::check(path, table.existing())?;
         }
-        if let (Some(path), TableDestination::File(to)) = (&self.svg, table.target())
+        if let (Some(path), Some(to)) = (&self.svg, table.file())
             && to.has(path)
         {
             let path = path.display();

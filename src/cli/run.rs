@@ -13,11 +13,11 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, TableDestination};
+use crate::cli::table::TableArguments;
 use crate::cli::text::{chart_size, fitted, hanging, width};
 use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
-use crate::files::export::RunTable;
+use crate::files::export::scenes;
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
@@ -125,7 +125,7 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
 }
 
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
+    arguments.table.check(true)?;
     arguments.pictures.check(&arguments.table)?;
     if arguments.compare.is_some() {
         return compare_models(arguments);
@@ -134,23 +134,19 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         None => compute(arguments.scene.load()?)?,
         Some(dt_s) => at_equal_steps(arguments.scene.load()?, dt_s)?,
     };
-    let table = || RunTable { runs: named(&computed) };
-    match arguments.table.target() {
-        TableDestination::None => {}
-        TableDestination::Stdout => {
-            output::print(&table().text())?;
-            return Ok(exit_code(&computed.run));
+    if arguments.table.is_stdout() {
+        output::print(&report::csv(&named(&computed)))?;
+        return Ok(exit_code(&computed.run));
+    }
+    if let Some(to) = arguments.table.file() {
+        let runs = named(&computed);
+        let mut scenes = scenes(&runs);
+        let dt = arguments.dt.map(|dt_s| format!(" --dt {dt_s}")).unwrap_or_default();
+        if let Some(first) = scenes.first_mut() {
+            first.command = format!("run{dt}");
         }
-        TableDestination::File(to) => {
-            let table = table();
-            let mut scenes = table.scenes();
-            let dt = arguments.dt.map(|dt_s| format!(" --dt {dt_s}")).unwrap_or_default();
-            if let Some(first) = scenes.first_mut() {
-                first.command = format!("run{dt}");
-            }
-            let written = to.write(table.text().as_bytes(), &scenes, !was_interrupted());
-            output::note_written(&written?);
-        }
+        let written = to.write(report::csv(&runs).as_bytes(), &scenes, !was_interrupted());
+        output::note_written(&written?);
     }
     arguments.pictures.write(&arguments.table, || {
         selected(&computed.run).into_iter().map(Picture::Chart).collect()

@@ -10,7 +10,6 @@ use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::table::choice;
 use crate::cli::{CliError, draw, output, progress, text};
 use crate::model::library;
-use crate::model::units::engineering;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
@@ -42,7 +41,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     if let Some(axis) = arguments.map {
         return draw_map(arguments, axis);
     }
-    arguments.study.table.check()?;
+    arguments.study.table.check(false)?;
     if arguments.study.scene.is_given() {
         return Err(CliError::Option(
             "SCENE and --set belong to --map: the check of stiff scenes has its own scenes; add --map k (or n, b), or omit SCENE and --set"
@@ -130,14 +129,10 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
     }
 }
 
-/// The map, and the largest step of the scene.
 fn map_page(map: &Map, scene: &str) -> String {
-    let largest = map
-        .largest_stable_dt_s
-        .map_or_else(|| "no limit".to_owned(), |value| engineering(value, "s", 3));
     let picture = draw::map(&tables::picture(map), text::chart_size(draw::MAP));
     let (method, symbol) = (map.method.name(), map.axis.symbol());
     format!(
-        "{method} on {scene}: time step against {symbol}; a run uses auto, for which see cmra accuracy\n\n{picture}\nlargest stable dt of this scene: {largest}\n"
+        "{method} on {scene}: time step against {symbol}; a run uses auto, for which see cmra accuracy\n\n{picture}"
     )
 }

@@ -38,7 +38,7 @@ pub(super) struct StudyOutput<'a, R> {
 impl StudyArguments {
     /// The scene, once it is certain that the table can be written where it is to go.
     pub(super) fn load(&self) -> Result<Preset, CliError> {
-        self.table.check_beside()?;
+        self.table.check(true)?;
         self.scene.load()
     }
 

@@ -16,7 +16,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
-use crate::cli::table::{TableArguments, TableDestination};
+use crate::cli::table::TableArguments;
 use crate::cli::text::fitted;
 use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
@@ -76,8 +76,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_stdout()?;
     arguments.pictures.check(&arguments.table)?;
     let preset = arguments.scene.load()?;
-    let csv_wanted = !matches!(arguments.table.target(), TableDestination::None);
-    let rows_wanted = arguments.table.json || csv_wanted;
+    let rows_wanted = arguments.table.json || arguments.table.is_wanted();
     let (plan, columns) = arguments.points.plan(&preset, !rows_wanted)?;
     let plan = Arc::new(plan);
     let shard = Shard::parse(&arguments.shard)?;
@@ -91,10 +90,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     }
     let threads = arguments.threads.count();
     let job = Job { plan: &plan, shard, threads, preset: &preset };
-    let file = match &arguments.table.target() {
-        TableDestination::File(to) => Some(to.begin()?),
-        TableDestination::None | TableDestination::Stdout => None,
-    };
+    let file = arguments.table.file().map(|to| to.begin()).transpose()?;
     let start = Instant::now();
     let keeps = (draws || !rows_wanted) && shard == Shard::WHOLE && page::is_drawable(&plan);
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
@@ -142,17 +138,13 @@ impl Job<'_> {
             ));
             return ExitCode::FAILURE;
         }
-        if !matches!(table.target(), TableDestination::None)
-            && columns == Columns::Chosen
-            && !table.json
-        {
+        if table.is_wanted() && !table.json {
             // Rows with all columns have their own.
-            let warnings = table.warnings(&validity::of_plan(self.plan));
+            let chosen = columns == Columns::Chosen;
+            let warnings = if chosen { validity::of_plan(self.plan) } else { Vec::new() };
             if !warnings.is_empty() {
-                output::note(warnings.trim());
+                output::note(table.warnings(&warnings).trim());
             }
-        }
-        if !matches!(table.target(), TableDestination::None) && !table.json {
             let took = page::duration(start.elapsed().as_secs_f64());
             output::note(&format!("{} points in {took}: {}", ended.total(), ended));
         }
@@ -177,8 +169,7 @@ impl Job<'_> {
         mut file: Option<Growing>,
         kept: &mut Option<Grid>,
     ) -> Result<OutcomeCounts, CliError> {
-        let target = arguments.table.target();
-        let (has_csv, has_json) = (!matches!(target, TableDestination::None), arguments.table.json);
+        let (has_csv, has_json) = (arguments.table.is_wanted(), arguments.table.json);
         let scene = self.preset.name.as_str();
         let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
@@ -212,7 +203,7 @@ impl Job<'_> {
         let missing = self.missing(ended);
         let tail = json_tail(ended.total(), missing.is_none());
         output::print(if has_json { &tail } else { "" })?;
-        if let (Some(file), TableDestination::File(to)) = (file, target) {
+        if let (Some(file), Some(to)) = (file, arguments.table.file()) {
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
             let notes = notes(self.plan, missing.as_deref());

@@ -49,24 +49,21 @@ pub(super) fn choice<T: Copy + Send + Sync + 'static>(
         .try_map(move |text| named(text).ok_or("not one of the choices"))
 }
 
-pub(super) enum TableDestination {
-    None,
-    /// Whether the table replaces the page on standard output.
-    Stdout,
-    File(Destination),
-}
-
 impl TableArguments {
-    pub(super) fn target(&self) -> TableDestination {
-        match &self.csv {
-            None => TableDestination::None,
-            Some(path) if path == Path::new("-") => TableDestination::Stdout,
-            Some(path) => TableDestination::File(Destination {
-                path: path.clone(),
-                existing: self.existing(),
-                has_scene: true,
-            }),
-        }
+    /// Whether a table is wanted.
+    pub(super) fn is_wanted(&self) -> bool {
+        self.csv.is_some()
+    }
+
+    /// Whether it replaces the page on standard output.
+    pub(super) fn is_stdout(&self) -> bool {
+        self.csv.as_deref() == Some(Path::new("-"))
+    }
+
+    /// The file that it goes to.
+    pub(super) fn file(&self) -> Option<Destination> {
+        let path = self.csv.clone().filter(|_| !self.is_stdout())?;
+        Some(Destination { path, existing: self.existing() })
     }
 
     /// Warnings below a result, a line each.
@@ -92,27 +89,16 @@ impl TableArguments {
         Existing::replaced(self.force)
     }
 
-    /// Whether the table can be written where it is to go: checked before a long computation, not after it.
-    pub(super) fn check(&self) -> Result<(), CliError> {
-        self.check_with(false)
-    }
-
-    /// The same, and whether the scene can be written beside it.
-    pub(super) fn check_beside(&self) -> Result<(), CliError> {
-        self.check_with(true)
-    }
-
-    fn check_with(&self, has_scene: bool) -> Result<(), CliError> {
+    /// Whether the table, and its scene where one goes beside it, can be written where they are to go: checked before a long
+    /// computation, not after it.
+    pub(super) fn check(&self, has_scene: bool) -> Result<(), CliError> {
         self.check_stdout()?;
-        match self.target() {
-            TableDestination::None | TableDestination::Stdout => Ok(()),
-            TableDestination::File(to) => Ok(Destination { has_scene, ..to }.check()?),
-        }
+        Ok(self.file().map_or(Ok(()), |to| to.check(has_scene))?)
     }
 
     /// Checks that only one kind of result goes to standard output.
     pub(super) fn check_stdout(&self) -> Result<(), CliError> {
-        if self.json && matches!(self.target(), TableDestination::Stdout) {
+        if self.json && self.is_stdout() {
             return Err(CliError::Option(
                 "--json and --csv - both write to standard output: omit one of them, or name a file for --csv".to_owned(),
             ));
@@ -179,11 +165,10 @@ impl Delivery<'_> {
         csv: &dyn Fn() -> String,
     ) -> Result<(), CliError> {
         let table = self.table;
-        let written = match table.target() {
-            TableDestination::None => Ok(()),
-            TableDestination::Stdout => return output::print(&csv()),
-            TableDestination::File(to) => self.write(&to, &csv()),
-        };
+        if table.is_stdout() {
+            return output::print(&csv());
+        }
+        let written = table.file().map_or(Ok(()), |to| self.write(&to, &csv()));
         // A file that cannot be written must not cost what was computed.
         let changed =
             || self.source.as_ref().map_or_else(String::new, |source| source.changes.changed());

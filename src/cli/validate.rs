@@ -24,7 +24,7 @@ pub(super) struct ValidateArguments {
 
 /// Compute every case; exit status 1 when the model gives nothing for one.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
+    arguments.table.check(false)?;
     let report = progress::study(arguments.threads.count(), "measurements", validation::report)?;
     arguments.table.alone().deliver(&page(&report), tables::table(&report))?;
     let missing: Vec<&str> =

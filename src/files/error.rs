@@ -61,9 +61,6 @@ pub enum FileError {
         /// The error.
         problem: SceneErrors,
     },
-    /// A table cannot be put into CSV.
-    #[error("cannot write CSV: {0}")]
-    Csv(#[from] csv::Error),
     /// No home directory is known.
     #[error("no home directory is known: set HOME, or XDG_DATA_HOME and XDG_STATE_HOME")]
     NoHome,

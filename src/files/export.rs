@@ -16,7 +16,7 @@ use crate::files::write;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
-use crate::report::run::{self, NamedRun};
+use crate::report::run::NamedRun;
 use crate::study::quantities::of_runs;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
@@ -31,8 +31,6 @@ pub struct Destination {
     pub path: PathBuf,
     /// The handling of an existing file.
     pub existing: Existing,
-    /// Whether its scene goes beside it.
-    pub has_scene: bool,
 }
 
 /// A scene that goes beside a table.
@@ -47,23 +45,16 @@ pub struct Beside<'a> {
     pub command: String,
 }
 
-/// A table of runs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RunTable {
-    /// The runs, each with its name (`now`, `A`, ...); the first one's scene goes into the sidecar of the CSV's own name.
-    pub runs: Vec<NamedRun>,
-}
-
 impl Destination {
-    /// Whether the table and its scene can be written: checked before a long computation, not after it.
-    pub fn check(&self) -> Result<(), FileError> {
-        self.check_beside()?;
-        atomic::check(&self.path, self.existing)?;
+    /// Whether the table, and its scene where one goes beside it, can be written: checked before a long computation, not after it.
+    pub fn check(&self, has_scene: bool) -> Result<(), FileError> {
         let beside = sidecar_path(&self.path, None);
-        if self.has_beside()
-            && self.existing == Existing::Keep
-            && fs::symlink_metadata(&beside).is_ok()
-        {
+        let has_beside = has_scene && self.has_beside();
+        if has_beside {
+            check_sidecar(&self.path, &beside)?;
+        }
+        atomic::check(&self.path, self.existing)?;
+        if has_beside && self.existing == Existing::Keep && fs::symlink_metadata(&beside).is_ok() {
             return Err(FileError::Exists(beside));
         }
         Ok(())
@@ -78,8 +69,7 @@ impl Destination {
 
     /// A device or a pipe has no place beside it.
     fn has_beside(&self) -> bool {
-        let is_ordinary = || fs::metadata(&self.path).map_or(true, |found| found.is_file());
-        self.has_scene && is_ordinary()
+        fs::metadata(&self.path).map_or(true, |found| found.is_file())
     }
 
     /// Write the table and the scenes beside it, and give the files written, the table first.
@@ -104,7 +94,7 @@ impl Destination {
 
     /// Begin a table that is written as it is made, and whose scene goes beside it.
     pub fn begin(&self) -> Result<Growing, FileError> {
-        self.check()?;
+        self.check(true)?;
         Growing::begin(&self.path, self.existing)
     }
 
@@ -187,25 +177,15 @@ fn checksum(text: &str) -> u64 {
     })
 }
 
-impl RunTable {
-    /// The table as it goes into the file.
-    pub fn text(&self) -> String {
-        run::csv(&self.runs)
-    }
-
-    /// The scene of each run, with what came out of it.
-    pub fn scenes(&self) -> Vec<Beside<'_>> {
-        let mut scenes = Vec::new();
-        for (index, (name, run)) in self.runs.iter().enumerate() {
-            scenes.push(Beside {
-                run: (index > 0).then_some(name.as_str()),
-                scene: &run.scene,
-                notes: outcome(run),
-                command: String::new(),
-            });
-        }
-        scenes
-    }
+/// The scene of each run of a table, with what came out of it: the first one's goes into the sidecar of the CSV's own name.
+pub fn scenes(runs: &[NamedRun]) -> Vec<Beside<'_>> {
+    let scenes = runs.iter().enumerate().map(|(index, (name, run))| Beside {
+        run: (index > 0).then_some(name.as_str()),
+        scene: &run.scene,
+        notes: outcome(run),
+        command: String::new(),
+    });
+    scenes.collect()
 }
 
 /// What came out of a run, as comment lines.
@@ -275,7 +255,7 @@ mod tests {
     fn a_table_that_is_not_complete_replaces_none() {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
-        let to = Destination { path: at("a.csv"), existing: Existing::Keep, has_scene: true };
+        let to = Destination { path: at("a.csv"), existing: Existing::Keep };
         fs::write(&to.path, "whole").unwrap();
         for partial in ["a.csv.partial", "a.csv.partial-2"] {
             assert_eq!(to.write(b"1\n", &[], false).unwrap(), [at(partial)]);
@@ -294,7 +274,7 @@ mod tests {
     fn a_sidecar_that_someone_edited_is_not_replaced() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        let to = Destination { path, existing: Existing::Replace, has_scene: true };
+        let to = Destination { path, existing: Existing::Replace };
         let scene = Scene::default();
         for is_complete in [true, false] {
             let write = || {

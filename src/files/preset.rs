@@ -283,24 +283,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn own_presets_are_saved_listed_and_found() {
-        let place = tempfile::tempdir().unwrap();
-        let paths = Paths::below(place.path());
-        // It is named after itself, not after what it is a copy of.
-        let scene = Scene { title: "my scene".to_owned(), ..Scene::default() };
-        let copied = Scene { title: "Baseline".to_owned(), ..Scene::default() };
-        let path = save(&paths, "my scene", &copied, Existing::Keep).unwrap();
-        let List { presets, unreadable } = list(Some(&paths));
-        assert!(unreadable.is_empty(), "{unreadable:?}");
-        let mine = presets.last().unwrap();
-        assert_eq!((mine.name.as_str(), &mine.scene), ("my scene", &scene));
-        assert_eq!(mine.origin, Origin::Mine(path));
-        assert_eq!(resolve("my scene", Some(&paths)).unwrap().scene, scene);
-        let again = save(&paths, "my scene", &scene, Existing::Keep).unwrap_err();
-        assert!(matches!(again, FileError::Exists(_)), "{again}");
-    }
-
-    #[test]
     fn names_that_would_mislead_are_refused() {
         for (name, fragment) in [
             ("cocked", "bundled"),

@@ -7,8 +7,9 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
-use crate::files::export::{Beside, Destination, RunTable};
+use crate::files::export::{self, Beside, Destination};
 use crate::model::scene::Scene;
+use crate::report::run::{self, NamedRun};
 use crate::tui::prelude::*;
 use crate::tui::preset::PresetEntry;
 use crate::worker::{Report, Task};
@@ -118,7 +119,8 @@ pub enum FileTask {
 /// The content of a file to write.
 #[derive(Clone, Debug)]
 pub enum Content {
-    Runs(RunTable),
+    /// Runs, each with its name (`now`, `A`, ...).
+    Runs(Vec<NamedRun>),
     Page(PageTable),
     /// The charts on the screen as SVG.
     Text(String),
@@ -204,7 +206,7 @@ impl Content {
     /// The text of the file.
     pub fn text(&self) -> String {
         match self {
-            Self::Runs(runs) => runs.text(),
+            Self::Runs(runs) => run::csv(runs),
             Self::Page(table) => (table.csv)(table.source.as_ref().map_or("", |it| &it.name)),
             Self::Text(text) => text.clone(),
         }
@@ -212,7 +214,7 @@ impl Content {
 
     pub fn scenes(&self) -> Vec<Beside<'_>> {
         match self {
-            Self::Runs(runs) => runs.scenes(),
+            Self::Runs(runs) => export::scenes(runs),
             Self::Page(table) => table.source.iter().map(Source::beside).collect(),
             Self::Text(_) => Vec::new(),
         }

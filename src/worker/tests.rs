@@ -8,14 +8,13 @@ use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
 use super::runs::run;
-use super::studies::{Asked, Claims, Found, LimitSearch, Spread, StiffScenes};
+use super::studies::{Asked, Claims, Found, LimitSearch, StiffScenes};
 use super::study::{Reporter, RowsSoFar};
 use super::{JobProgress, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate;
 use crate::study::context::Context;
-use crate::study::monte_carlo;
 use crate::study::thesis::{Row, claims};
 
 /// A test that waits so long hangs.
@@ -32,7 +31,6 @@ fn make(task: &Task, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
     match (&task.asked, task.scene.title.is_empty()) {
         (Asked::Run(_), true) => task.asked.study().make(&task.scene, reporter),
         (Asked::Run(slot), false) => slow_run(slot.0, &task.scene, reporter),
-        (Asked::Spread(_), _) => Err("no study of this".into()),
         (_, _) => Ok(count_points(task.scene.title == "endless", reporter).into()),
     }
 }
@@ -316,12 +314,4 @@ fn an_invalid_scene_is_refused_with_the_reason() {
     worker.submit(run_of(1, Slot::Current, wrong));
     let report = next(&receive);
     assert!(matches!(&report.body, ReportBody::Failed(text) if *text == expected), "{report:?}");
-}
-
-#[test]
-fn a_refused_study_gives_the_reason() {
-    let (worker, reports) = start();
-    worker.submit(study(1, Spread(monte_carlo::Request::default()), false));
-    let report = next(&reports);
-    assert!(matches!(report.body, ReportBody::Failed(text) if text == "no study of this"));
 }

@@ -25,6 +25,7 @@ fn the_page_has_chart_table_answers_and_reasons() {
         "contact kernel",
         "by auto at tol",
         "omitted",
+        "motion after the contact",
         "1e-6: ",
         "stored digits, row S2",
     ] {

@@ -26,7 +26,7 @@ fn three_runs_with_events_and_a_crosshair() {
     let rigid = approach(8.1e-3, 95e-6, 1.0);
     let perforated = approach(1.7e-3, 30e-6, 80e-6);
     let time = ViewRange::new(0.0, 200e-6);
-    let depth = ViewRange::new(0.0, 7.1e-3).rounded(Scale::Linear);
+    let depth = ViewRange::new(0.0, 8e-3);
     let mut chart = Chart::new(
         "Penetration p",
         Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")),

@@ -8,12 +8,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use cmra::files::atomic::{Existing, Growing};
-use cmra::files::export::{Destination, RunTable};
+use cmra::files::export::{self, Destination};
 use cmra::files::paths::Paths;
 use cmra::files::preset;
 use cmra::files::session::{self, Known, Session};
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
+use cmra::report::run::{NamedRun, csv};
 
 use crate::random::Random;
 use crate::support::{run, scene, scene_file};
@@ -27,12 +28,12 @@ const KILLS: usize = 20;
 /// The two states that every file alternates between.
 const STATES: [&str; 2] = ["gamma=1 k=1e5", "gamma=2 k=1e6"];
 
-fn table_of(run: Arc<Run>) -> RunTable {
-    RunTable { runs: vec![("now".to_owned(), run)] }
+fn table_of(run: Arc<Run>) -> Vec<NamedRun> {
+    vec![("now".to_owned(), run)]
 }
 
 fn destination(place: &Path, name: &str) -> Destination {
-    Destination { path: place.join(name), existing: Existing::Replace, has_scene: true }
+    Destination { path: place.join(name), existing: Existing::Replace }
 }
 
 fn session_of(scene: Scene) -> Session {
@@ -55,8 +56,10 @@ fn writes_until_it_is_killed() {
     for state in [0, 1].into_iter().cycle() {
         let scene = scene(STATES[state]);
         let exported = table_of(Arc::clone(&runs[state]));
-        let text = exported.text();
-        destination(place, "run.csv").write(text.as_bytes(), &exported.scenes(), true).unwrap();
+        let text = csv(&exported);
+        destination(place, "run.csv")
+            .write(text.as_bytes(), &export::scenes(&exported), true)
+            .unwrap();
         preset::save(&paths, "mine", &scene, Existing::Replace).unwrap();
         session::save(&paths.session_file(), &session_of(scene), &mut known).unwrap();
         let (rows, beside) = table(state);
@@ -112,8 +115,8 @@ fn nothing_is_torn_or_lost_when_a_program_is_killed_while_it_writes() {
     let saved = scenes.clone().map(|scene| Scene { title: "mine".to_owned(), ..scene });
     let exported = STATES.map(|state| {
         let exported = table_of(Arc::new(run(scene(state))));
-        let beside = exported.scenes()[0].file(&place.path().join("run.csv"));
-        (exported.text().into_bytes(), beside.into_bytes())
+        let beside = export::scenes(&exported)[0].file(&place.path().join("run.csv"));
+        (csv(&exported).into_bytes(), beside.into_bytes())
     });
     let [(first, beside_first), (second, beside_second)] = exported;
     let exported = [[first, second], [beside_first, beside_second]];

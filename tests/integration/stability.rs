@@ -456,7 +456,7 @@ fn the_exit_status_of_the_stiff_scenes_is_1_if_one_fails() {
 }
 
 #[test]
-fn a_map_comes_with_its_limit_and_every_cell() {
+fn a_map_comes_with_every_cell() {
     let (value, code) = json_of(&["--map", "b", "--method", "rk4", "--quick", "--json"]);
     assert_eq!(code, Some(0));
     let columns = value["dt_s"].as_array().unwrap().len();
@@ -478,7 +478,7 @@ fn a_map_is_read_back_from_its_table() {
         says("stability", &["--map", "b", "--method", "rk4", "--quick", "--csv", "-"], 0);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let heads: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
-    let keys = ["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s", "warnings"];
+    let keys = ["scene", "method", "variable", "value", "dt_s", "cell", "warnings"];
     assert_eq!(heads, keys);
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     let mut watch = to_its_end;
@@ -495,6 +495,5 @@ fn a_map_is_read_back_from_its_table() {
         assert_eq!(bits(&record[3]), Some(map.values[row].to_bits()));
         assert_eq!(bits(&record[4]), Some(map.dt_s[column].to_bits()));
         assert_eq!(&record[5], map.cell(row, column).word());
-        assert_eq!(bits(&record[6]), map.limit_s[row].map(f64::to_bits));
     }
 }

@@ -1,5 +1,7 @@
 //! The reproduction report by its command, and what it links to.
 
+use std::collections::HashSet;
+
 use cmra::files::bundled::BUNDLED;
 use cmra::model::mechanism::Mechanism;
 use cmra::model::scene::Scene;
@@ -48,7 +50,9 @@ fn valid_rows_have_the_known_numbers() {
     ] {
         assert!(text(id, column).contains(expected), "{id}: {}", text(id, column));
     }
-    assert!(rows.iter().all(|row| row["holds"] == true));
+    assert!(rows.iter().all(|row| row["holds"] == true) && !json.contains("NaN"));
+    let names: HashSet<&str> = rows.iter().filter_map(|row| row["id"].as_str()).collect();
+    assert_eq!((rows.len(), names.len()), (thesis::claims().count(), rows.len()));
 }
 
 /// K. E. Bisshopp and D. C. Drucker, *Quarterly of Applied Mathematics* 3 (1945) 272: the tip's displacement over the length for

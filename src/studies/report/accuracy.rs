@@ -219,7 +219,7 @@ pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
     let points = || curves.iter().flat_map(|curve| curve.points.iter());
     let times = ViewRange::of(Scale::Log10, points().map(|point| point.0))?;
     let errors = ViewRange::of(Scale::Log10, points().map(|point| point.1))?;
-    let (x, y) = axes(times.rounded(Scale::Log10), errors.rounded(Scale::Log10));
+    let (x, y) = axes(times.in_decades(), errors.in_decades());
     let title = "relative error, the greatest of all results";
     Some(Chart {
         // The table of methods has their letters.

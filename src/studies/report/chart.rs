@@ -42,19 +42,13 @@ impl<'a> Axis<'a> {
         Some(Self::new(label, view).scale(scale).unit(Unit::with_prefix(view.size(), unit)))
     }
 
-    /// The same with some room beyond the values, on a logarithmic scale up to whole decades.
+    /// A linear one with some room beyond the values.
     pub fn fitted(
         label: impl Into<Cow<'a, str>>,
         unit: &'a str,
-        scale: Scale,
         values: impl IntoIterator<Item = f64>,
     ) -> Option<Self> {
-        let axis = Self::over(label, unit, scale, values)?;
-        let view = match scale {
-            Scale::Linear => axis.view.padded(scale, 0.05),
-            Scale::Log10 => axis.view.rounded(scale),
-        };
-        Some(Self { view, ..axis })
+        Some(Self::over(label, unit, Scale::Linear, values)?.padded(0.05))
     }
 
     /// With numbers in this unit.

@@ -4,17 +4,18 @@
 use serde_json::{Map as Object, Value, json};
 
 use crate::model::library;
-use crate::model::run::envelope;
+use crate::model::mechanism::Mechanism;
+use crate::model::run::{Run, envelope};
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::units::{fixed_significant, velocity};
-use crate::report::chart::Scale;
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::study::compare::map::Map;
-use crate::study::compare::{Candidate, Entry, Hardware, Profitability, Report, Sized, THINNEST_M};
+use crate::study::compare::{Candidate, Entry, Hardware, Report, Sized, THINNEST_M, Verdict};
 use crate::study::limit::RANGE_M_S;
+use crate::study::quantities::find;
 
 /// The meaning of the contour on a map.
 const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
@@ -45,11 +46,13 @@ const LINES: [&str; 18] = [
 /// The candidates with their figures.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
+    let own = |name| move |it: &&Entry| find(name)?.value(&it.run);
+    let at_limit = |name| move |it: &&Entry| find(name)?.value(it.at_limit.as_ref()?);
     Table::of(&report.entries)
         .with("scene", "scene", "", move |_| name)
         .with("candidate", "", "", |it| it.candidate.word())
-        .with("outcome", "at the design velocity", "", |it| it.outcome.word())
-        .shown(|it, _| Some(format!("{}{}", it.outcome.word(), if it.is_held { "" } else { "*" })))
+        .with("outcome", "at the design velocity", "", |it| it.run.shot_outcome().word())
+        .shown(|it, word| Some(word.as_str()?.to_owned() + if it.is_held { "" } else { "*" }))
         .with("governed_by", "governed by", "", |it| governed_by(it))
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
         .shown(|it, value| {
@@ -71,20 +74,25 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .shown(beyond)
         .with("limit_if_spring_survives_m_s", SURVIVES, "m/s", |it| it.limit_m_s)
         .shown(beyond)
-        .with("stroke_m", "stroke", "m", |it| it.load.stroke_m)
-        .with("stored_energy_j", "stored energy", "J", |it| it.load.stored_j)
-        .with("peak_mount_force_n", "mount force", "N", |it| it.load.mount_force_n)
-        .with("mount_impulse_n_s", "impulse into mount", "N s", |it| it.load.impulse_n_s)
-        .with("preload_energy_j", "preloaded energy", "J", |it| it.load.preload_j)
-        .with("stroke_at_limit_m", "  at the limit", "m", |it| it.limit_load.stroke_m)
-        .with("stored_energy_at_limit_j", "  at the limit", "J", |it| it.limit_load.stored_j)
-        .with("peak_mount_force_at_limit_n", "  at the limit", "N", |it| {
-            it.limit_load.mount_force_n
+        .with("stroke_m", "stroke", "m", own("stroke_m"))
+        .with("stored_energy_j", "stored energy", "J", own("stored_energy_j"))
+        .with("peak_mount_force_n", "mount force", "N", own("peak_mount_force_n"))
+        .with("mount_impulse_n_s", "impulse into mount", "N s", own("mount_impulse_n_s"))
+        .with("preload_energy_j", "preloaded energy", "J", |it| preload_j(&it.run))
+        .with("stroke_at_limit_m", "  at the limit", "m", at_limit("stroke_m"))
+        .with("stored_energy_at_limit_j", "  at the limit", "J", at_limit("stored_energy_j"))
+        .with("peak_mount_force_at_limit_n", "  at the limit", "N", at_limit("peak_mount_force_n"))
+        .with("max_plate_displacement_m", "back-face travel", "m", own("max_plate_displacement_m"))
+        .with("thickness_m", "thickness", "m", |it| it.run.scene.target.thickness_m)
+        .with("residual_velocity_m_s", "residual velocity", "m/s", |it| {
+            it.run.residual_velocity_m_s
         })
-        .with("max_plate_displacement_m", "back-face travel", "m", |it| it.load.max_displacement_m)
-        .with("thickness_m", "thickness", "m", |it| it.scene.target.thickness_m)
-        .with("residual_velocity_m_s", "residual velocity", "m/s", |it| it.residual_m_s)
-        .with("penetration_m", "depth", "m", |it| it.depth_m)
+        .with("penetration_m", "depth", "m", |it| it.depth_m())
+}
+
+/// The energy in the cocked spring, J.
+fn preload_j(run: &Run) -> Option<f64> {
+    (!Mechanism::of(&run.scene).is_absent()).then_some(run.ledger.initial_spring_j)
 }
 
 /// The candidates beside each other, a figure on each line, as on a page of this width.
@@ -100,7 +108,7 @@ pub fn beside(report: &Report, width: usize) -> String {
 
 fn governed_by(entry: &Entry) -> &'static str {
     match (entry.failure, entry.limit_m_s) {
-        (Some(failure), _) => failure.word(),
+        (Some(failure), _) => failure.word,
         (None, Some(_)) => "perforation",
         (None, None) => "",
     }
@@ -117,7 +125,7 @@ pub fn json(name: &str, report: &Report) -> Value {
                 ("no_limit".to_owned(), entry.no_limit().into()),
                 (
                     "no_mass_efficiency".to_owned(),
-                    entry.sized.as_ref().err().map(|absence| absence.words()).into(),
+                    entry.sized.as_ref().err().map(|absence| absence.words).into(),
                 ),
             ]);
             Value::Object(object)
@@ -135,7 +143,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "mass_not_counted": report.uncounted,
         "face_m2": report.face_m2,
         "spring_energy_j_per_kg": report.scene.mechanism.specific_energy_j_kg(),
-        "spring_energy_j": own.and_then(|own| own.load.stored_j),
+        "spring_energy_j": own.and_then(|own| own.run.mechanism.stored_j),
         "spring_mass_kg": own.and_then(|own| own.spring_kg),
         "criterion": report.scene.target.criterion.word(),
         "spring_is_sized": report.hardware == Hardware::Sized,
@@ -155,7 +163,7 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .with(x.symbol(), x.symbol(), "", |at| x.value(at.0))
         .with(y.symbol(), y.symbol(), "", |at| y.value(at.1))
         .with("mass_efficiency", "mass efficiency", "", move |at| cell(at)?.ok())
-        .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words()))
+        .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words))
         .with("warnings", "warnings", "", move |at| {
             let breaches = envelope::of_scene(&map.placed(at.0, at.1));
             let breaches = breaches.iter().map(ToString::to_string);
@@ -168,15 +176,15 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
 pub fn picture(found: &Map) -> Option<map::Map<'static>> {
     let cell = |x: usize, y: usize| match found.cell(x as u64, y as u64) {
         Some(Ok(value)) => Cell::Value(value),
-        Some(Err(absence)) => Cell::Mark(absence.letter(), Tone::Faint),
+        Some(Err(absence)) => Cell::Mark(absence.letter, Tone::Faint),
         None => Cell::Empty,
     };
     let absences = found.cells.iter().filter_map(|cell| cell.err());
     let mut marks: Vec<(char, String)> =
-        absences.map(|absence| (absence.letter(), absence.words())).collect();
+        absences.map(|absence| (absence.letter, absence.words.to_owned())).collect();
     marks.sort();
     marks.dedup();
-    let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;
+    let levels = Levels::of(found.cells.iter().filter_map(|cell| cell.ok()))?;
     Some(map::Map {
         contour: Some((1.0, LINE.into())),
         marks,
@@ -191,28 +199,25 @@ pub fn verdict(report: &Report) -> String {
         return "cancelled before the scene itself was computed".to_owned();
     };
     let verdict = report.verdict();
-    let efficiency = own.mass_efficiency().map(|it| fixed_significant(it, 4));
-    match (verdict, efficiency) {
-        (
-            Profitability::Pays | Profitability::DoesNotPay | Profitability::MakesNoDifference,
-            Some(it),
-        ) => {
-            let counted = uncounted(report);
-            format!("mass efficiency {it} at {design}: {}{counted}", verdict.words())
+    let words = verdict.words();
+    match verdict {
+        Verdict::Stops(efficiency) => {
+            let (efficiency, counted) = (fixed_significant(efficiency, 4), uncounted(report));
+            format!("mass efficiency {efficiency} at {design}: {words}{counted}")
         }
-        (Profitability::Unknown, _) => {
+        Verdict::NotMet(_) => format!("{words} ({design})"),
+        Verdict::Unknown => {
             // What is open, the caution says.
             let why = own.sized.as_ref().err().filter(|it| !it.is_open());
-            let why = why.map_or_else(String::new, |it| format!(": {}", it.words()));
-            format!("{} ({design}){why}", verdict.words())
+            let why = why.map_or_else(String::new, |it| format!(": {}", it.words));
+            format!("{words} ({design}){why}")
         }
-        (_, _) => format!("{} ({design})", verdict.words()),
     }
 }
 
 /// That parts are taken to have no mass, as the end of the verdict; empty where that does not make the mechanism pay.
 fn uncounted(report: &Report) -> String {
-    if report.uncounted.is_empty() || report.verdict() != Profitability::Pays {
+    if report.uncounted.is_empty() || report.verdict().pays() != Some(true) {
         return String::new();
     }
     format!(", without the mass of its {}", report.uncounted.join(" and "))
@@ -222,7 +227,7 @@ fn uncounted(report: &Report) -> String {
 pub fn reasons(report: &Report) -> Vec<String> {
     let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
     let mut lines = Vec::new();
-    lines.extend(sized(own, report.verdict()));
+    lines.extend(sized(own, &report.verdict()));
     lines.extend(outside_validity(report));
     lines.extend(limits(report));
     if let Some(ratio) = report.depth_over_solid() {
@@ -250,7 +255,7 @@ fn outside_validity(report: &Report) -> Vec<String> {
             note("the sized armour".to_owned(), &sized.scene);
         }
         let Some(limit_m_s) = entry.limit_m_s.filter(|_| entry.is_held) else { continue };
-        let mut at_limit = (*entry.scene).clone();
+        let mut at_limit = (*entry.run.scene).clone();
         at_limit.projectile.velocity_m_s = limit_m_s;
         note(format!("{} at its limit", entry.candidate.word()), &at_limit);
     }
@@ -265,27 +270,22 @@ fn outside_validity(report: &Report) -> Vec<String> {
 }
 
 /// The two armours that just stop the shot.
-fn sized(own: &Entry, verdict: Profitability) -> Option<String> {
+fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
     let sized: &Sized = match &own.sized {
         Ok(sized) => sized,
         // The caution says why.
         Err(absence) if absence.is_open() => return None,
-        Err(absence) => return Some(format!("no mass efficiency: {}", absence.words())),
+        Err(absence) => return Some(format!("no mass efficiency: {}", absence.words)),
     };
     let density = sized.scene.target.density_kg_m3;
     let solid_m = sized.solid_areal_kg_m2 / density;
     let efficiency = match verdict {
-        Profitability::Pays | Profitability::DoesNotPay | Profitability::MakesNoDifference => {
-            String::new()
-        }
-        Profitability::Perforated
-        | Profitability::NothingStops
-        | Profitability::Fails(_)
-        | Profitability::Unknown => {
+        Verdict::Stops(_) => String::new(),
+        Verdict::NotMet(_) | Verdict::Unknown => {
             format!(", mass efficiency {}", fixed_significant(sized.mass_efficiency(), 4))
         }
     };
-    let given = match own.scene.plate.size {
+    let given = match own.run.scene.plate.size {
         PlateSize::Face(_) => "",
         PlateSize::Ratio | PlateSize::Mass(_) => " (the mass ratio is kept)",
     };
@@ -311,7 +311,7 @@ fn limits(report: &Report) -> Vec<String> {
                 || "beyond the searched range".to_owned(),
                 |plate| format!("at {}", velocity(plate, 4)),
             );
-            let (limit, why) = (velocity(limit, 4), failure.words());
+            let (limit, why) = (velocity(limit, 4), failure.words);
             let text = format!(
                 "the spring survives up to {limit}, where {why}; the plate is perforated {plate}"
             );

@@ -3,15 +3,14 @@
 use serde_json::{Value, json};
 
 use crate::model::mechanism::Mechanism;
-use crate::model::run::Outcome;
-use crate::model::scene::Scene;
+use crate::model::run::{Outcome, Run, envelope};
 use crate::model::units::{engineering, fixed_significant, significant, velocity};
 use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::limit::residual_law::ResidualLaw;
-use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
-use crate::study::load::Load;
+use crate::study::limit::{Closures, Limit, RANGE_M_S, Report, Shot};
+use crate::study::quantities::find;
 use crate::study::validation::KnownError;
 use crate::study::validity;
 
@@ -31,12 +30,9 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     }
     remarks.extend(report.undecided().map(|text| Remark::caution("warning", text)));
     remarks.extend(report.caution().map(|text| Remark::caution("caution", text)));
-    if let Some(AtLimit { load, .. }) =
-        report.at_limit.as_ref().filter(|_| !report.scene.is_stack())
-    {
+    if let Some(run) = report.at_limit.as_ref().filter(|_| !report.scene.is_stack()) {
         let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
-        let load = self::load(load, &report.scene);
-        remarks.push(Remark::new("at the limit", load.unwrap_or_else(none)));
+        remarks.push(Remark::new("at the limit", load(run).unwrap_or_else(none)));
     }
     if let Some(holds_m_s) = report.interface_holds_m_s {
         let holds = if holds_m_s < RANGE_M_S.0 {
@@ -66,19 +62,10 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         remarks.push(Remark::new("by each rule", self::closures(closures)));
     }
     remarks.extend(carried(report).map(|text| Remark::new("note", text)));
-    if report.lambert_jonas.is_some() {
-        remarks.push(Remark::new("laws", "residual velocity v_r = a (v^p - v_bl^p)^(1/p)"));
-    }
     if let Some(law) = report.recht_ipson {
         let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
-        let text = format!("a {a}, p 2, same v_bl; RMS error {misfit} m/s");
+        let text = format!("v_r = a (v^2 - v_bl^2)^(1/2), a {a}; RMS error {misfit} m/s");
         remarks.push(Remark::new("Recht-Ipson", text));
-    }
-    if let Some(law) = report.lambert_jonas {
-        let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
-        let (limit, misfit) = (velocity(law.limit_m_s, 4), significant(law.misfit_m_s, 2));
-        let text = format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s");
-        remarks.push(Remark::new("Lambert-Jonas", text));
     }
     remarks
 }
@@ -102,17 +89,15 @@ fn carried(report: &Report) -> Option<String> {
 }
 
 /// The load of the mechanism at the limit; `None` if unknown.
-fn load(load: &Load, scene: &Scene) -> Option<String> {
-    let part = |name: &str, value: Option<f64>, unit| {
-        Some(format!("{name} {}", engineering(value?, unit, 4)))
+fn load(run: &Run) -> Option<String> {
+    let part = |label: &str, name| {
+        let quantity = find(name)?;
+        Some(format!("{label} {}", quantity.show(quantity.value(run)?, 4)))
     };
-    let parts = [
-        part("stroke", load.stroke_m, "m"),
-        part("stored energy", load.stored_j, "J"),
-        part("mount force", load.mount_force_n, "N"),
-    ];
+    let force = part("mount force", "peak_mount_force_n");
+    let is_hit = force.is_none() && Mechanism::of(&run.scene).rigid_stop().is_some();
+    let parts = [part("stroke", "stroke_m"), part("stored energy", "stored_energy_j"), force];
     let mut known: Vec<String> = parts.into_iter().flatten().collect();
-    let is_hit = load.mount_force_n.is_none() && Mechanism::of(scene).rigid_stop().is_some();
     if is_hit && !known.is_empty() {
         known.push("mount force unknown (rigid stop)".to_owned());
     }
@@ -121,7 +106,7 @@ fn load(load: &Load, scene: &Scene) -> Option<String> {
 
 /// Warnings about the rows: those of the shot at the limit, without a limit of the scene's own.
 pub fn warnings(report: &Report) -> Vec<String> {
-    let at_limit = report.at_limit.as_ref().map(|it| it.warnings.clone());
+    let at_limit = report.at_limit.as_ref().map(envelope::warnings);
     at_limit.unwrap_or_else(|| validity::of_scene(&report.scene))
 }
 
@@ -158,7 +143,7 @@ fn closures(closures: &Closures) -> String {
     )
 }
 
-/// The shots, in order of velocity, with what each fitted law says and the limit.
+/// The shots, in order of velocity, with what the fitted law says and the limit.
 pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
     let limit_m_s = report.limit.velocity_m_s();
     Table::of(&report.shots)
@@ -169,9 +154,6 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
         .with("recht_ipson_m_s", "Recht-Ipson", "m/s", |shot| {
             report.recht_ipson.map(|law| law.residual_m_s(shot.impact_m_s))
         })
-        .with("lambert_jonas_m_s", "Lambert-Jonas", "m/s", |shot| {
-            report.lambert_jonas.map(|law| law.residual_m_s(shot.impact_m_s))
-        })
         .with("limit_velocity_m_s", "limit", "m/s", move |_| limit_m_s)
 }
 
@@ -181,7 +163,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
         Limit::Never | Limit::Always | Limit::Unknown => (None, None),
     };
-    let load = report.at_limit.as_ref().map(|it| it.load).unwrap_or_default();
+    let at_limit = |name| find(name)?.value(report.at_limit.as_ref()?);
     let closures = report.closures.map(|closures| {
         json!({
             "double_yield_dishing_m_s": closures.double_yield_m_s,
@@ -212,15 +194,14 @@ pub fn json(name: &str, report: &Report) -> Value {
         "interface_holds_m_s": report.interface_holds_m_s,
         "margin": report.margin(),
         "caution": report.caution(),
-        "stroke_at_limit_m": load.stroke_m,
-        "stored_energy_at_limit_j": load.stored_j,
-        "peak_mount_force_at_limit_n": load.mount_force_n,
+        "stroke_at_limit_m": at_limit("stroke_m"),
+        "stored_energy_at_limit_j": at_limit("stored_energy_j"),
+        "peak_mount_force_at_limit_n": at_limit("peak_mount_force_n"),
         "closure": report.scene.closure().word(),
         "closures": closures,
         "jump_m_s": report.jump_m_s.map(|(thin, thick)| [thin, thick]),
         "model_error": known,
         "recht_ipson": report.recht_ipson,
-        "lambert_jonas": report.lambert_jonas,
         "shots": shots(name, report).objects(|key| own.contains(&key)),
     })
 }
@@ -250,15 +231,14 @@ fn law(view: ViewRange, law: ResidualLaw) -> Vec<(f64, f64)> {
 /// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.
 pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
     let (x, y) = axes(report, own_m_s)?;
-    let law = |law: Option<ResidualLaw>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
+    let law = report.recht_ipson.map_or_else(Vec::new, |law| self::law(x.view, law));
     let shots = |marker, label, outcomes: &[Outcome]| {
         let shots = report.shots.iter().filter(|shot| outcomes.contains(&shot.outcome));
         let places = shots.map(|shot| (shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0)));
         Curve::points(marker, label, places)
     };
     let curves = [
-        Curve::new('+', "Recht-Ipson", law(report.recht_ipson)).colour(1),
-        Curve::new('x', "Lambert-Jonas", law(report.lambert_jonas)).colour(2),
+        Curve::new('+', "Recht-Ipson", law).colour(1),
         shots('o', "through", &[Outcome::Perforated]).colour(3),
         shots('s', "stopped", &[Outcome::Arrested, Outcome::Separated]).colour(4),
         shots('m', "moving", &[Outcome::Moving]).colour(4),

@@ -29,9 +29,6 @@ pub enum Cell {
     Empty,
 }
 
-/// What the line up through a map is drawn with.
-pub const LINE: char = '#';
-
 /// A map. Points are spread evenly over both axes, from their lower to their upper bound.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Map<'a> {
@@ -51,8 +48,6 @@ pub struct Map<'a> {
     pub levels: Option<Levels>,
     /// A contour at this value, and what it means.
     pub contour: Option<(f64, Cow<'a, str>)>,
-    /// A line up through the map: in each row the column that it passes, where it does.
-    pub line: Vec<Option<usize>>,
     /// A point to be seen, and its letter.
     pub present: Option<((usize, usize), char)>,
     /// The meaning of the letters.

@@ -6,7 +6,7 @@ use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report::table::Table;
 use crate::study::limit::RANGE_M_S;
-use crate::study::monte_carlo::{Estimate, LIMIT, Report, Summary};
+use crate::study::monte_carlo::{Distribution, Estimate, LIMIT, Report, Summary};
 use crate::study::validation::ModelError;
 use crate::study::validity;
 
@@ -126,10 +126,10 @@ pub fn perforation(report: &Report) -> Option<String> {
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
     let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
-        let (first, second) = tolerance.distribution.numbers();
+        let Distribution(kind, (first, second)) = tolerance.distribution;
         json!({
             "variable": tolerance.symbol(), "key": tolerance.variable().key,
-            "distribution": tolerance.distribution.word(),
+            "distribution": kind.word(),
             "parameters": [first, second], "redrawn": redrawn,
         })
     });

@@ -11,7 +11,7 @@ use crate::model::scene::{Scene, Stack};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::report::table::{Table, pretty};
-use crate::study::quantities::{Quantity, find, of_runs};
+use crate::study::quantities::{Quantity, Trait, find, of_runs};
 
 pub mod page;
 
@@ -261,7 +261,7 @@ fn stack_of(whole: &Run, stack: &StackRun) -> Value {
 /// A result, or what it is at least.
 fn result(run: &Run, quantity: &Quantity) -> Value {
     let value = quantity.value(run).or_else(|| quantity.lower_bound(run));
-    if quantity.is_whole {
+    if quantity.has(Trait::Whole) {
         let whole = value.and_then(|count| format!("{count:.0}").parse().ok());
         return whole.map_or(Value::Null, Value::Number);
     }

@@ -6,7 +6,7 @@ use crate::model::run::Outcome;
 use crate::model::units::engineering;
 use crate::model::variables::find;
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
-use crate::report::map::{self, LINE, Tone};
+use crate::report::map::{self, Tone};
 use crate::report::table::Table;
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
@@ -64,7 +64,7 @@ pub fn json(rows: &[Row]) -> Value {
     json!({ "rows": list, "count": rows.len(), "short": short })
 }
 
-/// The map, one row a cell: the greatest step of stability stands beside each, empty where nothing limits it.
+/// The map, one row a cell.
 pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> {
     let columns = 0..map.dt_s.len();
     let rows =
@@ -76,7 +76,6 @@ pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> 
         .with("value", "value", "", |at| map.values[at.0])
         .with("dt_s", "dt", "s", |at| map.dt_s[at.1])
         .with("cell", "cell", "", |at| map.cell(at.0, at.1).word())
-        .with("limit_dt_s", "greatest stable dt", "s", |at| map.limit_s[at.0])
 }
 
 /// The map; its cells as they are shaded, row by row.
@@ -90,9 +89,7 @@ pub fn map_json(scene: &str, map: &Map) -> Value {
         "dt_s": map.dt_s,
         "values": map.values,
         "cells": rows,
-        "limit_dt_s": map.limit_s,
         "present": { "value": map.present, "dt_s": THESIS_DT_S },
-        "largest_stable_dt_s": map.largest_stable_dt_s,
     })
 }
 
@@ -114,10 +111,8 @@ pub fn picture(found: &Map) -> map::Map<'static> {
     let named = Cell::ALL.into_iter().filter(|cell| *cell != Cell::Waiting);
     let mut marks: Vec<(char, String)> =
         named.map(|cell| (cell.shade(), named_shade(cell))).collect();
-    marks.push((LINE, "analytic limit of stability".to_owned()));
     marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
     map::Map {
-        line: (0..counts.1).map(|row| found.limit_column(row)).collect(),
         present: found.present_at().map(|at| (at, '+')),
         marks,
         ..map::Map::new(title(found), axes, counts, None, cell)

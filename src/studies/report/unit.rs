@@ -33,23 +33,3 @@ impl<'a> Unit<'a> {
         Self { factor: prefix.in_one, name: format!("{}{unit}", prefix.letter).into() }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn shown(hi: f64, unit: &str) -> (f64, String) {
-        let unit = Unit::with_prefix(hi, unit);
-        (unit.factor, unit.name.into_owned())
-    }
-
-    #[test]
-    fn the_greatest_number_is_from_one_to_a_thousand() {
-        assert_eq!(shown(0.0071, "m"), (1e3, "mm".to_owned()));
-        assert_eq!(shown(200e-6, "s"), (1e6, "us".to_owned()));
-        assert_eq!(shown(18_300.0, "N"), (1e-3, "kN".to_owned()));
-        assert_eq!(shown(100.0, "m/s"), (1.0, "m/s".to_owned()));
-        assert_eq!(shown(0.001, "s"), (1e3, "ms".to_owned()));
-        assert_eq!(shown(7.5e6, "N/m"), (1e-6, "MN/m".to_owned()));
-    }
-}

@@ -22,12 +22,11 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::Outcome;
+use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::study::context::Context;
 use crate::study::limit::Limit;
-use crate::study::load::Load;
 use crate::study::sweep::Axis;
 
 mod hardware;
@@ -63,10 +62,8 @@ enumeration! {
 pub struct Entry {
     /// Which.
     pub candidate: Candidate,
-    /// The scene that was run.
-    pub scene: Arc<Scene>,
-    /// The outcome of the shot at the design velocity.
-    pub outcome: Outcome,
+    /// The shot at the design velocity.
+    pub run: Run,
     /// The plate is stopped by something: a mount, a spring, a damper or a stop.
     pub is_held: bool,
     /// Everything of it over the plate's face, kg/m²; `None` where the spring's mass is not known.
@@ -81,20 +78,20 @@ pub struct Entry {
     pub failure: Option<Failure>,
     /// The thinnest armour of this kind that stops the shot.
     pub sized: Result<Sized, Absence>,
-    /// The load of the mechanism for the shot at the design velocity.
-    pub load: Load,
-    /// The load of the mechanism for a shot just below the limit velocity.
-    pub limit_load: Load,
-    /// Depth of the hole, m; `None` when perforated.
-    pub depth_m: Option<f64>,
-    /// Residual velocity after perforation, m/s.
-    pub residual_m_s: Option<f64>,
+    /// A shot just below the limit velocity, where there is one.
+    pub at_limit: Option<Run>,
 }
 
 impl Entry {
     /// Mass efficiency at the design velocity.
     pub fn mass_efficiency(&self) -> Option<f64> {
         self.sized.as_ref().ok().map(Sized::mass_efficiency)
+    }
+
+    /// Depth of the hole, m; `None` when perforated.
+    pub fn depth_m(&self) -> Option<f64> {
+        let stays = matches!(self.run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
+        self.run.final_penetration_m.filter(|_| stays)
     }
 
     /// Whether nothing in the range of velocities looked at goes through, and nothing fails.
@@ -117,58 +114,35 @@ pub fn is_equal(mass_efficiency: f64) -> bool {
 }
 
 /// Whether the mechanism pays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Profitability {
-    /// It stops the shot, and is lighter than the solid plate that does.
-    Pays,
-    /// It stops the shot, and is heavier.
-    DoesNotPay,
-    /// It stops the shot, and weighs the same within [`EQUAL`].
-    MakesNoDifference,
-    /// The design shot perforates it.
-    Perforated,
-    /// Nothing stops plate and projectile.
-    NothingStops,
-    /// The mechanism fails under the design shot.
-    Fails(Failure),
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// It stops the shot, with this mass efficiency.
+    Stops(f64),
+    /// It does not; why, in words.
+    NotMet(String),
     /// Unknown: the run is undecided, or a figure is missing.
     Unknown,
 }
 
-impl Profitability {
-    /// Of an armour that stops the shot with this mass efficiency.
-    fn of(mass_efficiency: f64) -> Self {
-        match mass_efficiency {
-            it if is_equal(it) => Self::MakesNoDifference,
-            it if it > 1.0 => Self::Pays,
-            _ => Self::DoesNotPay,
-        }
-    }
-
+impl Verdict {
     /// In words, for a page.
-    pub fn words(self) -> String {
+    pub fn words(&self) -> String {
         match self {
-            Self::Pays => "the mechanism pays".to_owned(),
-            Self::DoesNotPay => "the mechanism does not pay".to_owned(),
-            Self::MakesNoDifference => {
+            Self::Stops(efficiency) if is_equal(*efficiency) => {
                 "the mechanism makes no difference to a solid plate".to_owned()
             }
-            Self::Perforated => "not met: the design shot perforates the plate as built".to_owned(),
-            Self::NothingStops => "not met: nothing stops plate and projectile".to_owned(),
-            Self::Fails(failure) => format!("not met: under the design shot {}", failure.words()),
+            Self::Stops(efficiency) if *efficiency > 1.0 => "the mechanism pays".to_owned(),
+            Self::Stops(_) => "the mechanism does not pay".to_owned(),
+            Self::NotMet(why) => format!("not met: {why}"),
             Self::Unknown => "undecided".to_owned(),
         }
     }
 
     /// Whether it pays; `None` where that is not known.
-    pub fn pays(self) -> Option<bool> {
+    pub fn pays(&self) -> Option<bool> {
         match self {
-            Self::Pays => Some(true),
-            Self::DoesNotPay
-            | Self::MakesNoDifference
-            | Self::Perforated
-            | Self::NothingStops
-            | Self::Fails(_) => Some(false),
+            Self::Stops(efficiency) => Some(*efficiency > 1.0 && !is_equal(*efficiency)),
+            Self::NotMet(_) => Some(false),
             Self::Unknown => None,
         }
     }
@@ -201,40 +175,37 @@ impl Report {
 
     /// First requirement of chapter 4: depth over that in a solid plate of equal mass.
     pub fn depth_over_solid(&self) -> Option<f64> {
-        Some(self.of(Candidate::Scene)?.depth_m? / self.of(Candidate::Solid)?.depth_m?)
+        Some(self.of(Candidate::Scene)?.depth_m()? / self.of(Candidate::Solid)?.depth_m()?)
     }
 
     /// That the mass efficiency is not decided, or what measurements say against the limits; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
         let own = self.of(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
-        own.filter(|absence| absence.is_open()).map(|absence| absence.words()).or_else(|| {
-            self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.scene))
-        })
+        own.filter(|absence| absence.is_open()).map(|absence| absence.words.to_owned()).or_else(
+            || self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.run.scene)),
+        )
     }
 
     /// Whether the mechanism pays.
-    pub fn verdict(&self) -> Profitability {
-        let Some(own) = self.of(Candidate::Scene) else { return Profitability::Unknown };
-        let design_m_s = self.scene.projectile.velocity_m_s;
-        if !own.is_held && own.outcome != Outcome::Perforated {
-            return Profitability::NothingStops;
-        }
-        match own.outcome {
-            Outcome::Perforated => return Profitability::Perforated,
+    pub fn verdict(&self) -> Verdict {
+        let Some(own) = self.of(Candidate::Scene) else { return Verdict::Unknown };
+        let not_met = |why: &str| Verdict::NotMet(why.to_owned());
+        let is_below_design = |it: f64| it < self.scene.projectile.velocity_m_s;
+        match own.run.shot_outcome() {
+            Outcome::Perforated => return not_met("the design shot perforates the plate as built"),
+            _ if !own.is_held => return not_met("nothing stops plate and projectile"),
             // A run that still oscillates is decided by the limit.
-            Outcome::Moving if own.perforation.velocity_m_s().is_none_or(|it| it < design_m_s) => {
-                return Profitability::Unknown;
+            Outcome::Moving if own.perforation.velocity_m_s().is_none_or(is_below_design) => {
+                return Verdict::Unknown;
             }
             Outcome::Arrested | Outcome::Separated | Outcome::Moving => {}
         }
-        if let Some(failure) =
-            own.failure.filter(|_| own.limit_m_s.is_none_or(|it| it < design_m_s))
-        {
-            return Profitability::Fails(failure);
-        }
-        match &own.sized {
-            Ok(sized) => Profitability::of(sized.mass_efficiency()),
-            Err(_) => Profitability::Unknown,
+        match (own.failure, &own.sized) {
+            (Some(failure), _) if own.limit_m_s.is_none_or(is_below_design) => {
+                not_met(&format!("under the design shot {}", failure.words))
+            }
+            (_, Ok(sized)) => Verdict::Stops(sized.mass_efficiency()),
+            (_, Err(_)) => Verdict::Unknown,
         }
     }
 }

@@ -8,13 +8,12 @@ use std::sync::Arc;
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::mechanism::Mechanism;
-use crate::model::run::Outcome;
-use crate::model::run::envelope::{Breach, oblique_error};
+use crate::model::run::envelope::oblique_error;
+use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Criterion, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::context::{Context, to_its_end};
-use crate::study::load::Load;
 use residual_law::ResidualLaw;
 use search::{BESIDE, ShotRunner};
 
@@ -124,17 +123,6 @@ impl Limit {
     }
 }
 
-/// A shot just below the limit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct AtLimit {
-    /// The load of the mechanism and its mount.
-    pub load: Load,
-    /// Everything a careful reader should know of that shot.
-    pub warnings: Vec<String>,
-    /// What of it is outside the model's validity.
-    pub breaches: Vec<Breach>,
-}
-
 /// One shot of the residual-velocity curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shot {
@@ -157,7 +145,7 @@ pub struct Report {
     /// The limit.
     pub limit: Limit,
     /// A shot just below the limit; `None` without a limit.
-    pub at_limit: Option<AtLimit>,
+    pub at_limit: Option<Run>,
     /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none; `None` where it holds up to
     /// the limit.
     pub interface_holds_m_s: Option<f64>,
@@ -169,8 +157,6 @@ pub struct Report {
     pub shots: Vec<Shot>,
     /// Recht and Ipson's law through the curve.
     pub recht_ipson: Option<ResidualLaw>,
-    /// Lambert and Jonas's law through the curve.
-    pub lambert_jonas: Option<ResidualLaw>,
     /// Whether it was done to its end.
     pub is_complete: bool,
 }
@@ -229,9 +215,7 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
         closures,
         jump_m_s,
         shots,
-        recht_ipson: found_m_s
-            .and_then(|limit_m_s| ResidualLaw::recht_ipson(&perforated, limit_m_s)),
-        lambert_jonas: found_m_s.and_then(|_| ResidualLaw::lambert_jonas(&perforated)),
+        recht_ipson: found_m_s.and_then(|limit_m_s| ResidualLaw::of(&perforated, limit_m_s)),
         is_complete: !context.is_stopped(),
     })
 }

@@ -8,41 +8,6 @@ use crate::numerics::larger;
 /// Part of the greatest displacement at which it is reached.
 const REACHED: f64 = 1e-9;
 
-/// The load of a shot on the mechanism and its mount; `None` where there is no such thing, or where it is not known.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct Load {
-    /// Greatest displacement of the plate, m.
-    pub max_displacement_m: Option<f64>,
-    /// Greatest displacement plus cocking distance, m.
-    pub stroke_m: Option<f64>,
-    /// Greatest energy in the springs, J.
-    pub stored_j: Option<f64>,
-    /// Greatest force into the mount, N; `None` also where a rigid stop is hit.
-    pub mount_force_n: Option<f64>,
-    /// Impulse into the mount up to the greatest displacement, N s.
-    pub impulse_n_s: Option<f64>,
-    /// Energy in the cocked spring, J.
-    pub preload_j: Option<f64>,
-}
-
-impl Load {
-    /// Of a run that kept its series; the plates of a stack share no mechanism, and it has none.
-    pub fn of(run: &Run) -> Self {
-        if run.stack.is_some() {
-            return Self::default();
-        }
-        let has_spring = !Mechanism::of(&run.scene).is_absent();
-        Self {
-            max_displacement_m: run.max_plate_displacement_m,
-            stroke_m: run.stroke_m(),
-            stored_j: run.mechanism.stored_j,
-            mount_force_n: peak_n(run),
-            impulse_n_s: impulse_n_s(run),
-            preload_j: has_spring.then_some(run.ledger.initial_spring_j),
-        }
-    }
-}
-
 /// The greatest force into the mount, N.
 ///
 /// A rigid mount takes all of the contact force along the plate's normal. The greatest force of a power law is at the greatest

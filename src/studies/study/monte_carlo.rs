@@ -17,7 +17,7 @@ use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities::{self, Needs, Quantity, find};
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
 use crate::study::validation::{KnownError, ModelError};
-pub use tolerance::{Distribution, Tolerance};
+pub use tolerance::{Distribution, Kind, Tolerance};
 
 mod tolerance;
 
@@ -218,7 +218,8 @@ pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
         .filter_map(|variable| {
             let number = variable.number()?;
             let median = (number.get)(scene).filter(|value| *value > 0.0)?;
-            Tolerance::new(variable.symbol, Distribution::LogNormal { median, deviation }).ok()
+            let distribution = Distribution(Kind::LogNormal, (median, deviation));
+            Tolerance::new(variable.symbol, distribution).ok()
         })
         .collect()
 }

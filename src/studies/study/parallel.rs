@@ -3,7 +3,7 @@
 //! A thread that is free takes the next piece. A few pieces a thread are out at most, so memory stays constant. The result of a
 //! piece depends on the piece only.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
 use std::sync::mpsc::{self, Sender};
 use std::sync::{Mutex, PoisonError};
@@ -52,42 +52,20 @@ pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
     worker: impl Fn() -> W + Sync,
     mut take: impl FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
-    let threads = u64::try_from(threads.max(1)).unwrap_or(1).min(work.pieces());
-    // Each result waits in a slot of its own until those before it are taken.
-    let slots: Vec<Mutex<Option<T>>> = (0..OUT * threads).map(|_| Mutex::new(None)).collect();
-    let slot = |number: u64| {
-        let place = usize::try_from(number).unwrap_or(0) % slots.len();
-        slots[place].lock().unwrap_or_else(PoisonError::into_inner)
-    };
-    let worker = || -> Box<dyn FnMut(u64) + '_> {
-        let mut make = worker();
-        Box::new(move |number| *slot(number) = Some(make(work.piece(number))))
-    };
-    in_order(work.pieces(), threads, &worker, &mut |number| {
-        take(number.and_then(|number| Some((work.piece(number), slot(number).take()?))))
-    })
-}
-
-/// Calls `take` with every number in order, once a worker has done it, and with `None` regularly in between. Compiled once.
-fn in_order<'w>(
-    count: u64,
-    threads: u64,
-    worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync),
-    take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
-) -> ControlFlow<()> {
+    let (count, threads) = (work.pieces(), u64::try_from(threads.max(1)).unwrap_or(1));
+    let threads = threads.min(count);
     let out = OUT * threads;
     let (hand_out, next) = mpsc::channel();
     for number in 0..count.min(out) {
         let _ = hand_out.send(number);
     }
     let next = Mutex::new(next);
-    let work = |done: Sender<u64>| {
-        let mut worker = worker();
+    let serve = |done: Sender<(u64, T)>| {
+        let mut make = worker();
         loop {
             let number = next.lock().unwrap_or_else(PoisonError::into_inner).recv();
             let Ok(number) = number else { return };
-            worker(number);
-            if done.send(number).is_err() {
+            if done.send((number, make(work.piece(number)))).is_err() {
                 return;
             }
         }
@@ -97,21 +75,23 @@ fn in_order<'w>(
         // Closed with this scope, also when a panic ends it: that ends the threads.
         let hand_out = hand_out;
         let start = |_| {
-            let (work, done) = (&work, done.clone());
-            thread::Builder::new().spawn_scoped(scope, move || work(done)).ok()
+            let (serve, done) = (&serve, done.clone());
+            thread::Builder::new().spawn_scoped(scope, move || serve(done)).ok()
         };
         // As many threads as the system has.
         let started: Vec<_> = (0..threads).filter_map(start).collect();
-        let mut own = started.is_empty().then(worker);
-        let mut waiting = BTreeSet::new();
+        let mut own = started.is_empty().then(&worker);
+        let mut waiting = BTreeMap::new();
         for number in 0..count {
-            if let Some(own) = &mut own {
-                own(number);
-                waiting.insert(number);
+            if let Some(make) = &mut own {
+                waiting.insert(number, make(work.piece(number)));
             }
-            while !waiting.remove(&number) {
+            let result = loop {
+                if let Some(result) = waiting.remove(&number) {
+                    break result;
+                }
                 match told.recv_timeout(ASKED_EVERY) {
-                    Ok(other) => _ = waiting.insert(other),
+                    Ok((other, result)) => _ = waiting.insert(other, result),
                     // Leaving the scope passes a worker's panic on.
                     Err(_) if started.iter().any(ScopedJoinHandle::is_finished) => {
                         return ControlFlow::Break(());
@@ -119,8 +99,8 @@ fn in_order<'w>(
                     // Who breaks off here stops the workers by a flag of their own: what they have done until then still comes.
                     Err(_) => _ = take(None),
                 }
-            }
-            take(Some(number))?;
+            };
+            take(Some((work.piece(number), result)))?;
             if number + out < count {
                 let _ = hand_out.send(number + out);
             }

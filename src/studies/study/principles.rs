@@ -22,64 +22,31 @@ const ACCELERATED: &str = "accelerated elements";
 const STIFFNESS: &str = "controlled stiffness";
 const LATERAL: &str = "lateral array";
 
+const fn principle(
+    [family, name, section, idea]: [&'static str; 4],
+    functions: &'static [&'static str],
+    preset: &'static str,
+) -> Principle {
+    Principle { family, name, section, idea, functions, preset }
+}
+
 /// The principles, in the order of Table 4.1.
+#[rustfmt::skip]
 pub const PRINCIPLES: [Principle; 7] = [
-    Principle {
-        family: "Energy rejection",
-        name: "Ricochet induction",
-        section: "4.2.1",
-        idea: "turn the plate so far that the projectile ricochets with its energy",
-        functions: &[ORIENTATION],
-        preset: "oblique",
-    },
-    Principle {
-        family: "Energy minimization",
-        name: "Obliquity",
-        section: "4.3.1",
-        idea: "a slanted plate is thicker along the projectile's path",
-        functions: &[ORIENTATION],
-        preset: "oblique",
-    },
-    Principle {
-        family: "Energy minimization",
-        name: "Relative velocity reduction",
-        section: "4.3.2",
-        idea: "let the plate move away at impact, or dissipate energy in layers before it",
-        functions: &[ACCELERATED],
-        preset: "cocked",
-    },
-    Principle {
-        family: "Energy dissipation",
-        name: "Transfer rate minimization",
-        section: "4.4.1",
-        idea: "let the plate yield, so that the projectile has less velocity to lose",
-        functions: &[STIFFNESS],
-        preset: "constant-force",
-    },
-    Principle {
-        family: "Energy dissipation",
-        name: "Strain energy distribution",
-        section: "4.4.2",
-        idea: "let more material bear the load",
-        functions: &[LATERAL, STIFFNESS],
-        preset: "array-lateral",
-    },
-    Principle {
-        family: "Energy dissipation",
-        name: "Sectional density reduction",
-        section: "4.4.3",
-        idea: "spread the projectile's mass over a larger cross section",
-        functions: &[ACCELERATED],
-        preset: "rigid-mount",
-    },
-    Principle {
-        family: "Energy dissipation",
-        name: "Rotational or lateral kinetic energy transfer",
-        section: "4.4.4",
-        idea: "convert the projectile's energy into harmless motion",
-        functions: &[ORIENTATION, LATERAL],
-        preset: "concept-helical-spring",
-    },
+    principle(["Energy rejection", "Ricochet induction", "4.2.1",
+        "turn the plate so far that the projectile ricochets with its energy"], &[ORIENTATION], "oblique"),
+    principle(["Energy minimization", "Obliquity", "4.3.1",
+        "a slanted plate is thicker along the projectile's path"], &[ORIENTATION], "oblique"),
+    principle(["Energy minimization", "Relative velocity reduction", "4.3.2",
+        "let the plate move away at impact, or dissipate energy in layers before it"], &[ACCELERATED], "cocked"),
+    principle(["Energy dissipation", "Transfer rate minimization", "4.4.1",
+        "let the plate yield, so that the projectile has less velocity to lose"], &[STIFFNESS], "constant-force"),
+    principle(["Energy dissipation", "Strain energy distribution", "4.4.2",
+        "let more material bear the load"], &[LATERAL, STIFFNESS], "array-lateral"),
+    principle(["Energy dissipation", "Sectional density reduction", "4.4.3",
+        "spread the projectile's mass over a larger cross section"], &[ACCELERATED], "rigid-mount"),
+    principle(["Energy dissipation", "Rotational or lateral kinetic energy transfer", "4.4.4",
+        "convert the projectile's energy into harmless motion"], &[ORIENTATION, LATERAL], "concept-helical-spring"),
 ];
 
 /// The criteria of Table 7.1 with their weights, percent.

@@ -21,7 +21,6 @@ pub use names::{find, listing, named, nearest};
 
 /// One quantity.
 #[derive(Clone, Copy, Debug)]
-#[expect(clippy::struct_excessive_bools, reason = "the columns of a table")]
 pub struct Quantity {
     /// Name in JSON, CSV and `[sweep] outputs`; with its unit at the end.
     pub name: &'static str,
@@ -40,22 +39,29 @@ pub struct Quantity {
     short: &'static str,
     /// Why a shot that is stopped may be without it.
     pub(in crate::study) absence: &'static str,
+    /// What else is to be known of it.
+    traits: &'static [Trait],
+}
+
+/// What is to be known of a quantity besides its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trait {
     /// It describes a perforation; most others would mislead there.
-    is_of_perforation: bool,
+    OfPerforation,
     /// It describes the computation, not the design.
-    is_of_computation: bool,
+    OfComputation,
     /// A stack has it, too: of the whole shot.
-    is_of_stack: bool,
+    OfStack,
     /// A count of the computation, which JSON has as a whole number.
-    pub is_whole: bool,
+    Whole,
     /// A percentage.
-    is_percent: bool,
+    Percent,
     /// It describes the hole, which is as deep as the plate where that is perforated.
-    is_of_hole: bool,
+    OfHole,
     /// It counts springs that are sized for one shot.
-    pub(in crate::study) counts_springs: bool,
+    CountsSprings,
     /// It takes the error estimate of a run.
-    pub(in crate::study) is_estimate: bool,
+    Estimate,
 }
 
 /// The searches with many shots.
@@ -135,14 +141,7 @@ const fn quantity(
         title: "",
         short: "",
         absence: "does not exist here",
-        is_of_perforation: false,
-        is_of_computation: false,
-        is_of_stack: matches!(source, Source::Search(Search::Limit)),
-        is_whole: false,
-        is_percent: false,
-        is_of_hole: false,
-        counts_springs: false,
-        is_estimate: false,
+        traits: &[],
     }
 }
 
@@ -168,41 +167,16 @@ impl Quantity {
         Self { absence, ..self }
     }
 
-    const fn of_perforation(self) -> Self {
-        Self { is_of_perforation: true, ..self }
-    }
-
-    const fn of_computation(self) -> Self {
-        Self { is_of_computation: true, ..self }
-    }
-
-    const fn whole(self) -> Self {
-        Self { is_whole: true, ..self }
-    }
-
-    const fn of_stack(self) -> Self {
-        Self { is_of_stack: true, ..self }
-    }
-
-    const fn percent(self) -> Self {
-        Self { is_percent: true, ..self }
-    }
-
-    const fn of_hole(self) -> Self {
-        Self { is_of_hole: true, ..self }
-    }
-
-    const fn with_springs(self) -> Self {
-        Self { counts_springs: true, ..self }
-    }
-
-    const fn estimate(self) -> Self {
-        Self { is_estimate: true, ..self }
+    const fn is(self, traits: &'static [Trait]) -> Self {
+        Self { traits, ..self }
     }
 }
 
 use Dimension::{ArealMass, Energy, Force, Impulse, Length, Mass, Number, Time, Velocity};
 use FromContact::{Displacement, End, WithScene};
+use Trait::{
+    CountsSprings, Estimate, OfComputation, OfHole, OfPerforation, OfStack, Percent, Whole,
+};
 
 /// Why there is no displacement, and no percentage.
 const UNSTOPPED: &str = "nothing stops the plate";
@@ -224,11 +198,11 @@ pub static QUANTITIES: &[Quantity] = &[
         .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))).titled("common velocity at first stop"),
     quantity("final_penetration_m", Length, "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
-        .at_least(|run| run.at_least.penetration_m).titled("final depth").short("depth").of_stack().of_hole(),
+        .at_least(|run| run.at_least.penetration_m).titled("final depth").short("depth").is(&[OfStack, OfHole]),
     quantity("percent_of_baseline", Number, "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
         .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
         .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.baseline_penetration_m?)))
-        .titled("% of rigid-mount depth").short("% of rigid mount").absent(NO_BASELINE).of_hole().percent(),
+        .titled("% of rigid-mount depth").short("% of rigid mount").absent(NO_BASELINE).is(&[OfHole, Percent]),
     quantity("baseline_penetration_m", Length, "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
         .by_contact(End(|it| it.baseline_m)).titled("depth on a rigid mount").absent(NO_BASELINE),
     quantity("peak_contact_force_n", Force, "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
@@ -238,14 +212,14 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("stroke_m", Length, "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral", Source::Run(Run::stroke_m))
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),
-    quantity("residual_velocity_m_s", Velocity, "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation().of_stack(),
-    quantity("exit_time_s", Time, "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).of_perforation(),
+    quantity("residual_velocity_m_s", Velocity, "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).is(&[OfPerforation, OfStack]),
+    quantity("exit_time_s", Time, "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).is(&[OfPerforation]),
     quantity("separation_time_s", Time, "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
     quantity("separation_velocity_m_s", Velocity, "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
     quantity("interface_demand_ratio", Number, "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).titled("interface push over strength").short("push"),
     quantity("interface_tension_ratio", Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).titled("interface pull over strength").short("pull"),
-    quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).of_computation().of_stack(),
-    quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation().of_stack().estimate(),
+    quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).is(&[OfComputation, OfStack]),
+    quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).is(&[OfComputation, OfStack, Estimate]),
     quantity("stored_energy_j", Energy, "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
     quantity("yield_margin", Number, "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)),
     quantity("added_inertia_kg", Mass, "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
@@ -258,27 +232,32 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("fused_stop_hits", Number, "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
     quantity("plate_mass_kg", Mass, "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
     quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
-        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))).with_springs(),
+        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))).is(&[CountsSprings]),
     quantity("system_mass_kg", Mass, "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacement_m(run))))
-        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").with_springs(),
+        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").is(&[CountsSprings]),
     quantity("areal_mass_kg_m2", ArealMass, "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacement_m(run))))
-        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).with_springs(),
+        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).is(&[CountsSprings]),
     quantity("plate_face_m", Length, "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| sprung(scene).then(|| scene.plate_face_m()))),
     quantity("face_over_diameter", Number, "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", Number, "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", Number, "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
-    quantity("limit_velocity_m_s", Velocity, "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Search(Search::Limit)).short("limit"),
+    quantity("limit_velocity_m_s", Velocity, "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Search(Search::Limit)).short("limit").is(&[OfStack]),
     quantity("limit_if_spring_survives_m_s", Velocity, "least impact velocity that perforates or that the spring does not survive, by its known mass and the range of its law: as in `compare`", Source::Search(Search::LimitIfSpringSurvives)).short("spring survives"),
     quantity("mass_efficiency", Number, "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Search(Search::MassEfficiency)).short("efficiency"),
-    quantity("steps", Number, "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole(),
-    quantity("rejected", Number, "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole(),
-    quantity("rhs_evaluations", Number, "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole(),
+    quantity("steps", Number, "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).is(&[OfComputation, Whole]),
+    quantity("rejected", Number, "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).is(&[OfComputation, Whole]),
+    quantity("rhs_evaluations", Number, "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).is(&[OfComputation, Whole]),
 ];
 
 impl Quantity {
+    /// Whether this is so of it.
+    pub fn has(&self, what: Trait) -> bool {
+        self.traits.contains(&what)
+    }
+
     /// Its unit; `%` for a percentage, empty for a pure number.
     pub fn unit(&self) -> &'static str {
-        if self.is_percent { "%" } else { self.kind.unit() }
+        if self.has(Percent) { "%" } else { self.kind.unit() }
     }
 
     /// Its name in words, without the unit: `max plate displacement`.
@@ -355,13 +334,13 @@ impl Quantity {
             Source::Run(get) | Source::Course(get, _) => get(run),
             Source::Search(_) => None,
         };
-        let has = self.is_of_stack || run.stack.is_none();
+        let has = self.has(OfStack) || run.stack.is_none();
         own().filter(|value| has && value.is_finite())
     }
 
     /// That a study of this quantity alone would find nothing: a stack has no such quantity.
     pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), SweepError> {
-        if self.is_of_stack || !scene.is_stack() {
+        if self.has(OfStack) || !scene.is_stack() {
             return Ok(());
         }
         Err(SweepError(format!(
@@ -392,13 +371,13 @@ impl Quantity {
 
     /// Whether it has a value where the plate is perforated: the depth is the plate's thickness there.
     pub(in crate::study) fn exists_in_perforation(&self) -> bool {
-        !self.is_of_hole
+        !self.has(OfHole)
     }
 
     /// Whether designs that are perforated may be compared by it.
     pub(in crate::study) fn tells_of_perforation(&self) -> bool {
         // What does not depend on the outcome of the shot does.
-        self.is_of_perforation || matches!(self.source, Source::Scene(_) | Source::Search(_))
+        self.has(OfPerforation) || matches!(self.source, Source::Scene(_) | Source::Search(_))
     }
 }
 
@@ -439,5 +418,5 @@ pub fn of_runs() -> impl Iterator<Item = &'static Quantity> {
 
 /// The quantities that describe a design, in the order of tables: those of the computation are omitted, and limits.
 pub fn usual() -> impl Iterator<Item = &'static Quantity> {
-    of_runs().filter(|it| !it.is_of_computation)
+    of_runs().filter(|it| !it.has(OfComputation))
 }

@@ -136,7 +136,7 @@ pub const SCATTER: f64 = 2.0 * USUAL_DEVIATION;
 pub fn usual_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     let mut axes = thesis_axes(scene)?;
     for tolerance in usual_tolerances(scene, USUAL_DEVIATION) {
-        let Distribution::LogNormal { median, .. } = tolerance.distribution else { continue };
+        let Distribution(_, (median, _)) = tolerance.distribution;
         let ends = (median * (1.0 - SCATTER), median * (1.0 + SCATTER));
         let Ok(axis) = Axis::new(tolerance.symbol(), ends, 2, Spacing::Linear) else { continue };
         axes.push(axis);

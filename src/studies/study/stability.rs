@@ -2,15 +2,12 @@
 //!
 //! The requirements on `auto` are the constants below. Must not know files, threads, screens or the clock itself.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::run::{EndReason, Mode, Run, STILL_WITHIN_CONTACT, Sample};
+use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Observer, Settings, simulate};
 use crate::model::variables::VariableError;
-use crate::numerics::larger;
 use crate::study::accuracy::method::answer_of;
 use crate::study::accuracy::reference::{Reference, ReferenceSource, References};
 use crate::study::context::{CancelFlag, Context};
@@ -23,8 +20,6 @@ pub mod map;
 pub const RESIDUAL_MAX: f64 = 1e-8;
 /// Greatest relative error of any result a row of `auto` may have.
 pub const ERROR_MAX: f64 = 1e-8;
-/// Part of the plate's greatest displacement, or speed, from which on its tangent counts: at zero it may be infinite.
-const COUNTS_FROM: f64 = 1e-2;
 
 enumeration! {
     /// Why a row falls short.
@@ -132,78 +127,6 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
     } else {
         // A reference that ends otherwise makes the error NaN, which is no less short.
         error.filter(|error| error.is_nan() || *error > ERROR_MAX).map(|_| Shortfall::Error)
-    }
-}
-
-/// The maxima of the contact; rates in 1/s.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-struct Peaks {
-    contact_s: f64,
-    oscillation: f64,
-    decay: f64,
-    /// At which the contact force's dependence on velocity slows the slip.
-    drag: f64,
-    speed_m_s: f64,
-}
-
-impl Peaks {
-    /// Of a scene that has been run: its contact is run again, with its series and no farther.
-    fn of(scene: &Arc<Scene>, run: &Run) -> Result<Self, EndReason> {
-        let arrest_s = run.first_arrest.map(|arrest| arrest.t_s);
-        let contact_s = arrest_s.or(run.exit_time_s).ok_or(run.end)?;
-        let watch = &mut |t_s| {
-            if t_s > contact_s { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
-        let run =
-            simulate(scene, &Settings::SERIES, watch).map_err(|_invalid| EndReason::NonFinite)?;
-        let holds = run.omitted.contains(&STILL_WITHIN_CONTACT);
-        let mechanism = Mechanism::of(scene);
-        let mass_kg = moving_plate_kg(scene);
-        let (drag, cos) = (scene.drag_kg_m3(), scene.cos_obliquity());
-        let rows: Vec<_> = run
-            .series
-            .iter()
-            .filter(|row| row.mode == Mode::Penetrating && row.t_s <= contact_s)
-            .map(|row| if holds { yielding(&mechanism, row, (cos, contact_s)) } else { *row })
-            .collect();
-        let mut peaks = Self { contact_s, ..Self::default() };
-        let mut far_m = 0.0;
-        for row in &rows {
-            far_m = larger(row.plate_displacement_m.abs(), far_m);
-            peaks.speed_m_s = larger(row.plate_velocity_m_s.abs(), peaks.speed_m_s);
-        }
-        let mobility = 1.0 / scene.projectile.mass_kg + cos * cos / mass_kg;
-        for row in rows {
-            let (x, w) = (row.plate_displacement_m.abs(), row.plate_velocity_m_s);
-            if x > COUNTS_FROM * far_m {
-                let swing = (mechanism.spring.tangent(x).abs() / mass_kg).sqrt();
-                peaks.oscillation = larger(swing, peaks.oscillation);
-            }
-            if w.abs() > COUNTS_FROM * peaks.speed_m_s {
-                let decay = mechanism.damper.tangent(w) / mass_kg;
-                peaks.decay = larger(decay, peaks.decay);
-            }
-            let slip = row.projectile_velocity_m_s - w * cos;
-            let pressure = scene.flow_strength_pa() + drag * slip * slip;
-            if pressure > 0.0 {
-                let slope = 2.0 * drag * slip * row.contact_force_n / pressure;
-                peaks.drag = larger(slope * mobility, peaks.drag);
-            }
-        }
-        Ok(peaks)
-    }
-}
-
-/// The row of a plate whose motion was omitted because its mechanism holds it: whichever of spring and damper holds yields as far,
-/// or as fast, as it must against the contact force.
-fn yielding(mechanism: &Mechanism, row: &Sample, (cos, contact_s): (f64, f64)) -> Sample {
-    let held_n = row.contact_force_n * cos;
-    let (x, w) = (mechanism.spring.at_force(held_n), mechanism.damper.at_force(held_n));
-    let spring_holds = x <= w * contact_s;
-    Sample {
-        plate_displacement_m: if spring_holds { x } else { 0.0 },
-        plate_velocity_m_s: if spring_holds { 0.0 } else { w },
-        ..*row
     }
 }
 

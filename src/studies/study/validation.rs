@@ -263,16 +263,3 @@ fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
         MeasuredQuantity::Depth => plain_run(scene)?.final_penetration_m,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_file_of_measurements_is_right() {
-        let all = read(FILE).unwrap_or_else(|problem| panic!("{problem}"));
-        for case in &all.cases {
-            assert!(case.class == NOT_COUNTED || all.classes.contains(&case.class), "{}", case.id);
-        }
-    }
-}

@@ -10,7 +10,7 @@ use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::model::units::{shortest, significant};
 use crate::model::variables;
-use crate::study::quantities::{Quantity, Search};
+use crate::study::quantities::{Quantity, Search, Trait};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Plan, PointOutcome};
 
@@ -91,7 +91,7 @@ pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, String)> {
 /// neither the scene nor the upper ends of its axes have springs.
 pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> Option<String> {
     let has_limit = measures.iter().any(|it| matches!(it.search(), Some(Search::Limit)));
-    let mass = measures.iter().find(|it| has_limit && it.counts_springs)?.name;
+    let mass = measures.iter().find(|it| has_limit && it.has(Trait::CountsSprings))?.name;
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
     let is_sprung = |scene: &Scene| !scene.is_rigid() && scene.mechanism.has_springs();
     (is_sprung(scene) || is_sprung(&scene_with(scene, axes, &ends))).then(|| {

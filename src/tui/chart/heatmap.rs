@@ -26,7 +26,7 @@ use ratatui::style::{Color, Modifier, Style};
 
 use super::{Chart, Draw, Layout};
 use crate::report::chart::levels::{BANDS_MAX, Levels};
-use crate::report::map::{Cell, LINE, Map, Tone};
+use crate::report::map::{Cell, Map, Tone};
 use crate::tui::theme::colours::ink_on;
 use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
 
@@ -45,7 +45,7 @@ impl Draw for Map<'_> {
         }
         draw_bands(self, layout.plot, buffer, theme);
         draw_contour(self, layout.plot, buffer);
-        draw_line(self, layout.plot, buffer, theme);
+        draw_present(self, layout.plot, buffer, theme);
         draw_cursor(self, layout.plot, buffer, theme);
         layout
     }
@@ -102,15 +102,8 @@ fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The line, in every row, and the point to be seen.
-fn draw_line(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-    let style = theme.style(Role::Event);
-    for row in 0..plot.height {
-        let up = Half::Middle.spread(plot, row, map.counts.1);
-        let Some(column) = map.line.get(up).copied().flatten() else { continue };
-        let (column, _) = place(plot, (column, up), map.counts);
-        put(buffer, (plot.x + column, plot.y + row), LINE, style);
-    }
+/// The point to be seen.
+fn draw_present(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
     if let Some((point, letter)) = map.present {
         let (column, row) = place(plot, point, map.counts);
         put(buffer, (plot.x + column, plot.y + row), letter, theme.style(Role::Title));
@@ -256,14 +249,14 @@ fn over(buffer: &mut Buffer, at: (u16, u16), symbol: char) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, Scale, ViewRange};
+    use super::super::{Axis, ViewRange};
     use super::*;
 
     #[test]
     fn no_contour_runs_between_values_equal_within_rounding() {
         let flat = |x: usize, y: usize| Cell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
         let axis = Axis::new("x", ViewRange::new(0.0, 10.0));
-        let levels = Levels::of(Scale::Linear, [0.0, 110.0]);
+        let levels = Levels::of([0.0, 110.0]);
         let map = Map {
             contour: Some((100.0 + 3e-14, "".into())),
             ..Map::new("flat", (axis.clone(), axis), (11, 6), levels, flat)

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::files::atomic::Existing;
-use crate::files::export::{Destination, RunTable};
+use crate::files::export::Destination;
 use crate::files::report::is_report;
 use crate::report::run::NamedRun;
 use crate::report::svg;
@@ -35,7 +35,7 @@ fn content(app: &App) -> Option<Content> {
     let now = app.shown.iter().map(|shown| ("now".to_owned(), shown.run.clone()));
     let pins = app.pins.iter().filter_map(|pin| Some((pin.letter.to_string(), pin.run.clone()?)));
     let runs: Vec<NamedRun> = now.chain(pins).collect();
-    (!runs.is_empty()).then_some(Content::Runs(RunTable { runs }))
+    (!runs.is_empty()).then_some(Content::Runs(runs))
 }
 
 #[derive(Clone, Debug)]
@@ -69,7 +69,7 @@ impl Purpose for Export {
             content(app).ok_or("the result to write no longer exists")?
         };
         let existing = Existing::replaced(overwrite);
-        Ok(Some(FileTask::Export(Destination { path, existing, has_scene: true }, content)))
+        Ok(Some(FileTask::Export(Destination { path, existing }, content)))
     }
 
     fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome> {

@@ -4,6 +4,7 @@ pub mod comparison;
 pub mod residual;
 pub mod state;
 
+use crate::model::run::envelope;
 use crate::report::{self, limit};
 use crate::study::compare;
 use crate::study::limit::{COMMAND, Limit};
@@ -36,7 +37,7 @@ const PANES: &[PaneSpec] = &[
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
-    Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
+    Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson"),
     Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth"),
     Command::new(Call::Show(EFFICIENCY_MAP, None), "Efficiency map", "mass efficiency compare worth"),
 ];
@@ -110,7 +111,10 @@ impl Page for LimitTab {
             let at_limit = report.at_limit.as_ref();
             parts.extend(at_limit.map_or_else(
                 || app.validity_part(),
-                |it| outside(it.breaches.iter().map(|breach| breach.check), " at the limit", ""),
+                |run| {
+                    let breaches = envelope::of_run(run).into_iter();
+                    outside(breaches.map(|breach| breach.check), " at the limit", "")
+                },
             ));
             if let Limit::Found { basis, .. } = report.limit {
                 parts.push(part(Severity::Note, format!("by {}", basis.words())));

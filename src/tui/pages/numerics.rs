@@ -36,7 +36,7 @@ const PAGES: &[PageSpec] = &[
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Numerics)), "Numerics tab", "method solver integrator"),
     Command::new(Call::Show(ACCURACY, None), "Accuracy", "error run time cost method tolerance convergence order"),
-    Command::new(Call::Show(STABILITY, None), "Stability", "largest stable step fixed step map"),
+    Command::new(Call::Show(STABILITY, None), "Stability", "stable step fixed step map"),
     Command::new(Call::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
 ];
 

@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 
 use crate::model::units::significant;
-use crate::report::map::{Cell, LINE, Map};
+use crate::report::map::{Cell, Map};
 use crate::tui::chart::heatmap::swatch;
 use crate::tui::chart::{Layout, Scale, Unit, ViewRange};
 use crate::tui::theme::Role;
@@ -24,10 +24,9 @@ impl Canvas<'_> {
     /// Draw a map with its key, and tell where everything lies.
     pub(crate) fn draw_map(&mut self, map: &Map<'_>, area: Rect) -> Layout {
         let is_drawn = |letter: char| {
-            let others = [(LINE, !map.line.is_empty()), (map.present.map_or(' ', |it| it.1), true)];
             let mut marks = map.cells.iter();
             marks.any(|cell| matches!(cell, Cell::Mark(mark, _) if *mark == letter))
-                || others.contains(&(letter, true))
+                || map.present.is_some_and(|it| it.1 == letter)
         };
         let marks = map.marks.iter().filter(|(letter, _)| is_drawn(*letter));
         let mut words: Vec<String> = Vec::new();

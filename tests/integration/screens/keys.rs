@@ -500,7 +500,7 @@ fn export_asks_for_the_file_of_all_runs() {
     });
     let (to, request) = request.unwrap();
     assert_eq!(to.path.to_str(), Some("/home/ada/work/thesis-baseline-x.csv"));
-    let names: Vec<&str> = request.runs.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = request.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["now", "A"]);
     assert_eq!(to.existing, Existing::Keep);
     bench.export_ended(ExportOutcome::Exists("x".into()));

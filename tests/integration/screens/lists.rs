@@ -239,7 +239,7 @@ fn the_palette_finds_by_name_and_synonym() {
         ("efficiency", "Efficiency map"),
         ("worth", "Comparison at equal areal mass"),
         ("rigid", "rigid-mount"),
-        ("largest stable", "Stability"),
+        ("stable step", "Stability"),
     ] {
         let bench = Bench::ascii(80, 24);
         let found = bench.app.palette(typed);

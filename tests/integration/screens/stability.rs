@@ -30,9 +30,7 @@ pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
         method,
         axis,
         cells: values.iter().flat_map(|k| dt_s.iter().map(|dt| cell(*k, *dt))).collect(),
-        limit_s: values.iter().map(|k| Some(limit(*k))).collect(),
         present: 1e5,
-        largest_stable_dt_s: Some(limit(1e5)),
         dt_s,
         values,
     }
@@ -87,9 +85,9 @@ pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
 fn the_crosshair_starts_at_the_scene_and_describes_each_cell() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     assert!(bench.message().starts_with("the scene: dt "), "{}", bench.message());
-    assert!(bench.message().contains("accurate (1 %); analytic limit 0.0015 s"));
+    assert!(bench.message().contains("accurate (1 %)"));
     bench.keys("kkkkkkkkkkkkLL");
-    assert!(bench.message().contains(": diverged;"), "{}", bench.message());
+    assert!(bench.message().ends_with(": diverged"), "{}", bench.message());
     bench.keys("HHHHHHHHjjjjjjjjjjjjjjjjjjjjjjjj");
     assert!(bench.message().starts_with("dt 1e-9 s, k 1000: accurate"), "{}", bench.message());
 }

@@ -48,7 +48,7 @@ fn comparing_two_designs_and_exporting_both_takes_11() {
         Effect::Files(FileTask::Export(_, Content::Runs(request))) => Some(request.clone()),
         _ => None,
     });
-    let runs: Vec<String> = request.unwrap().runs.iter().map(|(name, _)| name.clone()).collect();
+    let runs: Vec<String> = request.unwrap().iter().map(|(name, _)| name.clone()).collect();
     assert_eq!(runs, ["now", "A"]);
     let pin = &task.bench.app.pins[0].scene;
     assert_eq!((pin.plate.mass_ratio.to_bits(), task.presses), (2.0_f64.to_bits(), 11));

@@ -4,7 +4,7 @@
 //! The first value of a range lies in the middle of the first cell, the last one in the middle of the last, whatever the glyph
 //! set: a tick, a curve and the crosshair at the same value are always in the same column.
 
-use crate::report::steps::{Step, decade, power};
+use crate::report::steps::{decade, power};
 
 /// Positions are kept within this many cells of the view: far enough that the direction of a line is right, near enough that
 /// clipping it loses nothing.
@@ -149,19 +149,12 @@ impl ViewRange {
         })
     }
 
-    /// Grown to round bounds, so that small changes of the data do not move the axis: multiples of a 1-2-5 step about a fifth
-    /// of the span; on a logarithmic axis of more than a decade, whole decades.
-    pub fn rounded(self, scale: Scale) -> Self {
-        let view = self.on(scale);
-        if scale == Scale::Log10 && view.hi / view.lo > 10.0 {
-            let top = decade(view.hi);
-            let above = if power(top) < view.hi { top + 1 } else { top };
-            return Self::new(power(decade(view.lo)), power(above));
-        }
-        let step = Step::at_least(view.span() / 5.0).size();
-        let lo = (view.lo / step + 1e-9).floor() * step;
-        let hi = (view.hi / step - 1e-9).ceil() * step;
-        Self::new(lo.min(view.lo), hi.max(view.hi)).on(scale)
+    /// Grown to whole decades, so that small changes of the data do not move a logarithmic axis.
+    pub fn in_decades(self) -> Self {
+        let view = self.on(Scale::Log10);
+        let top = decade(view.hi);
+        let above = if power(top) < view.hi { top + 1 } else { top };
+        Self::new(power(decade(view.lo)), power(above)).on(Scale::Log10)
     }
 
     /// Zoomed about a value, which keeps its place: `factor` 2 shows half the span, 0.5 twice. A value outside the range is
@@ -301,12 +294,8 @@ mod tests {
     }
 
     #[test]
-    fn rounded_bounds_hold_the_range_and_are_easily_read() {
-        let linear = |lo, hi| ViewRange::new(lo, hi).rounded(Scale::Linear);
-        assert_eq!(linear(0.0, 7.1), ViewRange::new(0.0, 8.0));
-        assert_eq!(linear(0.0, 8.0), ViewRange::new(0.0, 8.0));
-        assert_eq!(linear(-3.0, 41.0), ViewRange::new(-10.0, 50.0));
-        let log = |lo, hi| ViewRange::new(lo, hi).rounded(Scale::Log10);
+    fn decades_hold_the_range() {
+        let log = |lo, hi| ViewRange::new(lo, hi).in_decades();
         assert_eq!(log(3e-7, 0.2), ViewRange::new(1e-7, 1.0));
         assert_eq!(log(1.0, 1000.0), ViewRange::new(1.0, 1000.0));
     }
@@ -339,7 +328,7 @@ mod tests {
             let zoomed = view.zoomed(scale, c, d);
             let all = [
                 view, zoomed, view.on(scale), view.within(zoomed), view.padded(scale, 0.1),
-                view.rounded(scale),
+                view.in_decades(),
             ];
             for range in all {
                 prop_assert!(sane(range), "{:?}", range);

@@ -3,7 +3,7 @@
 use crate::model::run::Outcome;
 use crate::numerics::statistics::sorted_by;
 use crate::report::chart::levels::Levels;
-use crate::report::chart::{Axis, Chart, Curve, Scale};
+use crate::report::chart::{Axis, Chart, Curve};
 use crate::report::figures::{axis_of, map_over};
 use crate::report::map::{Cell, Map, Tone};
 use crate::report::svg::Picture;
@@ -32,7 +32,7 @@ fn curve(grid: &Grid, axis: &sweep::Axis, output: usize) -> Option<Chart<'static
     let points = (0..).map(|index| axis.value(index)).zip(values);
     let points = sorted_by(points.collect(), |point: &(f64, f64)| point.0);
     let values = points.iter().map(|point| point.1);
-    let y = Axis::fitted(column.title(), column.unit(), Scale::Linear, values)?;
+    let y = Axis::fitted(column.title(), column.unit(), values)?;
     let curve = Curve::new('*', "", points);
     Some(Chart::new(column.title(), axis_of(axis), y, vec![curve]))
 }
@@ -42,7 +42,7 @@ fn map(grid: &Grid, x: &sweep::Axis, y: &sweep::Axis, output: usize) -> Option<M
     let at = |at_x: usize, at_y: usize| cell(grid.cell(at_x, at_y, output));
     let marks = marks(column, points(grid, output));
     let values = points(grid, output).filter_map(grid::Cell::value);
-    let levels = Levels::of(Scale::Linear, values)?;
+    let levels = Levels::of(values)?;
     let marks = marks.into_iter().map(|(letter, _, words)| (letter, words.to_owned())).collect();
     Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), at) })
 }

@@ -210,7 +210,7 @@ mod tests {
         let map = Map {
             contour: Some((1.5, "line".into())),
             marks: vec![('P', "perforated".to_owned())],
-            ..Map::new("map", axes, (4, 3), Levels::of(Scale::Linear, [0.0, 3.0]), cell)
+            ..Map::new("map", axes, (4, 3), Levels::of([0.0, 3.0]), cell)
         };
         let text = file(&[map.svg()]);
         let read = roxmltree::Document::parse(&text).unwrap();

@@ -101,12 +101,6 @@ impl Reference {
         self.errors(scene, results).into_iter().flatten().fold(0.0, larger)
     }
 
-    /// The error of depth, or of the time of a perforation, which has no depth of its own.
-    pub fn error_of_shot(&self, scene: &Scene, results: &Results) -> f64 {
-        let [depth, time, ..] = self.errors(scene, results);
-        depth.or(time).unwrap_or(f64::NAN)
-    }
-
     /// The time of first arrest or exit, s.
     pub fn end_s(&self) -> f64 {
         self.results[1].unwrap_or(f64::NAN)

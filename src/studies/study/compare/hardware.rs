@@ -20,29 +20,11 @@ pub enum Hardware {
 
 /// The failure before the plate is perforated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Failure {
-    /// The spring would have to store more than its mass can.
-    Energy,
-    /// The spring leaves the range of its law; what the range is.
-    Range(&'static str),
-}
-
-impl Failure {
-    /// The failure, as the end of a sentence.
-    pub fn words(self) -> String {
-        match self {
-            Self::Energy => "the spring reaches its energy capacity".to_owned(),
-            Self::Range(what) => what.to_owned(),
-        }
-    }
-
+pub struct Failure {
     /// One or two words for a table.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Energy => "spring full",
-            Self::Range(_) => "spring law",
-        }
-    }
+    pub word: &'static str,
+    /// The failure, as the end of a sentence.
+    pub words: &'static str,
 }
 
 /// The load of a shot on the mechanism.
@@ -107,9 +89,10 @@ impl Built {
         let max_displacement_m =
             demand.max_displacement_m.filter(|_| scene.plate.mount == Mount::Sprung)?;
         if let Some(limit) = exceeded(scene, max_displacement_m).first() {
-            return Some(Failure::Range(limit.what));
+            return Some(Failure { word: "spring law", words: limit.what });
         }
         let is_full = |stored: &f64| *stored > self.capacity_j * (1.0 + SAME);
-        demand.stored_j.filter(is_full).map(|_| Failure::Energy)
+        let full = Failure { word: "spring full", words: "the spring reaches its energy capacity" };
+        demand.stored_j.filter(is_full).map(|_| full)
     }
 }

@@ -11,7 +11,6 @@ use crate::study::compare::sized::{self, sized};
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, hold_spring_mass};
 use crate::study::context::{Context, to_its_end};
 use crate::study::limit::{self, JUST_BELOW, Limit};
-use crate::study::load::Load;
 
 /// Relative width to which the velocity is closed in at which the hardware fails.
 const WIDTH: f64 = 1e-9;
@@ -47,7 +46,10 @@ pub fn limit_if_spring_survives_m_s(scene: &Scene) -> Result<f64, String> {
     let context = &mut Context::new(1, &mut watch);
     let limits = Judge { scene: Arc::new(own), hardware: Hardware::default(), context }.limits();
     let Limits { perforation, limit_m_s, failure, .. } = limits.ok_or("no limit was found")?;
-    let why = || failure.map_or_else(|| perforation.absence().unwrap_or_default(), Failure::words);
+    let why = || match failure {
+        Some(failure) => failure.words.to_owned(),
+        None => perforation.absence().unwrap_or_default(),
+    };
     limit_m_s.ok_or_else(why)
 }
 
@@ -90,18 +92,16 @@ impl Judge<'_, '_> {
     pub(super) fn entry(&mut self, candidate: Candidate) -> Option<Entry> {
         let scene = Arc::clone(&self.scene);
         let Limits { perforation, run, fastest, built, limit_m_s, failure } = self.limits()?;
-        let limit_load = match (limit_m_s, &fastest) {
-            (Some(_), Some(run)) if failure.is_none() => Load::of(run),
-            (Some(limit), _) => Load::of(&self.fire_below(limit)?),
-            (None, _) => Load::default(),
+        let at_limit = match (limit_m_s, fastest) {
+            (Some(_), Some(run)) if failure.is_none() => Some(run),
+            (Some(limit), _) => Some(self.fire_below(limit)?),
+            (None, _) => None,
         };
         if !self.context.goes_on() {
             return None;
         }
-        let stays = matches!(run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
         Some(Entry {
             candidate,
-            outcome: run.shot_outcome(),
             is_held: is_held(&scene),
             areal_kg_m2: built.areal_kg_m2(&scene),
             spring_kg: built.spring_kg,
@@ -109,11 +109,8 @@ impl Judge<'_, '_> {
             limit_m_s,
             failure,
             sized: sized(&scene, self.hardware, sized::WIDTH),
-            load: Load::of(&run),
-            limit_load,
-            depth_m: run.final_penetration_m.filter(|_| stays),
-            residual_m_s: run.residual_velocity_m_s,
-            scene,
+            at_limit,
+            run,
         })
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::model::scene::{Mount, Scene};
 use crate::numerics::{larger, smaller};
-use crate::study::compare::hardware::{Built, Demand, Failure, Hardware, is_held};
+use crate::study::compare::hardware::{Built, Demand, Hardware, is_held};
 use crate::study::compare::solid::thickness_of_limit;
 use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::verdict::{ShotOutcome, decide, edge};
@@ -19,61 +19,38 @@ pub const THINNEST_M: f64 = 5e-4;
 
 /// Why there is no such armour.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Absence {
-    /// No solid plate has this limit velocity: no strength, or another contact model.
-    NoSolid,
-    /// No thickness within a factor of a million of the solid plate's is enough.
-    NoThickness,
-    /// Every thickness of the numerical envelope is enough: of a preloaded mechanism, or a light plate of given face.
-    EveryThickness,
-    /// Runs of the plates just thick enough end undecided, however long they are followed.
-    Undecided,
-    /// A stack is no armour of one plate.
-    Stack,
-    /// Nothing stops plate and projectile.
-    NothingStops,
-    /// The spring's mass is not known.
-    NoSpringMass,
-    /// The mechanism fails under the shot.
-    Fails(Failure),
+pub struct Absence {
+    /// The letter that stands for it in maps.
+    pub letter: char,
+    /// In words.
+    pub words: &'static str,
 }
 
 impl Absence {
+    /// No solid plate has this limit velocity: no strength, or another contact model.
+    const NO_SOLID: Self = Self::new('N', "no solid plate to compare with");
+    /// No thickness within a factor of a million of the solid plate's is enough.
+    const NO_THICKNESS: Self = Self::new('T', "no thickness stops the shot");
+    /// Every thickness of the numerical envelope is enough: of a preloaded mechanism, or a light plate of given face.
+    const EVERY_THICKNESS: Self = Self::new(
+        'T',
+        "even the thinnest plate within the model's range stops the shot: there is no least thickness",
+    );
+    /// Runs of the plates just thick enough end undecided, however long they are followed.
+    const UNDECIDED: Self =
+        Self::new('?', "least thickness not decided: runs end before their outcome is known");
+    const STACK: Self =
+        Self::new('S', "a stack is compared with nothing: its mechanisms share one shot");
+    const NOTHING_STOPS: Self = Self::new('U', "nothing stops plate and projectile");
+    const NO_SPRING_MASS: Self = Self::new('M', "the spring's mass is not known");
+
+    const fn new(letter: char, words: &'static str) -> Self {
+        Self { letter, words }
+    }
+
     /// Whether it is the verdict that it leaves open, and not the armour that is missing.
     pub fn is_open(self) -> bool {
-        self == Self::Undecided
-    }
-
-    /// The letter that stands for it in maps.
-    pub fn letter(self) -> char {
-        match self {
-            Self::NoSolid => 'N',
-            Self::NoThickness | Self::EveryThickness => 'T',
-            Self::Undecided => '?',
-            Self::Stack => 'S',
-            Self::NothingStops => 'U',
-            Self::NoSpringMass => 'M',
-            Self::Fails(_) => 'F',
-        }
-    }
-
-    /// In words.
-    pub fn words(self) -> String {
-        match self {
-            Self::NoSolid => "no solid plate to compare with".to_owned(),
-            Self::NoThickness => "no thickness stops the shot".to_owned(),
-            Self::EveryThickness => {
-                "even the thinnest plate within the model's range stops the shot: there is no least thickness"
-                    .to_owned()
-            }
-            Self::Undecided => {
-                "least thickness not decided: runs end before their outcome is known".to_owned()
-            }
-            Self::Stack => "a stack is compared with nothing: its mechanisms share one shot".to_owned(),
-            Self::NothingStops => "nothing stops plate and projectile".to_owned(),
-            Self::NoSpringMass => "the spring's mass is not known".to_owned(),
-            Self::Fails(failure) => failure.words(),
-        }
+        self == Self::UNDECIDED
     }
 }
 
@@ -101,7 +78,7 @@ impl Sized {
 /// nothing: scene in, number out.
 pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<f64, Absence> {
     if !is_held(scene) {
-        return Err(Absence::NothingStops);
+        return Err(Absence::NOTHING_STOPS);
     }
     sized(scene, hardware, width).map(|sized| sized.mass_efficiency())
 }
@@ -109,18 +86,18 @@ pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<
 /// Size a valid scene for its own impact velocity, to this relative width of its thickness.
 pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<Sized, Absence> {
     if scene.is_stack() {
-        return Err(Absence::Stack);
+        return Err(Absence::STACK);
     }
     let solid = thickness_of_limit(scene, scene.projectile.velocity_m_s, false);
-    let solid_m = solid.ok_or(Absence::NoSolid)?;
+    let solid_m = solid.ok_or(Absence::NO_SOLID)?;
     let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
     let built = Built::of(&own, hardware, &shot.demand);
     if let Some(failure) = built.failure(&own, &shot.demand) {
-        return Err(Absence::Fails(failure));
+        return Err(Absence::new('F', failure.words));
     }
     let known = built.areal_kg_m2(&own).zip(built.spring_kg);
-    let (areal_kg_m2, spring_kg) = known.ok_or(Absence::NoSpringMass)?;
+    let (areal_kg_m2, spring_kg) = known.ok_or(Absence::NO_SPRING_MASS)?;
     let solid_areal_kg_m2 = solid_m * scene.target.density_kg_m3;
     Ok(Sized { scene: Arc::new(own), spring_kg, areal_kg_m2, solid_areal_kg_m2 })
 }
@@ -157,7 +134,7 @@ fn shoot(scene: Scene) -> Option<Shot> {
 /// The least factor of the thickness that stops the shot, to a relative width, and that shot.
 fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
     let thickness_m = scene.target.thickness_m;
-    let try_out = |factor: f64| shoot(scaled(scene, factor)).ok_or(Absence::NoThickness);
+    let try_out = |factor: f64| shoot(scaled(scene, factor)).ok_or(Absence::NO_THICKNESS);
     // A plate that its mechanism does not help is as good as a free or a rigid one.
     let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
         .filter(|_| scene.plate.mount == Mount::Sprung)
@@ -176,23 +153,23 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
         thick *= 2.0;
     }
     if !is_enough {
-        return Err(Absence::NoThickness);
+        return Err(Absence::NO_THICKNESS);
     }
     // Slow shots are stopped by thinner plates than the envelope has: for these the least is a free plate.
     let thinnest = smaller(thin, THINNEST_M / thickness_m);
     loop {
         match try_out(thin)?.verdict {
             ShotOutcome::Perforated => break,
-            ShotOutcome::Stopped if thin <= thinnest => return Err(Absence::EveryThickness),
-            ShotOutcome::Undecided if thin <= thinnest => return Err(Absence::Undecided),
+            ShotOutcome::Stopped if thin <= thinnest => return Err(Absence::EVERY_THICKNESS),
+            ShotOutcome::Undecided if thin <= thinnest => return Err(Absence::UNDECIDED),
             ShotOutcome::Stopped => thick = thin,
             ShotOutcome::Undecided => {}
         }
         thin = larger(0.5 * thin, thinnest);
     }
     let look = &mut |factor| Some(try_out(factor).ok()?.verdict);
-    match edge(thin, (thick, ShotOutcome::Stopped), width, look).ok_or(Absence::NoThickness)?.1 {
-        (_, ShotOutcome::Undecided) => Err(Absence::Undecided),
+    match edge(thin, (thick, ShotOutcome::Stopped), width, look).ok_or(Absence::NO_THICKNESS)?.1 {
+        (_, ShotOutcome::Undecided) => Err(Absence::UNDECIDED),
         (thick, _) => Ok((thick, try_out(thick)?)),
     }
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::envelope::{self, Check};
-use crate::model::run::{EndReason, Outcome, Warning};
+use crate::model::run::{EndReason, Outcome, Run, Warning};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
@@ -13,10 +13,9 @@ use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::closures::jump;
 use crate::study::limit::verdict::{Judged, ShotOutcome, decide, edge};
 use crate::study::limit::{
-    ABOVE, AtLimit, BELOW, CURVE, Closures, JUST_BELOW, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
+    ABOVE, BELOW, CURVE, Closures, JUST_BELOW, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
     closed_form,
 };
-use crate::study::load::Load;
 
 /// Relative width to which the limit is closed in.
 const WIDTH: f64 = 1e-10;
@@ -65,7 +64,7 @@ impl ShotRunner<'_, '_, '_> {
     }
 
     /// A shot just below a limit; `None` when stopped.
-    pub(super) fn at_limit(&mut self, limit_m_s: f64) -> Option<AtLimit> {
+    pub(super) fn at_limit(&mut self, limit_m_s: f64) -> Option<Run> {
         if !self.goes_on() {
             return None;
         }
@@ -73,18 +72,15 @@ impl ShotRunner<'_, '_, '_> {
         let mut run = simulate(&own, &Settings::SERIES, &mut self.context.observer()).ok()?;
         // The page of a limit has no depth to compare.
         run.warnings.retain(|warning| *warning != Warning::NoBaseline);
-        (run.end != EndReason::Cancelled).then(|| AtLimit {
-            load: Load::of(&run),
-            warnings: envelope::warnings(&run),
-            breaches: envelope::of_run(&run),
-        })
+        (run.end != EndReason::Cancelled).then_some(run)
     }
 
     /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none, where it carries more just
     /// below the limit; `None` where it does not, or when stopped.
-    pub(super) fn interface_holds(&mut self, at_limit: &AtLimit, limit_m_s: f64) -> Option<f64> {
-        let is_overloaded = |it: &AtLimit| {
-            it.breaches.iter().any(|it| matches!(it.check, Check::Interface | Check::Rebound))
+    pub(super) fn interface_holds(&mut self, at_limit: &Run, limit_m_s: f64) -> Option<f64> {
+        let is_overloaded = |run: &Run| {
+            let mut breaches = envelope::of_run(run).into_iter();
+            breaches.any(|it| matches!(it.check, Check::Interface | Check::Rebound))
         };
         if !is_overloaded(at_limit) {
             return None;

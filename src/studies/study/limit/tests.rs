@@ -32,17 +32,7 @@ fn valid_limits_in_closed_form_by_outcome() {
 }
 
 #[test]
-fn a_stiff_spring_is_a_rigid_mount_and_a_weak_one_a_free_plate() {
-    let stiff = found("k=1e10").limit.velocity_m_s().unwrap();
-    assert!((stiff / 232.295_378 - 1.0).abs() < 1e-3, "{stiff}");
-    let weak = found("k=1").limit.velocity_m_s().unwrap();
-    assert!((weak / 347.708_052 - 1.0).abs() < 1e-5, "{weak}");
-    let Limit::Found { basis, .. } = found("k=1").limit else { panic!("no limit") };
-    assert_eq!(basis, LimitMethod::Outcome);
-}
-
-#[test]
-fn on_a_rigid_mount_both_laws_are_exact() {
+fn on_a_rigid_mount_recht_and_ipsons_law_is_exact() {
     // v_r² = (v² - v_bl²) exp(-2 c V/m): by the closed form.
     let report = found("mount=rigid");
     let scene = scene("mount=rigid");
@@ -52,9 +42,6 @@ fn on_a_rigid_mount_both_laws_are_exact() {
     let recht_ipson = report.recht_ipson.unwrap();
     assert!((recht_ipson.a / a - 1.0).abs() < 1e-8, "{recht_ipson:?} {a}");
     assert!(recht_ipson.misfit_m_s < 1e-6);
-    let fitted = report.lambert_jonas.unwrap();
-    assert!((fitted.p - 2.0).abs() < 1e-3 && (fitted.a / a - 1.0).abs() < 1e-4, "{fitted:?}");
-    assert!((fitted.limit_m_s / 232.295_378 - 1.0).abs() < 1e-4, "{fitted:?}");
 }
 
 /// The limits of an independent 80-bit reference. A plate that left its rigid stop within rounding was caught by it
@@ -124,6 +111,6 @@ fn valid_the_stroke_at_the_limit_is_that_of_the_last_shot_that_is_stopped() {
     let last_m_s = limit_m_s * (1.0 - 2e-10);
     let last = plain_run(&scene(&format!("b=500 k=1e5 v_i={last_m_s}"))).unwrap();
     assert_eq!(last.outcome, Outcome::Arrested);
-    let stroke_m = report.at_limit.unwrap().load.stroke_m.unwrap();
+    let stroke_m = report.at_limit.unwrap().stroke_m().unwrap();
     assert!((stroke_m / last.stroke_m().unwrap() - 1.0).abs() < 2e-7, "{stroke_m}");
 }

@@ -23,7 +23,7 @@ fn valid_quantiles_through_a_monotone_closed_form() {
     let mut scene = rigid();
     scene.projectile.velocity_m_s = 60.0;
     let (mean, deviation) = (60.0, 3.0);
-    let velocity = Tolerance::new("v_i", Distribution::Normal { mean, deviation }).unwrap();
+    let velocity = Tolerance::new("v_i", Distribution(Kind::Normal, (mean, deviation))).unwrap();
     let report = sampled(&scene, &task(vec![velocity], &["final_penetration_m"], 20_000));
     let summary = &report.summaries[0];
     // Standard normal quantiles, Abramowitz and Stegun table 26.5.
@@ -72,19 +72,16 @@ fn valid_moments_of_the_distributions() {
         assert!((mean - exact.0).abs() < 0.025 * exact.1, "{mean} {exact:?}");
         assert!((deviation - exact.1).abs() < 0.025 * exact.1, "{deviation} {exact:?}");
     };
-    near(moments(Distribution::Normal { mean: 3.0, deviation: 0.5 }), (3.0, 0.5));
-    near(moments(Distribution::Uniform { low: 1.0, high: 4.0 }), (2.5, 3.0 / 12f64.sqrt()));
+    near(moments(Distribution(Kind::Normal, (3.0, 0.5))), (3.0, 0.5));
+    near(moments(Distribution(Kind::Uniform, (1.0, 4.0))), (2.5, 3.0 / 12f64.sqrt()));
     // exp(sigma²/2), and that times sqrt(exp(sigma²) - 1).
     let (mean, s2) = (0.02f64.exp(), 0.04f64);
-    near(
-        moments(Distribution::LogNormal { median: 1.0, deviation: 0.2 }),
-        (mean, mean * s2.exp_m1().sqrt()),
-    );
+    near(moments(Distribution(Kind::LogNormal, (1.0, 0.2))), (mean, mean * s2.exp_m1().sqrt()));
 }
 
 #[test]
 fn what_is_impossible_is_drawn_again_and_counted() {
-    let thick = Distribution::Normal { mean: 0.0254, deviation: 0.0254 };
+    let thick = Distribution(Kind::Normal, (0.0254, 0.0254));
     let thickness = Tolerance::new("h", thick).unwrap();
     let report = sampled(&rigid(), &task(vec![thickness], &["percent_of_baseline"], 2000));
     // A normal one deviation above zero is negative in 15.87 %, so 0.1886 a sample are drawn again.
@@ -98,13 +95,13 @@ fn tolerances_are_read_as_people_write_them() {
     let scene = Scene::default();
     let read =
         |name: &str, text: &str| Tolerance::parse(name, text, &scene).map(|it| it.distribution);
-    let normal = |mean, deviation| Ok(Distribution::Normal { mean, deviation });
+    let normal = |mean, deviation| Ok(Distribution(Kind::Normal, (mean, deviation)));
     assert_eq!(read("v_i", "normal:2%"), normal(100.0, 2.0));
     assert_eq!(read("v_i", "2%"), normal(100.0, 2.0));
     assert_eq!(read("projectile.velocity_m_s", "normal: 3 m/s"), normal(100.0, 3.0));
-    let (low, high) = (0.024, 0.027);
-    assert_eq!(read("h", "uniform:24mm..27mm"), Ok(Distribution::Uniform { low, high }));
-    let Ok(Distribution::LogNormal { median, deviation }) = read("S_y", "lognormal:5%") else {
+    let uniform = Distribution(Kind::Uniform, (0.024, 0.027));
+    assert_eq!(read("h", "uniform:24mm..27mm"), Ok(uniform));
+    let Ok(Distribution(Kind::LogNormal, (median, deviation))) = read("S_y", "lognormal:5%") else {
         panic!("not lognormal")
     };
     assert!((median - 1.52e8).abs() < 1.0 && (deviation - 0.05).abs() < 1e-12);

@@ -6,56 +6,31 @@ use super::{Axis, Number, Random, Scene, Spacing, SweepError, Variable};
 use crate::model::units::{self, Bare, significant};
 use crate::study::sweep::axis::{ends, numeric};
 
-/// How an input scatters; values in its stored unit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Distribution {
-    /// Normal.
-    Normal {
-        /// Mean.
-        mean: f64,
-        /// Standard deviation, > 0.
-        deviation: f64,
-    },
-    /// The logarithm is normal.
-    LogNormal {
-        /// Median, > 0.
-        median: f64,
-        /// Standard deviation of the logarithm, > 0.
-        deviation: f64,
-    },
-    /// As likely everywhere between its ends.
-    Uniform {
-        /// Least value.
-        low: f64,
-        /// Greatest value, > low.
-        high: f64,
-    },
+enumeration! {
+    /// How the values of an input are spread, which says what its two numbers are.
+    pub enum Kind in KindRow {
+        /// The word on the command line and in files.
+        word: &'static str,
+    }
+    /// Normal: mean, and standard deviation > 0.
+    Normal { word: "normal" }
+    /// The logarithm is normal: median > 0, and standard deviation of the logarithm > 0.
+    LogNormal { word: "lognormal" }
+    /// As likely everywhere between its ends, the lower one first.
+    Uniform { word: "uniform" }
 }
+
+/// How an input scatters: a kind and its two numbers, in the stored unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distribution(pub Kind, pub (f64, f64));
 
 impl Distribution {
     pub(super) fn draw(self, random: &mut Random) -> f64 {
-        match self {
-            Self::Normal { mean, deviation } => mean + deviation * random.normal(),
-            Self::LogNormal { median, deviation } => median * (deviation * random.normal()).exp(),
-            Self::Uniform { low, high } => low + (high - low) * random.unit(),
-        }
-    }
-
-    /// Its word on the command line and in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Normal { .. } => "normal",
-            Self::LogNormal { .. } => "lognormal",
-            Self::Uniform { .. } => "uniform",
-        }
-    }
-
-    /// Its two numbers: mean and deviation, median and deviation, or its ends.
-    pub fn numbers(self) -> (f64, f64) {
-        match self {
-            Self::Normal { mean, deviation } => (mean, deviation),
-            Self::LogNormal { median, deviation } => (median, deviation),
-            Self::Uniform { low, high } => (low, high),
+        let Self(kind, (a, b)) = self;
+        match kind {
+            Kind::Normal => a + b * random.normal(),
+            Kind::LogNormal => a * (b * random.normal()).exp(),
+            Kind::Uniform => a + (b - a) * random.unit(),
         }
     }
 }
@@ -80,15 +55,12 @@ impl fmt::Display for Tolerance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let unit = if self.variable.unit() == "deg" { "deg" } else { "" };
         let show = |value: f64| units::shortest(value) + unit;
-        write!(f, "{}={}:", self.symbol(), self.distribution.word())?;
-        match self.distribution {
-            Distribution::Normal { deviation, .. } => f.write_str(&show(deviation)),
-            Distribution::LogNormal { deviation, .. } => {
-                write!(f, "{}%", significant(100.0 * deviation, 12))
-            }
-            Distribution::Uniform { low, high } => {
-                write!(f, "{}..{}", show(low), show(high))
-            }
+        let Distribution(kind, (a, b)) = self.distribution;
+        write!(f, "{}={}:", self.symbol(), kind.word())?;
+        match kind {
+            Kind::Normal => f.write_str(&show(b)),
+            Kind::LogNormal => write!(f, "{}%", significant(100.0 * b, 12)),
+            Kind::Uniform => write!(f, "{}..{}", show(a), show(b)),
         }
     }
 }
@@ -118,7 +90,7 @@ impl Tolerance {
         let distribution = match kind.trim() {
             "normal" => {
                 let mean = own()?;
-                Distribution::Normal { mean, deviation: width(rest, number, mean)? }
+                Distribution(Kind::Normal, (mean, width(rest, number, mean)?))
             }
             "lognormal" => {
                 let median = own()?;
@@ -128,15 +100,14 @@ impl Tolerance {
                         "{symbol} = {value}: a lognormal needs a value above 0; write normal or uniform"
                     ));
                 }
-                let deviation = width(rest, number, median)? / median;
-                Distribution::LogNormal { median, deviation }
+                Distribution(Kind::LogNormal, (median, width(rest, number, median)? / median))
             }
             "uniform" => {
                 let form = || format!("write {symbol}=uniform:LO..HI");
                 let (low, high) = rest.split_once("..").ok_or_else(form)?;
-                let (low, high) = ends(low, high, number.quantity, Bare::Si)?;
-                check_ends((low, high), variable, number)?;
-                Distribution::Uniform { low, high }
+                let ends = ends(low, high, number.quantity, Bare::Si)?;
+                check_ends(ends, variable, number)?;
+                Distribution(Kind::Uniform, ends)
             }
             other => {
                 return Err(format!(
@@ -164,7 +135,7 @@ impl Tolerance {
     /// An axis for the evaluation alone: its ends are the scene's own value and the nearest allowed one, since the samples are
     /// listed and each is checked by itself.
     pub(super) fn axis(&self, scene: &Scene) -> Result<Axis, SweepError> {
-        let (first, second) = self.distribution.numbers();
+        let Distribution(_, (first, second)) = self.distribution;
         let own = (self.number.get)(scene).unwrap_or(0.5 * (first + second));
         let beside = [own.next_up(), own.next_down()];
         let other = beside.into_iter().find(|value| self.number.allowed.contains(*value));

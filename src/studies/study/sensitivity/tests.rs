@@ -1,30 +1,7 @@
 //! The study on scenes whose answer is known.
 
 use super::*;
-use crate::study::context::to_its_end;
-use crate::study::plain_run;
-use crate::study::quantities::named;
-use crate::study::testing::{axes, rigid, scene};
-
-fn request(over: Vec<Axis>, output: &str) -> Request {
-    Request { over, output: Some(named(output).unwrap()), samples: 256, seed: 1 }
-}
-
-fn found(scene: &Scene, axes: Vec<Axis>, output: &str) -> Result<Report, SweepError> {
-    run(scene, &request(axes, output), &mut Context::new(2, &mut to_its_end))
-}
-
-#[test]
-fn what_has_an_effect_comes_first_and_the_ends_are_those_of_runs() {
-    let asked = axes(&[("gamma", 0.8, 7.0), ("v_i", 80.0, 120.0)]);
-    let found = found(&rigid(), asked, "final_penetration_m").unwrap();
-    assert_eq!(found.order(), [1, 0]);
-    // The tornado's ends are the runs' own.
-    let mut fast = rigid();
-    fast.projectile.velocity_m_s = 120.0;
-    let exact = plain_run(&fast).unwrap().final_penetration_m.unwrap();
-    assert!((found.bars[1].high.unwrap() / exact - 1.0).abs() < 1e-9);
-}
+use crate::study::testing::scene;
 
 /// What Monte Carlo scatters varies too: of a plate by its face and a closure by cavity the shot, the plate and its material; of the
 /// baseline the shot and the plate besides the ranges of Table 9.2. E close to Y has no range: it must be greater than any Y.

@@ -1,31 +1,22 @@
 //! Where a fixed-step method is stable: a map over its step and one variable of the scene.
-//!
-//! The analytic limit is that of the linearised plate. Its eigenvalues are the roots of z² + (b'/m2) z + k'/m2 with the
-//! tangents where the contact takes the plate; Runge-Kutta's factor |R(z dt)| = 1 bounds the step: z dt = 2.828 i for the undamped
-//! spring, z dt = -2.785 for the damper alone. The force's own dependence on velocity, rate L = 2 c A u times the slip's mobility, adds
-//! L dt = 2.785 for Runge-Kutta. The thesis's scheme holds the force over the plate's step (forward Euler) and averages it with the last
-//! one for the projectile: r² - (1 + z (a/2 + e)) r - z a/2 = 0 with z = -L dt, and shares a of the projectile, e = 1 - a of the plate,
-//! so that L dt < 2/max(a, e).
 
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::appendix::{Refusal, Scheme};
-use crate::model::run::{Outcome, Run};
+use crate::model::run::Outcome;
 use crate::model::scene::{Listing, Reading, Scene};
+use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::{self, VariableError};
-use crate::numerics::{larger, smaller};
+use crate::numerics::larger;
 use crate::study::context::Context;
-use crate::study::stability::Peaks;
 
 /// Relative error up to which a cell is accurate.
 pub const ACCURATE: f64 = 1e-2;
 /// A plate this many times faster than it should be has run away, even where that ends the contact before values overflow.
 const RUNS_AWAY_FROM: f64 = 1e2;
 const STEPS_MAX: usize = 200_000;
-/// Real and imaginary extent of Runge-Kutta's region of stability.
-const RK4_REAL: f64 = 2.785_293_563_405_282;
 /// The size of a map on a screen.
 pub const SIZE: Size = Size { rows: 19, columns: 61 };
 /// The size of a coarser map.
@@ -164,12 +155,8 @@ pub struct Map {
     pub values: Vec<f64>,
     /// Cells, row by row.
     pub cells: Vec<Cell>,
-    /// The analytic limit of the step in each row, s; `None` where nothing limits it or the contact is unknown.
-    pub limit_s: Vec<Option<f64>>,
     /// The scene's own value; its step is the thesis's.
     pub present: f64,
-    /// The largest step the analytic limit allows at the present point, s.
-    pub largest_stable_dt_s: Option<f64>,
 }
 
 impl Map {
@@ -192,13 +179,6 @@ impl Map {
     pub fn nearest(&self, dt_s: f64, value: f64) -> Option<(usize, usize)> {
         nearest(&self.dt_s, dt_s).zip(nearest(&self.values, value))
     }
-
-    /// The first column of a row beyond its analytic limit, if that lies within the map.
-    pub fn limit_column(&self, row: usize) -> Option<usize> {
-        let limit_s = self.limit_s[row]?;
-        let column = self.dt_s.partition_point(|dt_s| *dt_s < limit_s);
-        (1..self.dt_s.len()).contains(&column).then_some(column)
-    }
 }
 
 /// The nearest of rising values by ratio; `None` for a value outside them.
@@ -220,10 +200,9 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 /// Compute the map of a valid scene, and show it as it grows. Where it is stopped, the rest is waiting.
 pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map {
     let Wanted { method, axis, size: Size { rows, columns } } = wanted;
-    let present = Target::of(scene);
-    let contact_s = present.map_or_else(
+    let contact_s = Target::of(scene).map_or_else(
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
-        |target| target.peaks.contact_s,
+        |target| target.contact_s,
     );
     let [steps, range] = [(1e-5 * contact_s, contact_s), axis.range()];
     let (dt_s, values) = (ratios(steps, columns), ratios(range, rows));
@@ -231,11 +210,9 @@ pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map
         method,
         axis,
         cells: vec![Cell::Waiting; rows * columns],
-        limit_s: vec![None; rows],
         dt_s,
         values,
         present: (axis.get())(scene),
-        largest_stable_dt_s: present.and_then(|target| limit(scene, method, &target.peaks)),
     };
     context.expect(rows);
     for row in 0..rows {
@@ -246,7 +223,6 @@ pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map
         let mut own = scene.clone();
         (axis.set())(&mut own, map.values[row]);
         let target = Target::of(&own);
-        map.limit_s[row] = target.and_then(|target| limit(&own, method, &target.peaks));
         let cells = map.cells.iter_mut().skip(row * columns).zip(&map.dt_s);
         cells.for_each(|(seen, dt_s)| *seen = cell(&own, method, *dt_s, target.as_ref()));
     }
@@ -258,10 +234,11 @@ fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
     (0..count).map(|i| low * (high / low).powf(step(i))).collect()
 }
 
-/// The expected result of a row.
+/// The expected result of a row: how long its contact lasts, the plate's greatest speed in it, and how it ends.
 #[derive(Clone, Copy)]
 struct Target {
-    peaks: Peaks,
+    contact_s: f64,
+    speed_m_s: f64,
     end: ContactEnd,
 }
 
@@ -273,11 +250,6 @@ enum ContactEnd {
 }
 
 impl ContactEnd {
-    fn of(run: &Run) -> Option<Self> {
-        let arrest = run.first_arrest.map(|arrest| Self::Arrest(arrest.penetration_m));
-        arrest.or_else(|| run.exit_time_s.map(Self::Perforation))
-    }
-
     /// The relative error of another; infinite where that ends otherwise.
     fn error(self, other: Self) -> f64 {
         match (self, other) {
@@ -290,56 +262,16 @@ impl ContactEnd {
 
 impl Target {
     fn of(scene: &Scene) -> Option<Self> {
-        let scene = Arc::new(scene.clone());
-        let run = super::bare(&scene, false, &mut |_| ControlFlow::Continue(())).ok()?;
-        let peaks = Peaks::of(&scene, &run).ok()?;
-        Some(Self { peaks, end: ContactEnd::of(&run)? })
+        let go_on = &mut |_| ControlFlow::Continue(());
+        let run = simulate(&Arc::new(scene.clone()), &Settings::SERIES, go_on).ok()?;
+        let (contact_s, end) = match run.first_arrest {
+            Some(arrest) => (arrest.t_s, ContactEnd::Arrest(arrest.penetration_m)),
+            None => (run.exit_time_s?, ContactEnd::Perforation(run.exit_time_s?)),
+        };
+        let rows = run.series.iter().take_while(|row| row.t_s <= contact_s);
+        let speed_m_s = rows.map(|row| row.plate_velocity_m_s.abs()).fold(0.0, larger);
+        Some(Self { contact_s, speed_m_s, end })
     }
-}
-
-fn limit(scene: &Scene, method: FixedStep, peaks: &Peaks) -> Option<f64> {
-    let plate = rk4_limit(peaks.oscillation, peaks.decay);
-    let force = match method {
-        FixedStep::Rk4 => RK4_REAL,
-        FixedStep::Thesis => {
-            let own = 1.0 / scene.projectile.mass_kg;
-            let plate = scene.cos_obliquity().powi(2) / scene.plate_mass_kg();
-            2.0 * (own + plate) / larger(own, plate)
-        }
-    } / peaks.drag;
-    let least = smaller(plate, force);
-    least.is_finite().then_some(least)
-}
-
-/// The step at which Runge-Kutta of order four stops being stable for z² + decay z + swing² = 0; infinite without both.
-pub fn rk4_limit(oscillation_per_s: f64, decay_per_s: f64) -> f64 {
-    let half = 0.5 * decay_per_s;
-    let under = half * half - oscillation_per_s * oscillation_per_s;
-    // The eigenvalue of the greatest modulus: z = -half +- sqrt(under).
-    let (re, im) =
-        if under >= 0.0 { (-half - under.sqrt(), 0.0) } else { (-half, (-under).sqrt()) };
-    let size = re.hypot(im);
-    if size == 0.0 {
-        return f64::INFINITY;
-    }
-    let (re, im) = (re / size, im / size);
-    let excess = |s: f64| growth(re * s, im * s) - 1.0;
-    // The region reaches farthest, 3.2, off the axes; on every ray into the left half-plane it is left just once beyond 2.
-    let (mut low, mut high) = (2.0, 4.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) > 0.0 { high = middle } else { low = middle }
-    }
-    low / size
-}
-
-/// |1 + z + z²/2 + z³/6 + z⁴/24|.
-fn growth(re: f64, im: f64) -> f64 {
-    let (mut r, mut i) = (1.0, 0.0);
-    for order in [4.0, 3.0, 2.0, 1.0] {
-        (r, i) = (1.0 + (re * r - im * i) / order, (re * i + im * r) / order);
-    }
-    r.hypot(i)
 }
 
 fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) -> Cell {
@@ -347,7 +279,7 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
         return Cell::Unknown;
     };
     let scheme = Scheme::of(scene, method.listing(dt_s));
-    let fastest_m_s = RUNS_AWAY_FROM * target.peaks.speed_m_s;
+    let fastest_m_s = RUNS_AWAY_FROM * target.speed_m_s;
     let mut state = scheme.start();
     for step in 1..=STEPS_MAX {
         let refused = scheme.step(&mut state);
@@ -371,37 +303,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn valid_limits_of_runge_kutta_on_the_axes() {
-        // Hairer and Wanner II, section IV.2: 2.785 on the real axis, 2 sqrt(2) on the imaginary one.
-        assert!((rk4_limit(1.0, 0.0) - 8f64.sqrt()).abs() < 1e-12);
-        assert!((rk4_limit(0.0, 1.0) - RK4_REAL).abs() < 1e-12);
-        assert!((growth(-RK4_REAL, 0.0) - 1.0).abs() < 1e-12);
-        assert!((rk4_limit(5.0, 0.0) - 8f64.sqrt() / 5.0).abs() < 1e-12);
-        assert!(rk4_limit(0.0, 0.0).is_infinite());
-    }
-
-    #[test]
     fn a_plate_on_its_spring_blows_up_beyond_the_limit_and_not_below() {
         let mut scene = Scene::default();
         scene.mechanism.spring.coefficient = 1e11;
         let target = Target::of(&scene).unwrap();
-        let limit_s = limit(&scene, FixedStep::Rk4, &target.peaks).unwrap();
-        let omega = (1e11f64 / 0.0295).sqrt();
-        assert!((limit_s * omega / 8f64.sqrt() - 1.0).abs() < 1e-6, "{}", limit_s * omega);
+        // Hairer and Wanner II, section IV.2: Runge-Kutta's region reaches 2 sqrt(2) up the imaginary axis.
+        let limit_s = 8f64.sqrt() / (1e11f64 / 0.0295).sqrt();
         for method in [FixedStep::Rk4, FixedStep::Thesis] {
             let below = cell(&scene, method, 0.9 * limit_s, Some(&target));
             let beyond = cell(&scene, method, 1.1 * limit_s, Some(&target));
             assert_eq!((below, beyond), (Cell::Accurate, Cell::BlownUp), "{method:?}");
         }
-    }
-
-    #[test]
-    fn a_plate_held_by_a_steep_spring_has_a_limit_far_below_any_step() {
-        // (F/k)^(1/n) is 7e-18 m; there, with F = 2.4e4 N, the tangent n F/x is 3e20 N/m, and 2.83 sqrt(m/tangent) some 3e-11 s.
-        let mut scene = Scene::default();
-        (scene.mechanism.spring.coefficient, scene.mechanism.spring.exponent) = (1e6, 0.1);
-        let target = Target::of(&scene).unwrap();
-        let limit_s = limit(&scene, FixedStep::Rk4, &target.peaks).unwrap();
-        assert!((1e-12..1e-10).contains(&limit_s), "{limit_s:e}");
     }
 }

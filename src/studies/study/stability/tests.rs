@@ -1,5 +1,7 @@
 //! The references for the rows of the stiff scenes.
 
+use std::ops::ControlFlow;
+
 use super::*;
 use crate::model::run::Outcome;
 use crate::study::context::CancelFlag;

@@ -1,7 +1,6 @@
 //! The outputs at a point: by the contact kernel where outputs and scene allow it, else by the simulation.
 //!
-//! An evaluator belongs to one thread and takes a piece of the sweep at once: first the contacts that decide their points, all of
-//! them together; then the other points one by one. Neither the piece's size nor its neighbours change a digit.
+//! An evaluator belongs to one thread. No digit of a point depends on the points before it.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -10,11 +9,11 @@ use std::sync::Arc;
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
-use crate::study::compare::{self, Absence, Hardware, WIDTH};
+use crate::study::compare::{self, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
 use crate::study::outcome::{Failure, PointOutcome};
-use crate::study::quantities::{Quantity, Search};
+use crate::study::quantities::{Quantity, Search, Trait};
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
 
@@ -49,14 +48,14 @@ pub struct Evaluator<'p> {
     plan: &'p Plan,
     stop: &'p CancelFlag,
     scene: Arc<Scene>,
-    kernel: Option<Kernel<'p>>,
+    kernel: Option<Kernel>,
     settings: Settings,
 }
 
 impl<'p> Evaluator<'p> {
     /// An evaluator for a plan; once `stop` is set, the point under way ends early and the rest are not begun.
     pub fn new(plan: &'p Plan, stop: &'p CancelFlag) -> Self {
-        let estimate = plan.outputs().iter().any(|output| output.is_estimate);
+        let estimate = plan.outputs().iter().any(|output| output.has(Trait::Estimate));
         Self {
             plan,
             stop,
@@ -73,30 +72,22 @@ impl<'p> Evaluator<'p> {
 
     /// The results at some points; at fewer when it was stopped.
     pub fn points(&mut self, points: &[u64]) -> Vec<Point> {
-        let plan = self.plan;
-        if let Some(kernel) = &mut self.kernel {
-            let scene = Arc::make_mut(&mut self.scene);
-            // Where it panics the points are simulated one by one: the run of the one at fault fails by itself.
-            let answered = catch_unwind(AssertUnwindSafe(|| kernel.answer(points, scene)));
-            self.kernel = self.kernel.take().filter(|_| answered.is_ok());
-        }
-        let mut found = Vec::with_capacity(points.len());
-        for (place, index) in points.iter().enumerate() {
-            if let Some((outcome, answer)) =
-                self.kernel.as_ref().and_then(|kernel| kernel.found(place))
-            {
-                if self.kernel.as_ref().is_some_and(Kernel::needs_scene) {
-                    plan.place(Arc::make_mut(&mut self.scene), *index);
-                }
-                let scene = &self.scene;
-                let values = plan.outputs().iter().map(|output| output.of_contact(answer, scene));
-                found.push(Point::of(*outcome, values));
-                continue;
-            }
-            let Some((point, _)) = self.one(*index) else { break };
-            found.push(point);
-        }
-        found
+        let mut point = |index: &u64| {
+            let by_contact = self.by_contact(*index);
+            by_contact.or_else(|| Some(self.one(*index)?.0))
+        };
+        points.iter().map_while(&mut point).collect()
+    }
+
+    /// A point that its first contact decides. Where that panics the point is simulated: its run fails by itself.
+    fn by_contact(&mut self, index: u64) -> Option<Point> {
+        let kernel = self.kernel.as_ref()?;
+        self.plan.place(Arc::make_mut(&mut self.scene), index);
+        let scene = &self.scene;
+        let answer = catch_unwind(AssertUnwindSafe(|| kernel.answer(scene)));
+        let (outcome, answer) = answer.ok().flatten()?;
+        let values = self.plan.outputs().iter().map(|output| output.of_contact(&answer, scene));
+        Some(Point::of(outcome, values))
     }
 
     /// The full simulation of a point, and its run where it has one; `None` when it was stopped.
@@ -160,7 +151,7 @@ fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
         Some(Search::LimitIfSpringSurvives) => compare::limit_if_spring_survives_m_s(&run.scene),
         Some(Search::MassEfficiency) => {
             let found = compare::mass_efficiency(&run.scene, Hardware::default(), WIDTH);
-            found.map_err(Absence::words)
+            found.map_err(|absence| absence.words.to_owned())
         }
         None => output.value(run).ok_or_else(String::new),
     }

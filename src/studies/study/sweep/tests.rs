@@ -52,27 +52,6 @@ fn a_bad_plan_is_refused_before_anything_runs() {
     }
 }
 
-#[test]
-fn each_point_is_in_one_shard_and_in_order() {
-    for points in [0, 1, 7, 101] {
-        for count in [1, 2, 3, 7, 200] {
-            let mut seen = Vec::new();
-            for index in 1..=count {
-                let shard = Shard::parse(&format!("{index}/{count}")).unwrap();
-                let own: Vec<u64> = (0..shard.count(points)).map(|row| shard.point(row)).collect();
-                assert!(own.iter().all(|point| point % count == index - 1) && own.is_sorted());
-                seen.extend(own);
-            }
-            seen.sort_unstable();
-            assert_eq!(seen, (0..points).collect::<Vec<_>>());
-        }
-    }
-    for text in ["0/3", "4/3", "1", "a/b", "1/0", "-1/2", ""] {
-        let error = Shard::parse(text).unwrap_err().to_string();
-        assert!(error.contains("2/8"), "{error}");
-    }
-}
-
 /// The value of an output by a single full simulation.
 fn single(scene: &Scene, name: &str) -> (PointOutcome, Option<f64>) {
     let mut scene = scene.clone();

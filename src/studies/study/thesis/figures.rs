@@ -1,7 +1,7 @@
 //! The figures of chapter 9 and the advice of section 9.6.
 
 use super::ClaimVerdict::{Corrected, Misprint, NotReproduced, Reproduced};
-use super::{Check, Claim, Curve, Range, four, list, range};
+use super::{Check, Claim, Curve, Range, claim, four, list, range};
 
 const GAMMA: Range = range("gamma", 0.8, 7.0, 32);
 const FEW_GAMMAS: Range = range("gamma", 0.8, 7.0, 9);
@@ -13,44 +13,32 @@ const EXPONENT: Range = range("n", 0.1, 3.0, 30);
 const LOW_EXPONENT: Range = range("n", 0.1, 1.0, 46);
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "9.2a",
-        place: "9.3.1, Figure 9.2(a)",
-        says: "depth grows with the mass ratio, ever less steeply; a very low one cuts it significantly",
-        cause: "the heavier plate accelerates more slowly; the printed coupling hides half of the gain",
-        verdict: Reproduced,
-        preset: Some("figure-9.2"),
-        check: |shots| {
+    claim(
+        ("9.2a", "9.3.1, Figure 9.2(a)", Reproduced, Some("figure-9.2")),
+        "depth grows with the mass ratio, ever less steeply; a very low one cuts it significantly",
+        "the heavier plate accelerates more slowly; the printed coupling hides half of the gain",
+        |shots| {
             let curve = shots.depths("", &GAMMA);
             curve.that(|it| it.rises() && it.flattens() && it.at(0.8) < 75.0)
         },
-    },
-    Claim {
-        id: "9.2b",
-        place: "9.3.1, Figure 9.2(b)",
-        says: "the greatest displacement falls with the mass ratio",
-        cause: "the heavier body starts more slowly, with less energy",
-        verdict: Reproduced,
-        preset: Some("figure-9.2"),
-        check: |shots| shots.travels("", &GAMMA).that(Curve::falls),
-    },
-    Claim {
-        id: "9.3a",
-        place: "9.3.2, Figure 9.3(a)",
-        says: "depth falls with the cocking distance",
-        cause: "the cocked spring pulls the plate away from the shot",
-        verdict: Reproduced,
-        preset: Some("figure-9.3"),
-        check: |shots| shots.depths("", &COCKING).that(Curve::falls),
-    },
-    Claim {
-        id: "9.3b",
-        place: "9.3.2, Figure 9.3(b)",
-        says: "the greatest displacement grows with cocking, nearly linearly at 1 m/m",
-        cause: "the stored energy exceeds that of the projectile: the plate passes neutral and goes as far again",
-        verdict: Reproduced,
-        preset: Some("figure-9.3"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.2b", "9.3.1, Figure 9.2(b)", Reproduced, Some("figure-9.2")),
+        "the greatest displacement falls with the mass ratio",
+        "the heavier body starts more slowly, with less energy",
+        |shots| shots.travels("", &GAMMA).that(Curve::falls),
+    ),
+    claim(
+        ("9.3a", "9.3.2, Figure 9.3(a)", Reproduced, Some("figure-9.3")),
+        "depth falls with the cocking distance",
+        "the cocked spring pulls the plate away from the shot",
+        |shots| shots.depths("", &COCKING).that(Curve::falls),
+    ),
+    claim(
+        ("9.3b", "9.3.2, Figure 9.3(b)", Reproduced, Some("figure-9.3")),
+        "the greatest displacement grows with cocking, nearly linearly at 1 m/m",
+        "the stored energy exceeds that of the projectile: the plate passes neutral and goes as far again",
+        |shots| {
             let curve = shots.travels("", &COCKING);
             let slope = curve.slope() / 1e3;
             Check {
@@ -58,15 +46,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: curve.rises() && (slope - 1.0).abs() < 0.1,
             }
         },
-    },
-    Claim {
-        id: "9.4a",
-        place: "9.3.3, Figure 9.4(a)",
-        says: "depth grows with damping and levels off near 1000 N s/m",
-        cause: "it grows all along; only the printed coupling makes it level off there",
-        verdict: NotReproduced,
-        preset: Some("figure-9.4"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.4a", "9.3.3, Figure 9.4(a)", NotReproduced, Some("figure-9.4")),
+        "depth grows with damping and levels off near 1000 N s/m",
+        "it grows all along; only the printed coupling makes it level off there",
+        |shots| {
             let levels = |curve: &Curve| {
                 let [none, middle, most] = [0.0, 1000.0, 2000.0].map(|b| curve.at(b));
                 most - middle < (middle - none) / 3.0
@@ -80,46 +65,34 @@ pub(super) const CLAIMS: &[Claim] = &[
                     && levels(&shots.printed().depths("k=0", &DAMPING)),
             }
         },
-    },
-    Claim {
-        id: "9.4b",
-        place: "9.3.3, Figure 9.4(b)",
-        says: "the greatest displacement falls with damping and levels off near 300 N s/m",
-        cause: "it goes as momentum over b: where it levels off depends on the range of the figure",
-        verdict: Reproduced,
-        preset: Some("figure-9.4"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.4b", "9.3.3, Figure 9.4(b)", Reproduced, Some("figure-9.4")),
+        "the greatest displacement falls with damping and levels off near 300 N s/m",
+        "it goes as momentum over b: where it levels off depends on the range of the figure",
+        |shots| {
             let curve = shots.travels("k=0", &range("b", 20.0, 2000.0, 100));
             curve.that(|it| it.falls() && it.at(300.0) - it.at(2000.0) < 0.1 * it.span())
         },
-    },
-    Claim {
-        id: "9.5a",
-        place: "9.3.4, Figure 9.5(a)",
-        says: "depth grows with the spring's stiffness",
-        cause: "the stiffer mount is nearer to the rigid one",
-        verdict: Reproduced,
-        preset: Some("figure-9.5"),
-        check: |shots| shots.depths("", &STIFFNESS).that(Curve::rises),
-    },
-    Claim {
-        id: "9.5b",
-        place: "9.3.4, Figure 9.5(b)",
-        says: "the greatest displacement falls with stiffness",
-        cause: "the same energy in a stiffer spring",
-        verdict: Reproduced,
-        preset: Some("figure-9.5"),
-        check: |shots| shots.travels("", &STIFFNESS).that(Curve::falls),
-    },
-    Claim {
-        id: "9.6a-edge",
-        place: "9.3.4, Figure 9.6(a)",
-        says: "at k = 1e5 depth drops at n near 0.5",
-        cause: "0.5 lies between the edges at k = 1e5 and at 1e6. That the figure was made with 1e6 is an inference, \
+    ),
+    claim(
+        ("9.5a", "9.3.4, Figure 9.5(a)", Reproduced, Some("figure-9.5")),
+        "depth grows with the spring's stiffness",
+        "the stiffer mount is nearer to the rigid one",
+        |shots| shots.depths("", &STIFFNESS).that(Curve::rises),
+    ),
+    claim(
+        ("9.5b", "9.3.4, Figure 9.5(b)", Reproduced, Some("figure-9.5")),
+        "the greatest displacement falls with stiffness",
+        "the same energy in a stiffer spring",
+        |shots| shots.travels("", &STIFFNESS).that(Curve::falls),
+    ),
+    claim(
+        ("9.6a-edge", "9.3.4, Figure 9.6(a)", NotReproduced, Some("figure-9.6")),
+        "at k = 1e5 depth drops at n near 0.5",
+        "0.5 lies between the edges at k = 1e5 and at 1e6. That the figure was made with 1e6 is an inference, \
                 from the levelling near n = 1 and from Figure 9.8",
-        verdict: NotReproduced,
-        preset: Some("figure-9.6"),
-        check: |shots| {
+        |shots| {
             let edges = ["k=1e5", "k=1e6"].map(|k| shots.depths(k, &LOW_EXPONENT).edge());
             let [low, high] = edges.map(four);
             Check {
@@ -127,16 +100,13 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: edges[0] < 0.4 && edges[1] > 0.5,
             }
         },
-    },
-    Claim {
-        id: "9.6a-discontinuity",
-        place: "9.3.4, Figure 9.6(a)",
-        says: "the drop is an abrupt discontinuity of unknown cause",
-        cause: "a steep, smooth edge: there k x^n at the plate's natural millimetre equals the contact force, and below it the \
+    ),
+    claim(
+        ("9.6a-discontinuity", "9.3.4, Figure 9.6(a)", Corrected, Some("figure-9.6")),
+        "the drop is an abrupt discontinuity of unknown cause",
+        "a steep, smooth edge: there k x^n at the plate's natural millimetre equals the contact force, and below it the \
                 spring holds the plate as a rigid mount does",
-        verdict: Corrected,
-        preset: Some("figure-9.6"),
-        check: |shots| {
+        |shots| {
             // The greatest step of a continuous curve shrinks with the spacing; a jump's does not.
             let step = |count| shots.depths("k=1e6", &range("n", 0.4, 0.9, count)).step();
             let steps = [26, 101, 401].map(step);
@@ -148,15 +118,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: steps[1] < 0.5 * steps[0] && steps[2] < 0.5 * steps[1],
             }
         },
-    },
-    Claim {
-        id: "9.6a-levels",
-        place: "9.3.4, Figure 9.6(a)",
-        says: "depth begins to level off at n near 1 and does not change beyond 1.5",
-        cause: "with k = 1e6; x is in metres, so that k x^n of a millimetre vanishes for n > 1",
-        verdict: Reproduced,
-        preset: Some("figure-9.6"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.6a-levels", "9.3.4, Figure 9.6(a)", Reproduced, Some("figure-9.6")),
+        "depth begins to level off at n near 1 and does not change beyond 1.5",
+        "with k = 1e6; x is in metres, so that k x^n of a millimetre vanishes for n > 1",
+        |shots| {
             let curve = shots.depths("k=1e6", &EXPONENT);
             let values = [0.1, 1.0, 1.5, 3.0].map(|n| curve.at(n));
             let [_, one, more, most] = values;
@@ -166,24 +133,18 @@ pub(super) const CLAIMS: &[Claim] = &[
                     && (more - most).abs() < 0.01 * curve.span(),
             }
         },
-    },
-    Claim {
-        id: "9.6b",
-        place: "9.3.4, Figure 9.6(b)",
-        says: "the greatest displacement grows with the exponent",
-        cause: "below a metre the higher power is the softer spring",
-        verdict: Reproduced,
-        preset: Some("figure-9.6"),
-        check: |shots| shots.travels("", &EXPONENT).that(Curve::rises),
-    },
-    Claim {
-        id: "9.7a",
-        place: "9.3.5, Figure 9.7(a)",
-        says: "less mass helps depth more than less stiffness does",
-        cause: "over the ranges of Table 9.2",
-        verdict: Reproduced,
-        preset: Some("figure-9.7"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.6b", "9.3.4, Figure 9.6(b)", Reproduced, Some("figure-9.6")),
+        "the greatest displacement grows with the exponent",
+        "below a metre the higher power is the softer spring",
+        |shots| shots.travels("", &EXPONENT).that(Curve::rises),
+    ),
+    claim(
+        ("9.7a", "9.3.5, Figure 9.7(a)", Reproduced, Some("figure-9.7")),
+        "less mass helps depth more than less stiffness does",
+        "over the ranges of Table 9.2",
+        |shots| {
             let mass = shots.depths("", &FEW_GAMMAS).span();
             let stiffness = shots.depths("", &FEW_STIFFNESSES).span();
             Check {
@@ -194,15 +155,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: mass > stiffness,
             }
         },
-    },
-    Claim {
-        id: "9.7b",
-        place: "9.3.5, Figure 9.7(b)",
-        says: "penetration is about equally sensitive to mass ratio and stiffness",
-        cause: "the figure shows displacement, which is meant",
-        verdict: Misprint,
-        preset: Some("figure-9.7"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.7b", "9.3.5, Figure 9.7(b)", Misprint, Some("figure-9.7")),
+        "penetration is about equally sensitive to mass ratio and stiffness",
+        "the figure shows displacement, which is meant",
+        |shots| {
             let depth =
                 shots.depths("", &FEW_GAMMAS).span() / shots.depths("", &FEW_STIFFNESSES).span();
             let travel =
@@ -215,15 +173,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: depth > 2.0 && (0.5..2.0).contains(&travel),
             }
         },
-    },
-    Claim {
-        id: "9.8a",
-        place: "9.3.5, Figure 9.8(a)",
-        says: "at k = 1e5 and below n = 0.5 even a low mass ratio hardly helps",
-        cause: "so it is at k = 1e6: at the k of the caption the spring is already too soft",
-        verdict: NotReproduced,
-        preset: Some("figure-9.8"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.8a", "9.3.5, Figure 9.8(a)", NotReproduced, Some("figure-9.8")),
+        "at k = 1e5 and below n = 0.5 even a low mass ratio hardly helps",
+        "so it is at k = 1e6: at the k of the caption the spring is already too soft",
+        |shots| {
             let depths =
                 ["k=1e5", "k=1e6"].map(|k| shots.percent(&format!("gamma=0.8 n=0.45 {k}")));
             Check {
@@ -231,15 +186,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: depths[0] < 90.0 && depths[1] > 90.0,
             }
         },
-    },
-    Claim {
-        id: "9.8b",
-        place: "9.3.5, Figure 9.8(b)",
-        says: "the mass ratio moves displacement more at high exponents",
-        cause: "softer springs, longer oscillations",
-        verdict: Reproduced,
-        preset: Some("figure-9.8"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.8b", "9.3.5, Figure 9.8(b)", Reproduced, Some("figure-9.8")),
+        "the mass ratio moves displacement more at high exponents",
+        "softer springs, longer oscillations",
+        |shots| {
             let spans =
                 [0.5, 1.0, 2.0, 3.0].map(|n| shots.travels(&format!("n={n}"), &FEW_GAMMAS).span());
             Check {
@@ -247,15 +199,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: spans.is_sorted(),
             }
         },
-    },
-    Claim {
-        id: "9.9a",
-        place: "9.3.5, Figure 9.9(a)",
-        says: "the plateau of depth at low exponents narrows as the coefficient falls",
-        cause: "a weaker spring holds the plate only at a lower power",
-        verdict: Reproduced,
-        preset: Some("figure-9.9"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.9a", "9.3.5, Figure 9.9(a)", Reproduced, Some("figure-9.9")),
+        "the plateau of depth at low exponents narrows as the coefficient falls",
+        "a weaker spring holds the plate only at a lower power",
+        |shots| {
             let plateau = range("n", 0.1, 1.5, 57);
             let edges = ["k=1e5", "k=1e6", "k=7.5e6"].map(|k| shots.depths(k, &plateau).edge());
             Check {
@@ -263,15 +212,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: edges.is_sorted(),
             }
         },
-    },
-    Claim {
-        id: "9.9b",
-        place: "9.3.5, Figure 9.9(b)",
-        says: "displacement is largest where the coefficient is low and the coefficient is high",
-        cause: "the exponent is meant: one coefficient cannot be both",
-        verdict: Misprint,
-        preset: Some("figure-9.9"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.9b", "9.3.5, Figure 9.9(b)", Misprint, Some("figure-9.9")),
+        "displacement is largest where the coefficient is low and the coefficient is high",
+        "the exponent is meant: one coefficient cannot be both",
+        |shots| {
             let corners = ["k=1e5 n=0.3", "k=1e5 n=3", "k=7.5e6 n=0.3", "k=7.5e6 n=3"]
                 .map(|it| shots.travel_mm(it));
             Check {
@@ -282,15 +228,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: [0, 2, 3].iter().all(|other| corners[1] > corners[*other]),
             }
         },
-    },
-    Claim {
-        id: "9.10a",
-        place: "9.3.5, Figure 9.10(a)",
-        says: "cocking cuts depth at every mass ratio, more so at low ones",
-        cause: "the spring pulls every plate away, the light one faster",
-        verdict: Reproduced,
-        preset: Some("figure-9.10"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.10a", "9.3.5, Figure 9.10(a)", Reproduced, Some("figure-9.10")),
+        "cocking cuts depth at every mass ratio, more so at low ones",
+        "the spring pulls every plate away, the light one faster",
+        |shots| {
             let curves =
                 [0.8, 2.0, 7.0].map(|gamma| shots.depths(&format!("gamma={gamma}"), &COCKING));
             let spans: Vec<f64> = curves.iter().map(Curve::span).collect();
@@ -299,15 +242,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: curves.iter().all(Curve::falls) && spans.is_sorted_by(|a, b| a > b),
             }
         },
-    },
-    Claim {
-        id: "9.10b",
-        place: "9.3.5, Figure 9.10(b)",
-        says: "cocking makes displacement orders of magnitude greater, and the mass ratio matters less to it",
-        cause: "one order of magnitude, not several",
-        verdict: NotReproduced,
-        preset: Some("figure-9.10"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.10b", "9.3.5, Figure 9.10(b)", NotReproduced, Some("figure-9.10")),
+        "cocking makes displacement orders of magnitude greater, and the mass ratio matters less to it",
+        "one order of magnitude, not several",
+        |shots| {
             let ratio = |gamma| {
                 let at = |d| shots.travel_mm(&format!("gamma={gamma} d={d}"));
                 at(0.5) / at(0.0)
@@ -323,30 +263,24 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: ratios.iter().all(|ratio| *ratio < 100.0) && spans[1] < spans[0],
             }
         },
-    },
-    Claim {
-        id: "9.11a",
-        place: "9.3.5, Figure 9.11(a)",
-        says: "stiffness hardly matters to depth uncocked; cocked but a little, a stiffer spring means less depth",
-        cause: "the preload k d pulls the plate away from the shot",
-        verdict: Reproduced,
-        preset: Some("figure-9.11"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.11a", "9.3.5, Figure 9.11(a)", Reproduced, Some("figure-9.11")),
+        "stiffness hardly matters to depth uncocked; cocked but a little, a stiffer spring means less depth",
+        "the preload k d pulls the plate away from the shot",
+        |shots| {
             let [uncocked, cocked] = ["d=0", "d=0.05"].map(|d| shots.depths(d, &STIFFNESS));
             Check {
                 text: format!("d = 0: {}; d = 0.05 m: {}", uncocked.ends(), cocked.ends()),
                 holds: uncocked.span() < 15.0 && cocked.falls(),
             }
         },
-    },
-    Claim {
-        id: "9.11b",
-        place: "9.3.5, Figure 9.11(b)",
-        says: "displacement goes with cocking alike for every stiffness",
-        cause: "the plate passes neutral and travels as far as it was cocked, whatever the spring",
-        verdict: Reproduced,
-        preset: Some("figure-9.11"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.11b", "9.3.5, Figure 9.11(b)", Reproduced, Some("figure-9.11")),
+        "displacement goes with cocking alike for every stiffness",
+        "the plate passes neutral and travels as far as it was cocked, whatever the spring",
+        |shots| {
             let slopes =
                 ["k=1e5", "k=1e6", "k=7.5e6"].map(|k| shots.travels(k, &COCKING).slope() / 1e3);
             Check {
@@ -354,30 +288,24 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: slopes.iter().all(|slope| (slope - 1.0).abs() < 0.1),
             }
         },
-    },
-    Claim {
-        id: "9.12a",
-        place: "9.3.5, Figure 9.12(a)",
-        says: "uncocked, depth has the plateau of Figure 9.6(a); cocked, a lower exponent means much less depth",
-        cause: "below a metre the lower power is the stronger spring; the plateau ends at n near 0.3 here",
-        verdict: Reproduced,
-        preset: Some("figure-9.12"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.12a", "9.3.5, Figure 9.12(a)", Reproduced, Some("figure-9.12")),
+        "uncocked, depth has the plateau of Figure 9.6(a); cocked, a lower exponent means much less depth",
+        "below a metre the lower power is the stronger spring; the plateau ends at n near 0.3 here",
+        |shots| {
             let [uncocked, cocked] = ["d=0", "d=0.25"].map(|d| shots.depths(d, &EXPONENT));
             Check {
                 text: format!("d = 0: {}; d = 0.25 m: {}", uncocked.ends(), cocked.ends()),
                 holds: uncocked.at(0.1) > 99.0 && cocked.rises(),
             }
         },
-    },
-    Claim {
-        id: "9.12b",
-        place: "9.3.5, Figure 9.12(b)",
-        says: "displacement goes with cocking alike for every exponent",
-        cause: "fairly so from 0.1 m on; over the whole range a high exponent makes the spring too soft",
-        verdict: Corrected,
-        preset: Some("figure-9.12"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.12b", "9.3.5, Figure 9.12(b)", Corrected, Some("figure-9.12")),
+        "displacement goes with cocking alike for every exponent",
+        "fairly so from 0.1 m on; over the whole range a high exponent makes the spring too soft",
+        |shots| {
             let slopes = |from_m| {
                 let cocking = range("d", from_m, 0.5, 9);
                 [0.5, 1.0, 2.0, 3.0]
@@ -393,24 +321,18 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: whole[3] < 0.7 && later.iter().all(|slope| (0.7..1.3).contains(slope)),
             }
         },
-    },
-    Claim {
-        id: "9.6-mass",
-        place: "9.6",
-        says: "the mass of the plate should be low",
-        cause: "cocked (here by 0.1 m) or not, the light plate is away sooner",
-        verdict: Reproduced,
-        preset: Some("figure-9.10"),
-        check: |shots| shots.depths("d=0.1", &GAMMA).that(Curve::rises),
-    },
-    Claim {
-        id: "9.6-cocking",
-        place: "9.6",
-        says: "the mechanism should be cocked as much as is reasonable",
-        cause: "a fifth less depth costs several times the stroke, which counts d on both sides of neutral",
-        verdict: Reproduced,
-        preset: Some("figure-9.3"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.6-mass", "9.6", Reproduced, Some("figure-9.10")),
+        "the mass of the plate should be low",
+        "cocked (here by 0.1 m) or not, the light plate is away sooner",
+        |shots| shots.depths("d=0.1", &GAMMA).that(Curve::rises),
+    ),
+    claim(
+        ("9.6-cocking", "9.6", Reproduced, Some("figure-9.3")),
+        "the mechanism should be cocked as much as is reasonable",
+        "a fifth less depth costs several times the stroke, which counts d on both sides of neutral",
+        |shots| {
             let cocked = range("d", 0.0, 0.1, 51);
             let depth = shots.depths("", &cocked);
             let fifth = depth.points.iter().find(|point| point.1 <= 0.8 * depth.at(0.0));
@@ -429,38 +351,29 @@ pub(super) const CLAIMS: &[Claim] = &[
             );
             Check { text, holds: depth.falls() }
         },
-    },
-    Claim {
-        id: "9.6-stiffness",
-        place: "9.5.1, 9.6",
-        says: "the spring should be soft, and cocked",
-        cause: "cocked (here by 0.1 m), a stiffer spring means less depth, as 9.3.5 says: the advice contradicts it",
-        verdict: NotReproduced,
-        preset: Some("figure-9.11"),
-        check: |shots| shots.depths("d=0.1", &STIFFNESS).that(Curve::falls),
-    },
-    Claim {
-        id: "9.6-exponent",
-        place: "9.5.1, 9.6",
-        says: "cocked, the exponent should be low; uncocked, above about 1.4",
-        cause: "cocked by 0.1 m here; x is in metres, so that uncocked such a spring hardly acts",
-        verdict: Reproduced,
-        preset: Some("figure-9.12"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.6-stiffness", "9.5.1, 9.6", NotReproduced, Some("figure-9.11")),
+        "the spring should be soft, and cocked",
+        "cocked (here by 0.1 m), a stiffer spring means less depth, as 9.3.5 says: the advice contradicts it",
+        |shots| shots.depths("d=0.1", &STIFFNESS).that(Curve::falls),
+    ),
+    claim(
+        ("9.6-exponent", "9.5.1, 9.6", Reproduced, Some("figure-9.12")),
+        "cocked, the exponent should be low; uncocked, above about 1.4",
+        "cocked by 0.1 m here; x is in metres, so that uncocked such a spring hardly acts",
+        |shots| {
             let [cocked, uncocked] = ["d=0.1", "k=1e6"].map(|it| shots.depths(it, &EXPONENT));
             Check {
                 text: format!("cocked {}; k = 1e6, uncocked {}", cocked.ends(), uncocked.ends()),
                 holds: cocked.rises() && uncocked.at(1.4) - uncocked.at(3.0) < 1.0,
             }
         },
-    },
-    Claim {
-        id: "9.6-damping",
-        place: "9.6",
-        says: "there should be no damping",
-        cause: "cocked (here by 0.1 m) or not, the damper slows the plate",
-        verdict: Reproduced,
-        preset: Some("figure-9.4"),
-        check: |shots| shots.depths("d=0.1", &DAMPING).that(Curve::rises),
-    },
+    ),
+    claim(
+        ("9.6-damping", "9.6", Reproduced, Some("figure-9.4")),
+        "there should be no damping",
+        "cocked (here by 0.1 m) or not, the damper slows the plate",
+        |shots| shots.depths("d=0.1", &DAMPING).that(Curve::rises),
+    ),
 ];

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::ClaimVerdict::{Corrected, Misprint, NotReproduced, Reproduced};
-use super::{Check, Claim, Shots, four, list, millimetres, near};
+use super::{Check, Claim, Shots, claim, four, list, millimetres, near};
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EventKind, Run, Sample};
 use crate::model::scene::{Beam, Listing, Reading, Wire};
@@ -20,14 +20,11 @@ const YANG_XI: &str =
     "m_p=0.034 v_i=118.2 gamma=5.735294117647059 h=0.01 rho=2600 k=0 horizon=2.714e-3";
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "5.1-principles",
-        place: "Tables 4.1 and 5.1",
-        says: "three families of seven principles, served by four functions",
-        cause: "counted in the tables",
-        verdict: Reproduced,
-        preset: None,
-        check: |_| {
+    claim(
+        ("5.1-principles", "Tables 4.1 and 5.1", Reproduced, None),
+        "three families of seven principles, served by four functions",
+        "counted in the tables",
+        |_| {
             let families: HashSet<_> = PRINCIPLES.iter().map(|it| it.family).collect();
             let functions: HashSet<_> = PRINCIPLES.iter().flat_map(|it| it.functions).collect();
             let counts = [families.len(), PRINCIPLES.len(), functions.len()];
@@ -39,15 +36,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: counts == [3, 7, 4],
             }
         },
-    },
-    Claim {
-        id: "7.1-totals",
-        place: "Table 7.1",
-        says: "eight weighted totals from 2.02 to 3.78, the cocked cantilever's first",
-        cause: "ratings times weights; ease of analysis alone has 35 % of the weight, plate acceleration 3 %",
-        verdict: Reproduced,
-        preset: Some("concept-cocked-cantilever"),
-        check: |_| {
+    ),
+    claim(
+        ("7.1-totals", "Table 7.1", Reproduced, Some("concept-cocked-cantilever")),
+        "eight weighted totals from 2.02 to 3.78, the cocked cantilever's first",
+        "ratings times weights; ease of analysis alone has 35 % of the weight, plate acceleration 3 %",
+        |_| {
             let totals = CONCEPTS.map(|it| it.weighted());
             let rank = |own: f64| 1 + totals.iter().filter(|other| **other > own + 1e-9).count();
             let as_printed = |(it, total): (&Concept, f64)| {
@@ -59,15 +53,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: near(whole, 100.0, 1e-12) && CONCEPTS.iter().zip(totals).all(as_printed),
             }
         },
-    },
-    Claim {
-        id: "4.4.1-duration",
-        place: "4.4.1, eq. 4.1",
-        says: "a softer mount reduces penetration: the projectile takes longer to stop completely",
-        cause: "the time to a full stop is longer; the contact itself is shorter, since less velocity is lost in it",
-        verdict: Corrected,
-        preset: Some("thesis-baseline"),
-        check: |shots| {
+    ),
+    claim(
+        ("4.4.1-duration", "4.4.1, eq. 4.1", Corrected, Some("thesis-baseline")),
+        "a softer mount reduces penetration: the projectile takes longer to stop completely",
+        "the time to a full stop is longer; the contact itself is shorter, since less velocity is lost in it",
+        |shots| {
             let contact_s = |run: &Run| run.first_arrest.map_or(f64::NAN, |it| it.t_s);
             let rigid_s = contact_s(&shots.run("mount=rigid"));
             let sprung = shots.run_with_series("");
@@ -81,27 +72,21 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: rest_s > rigid_s && common_s < rigid_s,
             }
         },
-    },
-    Claim {
-        id: "8.2-mass",
-        place: "Table 8.2",
-        says: "the beam weighs 0.195 kg",
-        cause: "density times base, width and length",
-        verdict: Reproduced,
-        preset: Some("yang-xi"),
-        check: |_| {
+    ),
+    claim(
+        ("8.2-mass", "Table 8.2", Reproduced, Some("yang-xi")),
+        "the beam weighs 0.195 kg",
+        "density times base, width and length",
+        |_| {
             let mass_kg = 2600.0 * 0.025 * 0.01 * 0.3;
             Check { text: format!("{} kg", four(mass_kg)), holds: near(mass_kg, 0.195, 1e-3) }
         },
-    },
-    Claim {
-        id: "8.18-distance",
-        place: "8.3.2, Figure 8.18",
-        says: "the model moves the beam 46.2 mm in 2.714 ms; the photographs show 42 mm",
-        cause: "R, S_y and C_d are not given, and hardly matter: momentum alone gives 47.6 mm, so the test says nothing of depth",
-        verdict: Corrected,
-        preset: Some("yang-xi"),
-        check: |shots| {
+    ),
+    claim(
+        ("8.18-distance", "8.3.2, Figure 8.18", Corrected, Some("yang-xi")),
+        "the model moves the beam 46.2 mm in 2.714 ms; the photographs show 42 mm",
+        "R, S_y and C_d are not given, and hardly matter: momentum alone gives 47.6 mm, so the test says nothing of depth",
+        |shots| {
             let moved = |strength: &str| {
                 let run = shots.run_with_series(&format!("{YANG_XI} {strength}"));
                 1e3 * run.series.last().map_or(f64::NAN, |row| row.plate_displacement_m)
@@ -113,15 +98,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: near(stated, 46.2, 0.02) && near(stronger, 46.2, 2e-3),
             }
         },
-    },
-    Claim {
-        id: "9.1-strength",
-        place: "Table 9.1, S_y",
-        says: "the dynamic strength is 1.52e7 Pa",
-        cause: "a power of ten is missing: the Appendix has 2 x 75.8e6, and only that stops the shot on a rigid mount",
-        verdict: Misprint,
-        preset: Some("rigid-mount"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.1-strength", "Table 9.1, S_y", Misprint, Some("rigid-mount")),
+        "the dynamic strength is 1.52e7 Pa",
+        "a power of ten is missing: the Appendix has 2 x 75.8e6, and only that stops the shot on a rigid mount",
+        |shots| {
             let [printed, meant] =
                 ["1.52e7", "1.52e8"].map(|it| shots.depth_m(&format!("mount=rigid S_y={it}")));
             let limit = limit::closed_form(&shots.scene("mount=rigid S_y=1.52e7"));
@@ -134,15 +116,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: printed.is_infinite() && near(meant, 7.129e-3, 5e-3),
             }
         },
-    },
-    Claim {
-        id: "9.1-density",
-        place: "Table 9.1, rho",
-        says: "the density is 2710 kg/m3; the Appendix has 2780",
-        cause: "0.04 % of the baseline lies between them",
-        verdict: Reproduced,
-        preset: Some("rigid-mount"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.1-density", "Table 9.1, rho", Reproduced, Some("rigid-mount")),
+        "the density is 2710 kg/m3; the Appendix has 2780",
+        "0.04 % of the baseline lies between them",
+        |shots| {
             let depths = [2710, 2780]
                 .map(|rho| shots.depth_m(&format!("mount=rigid S_y=151.6e6 rho={rho}")));
             let [table, appendix] = depths.map(millimetres);
@@ -151,30 +130,24 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: depths.iter().all(|depth| near(*depth, 7.129e-3, 5e-3)),
             }
         },
-    },
-    Claim {
-        id: "9.2-k-limit",
-        place: "Table 9.2 and 9.2.2",
-        says: "k is searched up to 7.5 MN/m (table) or 10 MN/m (text)",
-        cause: "text and table disagree; depth differs by 3 % of that on a rigid mount",
-        verdict: Misprint,
-        preset: Some("figure-9.5"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.2-k-limit", "Table 9.2 and 9.2.2", Misprint, Some("figure-9.5")),
+        "k is searched up to 7.5 MN/m (table) or 10 MN/m (text)",
+        "text and table disagree; depth differs by 3 % of that on a rigid mount",
+        |shots| {
             let depths = ["7.5e6", "1e7"].map(|k| shots.percent(&format!("k={k}")));
             Check {
                 text: format!("{} of the depth on a rigid mount", list(&depths, "%")),
                 holds: near(depths[0], depths[1], 0.05),
             }
         },
-    },
-    Claim {
-        id: "9.3-baseline",
-        place: "9.3",
-        says: "rigidly mounted, the shot penetrates 7.129 mm",
-        cause: "the exact depth plus an error of the time step, which is not the listing's 1e-6 s",
-        verdict: Corrected,
-        preset: Some("rigid-mount"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.3-baseline", "9.3", Corrected, Some("rigid-mount")),
+        "rigidly mounted, the shot penetrates 7.129 mm",
+        "the exact depth plus an error of the time step, which is not the listing's 1e-6 s",
+        |shots| {
             let listed = format!("{LISTED} mount=rigid");
             let step = |step_s| shots.by(Listing { step_s, ..Listing::default() }).depth_m(&listed);
             let (fine, exact) = (step(2e-7), shots.depth_m("mount=rigid S_y=151.6e6"));
@@ -190,15 +163,12 @@ pub(super) const CLAIMS: &[Claim] = &[
             };
             Check { text, holds: near(exact, 7.126e-3, 1e-5) && near(fine, 7.129e-3, 5e-5) }
         },
-    },
-    Claim {
-        id: "9.5.1-mass",
-        place: "9.5.1",
-        says: "steel coil springs of these stiffnesses weigh more than 25 projectiles, mostly",
-        cause: "the mass goes with the stored energy, not with the stiffness: a mass ratio near one is out of reach",
-        verdict: Corrected,
-        preset: Some("cocked"),
-        check: |_| {
+    ),
+    claim(
+        ("9.5.1-mass", "9.5.1", Corrected, Some("cocked")),
+        "steel coil springs of these stiffnesses weigh more than 25 projectiles, mostly",
+        "the mass goes with the stored energy, not with the stiffness: a mass ratio near one is out of reach",
+        |_| {
             // After the contact projectile and plate move together at half the impact velocity.
             let motion_j = 0.5 * (2.0 * 0.0295) * 50.0 * 50.0;
             let coils = |d_m: f64| {
@@ -214,15 +184,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: uncocked < 25.0 && cocked > 25.0,
             }
         },
-    },
-    Claim {
-        id: "9.5.1-stop",
-        place: "9.5.1, 9.6",
-        says: "a stop that is hit after common velocity carries no danger of further penetration",
-        cause: "the projectile keeps the common velocity when the plate is stopped: by the same law penetration resumes",
-        verdict: NotReproduced,
-        preset: Some("stop"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.5.1-stop", "9.5.1, 9.6", NotReproduced, Some("stop")),
+        "a stop that is hit after common velocity carries no danger of further penetration",
+        "the projectile keeps the common velocity when the plate is stopped: by the same law penetration resumes",
+        |shots| {
             if shots.listing.is_some() {
                 return Check { text: "the listing has no stop".to_owned(), holds: false };
             }
@@ -236,30 +203,24 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: last > first + 10.0,
             }
         },
-    },
-    Claim {
-        id: "9.3-torsion",
-        place: "Table 9.3, K",
-        says: "the torsional spring constant is 7200 N/rad",
-        cause: "gamma K_Theta E I/l, in N m/rad",
-        verdict: Reproduced,
-        preset: Some("concept-cocked-cantilever"),
-        check: |_| {
+    ),
+    claim(
+        ("9.3-torsion", "Table 9.3, K", Reproduced, Some("concept-cocked-cantilever")),
+        "the torsional spring constant is 7200 N/rad",
+        "gamma K_Theta E I/l, in N m/rad",
+        |_| {
             let stiffness = Beam::default().torsional_n_m();
             Check {
                 text: format!("{} N m/rad", four(stiffness)),
                 holds: near(stiffness, 7200.0, 2e-3),
             }
         },
-    },
-    Claim {
-        id: "9.14-stiffness",
-        place: "9.5.2, Figure 9.14(a)",
-        says: "the effective stiffness grows a little with deflection, to 0.111 MN/m at d = 0.03 m",
-        cause: "the stated value is the stiffness at rest",
-        verdict: Corrected,
-        preset: Some("concept-cocked-cantilever"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.14-stiffness", "9.5.2, Figure 9.14(a)", Corrected, Some("concept-cocked-cantilever")),
+        "the effective stiffness grows a little with deflection, to 0.111 MN/m at d = 0.03 m",
+        "the stated value is the stiffness at rest",
+        |shots| {
             let spring = Mechanism::of(&shots.scene("spring=prbm-cantilever")).spring;
             let (rest, at_yield) = (spring.tangent(0.0), spring.tangent(0.03));
             let [low, high] = [rest, at_yield].map(|it| engineering(it, "N/m", 4));
@@ -268,28 +229,22 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: near(rest, 0.111e6, 5e-3) && at_yield > 1.02 * rest,
             }
         },
-    },
-    Claim {
-        id: "9.14-yield",
-        place: "9.5.2, Figure 9.14(b)",
-        says: "the beam yields at d near 0.03 m",
-        cause: "there the bending stress at the root reaches 880 MPa",
-        verdict: Reproduced,
-        preset: Some("concept-cocked-cantilever"),
-        check: |shots| {
+    ),
+    claim(
+        ("9.14-yield", "9.5.2, Figure 9.14(b)", Reproduced, Some("concept-cocked-cantilever")),
+        "the beam yields at d near 0.03 m",
+        "there the bending stress at the root reaches 880 MPa",
+        |shots| {
             let spring = shots.scene("spring=prbm-cantilever").mechanism.spring;
             let yields_m = spring.yields_at_m().unwrap_or(f64::NAN);
             Check { text: millimetres(yields_m), holds: near(yields_m, 0.03, 0.02) }
         },
-    },
-    Claim {
-        id: "A.1-case",
-        place: "A.1",
-        says: "the listing is set up with a plate of 0.1 kg, no spring, no damper, exponents 3",
-        cause: "1.5 in square and 1 in thick; read as one loop, since its jumps between scripts are not calls",
-        verdict: Reproduced,
-        preset: Some("appendix-listing"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.1-case", "A.1", Reproduced, Some("appendix-listing")),
+        "the listing is set up with a plate of 0.1 kg, no spring, no damper, exponents 3",
+        "1.5 in square and 1 in thick; read as one loop, since its jumps between scripts are not calls",
+        |shots| {
             let side_m = (0.1_f64 / (2710.0 * 0.0254)).sqrt();
             let (depth, side) = (millimetres(shots.depth_m(CASE)), four(1e3 * side_m));
             Check {
@@ -297,15 +252,12 @@ pub(super) const CLAIMS: &[Claim] = &[
                 holds: near(side_m, 1.5 * 0.0254, 1e-3),
             }
         },
-    },
-    Claim {
-        id: "A.1-step",
-        place: "A.1, dt",
-        says: "a time step of 1 us is enough",
-        cause: "the scheme is of first order: 0.4 % of the depth on a rigid mount",
-        verdict: Corrected,
-        preset: Some("rigid-mount"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.1-step", "A.1, dt", Corrected, Some("rigid-mount")),
+        "a time step of 1 us is enough",
+        "the scheme is of first order: 0.4 % of the depth on a rigid mount",
+        |shots| {
             let listed = format!("{LISTED} mount=rigid");
             let exact = shots.depth_m(&listed);
             let depths = [2e-6, 1e-6, 5e-7]
@@ -319,40 +271,31 @@ pub(super) const CLAIMS: &[Claim] = &[
             };
             Check { text, holds: near(ratio, 2.0, 0.1) && near(depths[1], exact, 1e-2) }
         },
-    },
-    Claim {
-        id: "A.1-tmax",
-        place: "A.1, tmax",
-        says: "a run of 0.2 ms shows the greatest displacement",
-        cause: "a quarter of the oscillation takes six times as long: the runs of chapter 9 must have been longer",
-        verdict: NotReproduced,
-        preset: Some("thesis-baseline"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.1-tmax", "A.1, tmax", NotReproduced, Some("thesis-baseline")),
+        "a run of 0.2 ms shows the greatest displacement",
+        "a quarter of the oscillation takes six times as long: the runs of chapter 9 must have been longer",
+        |shots| {
             let turn_s = turns_at_s(&shots.run_with_series(""));
             let text = format!("the plate turns at {}", engineering(turn_s, "s", 4));
             Check { text, holds: turn_s > 2e-4 }
         },
-    },
-    Claim {
-        id: "A.2-coupling",
-        place: "A.2, p = Pen... - (...)",
-        says: "depth subtracts the plate's motion",
-        cause: "only the last step's increment is subtracted, and no smaller step makes that good",
-        verdict: Corrected,
-        preset: Some("thesis-baseline"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.2-coupling", "A.2, p = Pen... - (...)", Corrected, Some("thesis-baseline")),
+        "depth subtracts the plate's motion",
+        "only the last step's increment is subtracted, and no smaller step makes that good",
+        |shots| {
             let fixed = Listing { coupling: Reading::Corrected, ..Listing::default() };
             fault(shots, [Listing::default(), fixed], "%", |shots| shots.percent(""))
         },
-    },
-    Claim {
-        id: "A.2-jumps",
-        place: "A.2, A.3, theta = 0",
-        says: "the same lines serve normal and oblique impact",
-        cause: "once the nose is buried they divide by tan(0): only a jump over them saves the baseline",
-        verdict: Corrected,
-        preset: Some("rigid-mount"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.2-jumps", "A.2, A.3, theta = 0", Corrected, Some("rigid-mount")),
+        "the same lines serve normal and oblique impact",
+        "once the nose is buried they divide by tan(0): only a jump over them saves the baseline",
+        |shots| {
             let ignored = Listing { jumps: Reading::Printed, ..Listing::default() };
             let without = shots.by(ignored).run("mount=rigid").end;
             let own = millimetres(shots.depth_m("mount=rigid"));
@@ -363,29 +306,23 @@ pub(super) const CLAIMS: &[Claim] = &[
             };
             Check { text, holds: !without.is_complete() }
         },
-    },
-    Claim {
-        id: "A.4-scheme",
-        place: "A.4",
-        says: "the impulse on the projectile is that on the plate",
-        cause: "the projectile gets the mean of the old and the new force, the plate the new one",
-        verdict: Corrected,
-        preset: Some("free-plate"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.4-scheme", "A.4", Corrected, Some("free-plate")),
+        "the impulse on the projectile is that on the plate",
+        "the projectile gets the mean of the old and the new force, the plate the new one",
+        |shots| {
             let fixed = Listing { scheme: Reading::Corrected, ..Listing::default() };
             fault(shots, [Listing::default(), fixed], "% of the momentum kept", |shots| {
                 100.0 * momentum_kept(&shots.run_with_series("k=0"))
             })
         },
-    },
-    Claim {
-        id: "A.4-oblique",
-        place: "A.2 to A.4, theta > 0",
-        says: "the contact force acts on projectile and plate alike",
-        cause: "the plate is guided along its normal and receives the cosine of the force: only then is energy conserved",
-        verdict: Corrected,
-        preset: Some("oblique"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.4-oblique", "A.2 to A.4, theta > 0", Corrected, Some("oblique")),
+        "the contact force acts on projectile and plate alike",
+        "the plate is guided along its normal and receives the cosine of the force: only then is energy conserved",
+        |shots| {
             // The other faults hide this one.
             let fixed = Listing {
                 coupling: Reading::Corrected,
@@ -399,28 +336,22 @@ pub(super) const CLAIMS: &[Claim] = &[
                 1e3 * shots.depth_m("theta=30deg")
             })
         },
-    },
-    Claim {
-        id: "A.5-mass",
-        place: "A.5, A.7",
-        says: "after the contact m_1 + m_2 moves on",
-        cause: "also after a perforation, when the projectile has left",
-        verdict: Corrected,
-        preset: Some("thin-plate-perforation"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.5-mass", "A.5, A.7", Corrected, Some("thin-plate-perforation")),
+        "after the contact m_1 + m_2 moves on",
+        "also after a perforation, when the projectile has left",
+        |shots| {
             let fixed = Listing { afterwards: Reading::Corrected, ..Listing::default() };
             let travel = |shots: &Shots<'_>| shots.travel_mm("v_i=300 h=0.003");
             fault(shots, [Listing::default(), fixed], "mm of the perforated plate's travel", travel)
         },
-    },
-    Claim {
-        id: "A.7-damper",
-        place: "A.7, A.9",
-        says: "the damper's force is b |w|^m",
-        cause: "without a sign it acts the same way whichever way the plate moves: it adds energy on the rebound",
-        verdict: Corrected,
-        preset: Some("overdamped"),
-        check: |shots| {
+    ),
+    claim(
+        ("A.7-damper", "A.7, A.9", Corrected, Some("overdamped")),
+        "the damper's force is b |w|^m",
+        "without a sign it acts the same way whichever way the plate moves: it adds energy on the rebound",
+        |shots| {
             let fixed = Listing { damper: Reading::Corrected, ..Listing::default() };
             fault(
                 shots,
@@ -429,7 +360,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                 |shots| 100.0 * energy_after_return(&shots.run_with_series("b=50 horizon=8e-3")),
             )
         },
-    },
+    ),
 ];
 
 /// A fault of the listing: a quantity with it and without it; without it the listing agrees with the engine.

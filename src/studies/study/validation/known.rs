@@ -81,32 +81,3 @@ impl KnownError {
         KNOWN.iter().find(|known| known.class == class)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::numerics::statistics::moments;
-
-    /// A model that comes out 4 % low measures 1/0.96 of it; without spread the factor is that alone, with spread its logarithm has
-    /// the deviation.
-    #[test]
-    fn the_error_of_the_model_is_a_factor_on_each_limit() {
-        let mut random = Random::new(7);
-        let low = ModelError { bias: -0.04, spread: 0.0 };
-        assert!((low.factor(&mut random) - 1.0 / 0.96).abs() < 1e-15);
-        let wide = ModelError { bias: 0.0, spread: 0.1 };
-        let logs: Vec<f64> = (0..20_000).map(|_| wide.factor(&mut random).ln()).collect();
-        let (mean, deviation) = moments(&logs).unwrap();
-        assert!(mean.abs() < 3e-3 && (deviation - 0.1).abs() < 2e-3, "{mean} {deviation}");
-    }
-
-    #[test]
-    fn a_shot_that_was_never_measured_has_no_known_error() {
-        let mut scene = Scene::default();
-        assert_eq!(KnownError::of(&scene), None);
-        scene.projectile.nose = Nose::Blunt;
-        assert_eq!(KnownError::of(&scene).map(|it| it.error.bias), Some(0.625));
-        (scene.projectile.nose, scene.projectile.obliquity_deg) = (Nose::Pointed, 30.0);
-        assert_eq!(KnownError::of(&scene).map(|it| it.class), Some(KNOWN[3].class));
-    }
-}

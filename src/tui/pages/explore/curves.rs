@@ -65,7 +65,7 @@ fn curves(
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
     let printed = printed(app, grid, output);
     let values = lines.iter().chain(&printed).flatten().map(|point| point.1);
-    let y = chart::Axis::fitted("", column.unit(), Scale::Linear, values)?;
+    let y = chart::Axis::fitted("", column.unit(), values)?;
     let (x, selected) = app.cursor_point(grid);
     let curves = lines.iter().enumerate().map(|(index, points)| {
         let name = axes.get(1).map_or_else(String::new, |axis| {
@@ -147,7 +147,7 @@ fn map(
     let axes = grid.plan().axes();
     let column = grid.plan().outputs()[output];
     let values = sweeps::points(grid, output).map(number);
-    let levels = Levels::of(Scale::Linear, values)?;
+    let levels = Levels::of(values)?;
     let (across, up) = (axis_of(&axes[0]), axis_of(&axes[1]));
     // The name of the axis across stands in the same line, with its unit, that of the axis upward, brackets and the frame's ends.
     let taken = across.label.len() + across.unit.name.len() + up.unit.name.len() + 13;

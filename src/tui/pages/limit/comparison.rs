@@ -68,7 +68,7 @@ impl App {
                 let pays = if value > 1.0 { "moving armour pays" } else { "it does not pay" };
                 format!("mass efficiency {}: {pays}", significant(value, 4))
             }
-            Some(Err(absence)) => absence.words(),
+            Some(Err(absence)) => absence.words.to_owned(),
             None => "not computed yet".to_owned(),
         };
         let place = |(axis, at): (&Axis, f64)| format!("{} {}", axis.symbol(), axis.show(at, 5));

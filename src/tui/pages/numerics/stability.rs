@@ -2,7 +2,6 @@
 
 use crate::model::variables::{VARIABLES, Value};
 use crate::report;
-use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{self, Map, Wanted};
@@ -35,10 +34,8 @@ impl App {
         let (map, (column, row)) = tab.map.found.as_ref().zip(tab.cursor())?;
         // In one row of 80 columns: a second one would move the map.
         let here = if tab.present() == Some((column, row)) { "the scene: " } else { "" };
-        let limit = map.limit_s[row];
-        let limit = limit.map_or_else(|| "none".to_owned(), |it| significant(it, 2) + " s");
         Some(format!(
-            "{here}dt {} s, {} {}: {}; analytic limit {limit}",
+            "{here}dt {} s, {} {}: {}",
             significant(map.dt_s[column], 2),
             map.axis.symbol(),
             significant(map.values[row], 2),
@@ -76,9 +73,6 @@ impl App {
         let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words);
         parts.extend(mapping.map(Progress::part));
         if let Some(map) = &tab.map.found {
-            let largest = map.largest_stable_dt_s.map_or_else(|| "no limit".to_owned(), seconds);
-            let text = format!("largest stable dt of this scene: {largest}");
-            parts.push(part(Severity::Note, text));
             parts.push(part(Severity::Note, map.method.name().to_owned()));
         }
         parts

@@ -150,7 +150,7 @@ impl Answer for Report {
             let values: Vec<f64> =
                 found.designs.iter().filter_map(|it| value(&it.measures, at)).collect();
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-            let axis = Axis::fitted(label, measures[at].unit(), Scale::Linear, values)?;
+            let axis = Axis::fitted(label, measures[at].unit(), values)?;
             // Nothing that is never below zero has room there.
             let lo = if least < 0.0 { axis.view.lo() } else { axis.view.lo().max(0.0) };
             Some(Axis { view: ViewRange::new(lo, axis.view.hi()), ..axis })

@@ -105,7 +105,7 @@ impl Answer for Report {
         // Room above for the tags.
         let highest = steps.iter().map(|step| 1.3 * step.1);
         let values = sorted.iter().copied();
-        let x = Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values);
+        let x = Axis::fitted(measure.title(), measure.unit(), values);
         let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
         let Some((x, y)) = x.zip(y) else { return };
         let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));

@@ -106,7 +106,7 @@ impl Answer for Report {
         let points: Vec<(f64, f64)> =
             report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
         let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
-        let y = Axis::fitted("", report.measure.unit(), Scale::Linear, values);
+        let y = Axis::fitted("", report.measure.unit(), values);
         let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
             let text = "no point has a value".to_owned();
             return lines_below(app, &[(text, Role::Warning)], area, canvas);
