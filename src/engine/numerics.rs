@@ -2,7 +2,7 @@
 //!
 //! `collocation` is the one method of the engine for smooth, stiff and steep alike, `explicit` the Runge-Kutta methods that it is
 //! compared with; both give a `step` as polynomials, on which `locate` finds the first event. [`root`] finds a zero in a bracket,
-//! [`quadrature`] integrates, `maximum` searches maxima, `monotone` interpolates data; [`random`], [`sobol`] and
+//! [`quadrature`] integrates, [`maximum`] searches maxima, `monotone` interpolates data; [`random`], [`sobol`] and
 //! [`statistics`] serve samples.
 //!
 //! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
@@ -12,7 +12,7 @@ pub(crate) mod collocation;
 pub(crate) mod crossing;
 pub(crate) mod explicit;
 pub(crate) mod locate;
-pub(crate) mod maximum;
+pub mod maximum;
 pub(crate) mod monotone;
 pub mod quadrature;
 pub mod random;

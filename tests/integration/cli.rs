@@ -630,7 +630,7 @@ fn valid_a_fused_interface_that_is_asked_for_too_much_has_the_plastic_answer_bes
     for other in ["run --set k=0", "run --set d=0.5 --set interface=plastic"] {
         assert_eq!(line(other), None, "{other}");
     }
-    let json = |arguments: &str| -> serde_json::Value {
+    let json = |arguments: &str| -> Value {
         serde_json::from_str(&place.cmra(&format!("run --json {arguments}")).out).unwrap()
     };
     let (beside, own) = (json("--set d=0.5"), json("--set d=0.5 --set interface=plastic"));

@@ -29,7 +29,8 @@ fn valid_limits_in_closed_form_come_with_their_margin() {
 #[test]
 fn the_page_has_its_sections_and_reasons_for_missing_ones() {
     let page = output(&["--set", "v_i=400"]);
-    for words in ["limit velocity  344.328", "which perforates", "Recht-Ipson", "common velocity"] {
+    for words in ["limit velocity  344.328", "which perforates", "Lambert-Jonas", "common velocity"]
+    {
         assert!(page.contains(words), "{words}: {page}");
     }
     assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
@@ -80,7 +81,7 @@ fn the_criterion_is_the_scenes_in_every_command() {
 fn shots_are_rows_and_absent_velocities_empty() {
     let table = output(&["--csv", "-"]);
     let mut lines = table.lines();
-    let head = "scene,impact_velocity_m_s,outcome,residual_velocity_m_s,recht_ipson_m_s,limit_velocity_m_s,warnings";
+    let head = "scene,impact_velocity_m_s,outcome,residual_velocity_m_s,recht_ipson_m_s,lambert_jonas_m_s,limit_velocity_m_s,warnings";
     assert_eq!(lines.next(), Some(head));
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 30);

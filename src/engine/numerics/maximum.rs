@@ -45,7 +45,7 @@ fn greatest_of(from: f64, to: f64, known: f64, f: &dyn Fn(f64) -> f64) -> f64 {
 }
 
 /// Where `f` has its only maximum between `a` and `b`.
-fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
+pub fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     let (mut a, mut b, tolerance) = (a, b, LOCATED * (b - a));
     let mut x = a + GOLDEN * (b - a);
     let (mut w, mut v) = (x, x);

@@ -62,10 +62,19 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         remarks.push(Remark::new("by each rule", self::closures(closures)));
     }
     remarks.extend(carried(report).map(|text| Remark::new("note", text)));
+    if report.lambert_jonas.is_some() {
+        remarks.push(Remark::new("laws", "residual velocity v_r = a (v^p - v_bl^p)^(1/p)"));
+    }
     if let Some(law) = report.recht_ipson {
         let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
-        let text = format!("v_r = a (v^2 - v_bl^2)^(1/2), a {a}; RMS error {misfit} m/s");
+        let text = format!("a {a}, p 2, same v_bl; RMS error {misfit} m/s");
         remarks.push(Remark::new("Recht-Ipson", text));
+    }
+    if let Some(law) = report.lambert_jonas {
+        let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
+        let (limit, misfit) = (velocity(law.limit_m_s, 4), significant(law.misfit_m_s, 2));
+        let text = format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s");
+        remarks.push(Remark::new("Lambert-Jonas", text));
     }
     remarks
 }
@@ -143,7 +152,7 @@ fn closures(closures: &Closures) -> String {
     )
 }
 
-/// The shots, in order of velocity, with what the fitted law says and the limit.
+/// The shots, in order of velocity, with what each fitted law says and the limit.
 pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
     let limit_m_s = report.limit.velocity_m_s();
     Table::of(&report.shots)
@@ -153,6 +162,9 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
         .with("residual_velocity_m_s", "residual velocity", "m/s", |shot| shot.residual_m_s)
         .with("recht_ipson_m_s", "Recht-Ipson", "m/s", |shot| {
             report.recht_ipson.map(|law| law.residual_m_s(shot.impact_m_s))
+        })
+        .with("lambert_jonas_m_s", "Lambert-Jonas", "m/s", |shot| {
+            report.lambert_jonas.map(|law| law.residual_m_s(shot.impact_m_s))
         })
         .with("limit_velocity_m_s", "limit", "m/s", move |_| limit_m_s)
 }
@@ -202,6 +214,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "jump_m_s": report.jump_m_s.map(|(thin, thick)| [thin, thick]),
         "model_error": known,
         "recht_ipson": report.recht_ipson,
+        "lambert_jonas": report.lambert_jonas,
         "shots": shots(name, report).objects(|key| own.contains(&key)),
     })
 }
@@ -231,14 +244,15 @@ fn law(view: ViewRange, law: ResidualLaw) -> Vec<(f64, f64)> {
 /// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.
 pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
     let (x, y) = axes(report, own_m_s)?;
-    let law = report.recht_ipson.map_or_else(Vec::new, |law| self::law(x.view, law));
+    let law = |law: Option<ResidualLaw>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
     let shots = |marker, label, outcomes: &[Outcome]| {
         let shots = report.shots.iter().filter(|shot| outcomes.contains(&shot.outcome));
         let places = shots.map(|shot| (shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0)));
         Curve::points(marker, label, places)
     };
     let curves = [
-        Curve::new('+', "Recht-Ipson", law).colour(1),
+        Curve::new('+', "Recht-Ipson", law(report.recht_ipson)).colour(1),
+        Curve::new('x', "Lambert-Jonas", law(report.lambert_jonas)).colour(2),
         shots('o', "through", &[Outcome::Perforated]).colour(3),
         shots('s', "stopped", &[Outcome::Arrested, Outcome::Separated]).colour(4),
         shots('m', "moving", &[Outcome::Moving]).colour(4),

@@ -157,6 +157,8 @@ pub struct Report {
     pub shots: Vec<Shot>,
     /// Recht and Ipson's law through the curve.
     pub recht_ipson: Option<ResidualLaw>,
+    /// Lambert and Jonas's law through the curve.
+    pub lambert_jonas: Option<ResidualLaw>,
     /// Whether it was done to its end.
     pub is_complete: bool,
 }
@@ -215,7 +217,9 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
         closures,
         jump_m_s,
         shots,
-        recht_ipson: found_m_s.and_then(|limit_m_s| ResidualLaw::of(&perforated, limit_m_s)),
+        recht_ipson: found_m_s
+            .and_then(|limit_m_s| ResidualLaw::recht_ipson(&perforated, limit_m_s)),
+        lambert_jonas: found_m_s.and_then(|_| ResidualLaw::lambert_jonas(&perforated)),
         is_complete: !context.is_stopped(),
     })
 }

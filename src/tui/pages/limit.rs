@@ -29,7 +29,7 @@ const PANES: &[PaneSpec] = &[
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
-    Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson"),
+    Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
     Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth"),
     Command::new(Call::Show(EFFICIENCY_MAP, None), "Efficiency map", "mass efficiency compare worth"),
 ];

@@ -37,7 +37,8 @@ fn found(scene: &Arc<Scene>) -> Report {
         closures: None,
         jump_m_s: None,
         shots: below.chain(above).map(shot).collect(),
-        recht_ipson: Some(ResidualLaw { a: 0.9412, limit_m_s: V_BL, misfit_m_s: 4.321 }),
+        recht_ipson: Some(ResidualLaw { a: 0.9412, p: 2.0, limit_m_s: V_BL, misfit_m_s: 4.321 }),
+        lambert_jonas: Some(ResidualLaw { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
         is_complete: true,
     }
 }
@@ -108,7 +109,7 @@ fn missing_results_are_explained() {
     assert_snapshot!("limit_begins", bench.screen());
     end(&mut bench, |report| {
         report.limit = Limit::Never;
-        report.recht_ipson = None;
+        (report.recht_ipson, report.lambert_jonas) = (None, None);
         for shot in &mut report.shots {
             (shot.outcome, shot.residual_m_s) = (Outcome::Arrested, None);
         }
@@ -226,7 +227,7 @@ fn j_goes_from_the_curve_to_the_words_where_both_have_no_room() {
         bench.keys("j");
         all += &bench.screen();
     }
-    for text in ["Recht-Ipson", "V50"] {
+    for text in ["Recht-Ipson", "Lambert-Jonas", "V50"] {
         assert!(all.contains(text), "{text}: {all}");
     }
     bench.keys("g");

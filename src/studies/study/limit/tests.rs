@@ -32,7 +32,7 @@ fn valid_limits_in_closed_form_by_outcome() {
 }
 
 #[test]
-fn on_a_rigid_mount_recht_and_ipsons_law_is_exact() {
+fn on_a_rigid_mount_both_laws_are_exact() {
     // v_r² = (v² - v_bl²) exp(-2 c V/m): by the closed form.
     let report = found("mount=rigid");
     let scene = scene("mount=rigid");
@@ -42,6 +42,9 @@ fn on_a_rigid_mount_recht_and_ipsons_law_is_exact() {
     let recht_ipson = report.recht_ipson.unwrap();
     assert!((recht_ipson.a / a - 1.0).abs() < 1e-8, "{recht_ipson:?} {a}");
     assert!(recht_ipson.misfit_m_s < 1e-6);
+    let fitted = report.lambert_jonas.unwrap();
+    assert!((fitted.p - 2.0).abs() < 1e-3 && (fitted.a / a - 1.0).abs() < 1e-4, "{fitted:?}");
+    assert!((fitted.limit_m_s / 232.295_378 - 1.0).abs() < 1e-4, "{fitted:?}");
 }
 
 /// The limits of an independent 80-bit reference. A plate that left its rigid stop within rounding was caught by it

@@ -31,7 +31,8 @@ impl App {
         }
         let room = usize::from(width.saturating_sub(LABEL + 2)).max(10);
         let mut lines: Vec<Remark> = Vec::new();
-        for mut fact in facts {
+        // There is no room to say what the laws are.
+        for mut fact in facts.into_iter().filter(|fact| fact.about != "laws") {
             for text in wrap(&fact.text, room) {
                 let about = std::mem::take(&mut fact.about);
                 lines.push(Remark { about, text, is_caution: fact.is_caution });
@@ -183,9 +184,11 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         if old {
             curve.emphasis = Emphasis::Stale;
         }
-        // The words beside the chart name the law in full.
-        if area.width < 56 && curve.label == "Recht-Ipson" {
-            curve.label = "R-I".into();
+        // The words beside the chart name the laws in full.
+        match (area.width < 56, &*curve.label) {
+            (true, "Recht-Ipson") => curve.label = "R-I".into(),
+            (true, "Lambert-Jonas") => curve.label = "L-J".into(),
+            (_, _) => {}
         }
     }
     let of = if old { ", of another scene" } else { "" };
