@@ -17,9 +17,9 @@ fn assert_near(value: Option<f64>, exact: f64, tolerance: f64) {
     assert!((value / exact - 1.0).abs() <= tolerance, "{value} is not {exact} to {tolerance:e}");
 }
 
-/// The field notes' table 2.3, computed there by a separate port: 299.8, 298.5, 290.5 and 290.6 m/s, 204.6 and 170.4, 507.
+/// Computed by a separate port of the model: 299.8, 298.5, 290.5 and 290.6 m/s, 204.6 and 170.4, 507.
 #[test]
-fn valid_the_limits_of_the_field_notes() {
+fn valid_the_limits_of_a_separate_port() {
     let first = row("borvik-hemispherical");
     assert_near(first.computed, 299.8, 2e-4);
     assert_near(first.other, 298.5, 2e-4);
@@ -62,7 +62,7 @@ fn valid_oblique_limits_fall_behind_the_measured_ones() {
         assert!((measured / secant - 1.0).abs() < 0.01, "{id}: {measured}");
         assert!(slanted.case.caution.contains("must not"), "{id}");
     }
-    // The same of the bullet, by its ratios (field notes: 1.030, 1.158, 1.433).
+    // The same of the bullet, by its ratios (a separate port: 1.030, 1.158, 1.433).
     assert!((row("ap-bullet-30-deg").case.measured - 1.158).abs() < 1e-3);
     assert_near(
         row("ap-bullet-30-deg").computed,
