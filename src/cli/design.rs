@@ -67,15 +67,15 @@ fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let spring = (left + drawn) / Wire::default().specific_energy_j_kg();
     let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
     let stone = design::stone_depth_m(m, v, r, rho, c_t.unwrap_or(1.0));
-    let rod = design::Rod::of(scene);
+    let rod_m = design::rod_length_m(&scene.projectile);
     let formula = |name, value, unit, source| Formula { name, value, unit, source };
-    let critical_deg = rod.critical_obliquity_deg(rho);
+    let critical_deg = design::critical_obliquity_deg(scene);
     let tate = "Tate, eq. 2.3; rho_p and Y_p are assumptions";
     let integral = "the integral of its force; k d^(n+1)/(n+1) of a power law";
     let coil = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
     vec![
         formula("critical obliquity", critical_deg, "deg", tate),
-        formula("  length of the rod", rod.length_m, "m", "m_p/(rho_p pi R^2)"),
+        formula("  length of the rod", rod_m, "m", "m_p/(rho_p pi R^2)"),
         formula(
             "effective thickness",
             scene.effective_thickness_m(),

@@ -35,11 +35,8 @@ use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = format!(
-        "--csv FILE writes the series, and beside it NAME.toml: the scene that reproduces it to the last digit.\n\n\
-         NAME is one of these symbols, or a full key as in scene files:\n{}",
-        variables::listing()
-    )
+    after_help = "--csv FILE writes the series, and beside it NAME.toml: the scene that reproduces it to the last digit.\n\n\
+        NAME is a variable's symbol, or its full key as in scene files: `cmra explain` lists all."
 )]
 pub(super) struct RunArguments {
     #[command(flatten)]

@@ -37,7 +37,7 @@ use crate::tui::widgets::layout::{Layout, layout};
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
 
-/// How the workbench is set: what the options menu changes, and what the session keeps of it.
+/// How the workbench is set, which the session keeps.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     pub theme: Theme,
@@ -67,7 +67,7 @@ pub enum Typing {
 }
 
 /// The whole state.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct App {
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
@@ -162,11 +162,6 @@ impl App {
     /// Whether the pane that has the keys fills the body.
     pub fn is_full(&self) -> bool {
         self.tab == Tab::Run && self.pages.run.is_full
-    }
-
-    /// Whether the newest message refuses something.
-    pub fn is_refused(&self) -> bool {
-        self.notice.as_ref().is_some_and(|notice| notice.severity == Severity::Error)
     }
 
     pub fn pane(&self) -> Pane {

@@ -57,8 +57,8 @@ impl Draw for Chart<'_> {
     fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
         let area = area.intersection(buffer.area);
         let plan = plan(self, area, theme);
-        let frame = frame_of(self).right(plan.right).keeps_right();
-        frame.titled(plan.title).render(area, buffer, theme);
+        let frame = frame_of(self, plan.title).right(plan.right);
+        frame.render(area, buffer, theme);
         if let Some(row) = plan.layout.legend {
             buffer.set_line(row.x + 1, row.y, &plan.legend, row.width.saturating_sub(1));
         }

@@ -1,11 +1,9 @@
 //! The dialogs on top of the panes: each in a file of its own, with its keys, how it is drawn, and what comes of it.
 
 mod ask;
-mod curve;
 mod export;
 mod help;
 pub(crate) mod list;
-mod options;
 pub mod palette;
 mod presets;
 mod save;
@@ -14,7 +12,6 @@ mod words;
 use crate::tui::app::dialog::Dialog;
 use crate::tui::prelude::*;
 
-pub(crate) use curve::checked;
 pub(crate) use words::open as list_words;
 
 /// Opens a dialog; one that has nothing to show says why instead.
@@ -25,7 +22,6 @@ const OPENED: &[(Action, Open)] = &[
     (Action::Help, |app| Some(help::open(app))),
     (Action::Palette, |app| Some(palette::open(app))),
     (Action::Presets, |app| Some(presets::open(app))),
-    (Action::Options, |app| Some(options::open(app))),
     (Action::Save, |app| Some(save::open(app))),
     (Action::Export, export::open),
 ];

@@ -18,7 +18,6 @@ use crate::files::export::Destination;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::read_table;
 use crate::files::recent;
 use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
@@ -199,10 +198,6 @@ impl FileQueue {
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
-            Task::ReadCurve(path) => {
-                let points = read_table::curve(&path).map_err(|error| error.to_string());
-                EffectReport::Curve(path, points)
-            }
         }
     }
 }

@@ -151,16 +151,15 @@ pub enum Action {
     Copy,
     Presets,
     Save,
-    Options,
+    Characters,
+    Colours,
+    Mouse,
     FullPane,
     Quit,
     Cancel,
     Suspend,
     Redraw,
     Reset,
-    ZoomIn,
-    ZoomOut,
-    ZoomFit,
     Window,
     ResetAll,
 }
@@ -315,16 +314,10 @@ impl Keymap {
         })
     }
 
-    /// The keys of a line of the table: `1-7`, `u Ctrl-r`, `h j k l`.
+    /// The keys of a line of the table: `u Ctrl-r`, `h j k l`.
     pub fn line_label(&self, line: &KeyHelp) -> String {
         let labels = line.keys.iter().map(|(action, _, _)| self.label(*action));
-        let labels: Vec<String> = labels.filter(|label| !label.is_empty()).collect();
-        let digits = labels.len() > 2
-            && labels.iter().zip('1'..='9').all(|(label, digit)| *label == digit.to_string());
-        match (labels.first(), labels.last()) {
-            (Some(first), Some(last)) if digits => format!("{first}-{last}"),
-            _ => labels.join(" "),
-        }
+        labels.filter(|label| !label.is_empty()).collect::<Vec<String>>().join(" ")
     }
 }
 
@@ -410,19 +403,18 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
     line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
     line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),
-    line(Everywhere, &[(A::Mark, "mark", "Space")], "pin or unpin a run to compare with; mark a row of a table"),
+    line(Everywhere, &[(A::Mark, "mark", "Space")], "pin or unpin a run to compare with"),
     line(Everywhere, &[(A::View, "view", "v")], "next view of this pane"),
     line(Everywhere, &[(A::Run, "run", "r")], "run again what this page computes"),
     line(Everywhere, &[(A::Export, "export", "e"), (A::Copy, "copy", "y")], "export, copy what this page shows"),
     line(Everywhere, &[(A::Presets, "presets", "p"), (A::Save, "save", "s")], "presets, threats, materials and absorbers; save the scene"),
-    line(Everywhere, &[(A::Options, "options", "o")], "options: characters, colours, mouse"),
+    line(Everywhere, &[(A::Characters, "characters", "m"), (A::Colours, "colours", "t"), (A::Mouse, "mouse", "M")], "next characters, next colours; mouse on or off"),
     line(Listed, &[(A::FullPane, "full-pane", "z")], "show this pane alone"),
     line(Everywhere, &[(A::Quit, "quit", "q")], "quit (the session is kept)"),
     line(Everywhere, &[(A::Cancel, "cancel", "Ctrl-c")], "cancel the job; pressed twice: quit"),
     line(Everywhere, &[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 
     line(Listed, &[(A::Reset, "reset", "d Del")], "reset this row"),
-    line(Listed, &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-"), (A::ZoomFit, "zoom-fit", "0")], "zoom in, zoom out, show everything"),
     line(Listed, &[(A::Window, "window", "c")], "show the contact only, or the whole response"),
 ];
 

@@ -48,8 +48,6 @@ pub enum EffectReport {
     Said(Severity, String),
     /// The session cannot be kept any more, and why; or it can again.
     Session(Result<(), String>),
-    /// A spring's measured curve was read: whose, the file, and its points.
-    Curve(PathBuf, Result<Arc<[[f64; 2]]>, String>),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -112,8 +110,6 @@ pub enum FileTask {
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
-    /// Read a measured curve for a spring.
-    ReadCurve(PathBuf),
 }
 
 /// The content of a file to write.
@@ -134,26 +130,21 @@ pub struct PageTable {
     /// The file that is proposed.
     pub file: String,
     pub is_complete: bool,
-    /// Its text, of a scene with this name.
-    csv: Text,
+    csv: Arc<dyn Fn() -> String + Send + Sync>,
     source: Option<Source>,
 }
 
-/// Makes a text from a name.
-type Text = Arc<dyn Fn(&str) -> String + Send + Sync>;
-
-/// The scene of a table, its name, the comment lines above it in the file beside the table, and the command that makes the table again.
+/// The scene of a table, the comment lines above it in the file beside the table, and the command that makes the table again.
 #[derive(Clone)]
 struct Source {
     scene: Arc<Scene>,
-    name: String,
-    notes: Arc<dyn Fn() -> String + Send + Sync>,
+    notes: String,
     command: String,
 }
 
 impl Source {
     fn beside(&self) -> Beside<'_> {
-        let (notes, command) = ((self.notes)(), self.command.clone());
+        let (notes, command) = (self.notes.clone(), self.command.clone());
         Beside { run: None, scene: &self.scene, notes, command }
     }
 }
@@ -164,28 +155,21 @@ impl PageTable {
         title: &'static str,
         file: impl Into<String>,
         is_complete: bool,
-        csv: impl Fn(&str) -> String + Send + Sync + 'static,
+        csv: impl Fn() -> String + Send + Sync + 'static,
     ) -> Self {
         Self { title, file: file.into(), is_complete, csv: Arc::new(csv), source: None }
     }
 
-    /// The same as a table of a scene with this name, which a command makes again: `sweep --over k=1..2`.
-    pub(crate) fn of(self, name: String, scene: &Arc<Scene>, command: &str) -> Self {
+    /// The same as a table of a scene, which a command makes again: `sweep --over k=1..2`.
+    pub(crate) fn of(self, scene: &Arc<Scene>, command: &str) -> Self {
         let missing = if self.is_complete { "" } else { "# not complete\n" };
-        self.noted(name, scene, command, move || missing.to_owned())
+        self.noted(scene, command, missing.to_owned())
     }
 
     /// The same with other comment lines above the scene.
-    pub(crate) fn noted(
-        self,
-        name: String,
-        scene: &Arc<Scene>,
-        command: &str,
-        notes: impl Fn() -> String + Send + Sync + 'static,
-    ) -> Self {
+    pub(crate) fn noted(self, scene: &Arc<Scene>, command: &str, notes: String) -> Self {
         let (scene, command) = (Arc::clone(scene), command.to_owned());
-        let source = Source { scene, name, notes: Arc::new(notes), command };
-        Self { source: Some(source), ..self }
+        Self { source: Some(Source { scene, notes, command }), ..self }
     }
 }
 
@@ -207,7 +191,7 @@ impl Content {
     pub fn text(&self) -> String {
         match self {
             Self::Runs(runs) => run::csv(runs),
-            Self::Page(table) => (table.csv)(table.source.as_ref().map_or("", |it| &it.name)),
+            Self::Page(table) => (table.csv)(),
             Self::Text(text) => text.clone(),
         }
     }

@@ -50,7 +50,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
             app
         }
         (None, Some(last)) => {
-            let base = base_of_session(&last, paths);
+            let base = base_named(last.preset.as_deref(), &last.scene, paths);
             let mut app = App::new(base, theme, directory);
             restore(&mut app, last, options.glyphs, paths);
             app
@@ -83,38 +83,38 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
         Ok(config) => config,
         Err(text) => return app.say(Severity::Warning, text),
     };
+    let mut refused = Vec::new();
     match Keymap::remapped(&config.keys) {
         Ok(keymap) => {
             app.keymap = keymap;
-            for (name, _) in config.keys.iter().filter(|(_, keys)| keys.is_empty()) {
-                let text = format!("[keys] {name} = []: no key does it now; `:{name}` does");
-                app.say(Severity::Warning, format!("{}: {text}", path.display()));
-            }
+            let without = config.keys.iter().filter(|(_, keys)| keys.is_empty());
+            let text = |name| format!("[keys] {name} = []: no key does it now; `:{name}` does");
+            refused.extend(without.map(|(name, _)| text(name)));
         }
-        Err(text) => app.say(Severity::Warning, format!("{}: {text}", path.display())),
+        Err(text) => refused.push(text),
     }
     if let (None, Some(word)) = (glyphs, &config.characters) {
         match GlyphSet::named(word) {
             Ok(choice) => {
                 app.settings.theme.glyphs = choice.unwrap_or_else(|| GlyphSet::detect(environment));
             }
-            Err(error) => app.say(Severity::Warning, format!("{}: {error}", path.display())),
+            Err(error) => refused.push(error),
         }
     }
     if let Some(word) = &config.colours {
         match ColourDepth::named(word) {
             Some(depth) => app.settings.theme.depth = depth,
-            None => app.say(
-                Severity::Warning,
-                format!("{}: colours = \"{word}\": use none, sixteen or 256", path.display()),
-            ),
+            None => refused.push(format!("colours = \"{word}\": use none, sixteen or 256")),
         }
+    }
+    for text in refused {
+        app.say(Severity::Warning, format!("{}: {text}", path.display()));
     }
 }
 
 /// Keep the scenes of the last session where another start would lose them: of pins, and an edited one. What to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
-    let base = base_of_session(last, Some(paths));
+    let base = base_named(last.preset.as_deref(), &last.scene, Some(paths));
     let untouched = *base.scene == scene_of_session(last, &base)
         && last.preset.as_deref().is_some_and(|name| preset::resolve(name, Some(paths)).is_ok());
     if untouched && last.pins.is_empty() {
@@ -219,10 +219,6 @@ fn baseline() -> Base {
         |_| Base { name: BASELINE.to_owned(), is_mine: false, scene: Arc::default() },
         base_of,
     )
-}
-
-fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
-    base_named(last.preset.as_deref(), &last.scene, paths)
 }
 
 /// The preset of this name that a scene came from; where it is gone, the scene itself.
@@ -449,8 +445,7 @@ mod tests {
     fn a_preset_that_is_gone_does_not_lose_the_scene() {
         let mut last = Session::default();
         last.scene.plate.mass_ratio = 3.0;
-        last.preset = Some("gone".to_owned());
-        let base = base_of_session(&last, None);
+        let base = base_named(Some("gone"), &last.scene, None);
         assert_eq!((base.name.as_str(), base.is_mine), ("gone", false));
         assert_eq!(*base.scene, last.scene);
     }

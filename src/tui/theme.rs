@@ -12,7 +12,7 @@ pub mod glyphs;
 pub mod pane;
 
 pub use colours::ColourDepth;
-pub use glyphs::{GlyphSet, Lines, ascii_pass};
+pub use glyphs::{GlyphSet, ascii_pass};
 pub use pane::PaneFrame;
 
 /// The columns a text takes on the screen: a wide character takes two, a mark on another one none.
@@ -61,11 +61,6 @@ impl Theme {
     /// The theme the environment requests; `env` looks up a variable of it.
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         Self { glyphs: GlyphSet::detect(&env), depth: ColourDepth::detect(&env) }
-    }
-
-    /// The lines and joints of the glyph set.
-    pub fn lines(self) -> &'static Lines {
-        self.glyphs.lines()
     }
 
     pub fn style(self, role: Role) -> Style {
@@ -145,16 +140,6 @@ mod tests {
             let style = Theme::PLAIN.style(role);
             assert_eq!((style.fg, style.bg), (None, None), "{role:?}");
             assert!(allowed.contains(style.add_modifier), "{role:?}");
-        }
-    }
-
-    #[test]
-    fn the_background_is_always_the_terminals_own() {
-        for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256] {
-            let theme = Theme { glyphs: GlyphSet::Braille, depth };
-            for role in ROLES {
-                assert_eq!(theme.style(role).bg, None, "{role:?}");
-            }
         }
     }
 

@@ -9,9 +9,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::files::preset;
 use crate::tui::app::dialog::{Dialog, Outcome};
-use crate::tui::app::notice::Notice;
 use crate::tui::app::{Typing, edit, jobs};
-use crate::tui::dialogs;
 use crate::tui::keymap::Key;
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
@@ -22,7 +20,7 @@ use crate::tui::widgets::steps::Input;
 
 /// The first requests: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
-    jobs::submit_now(app);
+    jobs::run_now(app);
     jobs::submit_pins(app);
     app.list_presets();
     std::mem::take(&mut app.effects)
@@ -112,7 +110,7 @@ fn press(app: &mut App, key: KeyEvent) {
         return act::act(app, action);
     }
     app.history.commit();
-    app.hint(key);
+    act::does_nothing(app, &Key::of(key).label());
 }
 
 /// Pasted text goes into the open field, without line breaks and control characters; else it is ignored with a note.
@@ -148,37 +146,15 @@ fn in_dialog(app: &mut App, does: impl FnOnce(&mut dyn Dialog, &mut App) -> Outc
 /// Keys that do the same with a field or dialog open.
 fn everywhere(app: &mut App, action: Option<Action>) -> bool {
     match action {
-        Some(Action::Cancel) if app.jobs.current.is_none() && close_top(app) => {}
+        Some(Action::Cancel)
+            if app.jobs.current.is_none() && (app.dialog.is_some() || app.typing.is_some()) =>
+        {
+            (app.dialog, app.typing) = (None, None);
+        }
         Some(action @ (Action::Suspend | Action::Redraw | Action::Cancel)) => act::act(app, action),
         _ => return false,
     }
     true
-}
-
-/// Close the dialog or field on top; whether there was one.
-fn close_top(app: &mut App) -> bool {
-    let (dialog, typing) = (app.dialog.take(), app.typing.take());
-    dialog.is_some() || typing.is_some()
-}
-
-impl App {
-    /// Say that a key does nothing here.
-    fn hint(&mut self, key: KeyEvent) {
-        let is_key = matches!(
-            key.code,
-            KeyCode::Char(_)
-                | KeyCode::Enter
-                | KeyCode::PageUp
-                | KeyCode::PageDown
-                | KeyCode::Delete
-        );
-        if !is_key || !key.modifiers.difference(KeyModifiers::SHIFT).is_empty() {
-            return;
-        }
-        let label = Key::of(key).label();
-        let text = format!("`{label}` does nothing here: <help> lists the keys");
-        self.notice = Some(Notice { severity: Severity::Note, text: self.keymap.shown(&text) });
-    }
 }
 
 pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
@@ -297,7 +273,8 @@ pub(crate) fn click(app: &mut App, target: Target) {
         }
         return;
     }
-    if is_typing(app) {
+    // What is being typed is not taken away by a click.
+    if app.typing.is_some() {
         return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
     }
     app.history.commit();
@@ -324,7 +301,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
 
 /// The wheel, upward or downward, over something or over nothing in particular.
 pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
-    if is_typing(app) {
+    if app.typing.is_some() {
         return;
     }
     if let Some(
@@ -344,17 +321,8 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     }
 }
 
-/// Whether a text is being typed: no click may take it away.
-fn is_typing(app: &App) -> bool {
-    app.typing.is_some()
-}
-
 /// An effect has been carried out, or has failed: the dialog that asked for it hears of it first.
 pub(crate) fn done(app: &mut App, report: EffectReport) {
-    let (report, with_curve) = match report {
-        EffectReport::Curve(path, points) => dialogs::checked(app, path, points),
-        other => (other, None),
-    };
     let dialog = app.dialog.as_mut();
     let outcome = dialog.and_then(|dialog| dialog.answered(&app.files.directory, &report));
     if outcome == Some(Outcome::Closes) {
@@ -364,13 +332,6 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
     let is_heard = outcome.is_some();
     match report {
         EffectReport::Saved(name, ExportOutcome::Written(files)) => saved(app, name, &files),
-        EffectReport::Curve(path, Ok(points)) => {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            app.tell(format!("spring: {} points from {name} (<undo> undoes)", points.len()));
-            if let Some(scene) = with_curve {
-                edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
-            }
-        }
         EffectReport::Exported(_, ExportOutcome::Written(files)) => {
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.tell(format!("written: {}", names.join(" and ")));
@@ -378,7 +339,6 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Saved(_, outcome) | EffectReport::Exported(_, outcome) if !is_heard => {
             app.refuse(outcome.words());
         }
-        EffectReport::Curve(_, Err(text)) if !is_heard => app.refuse(text),
         EffectReport::Presets(list) => app.files.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
@@ -389,7 +349,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Loaded(Err(text)) => app.refuse(text),
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
-        EffectReport::Saved(..) | EffectReport::Exported(..) | EffectReport::Curve(..) => {}
+        EffectReport::Saved(..) | EffectReport::Exported(..) => {}
     }
 }
 

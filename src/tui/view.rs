@@ -47,7 +47,7 @@ fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         pages(app, area, canvas);
     }
     status(app, layout.status, canvas);
-    render(app, layout.keys, canvas);
+    footer(app, layout.keys, canvas);
     if let Some(dialog) = &app.dialog {
         dialog.draw(app, area, canvas);
     }
@@ -66,24 +66,30 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+/// The keys that are of use now, as many as fit.
+fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some(field) = app.find().filter(|_| app.dialog.is_none()) {
         return find(app, field, area, canvas);
     }
-    let entries = match (&app.dialog, app.field()) {
-        (Some(dialog), _) => keys_of(app, dialog.footer()),
-        (None, Some(_)) if pages::of(app.tab).takes_unit(app) => keys_of(app, QUANTITY),
-        (None, Some(_)) => keys_of(app, WORD),
-        (None, None) => from_table(app, area.width),
+    let (entries, last) = match (&app.dialog, app.field()) {
+        (Some(dialog), _) => (keys_of(app, dialog.footer()), Vec::new()),
+        (None, Some(_)) if pages::of(app.tab).takes_unit(app) => {
+            (keys_of(app, QUANTITY), Vec::new())
+        }
+        (None, Some(_)) => (keys_of(app, WORD), Vec::new()),
+        (None, None) => (from_table(app), keys_of(app, LAST)),
+    };
+    let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + GAP + 1;
+    // Nothing stands behind the last one.
+    let mut room = (area.width + GAP - 1).saturating_sub(last.iter().map(size).sum());
+    let fits = |entry: &(String, String)| {
+        let has_room = size(entry) <= room;
+        room = room.saturating_sub(size(entry));
+        has_room
     };
     let mut spans = vec![Span::raw(" ")];
-    let mut used = 1;
-    for (key, what) in entries {
-        let width = columns(&key) + columns(&what) + 3;
-        if used + width > area.width + 2 {
-            break;
-        }
-        used += width;
+    let shown: Vec<(String, String)> = entries.into_iter().take_while(fits).collect();
+    for (key, what) in shown.into_iter().chain(last) {
         spans.push(Span::styled(key, app.settings.theme.style(Role::Key)));
         spans.push(Span::raw(format!(" {what}  ")));
     }
@@ -116,41 +122,22 @@ fn keys_of(app: &App, footer: &str) -> Vec<(String, String)> {
 /// Columns between two keys of the footer.
 const GAP: u16 = 2;
 
-/// The keys of the pane, the most useful first, as many as fit; the keys of every pane at the end: `? keys  q quit`.
-fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
-    let map = &app.keymap;
-    let key = |action| map.label(action);
-    let last = [(Action::Help, "keys"), (Action::Quit, "quit")]
-        .map(|(action, what)| (key(action), what.to_owned()));
-    let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + GAP + 1;
-    // Nothing stands behind the last one.
-    let room = (width + GAP).saturating_sub(last.iter().map(size).sum::<u16>());
+/// The keys of every pane that are of most use, and those that stand at the end.
+const COMMON: &str =
+    "<palette> find  <next-pane> pane  <presets> presets  <export> export  <undo> undo";
+const LAST: &str = "<help> keys  <quit> quit";
+
+/// The keys of the pane, the most useful first, then those of every pane.
+fn from_table(app: &App) -> Vec<(String, String)> {
     let own = pages::spec(app.pane()).keys.iter().filter(|row| !row.short.is_empty());
     let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
-    let common = [
-        (Action::Palette, "find"),
-        (Action::FocusNext, "pane"),
-        (Action::Presets, "presets"),
-        (Action::Export, "export"),
-        (Action::Undo, "undo"),
-        (Action::Options, "options"),
-    ];
-    let common = common.map(|(action, what)| (key(action), what.to_owned()));
-    let mut used = 1;
-    let mut shown: Vec<(String, String)> = Vec::new();
-    let has_key = |entry: &(String, String)| !entry.0.is_empty();
-    for entry in own.chain(common).filter(has_key) {
-        if shown.contains(&entry) {
-            continue;
+    let mut entries: Vec<(String, String)> = own.filter(|entry| !entry.0.is_empty()).collect();
+    for entry in keys_of(app, COMMON) {
+        if !entries.contains(&entry) {
+            entries.push(entry);
         }
-        used += size(&entry);
-        if used > room {
-            break;
-        }
-        shown.push(entry);
     }
-    shown.extend(last.into_iter().filter(has_key));
-    shown
+    entries
 }
 
 /// The key to show, with its opposite where there is one: `h/l`.
@@ -158,7 +145,6 @@ fn pair(app: &App, action: Action) -> String {
     let opposite = match action {
         Action::Right => Some((Action::Left, false)),
         Action::Down => Some((Action::Up, true)),
-        Action::ZoomIn => Some((Action::ZoomOut, true)),
         _ => None,
     };
     let own = app.keymap.label(action);
@@ -266,37 +252,28 @@ pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_line(area, 0, &Line::from(spans));
 }
 
-/// The parts of a status row in so many columns. Where there is no room for all, the short forms are taken; then the notes after the
-/// last warning are dropped, then warnings are cut, then further notes are dropped: a warning never vanishes.
-fn fitted(parts: Vec<StatusPart>, room: usize) -> Vec<(Severity, String)> {
-    let width = |text: &str| usize::from(columns(text));
-    let least = |(severity, text): &(Severity, String)| match severity {
-        Severity::Note => width(text),
-        _ => width(text).min(WARNING_LEAST),
+/// The parts of a status row in so many columns. Where there is no room for all, the notes behind the last warning are dropped, then
+/// warnings are cut, then other notes are dropped, all but the first part: a warning never vanishes.
+fn fitted(mut parts: Vec<StatusPart>, room: usize) -> Vec<StatusPart> {
+    let width = |part: &StatusPart| usize::from(columns(&part.1)) + BETWEEN;
+    let least = |part: &StatusPart| match part.0 {
+        Severity::Note => width(part),
+        _ => width(part).min(WARNING_LEAST + BETWEEN),
     };
-    let with_gaps = |widths: &mut dyn Iterator<Item = usize>| {
-        widths.map(|width| width + BETWEEN).sum::<usize>().saturating_sub(BETWEEN)
-    };
-    let is_wide = with_gaps(&mut parts.iter().map(|part| width(&part.1))) > room;
-    let text = |(severity, long, short)| (severity, if is_wide { short } else { long });
-    let mut parts: Vec<(Severity, String)> = parts.into_iter().map(text).collect();
-    loop {
-        let ends_in_note = parts.last().is_some_and(|part| part.0 == Severity::Note);
-        let needed = if ends_in_note {
-            with_gaps(&mut parts.iter().map(|part| width(&part.1)))
-        } else {
-            with_gaps(&mut parts.iter().map(least))
-        };
-        let note = parts.iter().rposition(|part| part.0 == Severity::Note);
-        let Some(note) = note.filter(|note| *note > 0 && needed > room) else { break };
+    while let Some(note) = parts.iter().rposition(|part| part.0 == Severity::Note) {
+        let is_last = note + 1 == parts.len();
+        let needed: usize =
+            parts.iter().map(|part| if is_last { width(part) } else { least(part) }).sum();
+        if note == 0 || needed <= room + BETWEEN {
+            break;
+        }
         parts.remove(note);
     }
     let mut left = room;
     for at in 0..parts.len() {
-        let later: usize = parts[at + 1..].iter().map(|part| least(part) + BETWEEN).sum();
-        let (_, text) = &mut parts[at];
-        *text = clip(text, left.saturating_sub(later));
-        left = left.saturating_sub(width(text) + BETWEEN);
+        let later: usize = parts[at + 1..].iter().map(least).sum();
+        parts[at].1 = clip(&parts[at].1, left.saturating_sub(later));
+        left = left.saturating_sub(width(&parts[at]));
     }
     parts
 }
@@ -307,7 +284,7 @@ mod tests {
 
     #[test]
     fn warnings_stay_in_the_status_row_and_notes_give_way() {
-        let part = |severity, text: &str| (severity, text.to_owned(), text.to_owned());
+        let part = |severity, text: &str| (severity, text.to_owned());
         let warning = |letter: &str| part(Severity::Warning, &letter.repeat(30));
         let note = |text| part(Severity::Note, text);
         let row = |room| {

@@ -150,26 +150,6 @@ impl<'a> Canvas<'a> {
         });
     }
 
-    /// Say what the points of a plot are, by their index: the one drawn nearest counts.
-    pub(crate) fn points(
-        &mut self,
-        layout: &Layout,
-        points: impl Iterator<Item = Option<(f64, f64)>>,
-        target: impl FnOnce(usize) -> Target,
-    ) {
-        let plot = layout.plot;
-        self.hit(plot, |at| {
-            let (across, up) = (f64::from(at.0 - plot.x), f64::from(plot.bottom() - 1 - at.1));
-            let away = |(x, y): (f64, f64)| {
-                let (x, y) = layout.x.position(x).zip(layout.y.position(y))?;
-                // A cell is twice as high as wide.
-                Some((x - across).powi(2) + 4.0 * (y - up).powi(2))
-            };
-            let near = points.enumerate().filter_map(|(index, point)| Some((index, away(point?)?)));
-            near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| target(index))
-        });
-    }
-
     /// A dialog takes all clicks from what is drawn so far.
     pub(crate) fn cover(&mut self) {
         self.target = None;

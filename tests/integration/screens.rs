@@ -4,7 +4,6 @@ mod accuracy;
 mod bench;
 mod cases;
 mod charts;
-mod curve;
 mod doors;
 mod edits;
 mod exports;
@@ -24,7 +23,6 @@ mod tasks;
 mod thesis;
 
 use bench::Bench;
-use cmra::tui::app::App;
 use cmra::tui::message::{ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
@@ -132,9 +130,8 @@ fn the_log_tab() {
 fn dialogs() {
     for (name, keys) in [
         ("help", "jj?"),
-        ("help_charts", "<Tab>?/zoom"),
+        ("help_charts", "<Tab>?"),
         ("palette", ":expo"),
-        ("options", "oj"),
         ("presets", "p<Down><Down>"),
         ("save", "jls"),
         ("save_over", "s<C-u>heavy-plate<Enter>"),
@@ -152,12 +149,6 @@ fn the_export_target_exists() {
     bench.keys("e<Enter>");
     bench.export_ended(ExportOutcome::Exists("x.csv".into()));
     assert_snapshot!(bench.screen());
-}
-
-fn anywhere(app: &App, size: (u16, u16)) -> App {
-    let mut app = app.clone();
-    app.size = size;
-    app
 }
 
 proptest! {
@@ -178,7 +169,7 @@ proptest! {
         stability::answer(&mut bench);
         sweep::answer(&mut bench);
         limit::answer(&mut bench);
-        bench.app = anywhere(&bench.app, (columns, rows));
+        bench.app.size = (columns, rows);
         let drawn = bench.screen();
         prop_assert!(drawn.lines().count() <= usize::from(rows) || rows == 0);
     }

@@ -194,17 +194,11 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     assert!(kept.contains("150"), "{kept}");
 }
 
-/// The last row of the options.
 fn switch_mouse_on(terminal: &mut Terminal) {
-    terminal.send(":mouse\r");
-    terminal.wait_for("characters");
-    terminal.send("jj\r");
+    terminal.send("M");
     terminal.wait_until("mouse reports", |screen| {
         screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
     });
-    terminal.send("\x1b");
-    terminal
-        .wait_until("the options are closed", |screen| !screen.contents().contains("characters"));
 }
 
 /// Have frames drawn until a thread waits for room in the terminal, which takes no bytes.
@@ -491,7 +485,7 @@ fn keys_of_the_configuration_reach_dialogs() {
     fs::write(folder.join("config.toml"), "[keys]\ndown = [\"n\"]\n").unwrap();
     let mut terminal = Terminal::start_with(Start { home: Some(home), ..Start::default() });
     terminal.wait_for(DONE);
-    terminal.send("o");
+    terminal.send("?");
     let row = |terminal: &Terminal| terminal.screen().cursor_position().0;
     terminal.sync();
     let first = row(&terminal);

@@ -8,7 +8,7 @@
 use crate::model::contact::Geometry;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
-use crate::model::scene::{Jumps, Listing, Reading, Scene};
+use crate::model::scene::{Listing, Reading, Scene};
 use crate::model::worded::worded;
 use crate::numerics::larger;
 
@@ -247,7 +247,7 @@ impl Scheme {
 
     fn force_n(&self, depth_m: f64, slip_m_s: f64) -> (f64, f64) {
         let Geometry { nose, thickness_m, .. } = &self.geometry;
-        let overwritten = self.listing.jumps == Jumps::Ignored && depth_m > nose.full_from_m();
+        let overwritten = self.listing.jumps == Reading::Printed && depth_m > nose.full_from_m();
         let area = if overwritten {
             f64::NAN
         } else {

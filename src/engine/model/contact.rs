@@ -70,8 +70,6 @@ pub struct AreaPiece {
 /// The engaged area as a function of travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AreaLaw {
-    /// No contact.
-    None,
     /// a0 + a1 (q - origin) + a2 (q - origin)², m².
     Quadratic {
         /// Where the polynomial is centred, m.
@@ -156,21 +154,16 @@ impl NoseGeometry {
     }
 
     /// The section across sphere and cylinder: with kappa = 1 - p cos/R, the height of the face above the sphere's
-    /// centre over R, A/R² = cos (1 - kappa²) phi + acos(kappa/sin) - kappa (sin² - kappa²)^(1/2); see [`NoseGeometry::fullness`] for phi.
+    /// centre over R, A/R² = cos (1 - kappa²) phi + acos(kappa/sin) - kappa (sin² - kappa²)^(1/2). phi is half the angle of the face's
+    /// circle on the sphere that lies on the forward hemisphere: pi within the cap, 0 where only the cylinder is crossed.
     fn partial_m2(&self, p_m: f64) -> f64 {
-        let r = self.radius_m;
-        let kappa = 1.0 - p_m * self.cos / r;
-        let chord = larger(self.sin * self.sin - kappa * kappa, 0.0).sqrt();
-        let ring = self.fullness(kappa);
-        let beyond = (kappa / self.sin).clamp(-1.0, 1.0).acos();
-        r * r * (self.cos * (1.0 - kappa * kappa) * ring + beyond - kappa * chord)
-    }
-
-    /// Half the angle of the face's circle on the sphere that lies on the forward hemisphere: pi within the cap, 0 when
-    /// only the cylinder is crossed.
-    pub fn fullness(&self, kappa: f64) -> f64 {
-        let cosine = -kappa * self.cos / (self.sin * (1.0 - kappa * kappa).sqrt());
-        cosine.clamp(-1.0, 1.0).acos()
+        let (r, sin, cos) = (self.radius_m, self.sin, self.cos);
+        let kappa = 1.0 - p_m * cos / r;
+        let circle = 1.0 - kappa * kappa;
+        let phi = (-kappa * cos / (sin * circle.sqrt())).clamp(-1.0, 1.0).acos();
+        let beyond = (kappa / sin).clamp(-1.0, 1.0).acos();
+        let chord = larger(sin * sin - kappa * kappa, 0.0).sqrt();
+        r * r * (cos * circle * phi + beyond - kappa * chord)
     }
 }
 
@@ -190,7 +183,7 @@ impl Geometry {
             bend_m,
             lag_m,
             exit_m: exit_depth + lag_m,
-            pieces: [AreaPiece { from_m: 0.0, to_m: 0.0, law: AreaLaw::None }; PIECES_MAX],
+            pieces: [AreaPiece::free(0.0, 0.0); PIECES_MAX],
             count: 0,
         };
         geometry.cut();
@@ -220,14 +213,10 @@ impl Geometry {
     /// The piece that holds at travel `q_m`, the later one at a joint; free space before and after.
     pub fn piece(&self, q_m: f64) -> AreaPiece {
         if q_m < 0.0 {
-            return AreaPiece { from_m: f64::NEG_INFINITY, to_m: 0.0, law: AreaLaw::None };
+            return AreaPiece::free(f64::NEG_INFINITY, 0.0);
         }
         let found = self.pieces().iter().find(|piece| q_m < piece.to_m);
-        found.copied().unwrap_or(AreaPiece {
-            from_m: self.exit_m,
-            to_m: f64::INFINITY,
-            law: AreaLaw::None,
-        })
+        found.copied().unwrap_or_else(|| AreaPiece::free(self.exit_m, f64::INFINITY))
     }
 
     /// The piece that holds just before travel `q_m`, for a projectile that is pulled out.
@@ -329,6 +318,11 @@ impl Geometry {
 }
 
 impl AreaPiece {
+    /// Free space.
+    const fn free(from_m: f64, to_m: f64) -> Self {
+        Self { from_m, to_m, law: AreaLaw::Quadratic { origin_m: 0.0, a: [0.0; 3] } }
+    }
+
     /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`: of a quadratic area a cubic's zero, else by
     /// Newton's method, whose slope is the area itself, kept inside the bracket by bisection.
     fn travel_at_volume_m(&self, nose: &NoseGeometry, volume_m3: f64, whole_m3: f64) -> f64 {
@@ -385,7 +379,6 @@ impl AreaLaw {
     /// The area at travel `q_m`, m².
     pub fn area_m2(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
         match *self {
-            Self::None => 0.0,
             Self::Quadratic { origin_m, a } => {
                 let s = q_m - origin_m;
                 a[0] + s * (a[1] + s * a[2])

@@ -1,15 +1,14 @@
 //! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps
 //! and searches that request nothing else.
 //!
-//! Without spring and damper a contact has a closed form. Else its Taylor recurrence is unrolled at compile time for each kind of
-//! spring and damper (`law.rs`, `expansion.rs`) and integrated step by step (`integration.rs`). A law that is singular where the plate
-//! starts is put in a moment later (`start.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a
-//! plate that comes back through a singular point, one that a spring or damper holds too stiffly for its steps) are left to the
-//! simulation: [`Contact::run`] returns `None`.
+//! The contact's Taylor recurrence is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`) and
+//! integrated step by step (`integration.rs`). A law that is singular where the plate starts is put in a moment later (`start.rs`).
+//! Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back through a singular point, one
+//! that a spring or damper holds too stiffly for its steps) are left to the
+//! simulation: [`Contact::of`] or [`Contact::run`] returns `None`.
 
-use crate::model::closed_form::{Ending, Passage};
-use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
-use crate::model::mechanism::{Mechanism, PowerLaw};
+use crate::model::contact::{AreaLaw, Geometry};
+use crate::model::mechanism::{Mechanism, PowerLaw, Spring};
 use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::{larger, smaller};
 use expansion::{Constants, Series, StepTime};
@@ -29,8 +28,6 @@ const PLATE_PART_MIN: f64 = 1e-4;
 /// First unit of a step, relative to the contact's duration and, on a graded clock, to where it starts.
 const EVEN_UNIT: f64 = 0.5;
 const GRADED_UNIT: f64 = 0.6;
-/// Shots that leave with less than this part of their velocity are integrated: the closed form gives their velocity few digits.
-const SLOW_EXIT: f64 = 0.05;
 /// Time up to which a plate is expanded without its singular laws, as part of the contact's duration.
 const MOMENT_MAX: f64 = 0.1;
 
@@ -51,11 +48,11 @@ pub struct Contact {
     constants: Constants,
     start_m: f64,
     /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
-    scale_s: Option<f64>,
+    scale_s: f64,
+    /// A part of the contact force that is reached for certain, along the plate's way, N.
+    reached_n: f64,
     /// How far the plate comes at least on a spring that starts steep at zero, m.
     steep_reach_m: Option<f64>,
-    /// A spring that is not a power law, a stop, another interaction model, or a plate that moves at first contact.
-    left_to_others: bool,
 }
 
 /// How a contact ended.
@@ -78,91 +75,64 @@ pub struct ContactEnd {
 }
 
 impl Contact {
-    /// Prepare the contact of a scene that has been validated.
-    pub fn of(scene: &Scene) -> Self {
-        let geometry = Geometry::of(scene);
+    /// Prepare the contact of a scene that has been validated; `None` of a spring that is not a power law, a stop, another interaction
+    /// model, a plate that moves at first contact, or an area that is no polynomial.
+    pub fn of(scene: &Scene) -> Option<Self> {
         let mechanism = Mechanism::of(scene);
-        let cos = geometry.nose.cos;
-        let spring = mechanism.spring.power().unwrap_or(PowerLaw::NONE);
-        let damper = mechanism.damper;
+        let Mechanism { spring: Spring::Power(spring), damper, stop: None, .. } = mechanism else {
+            return None;
+        };
+        let is_other = scene.contact.model != ContactModel::Hydrodynamic;
+        if is_other || scene.plate_velocity_m_s() != 0.0 {
+            return None;
+        }
+        let geometry = Geometry::of(scene);
+        let AreaLaw::Quadratic { a, .. } = geometry.pieces().first()?.law else { return None };
+        let constants = Constants::of(scene, geometry.nose.cos);
+        let Constants { strength_pa, drag_kg_m3, velocity_m_s: v, .. } = constants;
+        // How fast the contact force grows at first, N/s.
+        let growth_n_s = a[1] * v * (strength_pa + drag_kg_m3 * v * v);
+        let start_m = scene.start_m();
+        let preload = spring.force(start_m).abs() * constants.plate_mobility;
+        let by_contact = (2.0 * v / (growth_n_s * constants.slip_mobility)).sqrt();
+        let scale_s = smaller(smaller(by_contact, v / preload), geometry.exit_m / v);
+        if !(scale_s > 0.0 && scale_s.is_finite()) {
+            return None;
+        }
         let mut contact = Self {
-            geometry,
             spring,
             damper,
             has_linear_spring: spring.is_linear(),
             has_linear_damper: damper.is_linear(),
-            constants: Constants::of(scene, cos),
-            start_m: scene.start_m(),
-            scale_s: None,
+            start_m,
+            scale_s,
+            reached_n: GROWN_PART * growth_n_s * scale_s * constants.cos,
             steep_reach_m: None,
-            left_to_others: mechanism.spring.curve().is_some()
-                || mechanism.stop.is_some()
-                || scene.contact.model != ContactModel::Hydrodynamic
-                || scene.plate_velocity_m_s() != 0.0,
+            geometry,
+            constants,
         };
-        contact.scale_s = contact.scale();
-        let is_steep = contact.is_singular_spring() && contact.spring.exponent < STEEP_BELOW;
-        contact.steep_reach_m = if is_steep { contact.reach_m() } else { None };
-        contact
+        let is_steep = contact.is_singular_spring() && spring.exponent < STEEP_BELOW;
+        contact.steep_reach_m = is_steep.then(|| contact.reach_m());
+        Some(contact)
     }
 
     /// Run it to the relative accuracy `tolerance`; `None` where the simulation is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
-        self.run_to(tolerance, f64::INFINITY)
+        self.run_to(Accuracy { tolerance, plate_m: f64::INFINITY })
     }
 
     /// As [`Contact::run`], with the plate's displacement, too, to this accuracy relative to itself.
     pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
         let moves = self.constants.plate_mobility > 0.0 && self.start_m == 0.0;
         let minds = moves && !self.spring.is_absent();
-        self.run_to(tolerance, if minds { self.reach_m()? } else { f64::INFINITY })
-    }
-
-    fn run_to(&self, tolerance: f64, plate_m: f64) -> Option<ContactEnd> {
-        if self.left_to_others {
-            return None;
-        }
-        if self.spring.is_absent()
-            && self.damper.is_absent()
-            && let Some(end) = self.closed()
-        {
-            return Some(end);
-        }
-        let accuracy = Accuracy { tolerance, plate_m };
-        self.integrate(self.begin(accuracy)?, accuracy)
-    }
-
-    /// A contact that only inertia resists, in closed form.
-    fn closed(&self) -> Option<ContactEnd> {
-        let Constants { slip_mobility, plate_mobility, cos, velocity_m_s, .. } = self.constants;
-        let passage = Passage {
-            geometry: &self.geometry,
-            mobility_per_kg: slip_mobility,
-            strength_pa: self.constants.strength_pa,
-            drag_kg_m3: self.constants.drag_kg_m3,
-            velocity_m_s,
-        };
-        let ending = passage.ending();
-        let (travel_m, slip) = match ending {
-            Ending::Exit { velocity_m_s } => (self.geometry.exit_m, velocity_m_s),
-            Ending::Arrest { travel_m } => (travel_m, 0.0),
-        };
-        let arrested = matches!(ending, Ending::Arrest { .. });
-        if !arrested && slip < SLOW_EXIT * velocity_m_s {
-            return None;
-        }
-        let t_s = passage.time_s(ending);
-        let fraction = cos * plate_mobility / slip_mobility;
-        let plate_displacement_m = self.start_m + fraction * (velocity_m_s * t_s - travel_m);
-        Some(ContactEnd {
-            arrested,
-            t_s,
-            penetration_m: self.geometry.depth_m(travel_m),
-            plate_displacement_m,
-            plate_velocity_m_s: fraction * (velocity_m_s - slip),
-            max_displacement_m: plate_displacement_m,
-            steps: 0,
+        self.run_to(Accuracy {
+            tolerance,
+            plate_m: if minds { self.reach_m() } else { f64::INFINITY },
         })
+    }
+
+    fn run_to(&self, accuracy: Accuracy) -> Option<ContactEnd> {
+        self.integrate(self.begin(accuracy)?, accuracy)
     }
 
     /// Whether the spring is singular where the plate starts.
@@ -173,7 +143,7 @@ impl Contact {
     /// The first moment of the contact: first contact itself, or a little later where a law is singular there.
     fn begin(&self, accuracy: Accuracy) -> Option<Progress> {
         let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
-        let (start_m, scale_s) = (self.start_m, self.scale_s?);
+        let (start_m, scale_s) = (self.start_m, self.scale_s);
         let unit_s = EVEN_UNIT * scale_s;
         let begin = Progress {
             t_s: 0.0,
@@ -201,7 +171,7 @@ impl Contact {
         let trusted = series.trusted(accuracy.tolerance, velocity_m_s, f64::INFINITY);
         let (t_s, state) =
             start.place(&series, unit_s, smaller(trusted, MOMENT_MAX / EVEN_UNIT))?;
-        if self.steep_reach_m.is_some() && self.radians_ahead(t_s, state[2])? > RADIANS_MAX {
+        if self.steep_reach_m.is_some() && self.radians_ahead(t_s, state[2]) > RADIANS_MAX {
             return None;
         }
         let s = t_s.cbrt();
@@ -226,34 +196,15 @@ impl Contact {
 
     /// By how many radians the plate will oscillate on a spring that starts at zero, if it is at `plate_m` by the time `t_s`: the
     /// rate grows with the power (n - 1)/(2 n) of time.
-    fn radians_ahead(&self, t_s: f64, plate_m: f64) -> Option<f64> {
+    fn radians_ahead(&self, t_s: f64, plate_m: f64) -> f64 {
         let rate = (self.spring.tangent(plate_m) * self.constants.plate_mobility).sqrt();
         let power = 1.5 - 0.5 / self.spring.exponent;
-        Some(rate * t_s * ((self.scale_s? / t_s).powf(power) - 1.0) / power)
+        rate * t_s * ((self.scale_s / t_s).powf(power) - 1.0) / power
     }
 
-    /// How far the plate comes at least: where the spring holds a part of the contact force that is reached for certain, m.
-    fn reach_m(&self) -> Option<f64> {
-        let force_n = GROWN_PART * self.growth_n_s()? * self.scale_s? * self.constants.cos;
-        Some(self.spring.at_force(force_n))
-    }
-
-    /// How fast the contact force grows at first contact, N/s.
-    fn growth_n_s(&self) -> Option<f64> {
-        let AreaPiece { law: AreaLaw::Quadratic { a, .. }, .. } = self.geometry.pieces().first()?
-        else {
-            return None;
-        };
-        let Constants { strength_pa, drag_kg_m3, velocity_m_s: v, .. } = self.constants;
-        Some(a[1] * v * (strength_pa + drag_kg_m3 * v * v))
-    }
-
-    fn scale(&self) -> Option<f64> {
-        let Constants { slip_mobility, plate_mobility, velocity_m_s: v, .. } = self.constants;
-        let preload = self.spring.force(self.start_m).abs() * plate_mobility;
-        let by_contact = (2.0 * v / (self.growth_n_s()? * slip_mobility)).sqrt();
-        let time = smaller(smaller(by_contact, v / preload), self.geometry.exit_m / v);
-        (time > 0.0 && time.is_finite()).then_some(time)
+    /// How far the plate comes at least, m.
+    fn reach_m(&self) -> f64 {
+        self.spring.at_force(self.reached_n)
     }
 }
 
@@ -299,7 +250,7 @@ mod tests {
             let scene = scene(pairs);
             let (t_s, depth_m) = full(&scene);
             for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-11] {
-                let end = Contact::of(&scene).run(tolerance).unwrap();
+                let end = Contact::of(&scene).unwrap().run(tolerance).unwrap();
                 let error =
                     larger((end.t_s / t_s - 1.0).abs(), (end.penetration_m / depth_m - 1.0).abs());
                 assert!(
@@ -326,7 +277,7 @@ mod tests {
             scene.run.tolerance = 1e-12;
             let (t_s, depth_m) = full(&scene);
             for tolerance in [1e-6, 1e-8, 1e-10] {
-                let end = Contact::of(&scene).run_minding_plate(tolerance).unwrap();
+                let end = Contact::of(&scene).unwrap().run_minding_plate(tolerance).unwrap();
                 let errors = [end.t_s / t_s - 1.0, end.penetration_m / depth_m - 1.0];
                 let holds = errors.iter().all(|e| e.abs() < tolerance);
                 assert!(holds, "{pairs} {tolerance:e} {errors:?}");
@@ -343,7 +294,7 @@ mod tests {
         for tolerance in [1e-11, 1e-12, 1e-13] {
             let mut scene = scene("k=1.725e6 n=0.332");
             scene.run.tolerance = tolerance;
-            let kernel = Contact::of(&scene).run(1e-9).unwrap().max_displacement_m;
+            let kernel = Contact::of(&scene).unwrap().run(1e-9).unwrap().max_displacement_m;
             let full = bare_run(&scene).max_plate_displacement_m.unwrap();
             assert!((full / kernel - 1.0).abs() < 1e-6, "{tolerance:e}: {full} {kernel}");
         }
@@ -358,14 +309,16 @@ mod tests {
             "b=1e8 k=1e7",
             "k=1e6 n=0.158",
         ] {
-            assert_eq!(Contact::of(&scene(pairs)).run(1e-9), None, "{pairs}");
+            let end = Contact::of(&scene(pairs)).and_then(|contact| contact.run(1e-9));
+            assert_eq!(end, None, "{pairs}");
         }
     }
 
     #[test]
     fn valid_the_kernel_against_the_stored_digits() {
         for row in Stored::rows() {
-            let Some(found) = Contact::of(&row.scene().unwrap()).run(1e-9) else {
+            let contact = Contact::of(&row.scene().unwrap()).unwrap();
+            let Some(found) = contact.run(1e-9) else {
                 // Held as by a rigid mount: the steps would be too many.
                 assert!(row.changes.contains("n=0.1"), "{}", row.changes);
                 continue;

@@ -1,46 +1,22 @@
 //! Formulas a designer works with that need no simulation: ricochet, Stone's depth, and collisions. Thesis chapters 2, 4 and 5.
 
-use crate::model::scene::Scene;
+use crate::model::scene::{Projectile, Scene};
 
-/// A projectile as Tate's formula sees it: a long rod.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rod {
-    /// `rho_p`, kg/m³, > 0.
-    pub density_kg_m3: f64,
-    /// `Y_p`, Pa, > 0.
-    pub strength_pa: f64,
-    /// `v_p`, m/s, > 0.
-    pub velocity_m_s: f64,
-    /// l, m, > 0.
-    pub length_m: f64,
-    /// d, m, > 0.
-    pub diameter_m: f64,
+/// Length of the rod of its mass and radius, as which Tate's formula sees a shot, m.
+pub fn rod_length_m(shot: &Projectile) -> f64 {
+    let section_m2 = std::f64::consts::PI * shot.tip_radius_m * shot.tip_radius_m;
+    shot.mass_kg / (shot.density_kg_m3 * section_m2)
 }
 
-impl Rod {
-    /// A scene's shot, taken as a rod of its mass and radius.
-    pub fn of(scene: &Scene) -> Self {
-        let shot = &scene.projectile;
-        let section = std::f64::consts::PI * shot.tip_radius_m * shot.tip_radius_m;
-        Self {
-            density_kg_m3: shot.density_kg_m3,
-            strength_pa: shot.strength_pa,
-            velocity_m_s: shot.velocity_m_s,
-            length_m: shot.mass_kg / (shot.density_kg_m3 * section),
-            diameter_m: 2.0 * shot.tip_radius_m,
-        }
-    }
-
-    /// Tate's critical obliquity, degrees from the plate's normal: beyond it ricochet or break-up is likely. Thesis equation
-    /// 2.3; made for long rods, whose deceleration it omits: a rough guide.
-    pub fn critical_obliquity_deg(&self, target_density_kg_m3: f64) -> f64 {
-        let (l, d) = (self.length_m, self.diameter_m);
-        let pressure = self.density_kg_m3 * self.velocity_m_s * self.velocity_m_s;
-        let ratio = (self.density_kg_m3 / target_density_kg_m3).sqrt();
-        let cube =
-            2.0 / 3.0 * pressure / self.strength_pa * (l * l + d * d) / (l * d) * (1.0 + ratio);
-        cube.cbrt().atan().to_degrees()
-    }
+/// Tate's critical obliquity, degrees from the plate's normal: beyond it ricochet or break-up is likely. Thesis equation
+/// 2.3; made for long rods, whose deceleration it omits: a rough guide.
+pub fn critical_obliquity_deg(scene: &Scene) -> f64 {
+    let Scene { projectile: shot, target, .. } = scene;
+    let (l, d) = (rod_length_m(shot), 2.0 * shot.tip_radius_m);
+    let pressure = shot.density_kg_m3 * shot.velocity_m_s * shot.velocity_m_s;
+    let ratio = (shot.density_kg_m3 / target.density_kg_m3).sqrt();
+    let cube = 2.0 / 3.0 * pressure / shot.strength_pa * (l * l + d * d) / (l * d) * (1.0 + ratio);
+    cube.cbrt().atan().to_degrees()
 }
 
 /// Stone's depth of a blunt projectile in a thick slab, m; thesis equation 2.4. `target_m2_s2` is `c_t`: for the formula to
@@ -71,6 +47,7 @@ pub fn inelastic(m_a: f64, v_a: f64, m_b: f64, v_b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::variables::scene_with;
 
     #[test]
     fn valid_elastic_collisions_keep_momentum_and_energy_and_invert_relative_velocity() {
@@ -88,18 +65,9 @@ mod tests {
 
     #[test]
     fn tate_and_stone_have_the_powers_they_should() {
-        let rod = Rod {
-            density_kg_m3: 7850.0,
-            strength_pa: 1e9,
-            velocity_m_s: 100.0,
-            length_m: 0.03,
-            diameter_m: 0.0127,
-        };
-        let tangent = |rod: &Rod| rod.critical_obliquity_deg(2710.0).to_radians().tan();
-        let faster = Rod { velocity_m_s: 800.0, ..rod };
-        assert!((tangent(&faster) / tangent(&rod) - 4.0).abs() < 1e-9);
-        let stronger = Rod { strength_pa: 8e9, ..rod };
-        assert!((tangent(&rod) / tangent(&stronger) - 2.0).abs() < 1e-9);
+        let tangent = |pairs| critical_obliquity_deg(&scene_with(pairs)).to_radians().tan();
+        assert!((tangent("v_i=800") / tangent("v_i=100") - 4.0).abs() < 1e-9);
+        assert!((tangent("Y_p=1GPa") / tangent("Y_p=8GPa") - 2.0).abs() < 1e-9);
         let depth = |v: f64, r: f64| stone_depth_m(0.03, v, r, 2710.0, 1e6);
         assert!((depth(200.0, 0.01) / depth(100.0, 0.01) - 4.0).abs() < 1e-12);
         assert!((depth(100.0, 0.01) / depth(100.0, 0.02) - 4.0).abs() < 1e-12);

@@ -7,23 +7,19 @@ use crate::model::variables::{self, Value, VariableError};
 use crate::model::worded::worded;
 
 worded! {
-    /// Which library.
+    /// Which library, by the name of its file.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-    pub enum Library: word {
-        Threats = "threat",
-        Materials = "material",
-        Absorbers = "absorber",
+    pub enum Library: file {
+        Threats = "threats",
+        Materials = "materials",
+        Absorbers = "absorbers",
     }
 }
 
 impl Library {
-    /// The name of its file, without the ending.
-    pub fn file(self) -> &'static str {
-        match self {
-            Self::Threats => "threats",
-            Self::Materials => "materials",
-            Self::Absorbers => "absorbers",
-        }
+    /// The word for one of its entries.
+    pub fn word(self) -> &'static str {
+        self.file().trim_end_matches('s')
     }
 
     /// The start of the line in a scene's notes that warns of one of its entries.

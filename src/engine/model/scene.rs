@@ -19,7 +19,7 @@ pub use bodies::{
     Closure, ClosureInEffect, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile,
     Target,
 };
-pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Jumps, Listing, Reading};
+pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing, Reading};
 pub use mechanism::{Combination, Mechanism, OwnMass, Second, Wire};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.

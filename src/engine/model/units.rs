@@ -39,35 +39,35 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// The unit in which values of this kind are stored and shown beside a bare number, the units they may be written in, and a
-    /// text that would do.
-    fn row(self) -> (&'static str, &'static [Unit], &'static str) {
+    /// The unit in which values of this kind are stored and stand beside a bare number, that in which people read them on a screen,
+    /// the units they may be written in, and a text that would do.
+    fn row(self) -> (&'static str, &'static str, &'static [Unit], &'static str) {
         match self {
-            Self::Number => ("", table::NUMBER_UNITS, "1.5"),
-            Self::Mass => ("kg", table::MASS_UNITS, "29.5g"),
-            Self::Length => ("m", table::LENGTH_UNITS, "25.4mm"),
-            Self::Velocity => ("m/s", table::VELOCITY_UNITS, "100 m/s"),
-            Self::Angle => ("deg", table::ANGLE_UNITS, "30deg"),
-            Self::Density => ("kg/m3", table::DENSITY_UNITS, "2710 kg/m3"),
-            Self::Pressure => ("Pa", table::PRESSURE_UNITS, "151.6 MPa"),
-            Self::Time => ("s", table::TIME_UNITS, "150 us"),
-            Self::Force => ("N", table::FORCE_UNITS, "19kN"),
-            Self::Impulse => ("N s", table::IMPULSE_UNITS, "12 N s"),
-            Self::Energy => ("J", table::ENERGY_UNITS, "1.5kJ"),
-            Self::SpecificEnergy => ("J/kg", table::SPECIFIC_ENERGY_UNITS, "20kJ/kg"),
-            Self::Stiffness => ("N/m", table::STIFFNESS_UNITS, "7.5MN/m"),
-            Self::Damping => ("N s/m", table::DAMPING_UNITS, "2 kN s/m"),
-            Self::SpringCoefficient => ("N/m^n", table::STIFFNESS_UNITS, "7.5MN/m"),
-            Self::DamperCoefficient => ("N(s/m)^m", table::DAMPING_UNITS, "2 kN s/m"),
-            Self::Twist => ("rad/m", table::TWIST_UNITS, "50 rad/m"),
-            Self::Inertia => ("kg m2", table::INERTIA_UNITS, "5e-6 kg m2"),
-            Self::ArealMass => ("kg/m2", table::AREAL_MASS_UNITS, "40 kg/m2"),
+            Self::Number => ("", "", table::NUMBER_UNITS, "1.5"),
+            Self::Mass => ("kg", "g", table::MASS_UNITS, "29.5g"),
+            Self::Length => ("m", "mm", table::LENGTH_UNITS, "25.4mm"),
+            Self::Velocity => ("m/s", "m/s", table::VELOCITY_UNITS, "100 m/s"),
+            Self::Angle => ("deg", "deg", table::ANGLE_UNITS, "30deg"),
+            Self::Density => ("kg/m3", "kg/m3", table::DENSITY_UNITS, "2710 kg/m3"),
+            Self::Pressure => ("Pa", "MPa", table::PRESSURE_UNITS, "151.6 MPa"),
+            Self::Time => ("s", "ms", table::TIME_UNITS, "150 us"),
+            Self::Force => ("N", "kN", table::FORCE_UNITS, "19kN"),
+            Self::Impulse => ("N s", "N s", table::IMPULSE_UNITS, "12 N s"),
+            Self::Energy => ("J", "J", table::ENERGY_UNITS, "1.5kJ"),
+            Self::SpecificEnergy => ("J/kg", "J/kg", table::SPECIFIC_ENERGY_UNITS, "20kJ/kg"),
+            Self::Stiffness => ("N/m", "kN/m", table::STIFFNESS_UNITS, "7.5MN/m"),
+            Self::Damping => ("N s/m", "N s/m", table::DAMPING_UNITS, "2 kN s/m"),
+            Self::SpringCoefficient => ("N/m^n", "kN/m^n", table::STIFFNESS_UNITS, "7.5MN/m"),
+            Self::DamperCoefficient => ("N(s/m)^m", "N(s/m)^m", table::DAMPING_UNITS, "2 kN s/m"),
+            Self::Twist => ("rad/m", "rad/m", table::TWIST_UNITS, "50 rad/m"),
+            Self::Inertia => ("kg m2", "kg m2", table::INERTIA_UNITS, "5e-6 kg m2"),
+            Self::ArealMass => ("kg/m2", "kg/m2", table::AREAL_MASS_UNITS, "40 kg/m2"),
         }
     }
 
     /// The units this kind may be written in, the stored one first.
     fn units(self) -> &'static [Unit] {
-        self.row().1
+        self.row().2
     }
 
     /// The unit in which values of this kind are stored and shown beside a bare number.
@@ -77,20 +77,11 @@ impl Dimension {
 
     /// The unit in which people read values of this kind on a screen.
     pub fn shown_unit(self) -> &'static str {
-        match self {
-            Self::Mass => "g",
-            Self::Length => "mm",
-            Self::Pressure => "MPa",
-            Self::Force => "kN",
-            Self::Time => "ms",
-            Self::Stiffness => "kN/m",
-            Self::SpringCoefficient => "kN/m^n",
-            _ => self.unit(),
-        }
+        self.row().1
     }
 
     fn example(self) -> &'static str {
-        self.row().2
+        self.row().3
     }
 
     fn accepted(self) -> String {
@@ -140,16 +131,16 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, Quantit
     if trimmed.is_empty() {
         return Err(QuantityError(format!("empty: write a number, for example `{example}`")));
     }
-    let (shown, column) =
-        (quoted(trimmed), 1 + text.chars().count() - text.trim_start().chars().count());
+    let shown = quoted(trimmed);
+    let column = |rest: &str| 1 + text.trim_end().chars().count() - rest.chars().count();
     let (value, rest) = expression(trimmed).ok_or_else(|| {
-        let column = column + number_prefix(trimmed);
+        let column = column(&trimmed[number_prefix(trimmed)..]);
         QuantityError(format!(
             "`{shown}` is not a number (column {column}): write for example `{example}`"
         ))
     })?;
     if let Some(point) = with_point(trimmed, rest) {
-        let column = column + trimmed.chars().count() - rest.chars().count();
+        let column = column(rest);
         return Err(QuantityError(format!("`{shown}` has a comma (column {column}): {point}")));
     }
     let unit = rest.trim();
@@ -164,8 +155,7 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, Quantit
         table::STORED
     } else {
         find_unit(unit, quantity).ok_or_else(|| {
-            let before = trimmed.chars().count() - rest.trim_start().chars().count();
-            let (column, accepted) = (column + before, quantity.accepted());
+            let (column, accepted) = (column(unit), quantity.accepted());
             let bare = match quantity.unit() {
                 _ if needs_unit => String::new(),
                 "" => ", or no unit".to_owned(),
@@ -466,9 +456,11 @@ mod tests {
     }
 
     #[test]
-    fn units_scale_to_the_nearest_float() {
+    fn units_are_those_of_their_definitions() {
+        // The international yard and pound agreement of 1959 (1 in = 25.4 mm, 1 lb = 0.45359237 kg), 9.80665 m/s^2.
+        let lbf = 4.448_221_615_260_5;
+        let square_inch = 0.0254 * 0.0254;
         let cases = [
-            ("25.4mm", Dimension::Length, 0.0254),
             ("6.35 mm", Dimension::Length, 0.00635),
             ("29.5g", Dimension::Mass, 0.0295),
             ("7.5MN/m", Dimension::SpringCoefficient, 7.5e6),
@@ -476,26 +468,11 @@ mod tests {
             ("150 us", Dimension::Time, 150e-6),
             ("150 µs", Dimension::Time, 150e-6),
             ("151.6 MPa", Dimension::Pressure, 151.6e6),
-            ("30deg", Dimension::Angle, 30.0),
             ("30°", Dimension::Angle, 30.0),
             ("1/3", Dimension::Number, 1.0 / 3.0),
             ("2 kN s/m", Dimension::DamperCoefficient, 2000.0),
             ("2.71 g/cm3", Dimension::Density, 2710.0),
-        ];
-        for (text, quantity, expected) in cases {
-            let value = parse(text, quantity, Bare::Stored).unwrap();
-            assert!((value - expected).abs() <= f64::EPSILON * expected, "{text}: {value}");
-        }
-    }
-
-    #[test]
-    fn customary_units_are_those_of_their_definitions() {
-        // The international yard and pound agreement of 1959 (1 in = 25.4 mm, 1 lb = 0.45359237 kg), 9.80665 m/s^2.
-        let lbf = 4.448_221_615_260_5;
-        let square_inch = 0.0254 * 0.0254;
-        let cases = [
             ("1in", Dimension::Length, 0.0254),
-            ("3in", Dimension::Length, 0.0762),
             ("12 in", Dimension::Length, 0.3048),
             ("1ft", Dimension::Length, 0.3048),
             ("1000mil", Dimension::Length, 0.0254),
@@ -539,7 +516,10 @@ mod tests {
             let value = parse(text, quantity, Bare::Si).unwrap();
             assert!((value - expected).abs() <= 4.0 * f64::EPSILON * expected, "{text}: {value}");
         }
-        assert_eq!(parse("3in", Dimension::Length, Bare::Si), Ok(0.0762));
+        // The nearest floats.
+        for (text, exact) in [("3in", 0.0762), ("25.4mm", 0.0254)] {
+            assert_eq!(parse(text, Dimension::Length, Bare::Si), Ok(exact));
+        }
     }
 
     #[test]
@@ -594,25 +574,23 @@ mod tests {
         assert_eq!(significant(0.007_113_055, 4), "0.007113");
     }
 
-    #[test]
-    fn engineering_picks_the_prefix() {
-        let show = |value, unit| engineering(value, unit, 4);
-        assert_eq!(show(0.007_113_055, "m"), "7.113 mm");
-        assert_eq!(show(19_257.0, "N"), "19.26 kN");
-        assert_eq!(show(113.407e-6, "s"), "113.4 us");
-        assert_eq!(show(0.0, "m"), "0 m");
-        assert_eq!(show(0.999_999_9, "m"), "1.000 m");
-    }
-
     /// 52 km3/s2 are 5.2e10 m3/s2, and 63 kkg is no mass.
     #[test]
-    fn engineering_puts_no_prefix_before_powers_and_kilograms() {
-        let show = |value, unit| engineering(value, unit, 5);
-        assert_eq!(show(52_362.0, "m3/s2"), "52362 m3/s2");
-        assert_eq!(show(63_522.0, "kg"), "63522 kg");
-        assert_eq!(show(29.5e-9, "kg"), "29.500 ug");
-        assert_eq!(show(1.4822e11, "kg/m2"), "1.4822e11 kg/m2");
-        assert_eq!(show(7.5e6, "N/m"), "7.5000 MN/m");
-        assert_eq!(show(30.0, "deg"), "30.000 deg");
+    fn engineering_picks_the_prefix_where_the_unit_takes_one() {
+        for (value, unit, expected) in [
+            (0.007_113_055, "m", "7.1131 mm"),
+            (19_257.0, "N", "19.257 kN"),
+            (113.407e-6, "s", "113.41 us"),
+            (0.0, "m", "0 m"),
+            (0.999_999_9, "m", "1.0000 m"),
+            (52_362.0, "m3/s2", "52362 m3/s2"),
+            (63_522.0, "kg", "63522 kg"),
+            (29.5e-9, "kg", "29.500 ug"),
+            (1.4822e11, "kg/m2", "1.4822e11 kg/m2"),
+            (7.5e6, "N/m", "7.5000 MN/m"),
+            (30.0, "deg", "30.000 deg"),
+        ] {
+            assert_eq!(engineering(value, unit, 5), expected);
+        }
     }
 }

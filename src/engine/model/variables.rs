@@ -18,7 +18,7 @@ mod table;
 pub(in crate::model) mod visible;
 
 pub use describe::{used_when, used_where};
-pub use names::{close, find, listing, nearest};
+pub use names::{close, find, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use table::VARIABLES;
 pub use visible::{

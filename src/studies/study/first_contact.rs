@@ -55,7 +55,7 @@ pub(in crate::study) fn contact(
     wanted: Wanted,
     tolerance: f64,
 ) -> Option<ContactEnd> {
-    decides(scene, wanted).then(|| Contact::of(scene).run(tolerance))?
+    decides(scene, wanted).then(|| Contact::of(scene)?.run(tolerance))?
 }
 
 /// Whether a shot whose first contact ends so has perforated the plate, by the scene's criterion.

@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 use crate::model::run::envelope::Check;
 use crate::model::scene::Scene;
-use crate::numerics::statistics::ascending;
+use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
 use crate::study::quantities::{Quantity, usual_of};
@@ -124,7 +124,7 @@ impl Report {
             let total = self.sobol.as_ref().and_then(|sobol| sobol.inputs[at].total);
             total.map(|index| index.value).or_else(|| self.bars[at].swing()).unwrap_or(0.0)
         };
-        ascending(&(0..self.axes.len()).map(|at| -weight(at)).collect::<Vec<f64>>())
+        sorted_by((0..self.axes.len()).collect(), |at| -weight(*at))
     }
 }
 

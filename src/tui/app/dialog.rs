@@ -20,7 +20,7 @@ pub(crate) enum Outcome {
 }
 
 /// A dialog: its keys, how it is drawn, and what comes of it. While it is open it has all keys but those that work everywhere.
-pub(crate) trait Dialog: Debug + Boxed {
+pub(crate) trait Dialog: Debug {
     /// The keys in the last row of the screen, the most useful first: `<enter> load  <back> close`.
     fn footer(&self) -> &'static str;
 
@@ -42,21 +42,4 @@ pub(crate) trait Dialog: Debug + Boxed {
     }
 
     fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>);
-}
-
-/// A copy of a dialog, as of all of the state.
-pub(crate) trait Boxed {
-    fn boxed(&self) -> Box<dyn Dialog>;
-}
-
-impl<D: Dialog + Clone + 'static> Boxed for D {
-    fn boxed(&self) -> Box<dyn Dialog> {
-        Box::new(self.clone())
-    }
-}
-
-impl Clone for Box<dyn Dialog> {
-    fn clone(&self) -> Self {
-        (**self).boxed()
-    }
 }

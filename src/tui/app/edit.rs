@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use crate::model::run::envelope;
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, SpringKind, Table};
 use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
-use crate::tui::app::history::{Edit, Snapshot, Stepping};
+use crate::tui::app::history::{Edit, Snapshot};
 use crate::tui::app::jobs;
 use crate::tui::app::pins::Pin;
 use crate::tui::pages::explore::state::Picture;
@@ -14,21 +14,17 @@ use crate::tui::pages::run::editor::shown_value;
 use crate::tui::prelude::*;
 use crate::tui::preset::{Base, LabelledScene};
 use crate::tui::widgets::cycled;
-use crate::tui::widgets::steps::{self, Input, Press};
+use crate::tui::widgets::steps::{self, Press};
 
 /// Set a variable. `stepping` joins it with the steps just before.
 pub(crate) fn set(
     app: &mut App,
     index: usize,
     value: Value,
-    stepping: Option<Stepping>,
+    stepping: Option<usize>,
 ) -> Result<(), String> {
     let variable = &VARIABLES[index];
-    let mut scene = (*app.scene).clone();
-    variable
-        .set(&mut scene, value)
-        .and_then(|()| variables::validate(&scene))
-        .map_err(|error| error.to_string())?;
+    let scene = with(&app.scene, variable, value)?;
     if scene == *app.scene {
         return Ok(());
     }
@@ -50,23 +46,29 @@ pub(crate) fn set(
     Ok(())
 }
 
-/// Step a variable, or set it to what was typed: a value with its unit, a fraction, or a change of the old value.
-pub(crate) fn change(app: &mut App, index: usize, input: Input<'_>) -> Result<(), String> {
-    let text = match input {
-        Input::Step(press) => {
-            app.pages.run.editor.selected = index;
-            step(app, press);
-            return Ok(());
-        }
-        Input::Text(text) => text,
-    };
+/// A scene with another value of a variable, or why it makes no sense.
+pub(crate) fn with(present: &Scene, variable: &Variable, value: Value) -> Result<Scene, String> {
+    let mut scene = present.clone();
+    let set = variable.set(&mut scene, value).and_then(|()| variables::validate(&scene));
+    set.map_err(|error| error.to_string())?;
+    let spring = &scene.mechanism.spring;
+    let begins = spring.kind == SpringKind::Table && spring.kind != present.mechanism.spring.kind;
+    if begins && spring.table == Table::default() {
+        let why = "the points of a table come from a file: see `cmra help mechanisms`";
+        return Err(why.to_owned());
+    }
+    Ok(scene)
+}
+
+/// Set a variable to what was typed: a value with its unit, a fraction, or a change of the old value.
+pub(crate) fn read(app: &mut App, index: usize, text: &str) -> Result<(), String> {
     let text = app.pages.run.editor.with_unit(index, text);
     let value = VARIABLES[index].parse(&app.scene, &text, Bare::Stored);
     set(app, index, value.map_err(|error| error.to_string())?, None)
 }
 
 /// Make another scene the current one, as one edit.
-pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<Stepping>) {
+pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<usize>) {
     let before = app.snapshot();
     app.scene = Arc::new(scene);
     commit(app, before, label, stepping);
@@ -90,14 +92,13 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
 pub(crate) fn load(app: &mut App, base: Base, picture: Picture) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
-    app.pages.run.charts.zoom_s = [None; 2];
     app.pages.run.charts.cursor_s = None;
     app.pages.explore.picture = picture;
     (app.scene, app.base) = (Arc::clone(&base.scene), base);
     commit(app, before, label, None);
 }
 
-fn commit(app: &mut App, before: Snapshot, label: String, stepping: Option<Stepping>) {
+fn commit(app: &mut App, before: Snapshot, label: String, stepping: Option<usize>) {
     note(app, before, label, stepping);
     app.first_run = false;
     follow(app);
@@ -115,7 +116,7 @@ fn follow(app: &mut App) {
 }
 
 /// Note what was changed since a moment, as one edit; `stepping` joins it with the steps just before.
-pub(crate) fn note(app: &mut App, before: Snapshot, label: String, stepping: Option<Stepping>) {
+pub(crate) fn note(app: &mut App, before: Snapshot, label: String, stepping: Option<usize>) {
     let states = Box::new((before, app.snapshot()));
     app.history.push(Edit { label, states, stepping });
 }
@@ -224,9 +225,11 @@ pub(crate) fn step(app: &mut App, press: Press) {
         None => press.up.then(|| steps::first_value(variable, number, &app.scene)),
     };
     if let Some(value) = value {
-        return finish(app, index, Value::Number(value), Some(Stepping::Variable(index)));
+        return finish(app, index, Value::Number(value), Some(index));
     }
-    app.tell(edge(variable, press.up));
+    let way = if press.up { "more" } else { "less" };
+    let (symbol, allowed) = (variable.symbol, variable.allowed());
+    app.tell(format!("{symbol} cannot be stepped to {way}: it must be {allowed}"));
 }
 
 fn step_number(
@@ -244,12 +247,7 @@ fn step_number(
     steps::stepped(number, value, press, plain)
 }
 
-fn edge(variable: &Variable, up: bool) -> String {
-    let way = if up { "more" } else { "less" };
-    format!("{} cannot be stepped to {way}: it must be {}", variable.symbol, variable.allowed())
-}
-
-fn finish(app: &mut App, index: usize, value: Value, stepping: Option<Stepping>) {
+fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) {
     if let Err(error) = set(app, index, value, stepping) {
         app.refuse(error);
     }

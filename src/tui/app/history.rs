@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::model::scene::Scene;
 use crate::tui::app::pins::Pin;
 use crate::tui::pages::explore::state::Picture;
-use crate::tui::pages::search::state::{Page, Row, Setup};
+use crate::tui::pages::search::state::Setup;
 use crate::tui::preset::Base;
 
 /// All that edits change, at one moment.
@@ -25,23 +25,14 @@ pub struct Snapshot {
 /// Most edits that are kept, at some 1.5 kB each and 3 kB with eight pins: of more the oldest go.
 const EDITS_MAX: usize = 1000;
 
-/// A value that arrow keys step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stepping {
-    /// A variable, by index into the table.
-    Variable(usize),
-    /// A row of the setup of a search.
-    Search(Page, Row),
-}
-
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
     /// The label of the edit: `gamma 1 -> 1.25`.
     pub label: String,
     /// From one state to another.
     pub states: Box<(Snapshot, Snapshot)>,
-    /// What was stepped, while further steps still belong to it.
-    pub stepping: Option<Stepping>,
+    /// The variable that was stepped, by index into the table, while further steps still belong to it.
+    pub stepping: Option<usize>,
 }
 
 /// The edits of the session, oldest first; those from `done` on have been undone.
@@ -70,7 +61,7 @@ impl History {
     }
 
     /// The state before the edit that a further step of this variable extends: held arrows count from where they began.
-    pub fn extended(&self, stepping: Option<Stepping>) -> Option<&Snapshot> {
+    pub fn extended(&self, stepping: Option<usize>) -> Option<&Snapshot> {
         let last = self.edits.last()?;
         (stepping.is_some() && last.stepping == stepping).then_some(&last.states.0)
     }

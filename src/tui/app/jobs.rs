@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
 use crate::study::parallel::cores;
-use crate::tui::app::notice::{Notice, warning_text};
+use crate::tui::app::notice::Notice;
 use crate::tui::app::pins::{Pin, Shown};
 use crate::tui::app::running::Running;
 use crate::tui::message::Message;
@@ -25,27 +25,23 @@ pub(crate) const CANCELLED: &str = "cancelled: partial results are shown, <run> 
 
 /// After an edit: run at once when nothing is in flight, else when the edits have paused.
 pub(crate) fn after_edit(app: &mut App) {
-    app.jobs.serial += 1;
-    app.jobs.failure = None;
-    app.jobs.overdue = false;
-    let due = Effect::After(QUIET, Message::RunDue(app.jobs.serial));
+    await_quiet(app);
     if app.jobs.current.is_none() {
         submit(app);
     }
-    app.request(due);
 }
 
 /// Run the scene now, whatever is in flight.
 pub(crate) fn run_now(app: &mut App) {
-    app.jobs.serial += 1;
-    submit_now(app);
+    await_quiet(app);
+    submit(app);
 }
 
-/// Submit the scene, with the moment after which the old result is called old.
-pub(crate) fn submit_now(app: &mut App) {
+/// From now on the quiet time is counted, after which the old result is called old.
+fn await_quiet(app: &mut App) {
+    app.jobs.serial += 1;
     app.jobs.overdue = false;
     app.jobs.failure = None;
-    submit(app);
     app.request(Effect::After(QUIET, Message::RunDue(app.jobs.serial)));
 }
 
@@ -99,8 +95,8 @@ fn study_report(app: &mut App, at: usize, body: &ReportBody) -> Running {
         return app.jobs.studies.remove(at);
     }
     let running = &mut app.jobs.studies[at];
-    if let ReportBody::Progress { progress: JobProgress::Points(done, total), elapsed } = *body {
-        (running.points, running.elapsed) = (Some((done, total)), elapsed);
+    if let ReportBody::Progress { progress: JobProgress::Points(done, total), .. } = *body {
+        running.points = Some((done, total));
     }
     running.clone()
 }
@@ -156,28 +152,20 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             app.jobs.failure = Some(text.clone());
             app.refuse(text);
         }
-        ReportBody::Ended { found, took } => {
-            if let Some(Found::Run(run)) = found {
-                ended(app, run, took);
-            } else {
-                app.tell("cancelled: <run> runs again");
+        ReportBody::Ended { found: Some(Found::Run(run)), took } => {
+            let took = Some(took).filter(|_| run.end != EndReason::Cancelled);
+            if took.is_none() {
+                app.tell(CANCELLED);
             }
+            show(app, run, took);
         }
+        ReportBody::Ended { .. } => app.tell("cancelled: <run> runs again"),
     }
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;
-    let outdated = finished.is_some_and(|job| job.scene != app.scene);
-    if outdated {
-        submit_now(app);
+    if finished.is_some_and(|job| job.scene != app.scene) {
+        run_now(app);
     }
-}
-
-fn ended(app: &mut App, run: Arc<Run>, took: Duration) {
-    if run.end != EndReason::Cancelled {
-        return show(app, run, Some(took));
-    }
-    app.tell(CANCELLED);
-    show(app, run, None);
 }
 
 fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
@@ -191,9 +179,9 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
         // What comes after the run is for the status row and the Log tab: it would take the place of the answer.
         .filter(|warning| !matches!(warning, Warning::InterfaceRebound { .. }))
         .filter(|warning| !known.iter().any(|old| same_kind(old, warning)))
-        .map(warning_text)
+        .map(ToString::to_string)
         .collect();
-    // The status row has them in a few words, and would lie under their sentences: those are for the Log tab.
+    // The status row has them in a few words: their sentences are for the Log tab.
     for text in new {
         let text = app.keymap.shown(&text);
         app.keep(Notice { severity: Severity::Warning, text });

@@ -38,12 +38,11 @@ pub struct Notice {
     pub text: String,
 }
 
-/// A part of the status row: how serious, the text, and a shorter form of it.
-pub type StatusPart = (Severity, String, String);
+/// A part of the status row: how serious, and the text.
+pub type StatusPart = (Severity, String);
 
 pub(crate) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
-    let text = text.into();
-    (severity, text.clone(), text)
+    (severity, text.into())
 }
 
 /// The words of a pane, and of its row of status, before anything was computed.
@@ -54,33 +53,16 @@ pub(crate) fn old(whose: &str) -> String {
     format!("another {whose}'s results: press <run>")
 }
 
-/// A warning with the key that acts on it, where there is one.
-pub fn warning_text(warning: &Warning) -> String {
-    match warning {
-        Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
-            format!("{warning} (interface law: `interface` among the variables)")
-        }
-        _ => warning.to_string(),
-    }
-}
-
-/// The checks of the model's validity that fail, and where.
-pub(crate) fn outside(
-    checks: impl Iterator<Item = Check>,
-    place: &str,
-    more: &str,
-) -> Option<StatusPart> {
+/// The checks of the model's validity that fail there.
+pub(crate) fn outside(checks: impl Iterator<Item = Check>, place: &str) -> Option<StatusPart> {
     let mut labels: Vec<&str> = Vec::new();
     for label in checks.map(Check::label) {
         if !labels.contains(&label) {
             labels.push(label);
         }
     }
-    let list = labels.join(", ");
-    let long = format!("! outside validity{place}: {list}{more}");
-    let short =
-        if place.is_empty() { format!("! validity: {list}") } else { format!("!{place}: {list}") };
-    (!labels.is_empty()).then_some((Severity::Warning, long, short))
+    let text = format!("! validity{place}: {}", labels.join(", "));
+    (!labels.is_empty()).then_some((Severity::Warning, text))
 }
 
 /// How many times too much, to three digits.

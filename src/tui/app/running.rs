@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::scene::Scene;
-use crate::tui::keymap::Tab;
+use crate::tui::keymap::{Action, Tab};
 use crate::worker::ReportBody;
 use crate::worker::studies::{Asked, AskedFor, Finding};
 
@@ -31,13 +31,6 @@ impl Running {
             |(done, total): (usize, usize)| format!(": {} {of} {total}{what}", done.min(total));
         self.points.map_or_else(String::new, count)
     }
-
-    /// The time left, by the points done so far.
-    pub fn left(&self) -> Option<Duration> {
-        let (done, total) = self.points.filter(|points| points.0 > 0)?;
-        let share = total.saturating_sub(done) as f64 / done as f64;
-        Duration::try_from_secs_f64(self.elapsed.as_secs_f64() * share).ok()
-    }
 }
 
 /// The tasks submitted, and how the last run ended.
@@ -54,10 +47,8 @@ pub struct Jobs {
     pub overdue: bool,
     /// Tasks that have been running for so long that leaving asks first.
     pub long: Vec<u64>,
-    /// The person was asked whether to leave while a long task runs.
-    pub quit_confirmation_shown: bool,
-    /// The person was asked whether to stop a long task.
-    pub stop_confirmation_shown: bool,
+    /// What the person was asked about: doing it again confirms it.
+    pub asked: Option<Action>,
     /// Why the last run gave no result.
     pub failure: Option<String>,
 }

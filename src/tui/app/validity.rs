@@ -11,13 +11,13 @@ impl App {
         run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run))
     }
 
-    /// The same in full and short.
+    /// The same for the status row.
     pub(crate) fn validity_part(&self) -> Option<StatusPart> {
         let found = self.breaches();
         // The status row of a run has the load of the interface already, with its number.
         let of_run = matches!(self.tab, Tab::Run | Tab::Log);
         let is_shown = |check: &Check| *check == Check::Interface && of_run;
         let checks = found.iter().map(|breach| breach.check);
-        outside(checks.filter(|check| !is_shown(check)), "", " (<tab-log>:Log)")
+        outside(checks.filter(|check| !is_shown(check)), "")
     }
 }

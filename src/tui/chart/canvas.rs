@@ -2,10 +2,8 @@
 //!
 //! Coordinates run in dots, x to the right and y upward from the lower left corner of the lower left dot.
 
-use ratatui::text::Span;
-
 use crate::report::chart::scale::whole_below;
-use crate::report::chart::{Curve, Emphasis, Mapping, Scale};
+use crate::report::chart::{Curve, Emphasis, Mapping};
 use crate::tui::theme::{GlyphSet, Role};
 
 /// The bits of a braille character, in rows of two dots: 1 4 / 2 5 / 3 6 / 7 8.
@@ -19,17 +17,6 @@ pub(super) fn role(curve: &Curve<'_>) -> Role {
     match curve.emphasis {
         Emphasis::Faint | Emphasis::Stale => Role::Dim,
         Emphasis::Normal | Emphasis::Selected => Role::Curve(curve.colour),
-    }
-}
-
-/// The marker, if it takes exactly one cell; else one that does.
-pub(super) fn cell_marker(curve: &Curve<'_>) -> char {
-    let mut bytes = [0; 4];
-    let text: &str = curve.marker.encode_utf8(&mut bytes);
-    if !curve.marker.is_control() && Span::raw(text).width() == 1 {
-        curve.marker
-    } else {
-        MARKERS[0]
     }
 }
 
@@ -232,15 +219,6 @@ pub(super) fn trace(
     pen.lift();
 }
 
-/// How many points have finite values but no place on a logarithmic axis.
-pub(super) fn left_out_of(curve: &Curve<'_>, x_scale: Scale, y_scale: Scale) -> usize {
-    if x_scale == Scale::Linear && y_scale == Scale::Linear {
-        return 0;
-    }
-    let finite = curve.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
-    finite.filter(|(x, y)| !(x_scale.shows(*x) && y_scale.shows(*y))).count()
-}
-
 struct Pen<'a> {
     canvas: &'a mut Canvas,
     owner: usize,
@@ -301,16 +279,6 @@ mod tests {
     }
 
     #[test]
-    fn flat_lines_have_one_dot_a_column_and_steep_ones_one_a_row() {
-        let mut flat = Canvas::new(GlyphSet::Ascii, 6, 2);
-        flat.line((0.5, 0.5), (5.5, 1.5), 0);
-        assert_eq!(picture(&flat), ["   ***", "***   "]);
-        let mut steep = Canvas::new(GlyphSet::Ascii, 2, 4);
-        steep.line((0.5, 0.5), (1.5, 3.5), 0);
-        assert_eq!(picture(&steep), [" *", " *", "* ", "* "]);
-    }
-
-    #[test]
     fn lines_are_cut_at_the_edges_however_long_they_are() {
         let mut canvas = Canvas::new(GlyphSet::Ascii, 4, 3);
         canvas.line((-1e9, 1.5), (1e9, 1.5), 0);
@@ -328,14 +296,5 @@ mod tests {
             canvas.dot(index / 4, 3 - index % 4, 0);
             assert_eq!(picture(&canvas), [*character]);
         }
-    }
-
-    #[test]
-    fn half_blocks_hold_two_dots() {
-        let mut canvas = Canvas::new(GlyphSet::Block, 3, 1);
-        canvas.dot(0, 1, 0);
-        canvas.dot(1, 0, 0);
-        canvas.span(2, -7.0, 99.0, 0);
-        assert_eq!(picture(&canvas), ["▀▄█"]);
     }
 }

@@ -15,7 +15,7 @@
 //! ```
 //!
 //! Colour is never the only channel: bands differ in their characters wherever there are fewer than 256 colours, and the scale is
-//! written beside the map. Frame, axes and ticks are the chart's own.
+//! written below the map. Frame, axes and ticks are the chart's own.
 
 /// Values nearer to each other, relative to the contour's, are the same.
 const NOISE: f64 = 1e-9;
@@ -25,10 +25,10 @@ use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
 
 use super::{Chart, Draw, Layout};
-use crate::report::chart::levels::{BANDS_MAX, Levels};
+use crate::report::chart::levels::BANDS_MAX;
 use crate::report::map::{Cell, Map, Tone};
 use crate::tui::theme::colours::ink_on;
-use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
+use crate::tui::theme::{GlyphSet, Role, Theme};
 
 /// The bands in characters, least first.
 const RAMP: [char; BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
@@ -46,21 +46,22 @@ impl Draw for Map<'_> {
         draw_bands(self, layout.plot, buffer, theme);
         draw_contour(self, layout.plot, buffer);
         draw_present(self, layout.plot, buffer, theme);
-        draw_cursor(self, layout.plot, buffer, theme);
+        draw_cursor(self, layout.plot, buffer);
         layout
     }
 }
 
 fn draw_bands(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-    let (halves, levels) = (halves(theme), map.levels.as_ref());
     for row in 0..plot.height {
         for column in 0..plot.width {
             let x = spread(column, plot.width, map.counts.0);
-            let at = |half: Half| map.cell(x, half.spread(plot, row, map.counts.1));
-            let (symbol, style) = if halves {
-                two(at(Half::Upper), at(Half::Lower), levels, theme)
-            } else {
-                one(at(Half::Middle), levels, theme)
+            let cell = map.cell(x, spread_up(row, plot, map.counts.1));
+            let (symbol, style) = match (cell, &map.levels) {
+                (Cell::Value(value), Some(levels)) => {
+                    swatch(levels.index(value), levels.bands(), theme)
+                }
+                (Cell::Mark(letter, tone), _) => (letter, theme.style(role(tone))),
+                (Cell::Value(_) | Cell::Empty, _) => (' ', Style::new()),
             };
             put(buffer, (plot.x + column, plot.y + row), symbol, style);
         }
@@ -74,7 +75,7 @@ fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
     let noise = NOISE * level.abs();
     let value = |column: u16, row: u16| {
         let x = spread(column, plot.width, map.counts.0);
-        match map.cell(x, Half::Middle.spread(plot, row, map.counts.1)) {
+        match map.cell(x, spread_up(row, plot, map.counts.1)) {
             Cell::Value(value) => Some(value - level),
             Cell::Mark(..) | Cell::Empty => None,
         }
@@ -111,46 +112,22 @@ fn draw_present(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
 }
 
 /// Its row and column, every other cell, and a cross.
-fn draw_cursor(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+fn draw_cursor(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
     let Some((x, y)) = map.cursor else { return };
     let (column, row) = place(plot, (x, y), map.counts);
-    let lines = theme.lines();
     for other in (0..plot.width).filter(|other| (other % 2 == column % 2) && *other != column) {
-        over(buffer, (plot.x + other, plot.y + row), lines.horizontal);
+        over(buffer, (plot.x + other, plot.y + row), '─');
     }
     for other in (0..plot.height).filter(|other| *other != row) {
-        over(buffer, (plot.x + column, plot.y + other), lines.vertical);
+        over(buffer, (plot.x + column, plot.y + other), '│');
     }
     let cross = (plot.x + column, plot.y + row);
     put(buffer, cross, 'X', Style::new().add_modifier(Modifier::REVERSED | Modifier::BOLD));
 }
 
-/// Whether a cell shows two values, one above the other.
-fn halves(theme: Theme) -> bool {
-    theme.depth == ColourDepth::Ansi256 && theme.glyphs != GlyphSet::Ascii
-}
-
-/// A part of a cell.
-#[derive(Clone, Copy)]
-enum Half {
-    Upper,
-    Middle,
-    Lower,
-}
-
-impl Half {
-    /// The point it shows, of `count` spread upward over a plot's rows.
-    fn spread(self, plot: Rect, row: u16, count: usize) -> usize {
-        let last = usize::from(plot.height.max(1)) - 1;
-        // Quarter cells from the middle of the lowest cell.
-        let quarters = 4 * (last - usize::from(row).min(last));
-        let quarters = match self {
-            Self::Upper => quarters + 1,
-            Self::Middle => quarters,
-            Self::Lower => quarters.saturating_sub(1),
-        };
-        rounded(quarters * (count - 1), 4 * last).min(count - 1)
-    }
+/// The point a row of a plot shows, of `count` spread upward over its rows.
+fn spread_up(row: u16, plot: Rect, count: usize) -> usize {
+    spread(plot.height.saturating_sub(1).saturating_sub(row), plot.height, count)
 }
 
 /// The point a column shows.
@@ -182,50 +159,20 @@ pub fn role(tone: Tone) -> Role {
     }
 }
 
-/// A cell of one value: the band's character, on its colour where there is one.
-fn one(cell: Cell, levels: Option<&Levels>, theme: Theme) -> (char, Style) {
-    match (cell, levels) {
-        (Cell::Value(value), Some(levels)) => swatch(levels.index(value), levels.bands(), theme),
-        (Cell::Mark(letter, tone), _) => (letter, theme.style(role(tone))),
-        (Cell::Value(_) | Cell::Empty, _) => (' ', Style::new()),
-    }
-}
-
 /// A band's character and style; also for the scale beside the map.
 pub fn swatch(band: usize, bands: usize, theme: Theme) -> (char, Style) {
     let shade = shade(band, bands);
     let Some((colour, ink)) = theme.heat(shade) else {
         return (RAMP[shade], Style::new());
     };
-    if halves(theme) {
-        return (' ', Style::new().bg(colour));
-    }
-    (RAMP[shade], Style::new().bg(colour).fg(ink))
+    let symbol = if theme.glyphs == GlyphSet::Ascii { RAMP[shade] } else { ' ' };
+    (symbol, Style::new().bg(colour).fg(ink))
 }
 
 /// The band's place in the ramp: few bands are spread over all of it.
 fn shade(band: usize, bands: usize) -> usize {
     let last = RAMP.len() - 1;
     if bands < 2 { last / 2 } else { rounded(band.min(bands - 1) * last, bands - 1) }
-}
-
-fn two(upper: Cell, lower: Cell, levels: Option<&Levels>, theme: Theme) -> (char, Style) {
-    let colour = |cell: Cell| match (cell, levels) {
-        (Cell::Value(value), Some(levels)) => {
-            theme.heat(shade(levels.index(value), levels.bands()))
-        }
-        (Cell::Value(_) | Cell::Mark(..) | Cell::Empty, _) => None,
-    };
-    match (upper, lower, colour(upper), colour(lower)) {
-        (Cell::Mark(letter, tone), _, _, _) | (_, Cell::Mark(letter, tone), _, _) => {
-            (letter, theme.style(role(tone)))
-        }
-        (_, _, Some(upper), Some(lower)) if upper.0 == lower.0 => (' ', Style::new().bg(upper.0)),
-        (_, _, Some(upper), Some(lower)) => ('▀', Style::new().fg(upper.0).bg(lower.0)),
-        (_, _, Some(upper), None) => ('▀', Style::new().fg(upper.0)),
-        (_, _, None, Some(lower)) => ('▄', Style::new().fg(lower.0)),
-        (_, _, None, None) => (' ', Style::new()),
-    }
 }
 
 fn put(buffer: &mut Buffer, at: (u16, u16), symbol: char, style: Style) {
@@ -249,7 +196,7 @@ fn over(buffer: &mut Buffer, at: (u16, u16), symbol: char) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, ViewRange};
+    use super::super::{Axis, Levels, ViewRange};
     use super::*;
 
     #[test]
@@ -273,13 +220,12 @@ mod tests {
                 let (column, row) = place(plot, (index, index), (count, count));
                 if usize::from(cells) >= count {
                     assert_eq!(spread(column, cells, count), index);
-                    assert_eq!(Half::Middle.spread(plot, row, count), index);
+                    assert_eq!(spread_up(row, plot, count), index);
                 }
             }
             assert_eq!(spread(0, cells, count), 0);
             if cells > 1 {
                 assert_eq!(spread(cells - 1, cells, count), count - 1);
-                assert_eq!(Half::Upper.spread(plot, 0, count), count - 1);
             }
         }
     }

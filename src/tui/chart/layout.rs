@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::canvas::{cell_marker, left_out_of, role};
+use super::canvas::role;
 use crate::report::chart::ticks::{Along, Tick, Ticks};
 use crate::report::chart::{Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale};
 use crate::tui::theme::{PaneFrame, Theme};
@@ -49,8 +49,8 @@ impl Layout {
     }
 }
 
-pub(super) fn frame_of(chart: &Chart<'_>) -> PaneFrame<'static> {
-    let frame = PaneFrame::default().focused(chart.focused);
+pub(super) fn frame_of(chart: &Chart<'_>, title: String) -> PaneFrame<'static> {
+    let frame = PaneFrame::new(title).focused(chart.focused);
     match chart.frame {
         Frame::Boxed => frame,
         Frame::Stacked { begins, below } => frame.stacked(begins, below),
@@ -129,7 +129,7 @@ fn ends(chart: &Chart<'_>, rows: Mapping) -> Ticks {
     let zero = rows.cell(0.0).filter(|cell| (1..top).contains(cell));
     let zero = zero.map(|cell| Tick { cell, value: 0.0, label: "0".to_owned() });
     let labelled = [Some(tick(0)), zero, Some(tick(top))];
-    Ticks { labelled: labelled.into_iter().flatten().collect(), ..Ticks::default() }
+    Ticks { labelled: labelled.into_iter().flatten().collect(), exponent: 0 }
 }
 
 /// Half rows from one label to the next.
@@ -155,41 +155,25 @@ pub(super) struct Plan<'a> {
     pub(super) legend: Line<'a>,
 }
 
-/// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own; else, in a low
-/// chart, only the curves' markers stay.
+/// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own, where the chart is high enough.
 pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'a> {
-    let left_out = left_out(chart);
-    let inner = frame_of(chart).inner(area);
+    let inner = frame_of(chart, String::new()).inner(area);
     let room = usize::from(area.width.saturating_sub(8));
     let entries = legend(chart, theme);
-    let legend = line(entries.clone());
-    let axis = |layout: &Layout| chart.x.text(layout.x_ticks.exponent);
-
     let full = layout(chart, inner, false);
     if chart.frame != Frame::Boxed {
         return stacked(chart, full, entries, room);
     }
-    let title = title_text(chart, &full) + &hidden(left_out);
-    let both = join(legend.clone(), axis(&full));
+    let axis = |layout: &Layout| chart.x.text(layout.x_ticks.exponent);
+    let title = title_text(chart, &full) + &hidden(chart);
+    let both = join(line(entries.clone()), axis(&full));
     if Span::raw(&title).width() + both.width() <= room {
         return Plan { layout: full, title, right: both, legend: Line::default() };
     }
-    let layout = layout(chart, inner, legend.width() > 0);
-    let title = title_text(chart, &layout);
-    let axis = Line::from(axis(&layout));
-    let notes = [hidden(left_out), format!(" ({left_out} hidden)")];
-    let needed = Span::raw(&title).width() + axis.width();
-    let note = notes.into_iter().find(|note| left_out > 0 && needed + note.len() <= room);
-    let title = title + &note.unwrap_or_default();
-    let room = room.saturating_sub(Span::raw(&title).width());
-    let (right, legend) = if layout.legend.is_some() {
-        // The row begins a blank from the frame.
-        (axis, whole(entries, usize::from(inner.width.saturating_sub(1))))
-    } else if legend.width() > 0 {
-        (shortened(entries, room), Line::default())
-    } else {
-        (axis, legend)
-    };
+    let layout = layout(chart, inner, !entries.is_empty());
+    let (title, right) = (title_text(chart, &layout) + &hidden(chart), axis(&layout).into());
+    // The row begins a blank from the frame.
+    let legend = whole(entries, usize::from(inner.width.saturating_sub(1)));
     Plan { layout, title, right, legend }
 }
 
@@ -210,7 +194,7 @@ fn stacked<'a>(
     } else {
         full
     };
-    let title = title + &hidden(left_out(chart));
+    let title = title + &hidden(chart);
     let room = room.saturating_sub(Span::raw(&title).width());
     let legend = line(entries);
     let both = join(legend.clone(), chart.note.to_string());
@@ -219,18 +203,13 @@ fn stacked<'a>(
     Plan { layout, title, right: right.unwrap_or_default(), legend: Line::default() }
 }
 
-/// Points that a logarithmic axis cannot show.
-fn left_out(chart: &Chart<'_>) -> usize {
-    let count = |curve: &Curve<'_>| left_out_of(curve, chart.x.scale, chart.y.scale);
-    chart.curves.iter().map(count).sum()
-}
-
-/// The points that a logarithmic axis does not show, for the title.
-fn hidden(count: usize) -> String {
-    match count {
+/// How many points a logarithmic axis cannot show, for the title.
+fn hidden(chart: &Chart<'_>) -> String {
+    let points = chart.curves.iter().flat_map(|curve| curve.points.iter());
+    let finite = points.filter(|(x, y)| x.is_finite() && y.is_finite());
+    match finite.filter(|(x, y)| !(chart.x.scale.shows(*x) && chart.y.scale.shows(*y))).count() {
         0 => String::new(),
-        1 => " (1 point <= 0 not drawn)".to_owned(),
-        count => format!(" ({count} points <= 0 not drawn)"),
+        count => format!(" ({count} <= 0 not drawn)"),
     }
 }
 
@@ -242,7 +221,7 @@ fn title_text(chart: &Chart<'_>, layout: &Layout) -> String {
 fn legend<'a>(chart: &'a Chart<'_>, theme: Theme) -> Vec<[Span<'a>; 2]> {
     let entry = |curve: &Curve<'_>| {
         let old = if curve.emphasis == Emphasis::Stale { " (old)" } else { "" };
-        let marker = Span::styled(cell_marker(curve).to_string(), theme.style(role(curve)));
+        let marker = Span::styled(curve.marker.to_string(), theme.style(role(curve)));
         [marker, Span::raw(format!(" {}{old}", curve.label))]
     };
     let is_shown = |curve: &&Curve<'_>| chart.legend != Legend::Hidden && !curve.label.is_empty();
@@ -288,14 +267,4 @@ fn whole(entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
     }
     short.push_span("..");
     short
-}
-
-/// The whole legend where it fits, else its markers, as many as there is room for.
-fn shortened(entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
-    let all = line(entries.clone());
-    if all.width() <= room {
-        return all;
-    }
-    let markers = entries.into_iter().map(|[marker, _]| marker);
-    markers.take(room.saturating_sub(1)).collect()
 }

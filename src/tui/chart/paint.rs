@@ -4,11 +4,16 @@ use ratatui::buffer::Buffer;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::Span;
 
-use super::canvas::{Canvas, cell_marker, role, trace};
+use super::canvas::{Canvas, role, trace};
 use super::layout::Layout;
 use crate::report::chart::ticks::{Tick, label_start};
 use crate::report::chart::{Chart, Curve, Emphasis, Frame, Mark, Scale};
 use crate::tui::theme::{GlyphSet, Role, Theme};
+
+/// Vertical dotted line: an event.
+const EVENT: char = ':';
+/// Horizontal dotted line: a level.
+const LEVEL: char = '·';
 
 /// Columns from one marker of a curve to its next where curves differ by colour.
 const MARKER_EVERY: usize = 18;
@@ -60,13 +65,13 @@ impl Painter<'_> {
             return;
         };
         let plot = self.layout.plot;
-        let (lines, style) = (self.theme.lines(), self.theme.style(Role::Border));
+        let style = self.theme.style(Role::Border);
         for y in plot.top()..plot.bottom() {
-            self.put(x, y, lines.vertical, style);
+            self.put(x, y, '│', style);
         }
         for tick in &self.layout.y_ticks.labelled {
             let y = self.row(tick.cell);
-            self.put(x, y, lines.tick_left, style);
+            self.put(x, y, '┤', style);
             let width = u16::try_from(tick.label.len()).unwrap_or(u16::MAX);
             let from = x.saturating_sub(width);
             let text = self.theme.style(Role::Text);
@@ -82,19 +87,16 @@ impl Painter<'_> {
             return self.axis_in_line(y);
         }
         let plot = self.layout.plot;
-        let (lines, style) = (self.theme.lines(), self.theme.style(Role::Border));
+        let style = self.theme.style(Role::Border);
         for x in plot.left()..plot.right() {
-            self.put(x, y, lines.horizontal, style);
+            self.put(x, y, '─', style);
         }
         if let Some(x) = self.layout.axis_left {
-            self.put(x, y, lines.bottom_left, style);
-        }
-        for cell in &self.layout.x_ticks.minor {
-            self.put(plot.x + cell, y, lines.tick_minor, style);
+            self.put(x, y, '└', style);
         }
         let mut free_from = i32::from(self.layout.inner.left());
         for tick in &self.layout.x_ticks.labelled {
-            self.put(plot.x + tick.cell, y, lines.tick_below, style);
+            self.put(plot.x + tick.cell, y, '┬', style);
             free_from = self.label_below(tick, free_from, 0);
         }
     }
@@ -146,8 +148,6 @@ impl Painter<'_> {
     fn levels(&mut self) {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
-        let dotted = self.theme.lines().level;
-        let step = if self.theme.glyphs == GlyphSet::Braille { 1 } else { 2 };
         for level in &self.chart.levels {
             let Some(cell) = self.layout.y.cell(level.at) else {
                 continue;
@@ -161,8 +161,8 @@ impl Painter<'_> {
                 let text = self.theme.style(Role::Text);
                 self.buffer.set_string(self.layout.inner.left(), y, format!("{own:>room$}"), text);
             }
-            for x in (plot.left()..plot.right()).step_by(step) {
-                self.put(x, y, dotted, style);
+            for x in (plot.left()..plot.right()).step_by(2) {
+                self.put(x, y, LEVEL, style);
             }
         }
     }
@@ -187,13 +187,12 @@ impl Painter<'_> {
     fn level_tags(&mut self) {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
-        let dotted = self.theme.lines().level;
         for level in self.chart.levels.iter().filter(|level| !level.tag.is_empty()) {
             let Some(cell) = self.layout.y.cell(level.at) else {
                 continue;
             };
             let y = self.row(cell);
-            let is_free = |x: u16| self.is_free((x, y), dotted);
+            let is_free = |x: u16| self.is_free((x, y), LEVEL);
             // A blank keeps the tag clear of the dots.
             let tag = format!(" {}", level.tag);
             let length = u16::try_from(Span::raw(&tag).width()).unwrap_or(u16::MAX);
@@ -210,13 +209,12 @@ impl Painter<'_> {
     fn events(&mut self) {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
-        let dotted = self.theme.lines().event;
         for event in &self.chart.marks {
             let Some(cell) = self.layout.x.cell(event.at) else {
                 continue;
             };
             for y in plot.top()..plot.bottom() {
-                self.put(plot.x + cell, y, dotted, style);
+                self.put(plot.x + cell, y, EVENT, style);
             }
         }
     }
@@ -225,7 +223,6 @@ impl Painter<'_> {
     fn event_tags(&mut self) {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
-        let dotted = self.theme.lines().event;
         let cell = |event: &Mark<'_>| Some(plot.x + self.layout.x.cell(event.at)?);
         let events = self.chart.marks.iter().filter(|event| !event.tag.is_empty());
         let mut tags: Vec<(u16, &str)> =
@@ -244,7 +241,7 @@ impl Painter<'_> {
                 continue;
             }
             let mut rows = plot.top()..plot.bottom();
-            let row = rows.find(|y| (x..x + width).all(|x| self.is_free((x, *y), dotted)));
+            let row = rows.find(|y| (x..x + width).all(|x| self.is_free((x, *y), EVENT)));
             self.buffer.set_string(x, row.unwrap_or_else(|| plot.top()), tag, style);
         }
     }
@@ -268,7 +265,7 @@ impl Painter<'_> {
                 if let Some((owner, dots)) = canvas.cell(usize::from(column), usize::from(row)) {
                     let curve = &self.chart.curves[owner];
                     let character = match self.theme.glyphs {
-                        GlyphSet::Ascii => cell_marker(curve),
+                        GlyphSet::Ascii => curve.marker,
                         GlyphSet::Block | GlyphSet::Braille => dots,
                     };
                     let style = self.curve_style(curve);
@@ -281,7 +278,7 @@ impl Painter<'_> {
             if let (Ok(column), Ok(row)) = place {
                 let curve = &self.chart.curves[owner];
                 let style = self.curve_style(curve);
-                self.put(plot.x + column, plot.y + row, cell_marker(curve), style);
+                self.put(plot.x + column, plot.y + row, curve.marker, style);
             }
         }
         self.crosshair(&canvas);
@@ -299,7 +296,7 @@ impl Painter<'_> {
                 let style = self.curve_style(curve);
                 let under = crosshair == Some(column);
                 let style = if under { style.add_modifier(Modifier::BOLD) } else { style };
-                self.put(plot.x + column, plot.y + row, cell_marker(curve), style);
+                self.put(plot.x + column, plot.y + row, curve.marker, style);
             }
         }
     }
@@ -318,16 +315,15 @@ impl Painter<'_> {
         let Some(column) = self.chart.crosshair.and_then(|x| self.layout.x.cell(x)) else {
             return;
         };
-        let line = self.theme.lines().crosshair;
         for row in 0..plot.height {
             let met = canvas.cell(usize::from(column), usize::from(row));
             let (character, style) = match met {
                 Some((owner, _)) => {
                     let curve = &self.chart.curves[owner];
                     let style = self.curve_style(curve).add_modifier(Modifier::BOLD);
-                    (cell_marker(curve), style)
+                    (curve.marker, style)
                 }
-                None => (line, self.theme.style(Role::Crosshair)),
+                None => ('│', self.theme.style(Role::Crosshair)),
             };
             self.put(plot.x + column, plot.y + row, character, style);
         }

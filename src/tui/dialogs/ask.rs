@@ -13,7 +13,7 @@ use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{TextLine, wrapped};
 
 /// The field of a text, and what was found of it.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Ask {
     text: TextField,
     /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
@@ -21,7 +21,7 @@ pub(super) struct Ask {
 }
 
 /// What a text is asked for.
-pub(super) trait Purpose: Clone + Debug + 'static {
+pub(super) trait Purpose: Debug + 'static {
     const FOOTER: &'static str;
 
     /// Do what the text was typed for; a file or preset of this name may be replaced. None: something comes first.
@@ -44,7 +44,7 @@ pub(super) trait Purpose: Clone + Debug + 'static {
 }
 
 /// A dialog that asks for a text.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Asking<P> {
     ask: Ask,
     purpose: P,
@@ -129,7 +129,7 @@ impl<P: Purpose> Asking<P> {
             let there = self.purpose.there(app, &self.ask);
             (format!("! {there} exists: o overwrite, Esc back"), Role::Warning)
         } else if let Some(error) = &self.ask.text.error {
-            (app.keymap.shown(&format!("x {error}")), Role::Error)
+            (app.keymap.shown(&format!("error: {error}")), Role::Error)
         } else {
             (self.purpose.hint(app, &self.ask), Role::Dim)
         };

@@ -38,7 +38,7 @@ fn content(app: &App) -> Option<Content> {
     (!runs.is_empty()).then_some(Content::Runs(runs))
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Export {
     /// What the table is.
     title: &'static str,

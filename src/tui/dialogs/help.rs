@@ -3,7 +3,7 @@
 use crate::model::variables::Kind;
 use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::dialogs::list::{List, Picker, frame, listed};
-use crate::tui::keymap::{KeyHelp, LINES, Scope};
+use crate::tui::keymap::{LINES, Scope};
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
@@ -17,7 +17,7 @@ pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
     listed(Help, 0)
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Help;
 
 const SENTENCE: u16 = 15;
@@ -62,27 +62,18 @@ struct HelpRow {
 /// The keys of the focused pane first, with what they do there, then those that work everywhere.
 fn rows(app: &App) -> Vec<HelpRow> {
     let pane = pages::spec(app.pane());
-    let has = |line: &KeyHelp, action| line.keys.iter().any(|(one, ..)| *one == action);
-    let own = pane.keys.iter().map(|row| {
-        // A line of keys that the pane explains itself is listed there only.
-        let of_row = |line: &&KeyHelp| line.scope != Scope::Everywhere && has(line, row.action);
-        let line = LINES.iter().find(of_row).map(|line| app.keymap.line_label(line));
-        let keys = line.unwrap_or_else(|| app.keymap.label(row.action));
-        HelpRow { keys, is_own: true, help: app.keymap.shown(row.help) }
+    let own = pane.keys.iter().map(|row| HelpRow {
+        keys: app.keymap.label(row.action),
+        is_own: true,
+        help: app.keymap.shown(row.help),
     });
-    let lines = |everywhere: bool| {
-        let explained = move |line: &KeyHelp| pane.keys.iter().any(|row| has(line, row.action));
-        let scoped = move |line: &&KeyHelp| match line.scope {
-            Scope::Everywhere => everywhere,
-            Scope::Listed => !everywhere && !explained(line),
-        };
-        LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
-            keys: app.keymap.line_label(line),
-            is_own: !everywhere,
-            help: app.keymap.shown(line.meaning),
-        })
-    };
-    own.chain(lines(false)).chain(lines(true)).collect()
+    let everywhere = LINES.iter().filter(|line| line.scope == Scope::Everywhere);
+    own.chain(everywhere.map(|line| HelpRow {
+        keys: app.keymap.line_label(line),
+        is_own: false,
+        help: app.keymap.shown(line.meaning),
+    }))
+    .collect()
 }
 
 /// The words and signs of the Run tab.

@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::layout::Constraint;
 use ratatui::widgets::{Clear, Widget};
 
 use crate::tui::app::dialog::{Dialog, Outcome};
@@ -14,7 +15,7 @@ use crate::tui::widgets::{RowList, rows_moved};
 const PAGE: usize = 11;
 
 /// Where a person is in a list.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Picker {
     pub filter: TextField,
     /// The selected row of those that pass the filter.
@@ -24,7 +25,7 @@ pub(crate) struct Picker {
 }
 
 /// What a dialog lists.
-pub(crate) trait List: Clone + Debug + 'static {
+pub(crate) trait List: Debug + 'static {
     /// The action that opens it, whose key closes it again.
     const OPENED_BY: Action;
     /// Characters go into a text that its rows are filtered by.
@@ -41,7 +42,7 @@ pub(crate) trait List: Clone + Debug + 'static {
 }
 
 /// A dialog of a list.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Listed<L> {
     list: L,
     picker: Picker,
@@ -140,14 +141,7 @@ pub(crate) fn frame(
         height: screen.height.saturating_sub(4),
         ..screen
     };
-    let width = width.min(body.width);
-    let height = height.min(body.height);
-    let area = Rect {
-        x: body.x + (body.width - width) / 2,
-        y: body.y + (body.height - height) / 2,
-        width,
-        height,
-    };
+    let area = body.centered(Constraint::Max(width), Constraint::Max(height));
     canvas.cover();
     Clear.render(area, canvas);
     let inner = pane.focused(true).draw(area, canvas);

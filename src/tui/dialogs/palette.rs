@@ -16,7 +16,7 @@ pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
     listed(Palette, 0)
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Palette;
 
 impl List for Palette {
@@ -46,7 +46,9 @@ impl List for Palette {
             }
             Some(Item::Preset(entry)) => {
                 let entry = entry.clone();
-                presets::take(app, entry);
+                if let Err(why) = presets::take(app, entry) {
+                    app.refuse(why);
+                }
             }
         }
         Outcome::Closes

@@ -23,7 +23,7 @@ pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
     listed(Presets, 0)
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Presets;
 
 const NAMES: u16 = 32;
@@ -49,9 +49,8 @@ impl List for Presets {
         let rows = rows(&app.files.presets, picker.filter.value());
         match rows.get(picker.selected).map(|entry| (*entry).clone()) {
             Some(entry) => {
-                let before = app.effects.len();
-                take(app, entry);
-                if app.effects.len() == before && app.is_refused() {
+                if let Err(why) = take(app, entry) {
+                    app.refuse(why);
                     return Outcome::Stays;
                 }
             }
@@ -156,25 +155,25 @@ fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
     lines
 }
 
-/// Load a preset and show what it is about; put a part of a library into the scene.
-pub(crate) fn take(app: &mut App, entry: PresetEntry) {
+/// Load a preset and show what it is about, or put a part of a library into the scene; or why neither can be done.
+pub(crate) fn take(app: &mut App, entry: PresetEntry) -> Result<(), String> {
     if let Some(problem) = entry.problem {
-        return app.refuse(format!("{} cannot be loaded: {problem}", entry.name));
+        return Err(format!("{} cannot be loaded: {problem}", entry.name));
     }
-    let Some(part) = &entry.part else { return thesis::show(app, entry.base()) };
-    match entry.scene_on(&app.scene) {
-        Err(error) => app.refuse(error.to_string()),
-        Ok(scene) => {
-            let label = format!("{} {}", part.library.word(), part.name);
-            edit::commit_scene(app, scene, label.clone(), None);
-            if part.warning.is_empty() {
-                app.tell(format!("{label} (<undo> undoes)"));
-            } else {
-                app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
-            }
-            ask_for_face(app);
-        }
+    let Some(part) = &entry.part else {
+        thesis::show(app, entry.base());
+        return Ok(());
+    };
+    let scene = entry.scene_on(&app.scene).map_err(|error| error.to_string())?;
+    let label = format!("{} {}", part.library.word(), part.name);
+    edit::commit_scene(app, scene, label.clone(), None);
+    if part.warning.is_empty() {
+        app.tell(format!("{label} (<undo> undoes)"));
+    } else {
+        app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
     }
+    ask_for_face(app);
+    Ok(())
 }
 
 /// Open the field of the plate's side where both the shot and the plate have been chosen: a mass ratio of another shot would give the

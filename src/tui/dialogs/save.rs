@@ -14,7 +14,7 @@ pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
     Asking::open(Save, TextField::selected(proposed_name(app)))
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Save;
 
 impl Purpose for Save {

@@ -1,9 +1,8 @@
 //! The words that the selected variable can be.
 
-use crate::model::variables::{self, Kind, Value};
+use crate::model::variables::{Kind, Value};
 use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
-use crate::tui::dialogs::curve;
 use crate::tui::dialogs::list::{List, Picker, frame, listed};
 use crate::tui::prelude::*;
 use crate::tui::widgets::text::wrapped;
@@ -15,7 +14,7 @@ pub(crate) fn open(app: &mut App) {
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Words;
 
 const WIDTH: u16 = 58;
@@ -38,10 +37,7 @@ impl List for Words {
             return Outcome::Closes;
         };
         match edit::set(app, index, Value::Word(word), None) {
-            Ok(()) => {
-                curve::ask(app, word);
-                Outcome::Closes
-            }
+            Ok(()) => Outcome::Closes,
             Err(error) => {
                 app.refuse(error);
                 Outcome::Stays
@@ -78,7 +74,5 @@ impl List for Words {
 
 /// Why the scene makes no sense with this word; `None` where it does.
 fn refusal(app: &App, word: &'static str) -> Option<String> {
-    let mut scene = (*app.scene).clone();
-    let set = app.pages.run.editor.variable().set(&mut scene, Value::Word(word));
-    set.and_then(|()| variables::validate(&scene)).err().map(|error| error.to_string())
+    edit::with(&app.scene, app.pages.run.editor.variable(), Value::Word(word)).err()
 }

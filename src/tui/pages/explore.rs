@@ -99,42 +99,36 @@ impl Page for ExploreTab {
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let found = app.pages.explore.found();
         let computing = app.jobs.running::<PictureSweep>();
-        let mut parts = vec![match (computing, &app.pages.explore.problem, found) {
-            (Some(computing), ..) => {
-                let points = computing.counted("of", " points");
-                let left = computing.left().filter(|left| left.as_secs() > 0);
-                let left =
-                    left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
-                Progress::Running(format!("sweeping{points}{left}")).part()
+        let progress = match (computing, found) {
+            (Some(computing), _) => {
+                Progress::Running(format!("sweeping{}", computing.counted("of", " points")))
             }
-            (None, Some(problem), _) => part(Severity::Error, problem.clone()),
-            _ if app.sweep_is_old() => Progress::Old("scene").part(),
-            (None, None, None) => Progress::Nothing.part(),
-            (None, None, Some(grid)) => {
+            _ if app.sweep_is_old() => Progress::Old("scene"),
+            (None, None) => Progress::Nothing,
+            (None, Some(grid)) => {
                 let (done, total) = grid.progress();
                 match app.pages.explore.result.took.filter(|_| grid.is_complete()) {
                     Some(took) => {
-                        Progress::Done(format!("{total} points in {}", show_duration(took))).part()
+                        Progress::Done(format!("{total} points in {}", show_duration(took)))
                     }
-                    None => Progress::Cut(format!(" after {done} of {total} points")).part(),
+                    None => Progress::Cut(format!(" after {done} of {total} points")),
                 }
             }
-        }];
+        };
+        let problem = app.pages.explore.problem.clone().filter(|_| computing.is_none());
+        let mut parts =
+            vec![problem.map_or_else(|| progress.part(), |text| part(Severity::Error, text))];
         if let Some(grid) = found {
             let others = grid.outcomes().each();
             for (word, count) in others.filter(|(word, count)| *count > 0 && *word != "arrested") {
                 let severity = if word == "separated" { Severity::Note } else { Severity::Warning };
                 parts.push(part(severity, format!("{count} {word}")));
             }
-            if differs_from_printed(app) {
-                let short = "faint: the printed scheme";
-                parts.push((Severity::Note, PRINTED.to_owned(), short.to_owned()));
-            }
             let output = app.shown_output(grid).0;
             parts.extend(at_rest(grid, output).map(|text| part(Severity::Note, text)));
         }
         let ends = found.map(|grid| grid.outside_at_ends.iter().map(|it| it.0));
-        parts.extend(outside(ends.into_iter().flatten(), " at the ends", " (<tab-log>:Log)"));
+        parts.extend(outside(ends.into_iter().flatten(), " at the ends"));
         parts.extend(app.validity_part());
         parts
     }
@@ -142,9 +136,12 @@ impl Page for ExploreTab {
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         if PrintedSweep::of(&running.asked).is_some() {
             app.pages.explore.printed = news.found::<Grid>().filter(|grid| grid.is_complete());
-            // Said until someone moves over the figure.
-            if app.pages.explore.cursor.is_none() && differs_from_printed(app) {
-                app.tell(PRINTED);
+            // Said until someone moves over the figure; after that the legend names them.
+            let found = app.pages.explore.found().filter(|_| app.pages.explore.cursor.is_none());
+            let differs =
+                |grid: &Arc<Grid>| !curves::printed(app, grid, app.shown_output(grid).0).is_empty();
+            if found.is_some_and(differs) {
+                app.tell("faint: the thesis's own scheme, as printed; the others: corrected");
             }
         }
         if PictureSweep::of(&running.asked).is_none() {
@@ -172,12 +169,11 @@ impl Page for ExploreTab {
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&kept.scene) });
         let (is_complete, (done, total)) = (kept.is_complete, grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
-        let own = Arc::clone(plan);
-        let notes = move || sweep_file::notes(&own, missing.as_deref());
-        let grid = Arc::clone(grid);
-        let csv = move |name: &str| sweep::grid_csv(name, &grid);
+        let notes = sweep_file::notes(plan, missing.as_deref());
+        let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
+        let csv = move || sweep::grid_csv(&name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.noted(app.name_of(&scene), &scene, "sweep", notes))
+        Some(table.noted(&scene, "sweep", notes))
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -202,14 +198,6 @@ impl Page for ExploreTab {
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         curves::render(app, body, canvas);
     }
-}
-
-/// Which curves of a figure are which.
-const PRINTED: &str = "faint: the thesis's own scheme, as printed; the others: corrected";
-
-fn differs_from_printed(app: &App) -> bool {
-    let found = app.pages.explore.found();
-    found.is_some_and(|grid| !curves::printed(app, grid, app.shown_output(grid).0).is_empty())
 }
 
 /// Far along a picture, in points.

@@ -7,15 +7,12 @@ pub mod state;
 use crate::model::run::envelope;
 use crate::report::{self, limit};
 use crate::study::compare;
-use crate::study::limit::{COMMAND, Limit};
+use crate::study::limit::COMMAND;
 use crate::study::monte_carlo;
-use crate::study::sweep::Axis;
 use crate::study::validity;
 use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::run::runs;
-use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
@@ -25,13 +22,8 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", keys: &[
         key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo` does"),
     ] },
-    PaneSpec { pane: COMPARISON, label: "Comparison", keys: &[
-    ] },
-    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", keys: &[
-        key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
-        key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
-        key(A::Mark, "pin", "pin the design under the cursor"),
-    ] },
+    PaneSpec { pane: COMPARISON, label: "Comparison", keys: &[] },
+    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", keys: &[] },
 ];
 
 #[rustfmt::skip]
@@ -66,33 +58,21 @@ impl Page for LimitTab {
                 let v50 = Spread(monte_carlo::Request::v50());
                 jobs::study(app, Tab::Limit, v50);
             }
-            (EFFICIENCY_MAP, A::Enter) => load_cell(app),
-            (EFFICIENCY_MAP, A::Mark) => runs::pin_design(app, app.efficiency_design()),
-            (EFFICIENCY_MAP, _) => match cursor_moved(action, FAR_CELLS) {
-                Some(by) => move_on_map(app, by),
-                None => return false,
-            },
             _ => return false,
         }
         true
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
-        match app.pane() {
-            RESIDUAL => app.limit_readout(),
-            COMPARISON => None,
-            _ => note(app.efficiency_readout()),
-        }
+        if app.pane() == RESIDUAL { app.limit_readout() } else { None }
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.limit;
         let done = || Progress::Done("done".to_owned());
         let words = |it: &Running| format!("comparing{}", it.counted("of", ""));
-        if matches!(app.pane(), COMPARISON | EFFICIENCY_MAP) {
-            let of_map = app.pane() == EFFICIENCY_MAP;
-            let scene = if of_map { app.efficiency_scene() } else { (*app.scene).clone() };
-            let comparing = progress::<EqualMass, _>(app, &tab.comparison, &scene, words);
+        if app.pane() != RESIDUAL {
+            let comparing = progress::<EqualMass, _>(app, &tab.comparison, &app.scene, words);
             let first = comparing.unwrap_or_else(done).part();
             return std::iter::once(first).chain(app.validity_part()).collect();
         }
@@ -113,13 +93,9 @@ impl Page for LimitTab {
                 || app.validity_part(),
                 |run| {
                     let breaches = envelope::of_run(run).into_iter();
-                    outside(breaches.map(|breach| breach.check), " at the limit", "")
+                    outside(breaches.map(|breach| breach.check), " at the limit")
                 },
             ));
-            if let Limit::Found { basis, .. } = report.limit {
-                parts.push(part(Severity::Note, format!("by {}", basis.words())));
-            }
-            parts.push(part(Severity::Note, format!("curve of {} shots", report.shots.len())));
         }
         parts
     }
@@ -130,44 +106,42 @@ impl Page for LimitTab {
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let (limit, comparison) = (&app.pages.limit.report, &app.pages.limit.comparison);
-        let file = |what: &str| format!("{}-{what}.csv", app.base_stem());
+        let scene = if app.pane() == RESIDUAL { &limit.scene } else { &comparison.scene };
+        let (name, stem) = (app.name_of(scene), app.base_stem());
         let found = comparison.found.clone();
-        Some(match app.pane() {
+        let (table, command) = match app.pane() {
             RESIDUAL => {
                 let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
-                let csv = move |name: &str| {
+                let csv = move || {
                     let warnings = limit::warnings(&report);
-                    limit::shots(name, &report).with_warnings(&warnings).csv()
+                    limit::shots(&name, &report).with_warnings(&warnings).csv()
                 };
-                let title = "Export the shots to CSV";
-                let table = PageTable::new(title, file("limit"), limit.is_complete, csv);
-                table.of(app.name_of(&limit.scene), &limit.scene, COMMAND)
+                let (title, file) = ("Export the shots to CSV", format!("{stem}-limit.csv"));
+                (PageTable::new(title, file, limit.is_complete, csv), COMMAND.to_owned())
             }
             COMPARISON => {
-                let (found, title) = (found?, "Export the comparison to CSV");
+                let found = found?;
+                let (title, file) = ("Export the comparison to CSV", format!("{stem}-compare.csv"));
                 let is_complete = found.report.is_complete;
-                let csv = move |name: &str| {
+                let csv = move || {
                     let warnings = validity::of_scene(&found.report.scene);
-                    report::compare::table(name, &found.report).with_warnings(&warnings).csv()
+                    report::compare::table(&name, &found.report).with_warnings(&warnings).csv()
                 };
-                let table = PageTable::new(title, file("compare"), is_complete, csv);
-                table.of(
-                    app.name_of(&comparison.scene),
-                    &comparison.scene,
-                    &compare::Request::default().to_string(),
-                )
+                let command = compare::Request::default().to_string();
+                (PageTable::new(title, file, is_complete, csv), command)
             }
             _ => {
-                let (map, title) = (found?.map.clone()?, "Export the map to CSV");
-                let is_complete = map.is_complete();
+                let map = found?.map.clone()?;
+                let (title, file) =
+                    ("Export the map to CSV", format!("{stem}-mass-efficiency.csv"));
                 let axes = Some([map.x().clone(), map.y().clone()]);
                 let request = compare::Request { map: axes, ..compare::Request::default() };
-                let command = request.to_string();
-                let csv = move |name: &str| report::compare::map_table(name, &map).csv();
-                let table = PageTable::new(title, file("mass-efficiency"), is_complete, csv);
-                table.of(app.name_of(&comparison.scene), &comparison.scene, &command)
+                let is_complete = map.is_complete();
+                let csv = move || report::compare::map_table(&name, &map).csv();
+                (PageTable::new(title, file, is_complete, csv), request.to_string())
             }
-        })
+        };
+        Some(table.of(scene, &command))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -193,10 +167,6 @@ impl Page for LimitTab {
         }
     }
 
-    fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
-        app.pages.limit.map_cursor = Some(cell);
-    }
-
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         for spec in PANES {
             let Some(area) = area(app, body, spec.pane) else { continue };
@@ -215,28 +185,6 @@ fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
     let area = area(app, app.layout().body?, COMPARISON)?;
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     Some((lines, usize::from(area.height.saturating_sub(2))))
-}
-
-/// Far over the map, in cells.
-const FAR_CELLS: i16 = 10;
-
-fn load_cell(app: &mut App) {
-    let before = Arc::clone(&app.scene);
-    edit::load_design(app, app.efficiency_design());
-    if app.scene != before {
-        let own = significant(1e3 * app.scene.target.thickness_m, 4);
-        app.tell(format!(
-            "loaded with h = {own} mm as it was: the map is of plates that just stop the shot (<undo> undoes)"
-        ));
-    }
-}
-
-fn move_on_map(app: &mut App, by: (isize, isize)) {
-    if let Some((map, at)) = app.efficiency_cell() {
-        let count = |axis: &Axis| usize::try_from(axis.count()).unwrap_or(usize::MAX);
-        let counts = (count(map.x()), count(map.y()));
-        app.pages.limit.map_cursor = Some(moved(at, by, counts));
-    }
 }
 
 fn compare(app: &mut App) {

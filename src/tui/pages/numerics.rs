@@ -20,7 +20,6 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: STABILITY, label: "Stability", keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
-        key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", keys: &[
         key(A::Down, "scene", "select another scene"),
@@ -39,19 +38,6 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Show(STABILITY, None), "Stability", "stable step fixed step map"),
     Command::new(Call::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
 ];
-
-impl App {
-    /// Why the tab shows nothing where its study looks at one plate and the scene is a stack.
-    pub(crate) fn needs_single_plate(&self) -> Option<String> {
-        let is_empty = match self.pane() {
-            ACCURACY => self.pages.numerics.accuracy.report.found.is_none(),
-            STABILITY => self.pages.numerics.stability.map.found.is_none(),
-            _ => false,
-        };
-        let single = crate::model::variables::require_single(&self.scene);
-        single.err().filter(|_| is_empty).map(|error| error.to_string())
-    }
-}
 
 pub(crate) struct NumericsTab;
 
@@ -79,9 +65,6 @@ impl Page for NumericsTab {
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
-        if let Some(why) = app.needs_single_plate() {
-            return Some((Severity::Warning, why));
-        }
         match app.pane() {
             ACCURACY => None,
             STABILITY => note(app.map_readout()),
@@ -107,18 +90,16 @@ impl Page for NumericsTab {
                 let kept = &app.pages.numerics.accuracy.report;
                 let (report, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
                 let file = format!("{}-accuracy.csv", app.base_stem());
-                let csv = move |name: &str| accuracy_table::table(name, &report).csv();
-                PageTable::new("Export the measurements to CSV", file, is_complete, csv).of(
-                    app.name_of(&kept.scene),
-                    &kept.scene,
-                    "accuracy",
-                )
+                let name = app.name_of(&kept.scene);
+                let csv = move || accuracy_table::table(&name, &report).csv();
+                PageTable::new("Export the measurements to CSV", file, is_complete, csv)
+                    .of(&kept.scene, "accuracy")
             }
             STIFF_SCENES => {
                 let kept = &app.pages.numerics.stability.battery;
                 let found = kept.found.clone().filter(|found| !found.rows.is_empty())?;
                 let is_complete = kept.is_complete;
-                let csv = move |_: &str| stability_table::table(&found.rows).csv();
+                let csv = move || stability_table::table(&found.rows).csv();
                 PageTable::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
             }
             _ => {
@@ -127,13 +108,14 @@ impl Page for NumericsTab {
                 let file = format!("{}-map.csv", app.base_stem());
                 let command =
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
-                let warnings: Vec<String> =
-                    library::warnings(&kept.scene).map(str::to_owned).collect();
-                let csv = move |name: &str| {
-                    stability_table::map_table(name, &map).with_warnings(&warnings).csv()
+                let (name, scene) = (app.name_of(&kept.scene), Arc::clone(&kept.scene));
+                let csv = move || {
+                    let warnings: Vec<String> =
+                        library::warnings(&scene).map(str::to_owned).collect();
+                    stability_table::map_table(&name, &map).with_warnings(&warnings).csv()
                 };
-                let table = PageTable::new("Export the map to CSV", file, is_complete, csv);
-                table.of(app.name_of(&kept.scene), &kept.scene, &command)
+                PageTable::new("Export the map to CSV", file, is_complete, csv)
+                    .of(&kept.scene, &command)
             }
         })
     }

@@ -22,21 +22,14 @@ pub(crate) mod prelude {
     pub(crate) use crate::worker::studies::AskedFor;
 }
 
+use prelude::*;
 use ratatui::buffer::Buffer;
 
-use crate::model::scene::Scene;
 use crate::tui::app::Typing;
-use crate::tui::app::notice::{StatusPart, old, part};
-use crate::tui::app::running::{Kept, Running};
-use crate::tui::keymap::{Command, PaneSpec};
-use crate::tui::message::PageTable;
-use crate::tui::prelude::*;
-use crate::tui::widgets::Rows;
+use crate::tui::app::running::Kept;
 use crate::tui::widgets::form::Form;
 use crate::tui::widgets::input::Field;
 use crate::tui::widgets::steps::Input;
-use crate::worker::ReportBody;
-use crate::worker::studies::AskedFor;
 
 /// The refusal of what needs results that are under way.
 pub(crate) const BEING_COMPUTED: &str = "being computed";

@@ -36,7 +36,6 @@ const PANES: &[PaneSpec] = &[
         key(A::Down, "chart", "select the chart below or above"),
         key(A::Right, "cursor", "move the cursor in time (<far-left> <far-right> ten columns)"),
         key(A::View, "view", "show another quantity: F(x), stiffness and stress come last"),
-        key(A::ZoomIn, "zoom", "zoom about the cursor"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
     ] },
     PaneSpec { pane: RUNS, label: "Runs", keys: &[
@@ -54,7 +53,6 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
     Command::new(Call::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield stiffness"),
     Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
-    Command::new(Call::In(CHARTS, A::ZoomFit), "Show everything", "fit zoom"),
     Command::new(Call::In(CHARTS, A::FullPane), "Show this chart alone", "full enlarge maximise"),
 ];
 
@@ -117,7 +115,7 @@ impl Page for RunTab {
                 let listed = app.pages.run.editor.listed(&app.scene);
                 let selected =
                     listed.iter().position(|index| *index == app.pages.run.editor.selected);
-                let area = app.layout().body.and_then(|body| panes(app, body).variables);
+                let area = app.layout().body.and_then(|body| area(app, body, VARIABLES));
                 let shown = area.map_or(10, |area| usize::from(area.height.saturating_sub(2)));
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
@@ -153,12 +151,19 @@ impl Page for RunTab {
         true
     }
 
+    /// The number in the unit that stands behind it.
     fn text(&self, app: &App, _row: usize) -> String {
-        app.variable_text()
+        let editor = &app.pages.run.editor;
+        let unit = editor.unit(editor.selected);
+        editor::number_in(editor.variable(), &app.scene, unit, editor::FIELD_DIGITS)
     }
 
     fn change(&self, app: &mut App, _row: usize, input: Input<'_>) -> Result<(), String> {
-        edit::change(app, app.pages.run.editor.selected, input)
+        let index = app.pages.run.editor.selected;
+        match input {
+            Input::Text(text) => edit::read(app, index, text),
+            Input::Step(_) => Ok(()),
+        }
     }
 
     fn go_to_value(&self, app: &mut App, chart: usize, value: f64) {
@@ -167,15 +172,14 @@ impl Page for RunTab {
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        let panes = panes(app, body);
-        if let Some(area) = panes.variables {
-            editor::draw::render(app, area, app.has_focus(VARIABLES), canvas);
-        }
-        if let Some(area) = panes.charts {
-            charts::draw::render(app, area, app.has_focus(CHARTS), canvas);
-        }
-        if let Some(area) = panes.runs {
-            runs::render(app, area, app.has_focus(RUNS), canvas);
+        for PaneSpec { pane, .. } in PANES {
+            let Some(area) = area(app, body, *pane) else { continue };
+            let render = match *pane {
+                VARIABLES => editor::draw::render,
+                CHARTS => charts::draw::render,
+                _ => runs::render,
+            };
+            render(app, area, app.has_focus(*pane), canvas);
         }
     }
 }
@@ -206,22 +210,10 @@ pub(crate) fn open(app: &mut App) {
     }
 }
 
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Panes {
-    pub variables: Option<Rect>,
-    pub charts: Option<Rect>,
-    pub runs: Option<Rect>,
-}
-
-/// The variables beside the charts, and below them the runs; or the pane that has the keys alone.
-pub(crate) fn panes(app: &App, body: Rect) -> Panes {
-    let none = Panes::default();
+/// Where a pane stands: the variables beside the charts, and below them the runs; or the pane that has the keys alone.
+fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     if app.is_full() {
-        return match app.pane() {
-            CHARTS => Panes { charts: Some(body), ..none },
-            RUNS => Panes { runs: Some(body), ..none },
-            _ => Panes { variables: Some(body), ..none },
-        };
+        return (pane == app.pane()).then_some(body);
     }
     let (upper, runs) = split_bottom(body, 1 + runs::rows_shown(app, body));
     let width = match body.width {
@@ -231,5 +223,9 @@ pub(crate) fn panes(app: &App, body: Rect) -> Panes {
         ROOMY.. => 42,
     };
     let (variables, charts) = split_left(upper, width);
-    Panes { variables: Some(variables), charts: Some(charts), runs: Some(runs) }
+    Some(match pane {
+        VARIABLES => variables,
+        CHARTS => charts,
+        _ => runs,
+    })
 }

@@ -15,8 +15,8 @@ use crate::study::quantities::{Needs, named};
 use crate::study::search::front::SAMPLES as DESIGNS;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
-use crate::tui::app::history::{Snapshot, Stepping};
-use crate::tui::app::notice::outside as validity;
+use crate::tui::app::history::Snapshot;
+use crate::tui::app::notice::outside;
 use crate::tui::pages::page::move_by;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
@@ -25,9 +25,9 @@ use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Bound, Row, Setup};
 use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
-use crate::tui::widgets::form::{Form, percent, quantity_after};
+use crate::tui::widgets::form::{Form, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
-use crate::tui::widgets::steps::{Input, Press};
+use crate::tui::widgets::steps::Input;
 use crate::worker::studies::{SearchRequest, searches};
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
@@ -47,7 +47,7 @@ pub use state::{RESULTS, SETUP};
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: SETUP, label: "Search setup", keys: &[
-        key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off) or a goal"),
+        key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log) or a goal"),
         key(A::Right, "change", "take the next value, or switch on and off"),
         key(A::Run, "search", "search with this setup"),
         key(A::Down, "move", "move to another row"),
@@ -186,15 +186,18 @@ impl Page for SearchTab {
             }
             (None, None) => Progress::Nothing,
         };
-        let problem = tab.problem().is_some() && running.is_none() && tab.answer().is_none();
-        let refused = || part(Severity::Error, "this cannot be searched for");
-        let first = if problem { refused() } else { progress.part() };
+        let is_refused = tab.problem().is_some() && running.is_none() && tab.answer().is_none();
+        let first = if is_refused {
+            part(Severity::Error, "this cannot be searched for")
+        } else {
+            progress.part()
+        };
         let count = count.map(|runs| part(Severity::Note, runs));
         let answer = tab.answer().filter(|_| running.is_none());
         let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
         let ends = answer.filter(|_| !app.search_is_old()).into_iter();
         let ends = ends.flat_map(Answer::outside_at_ends);
-        let ends = self::validity(ends.map(|it| it.0), " at the ends", " (<tab-log>:Log)");
+        let ends = outside(ends.map(|it| it.0), " at the ends");
         std::iter::once(first).chain(ends).chain(validity).chain(count).collect()
     }
 
@@ -222,9 +225,10 @@ impl Page for SearchTab {
         let kept = app.pages.search.shown()?;
         let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
         let (scene, answer) = (Arc::clone(&kept.scene), Arc::clone(kept.found.as_ref()?));
-        let csv = move |name: &str| answer.csv(&scene, name);
+        let name = app.name_of(&scene);
+        let csv = move || answer.csv(&scene, &name);
         let table = PageTable::new("Export the results to CSV", file, kept.is_complete, csv);
-        Some(table.of(app.name_of(&kept.scene), &kept.scene, &command))
+        Some(table.of(&kept.scene, &command))
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -235,7 +239,7 @@ impl Page for SearchTab {
         let row = app.search_choices(app.pages.search.page)[row];
         let before = app.snapshot();
         change(app, row, input)?;
-        note_change(app, row, before, matches!(input, Input::Step(_)));
+        note_change(app, row, before);
         follow(app);
         Ok(())
     }
@@ -253,11 +257,11 @@ impl Page for SearchTab {
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        match app.pane() {
-            SETUP => {
-                app.pages.search.row = app.search_choices(app.pages.search.page)[row];
-            }
-            _ => app.pages.search.select(row),
+        if app.pane() == SETUP {
+            app.pages.search.row = app.search_choices(app.pages.search.page)[row];
+        } else {
+            let tab = &mut app.pages.search;
+            tab.cursor[tab.page as usize] = Some(row);
         }
     }
 
@@ -269,8 +273,6 @@ impl Page for SearchTab {
 
 /// Far along a front, in designs.
 const FAR: i16 = 10;
-/// Steps of numbers that are not typed.
-const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000];
 
 /// Lines of the words that have no room.
 pub(crate) fn hidden_lines(app: &App) -> usize {
@@ -307,13 +309,11 @@ fn look(app: &mut App) {
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
-fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
+fn note_change(app: &mut App, row: Row, before: Snapshot) {
     if app.pages.search.setup == before.search {
         return;
     }
-    let stepping = stepped.then_some(Stepping::Search(app.pages.search.page, row));
-    let first = Arc::clone(&app.history.extended(stepping).unwrap_or(&before).search);
-    let after = std::mem::replace(&mut app.pages.search.setup, first);
+    let after = std::mem::replace(&mut app.pages.search.setup, Arc::clone(&before.search));
     let old = app.search_line(row, &app.search_bounds());
     app.pages.search.setup = after;
     let new = app.search_line(row, &app.search_bounds());
@@ -323,7 +323,7 @@ fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     } else {
         format!("search: {} {} -> {}", new.label, old.value, new.value)
     };
-    edit::note(app, before, label, stepping);
+    edit::note(app, before, label, None);
 }
 
 pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
@@ -349,7 +349,6 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;
             setup.goal.1 = column.parse(text)?;
         }
-        (Row::Goal | Row::Bounds, Input::Step(_)) => app.tell("<enter> types a value here"),
         (Row::Bound(at), _) => {
             let old = bounds.get(at).ok_or("this variable no longer exists")?;
             let new = match input {
@@ -361,7 +360,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
         }
         (Row::Objective(at), Input::Step(_)) => setup.objectives[at] = !setup.objectives[at],
         (Row::Feasible, Input::Step(_)) => setup.feasible = !setup.feasible,
-        (_, Input::Step(press)) => step_number(setup, row, press),
+        (_, Input::Step(_)) => app.tell("<enter> types a value here"),
         (_, Input::Text(text)) => read_number(setup, row, text)?,
     }
     Ok(())
@@ -377,24 +376,6 @@ fn first_goal(app: &App, name: &str) -> f64 {
     significant(value, 2).parse().unwrap_or(value)
 }
 
-fn step_number(setup: &mut Setup, row: Row, press: Press) {
-    match row {
-        Row::Designs => {
-            let tried = if press.up { 2 * setup.designs } else { setup.designs / 2 };
-            setup.designs = tried.clamp(*DESIGNS.start(), *DESIGNS.end());
-        }
-        Row::Percent => {
-            setup.percent = (setup.percent + 0.5 * press.by() as f64).clamp(0.5, 50.0);
-        }
-        Row::Samples => {
-            let at = SAMPLES.iter().position(|count| *count >= setup.samples).unwrap_or(0);
-            let next = at.saturating_add_signed(press.by());
-            setup.samples = SAMPLES[next.min(SAMPLES.len() - 1)];
-        }
-        _ => {}
-    }
-}
-
 fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
     match row {
         Row::Bounds => {
@@ -402,7 +383,12 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
             setup.subject_to = bounds.collect::<Result<_, _>>()?;
         }
         Row::Designs => setup.designs = whole(text, &DESIGNS)?,
-        Row::Percent => setup.percent = percent(text, 1e-3..=100.0)?,
+        Row::Percent => {
+            let percent = text.trim_end_matches('%').trim().parse().ok();
+            let percent = percent.filter(|percent| (1e-3..=100.0).contains(percent));
+            let why = || format!("`{text}` must be from 0.001 to 100 %");
+            setup.percent = percent.ok_or_else(why)?;
+        }
         Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
         _ => {}
     }

@@ -12,7 +12,6 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::preset::Base;
 use crate::tui::widgets::find::{rank, ranked};
-use crate::tui::widgets::text::fitting;
 use crate::worker::studies::Claims;
 
 pub use state::{CLAIMS, CONCEPTS, PRINCIPLES};
@@ -85,18 +84,10 @@ impl Page for ThesisTab {
         let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words);
         parts.extend(checking.map(Progress::part));
         if tab.report.found.is_some() {
-            let (rows, counts) = (tab.rows(), tally(tab.rows()));
-            let listed = |show: fn(ClaimVerdict, usize) -> String| {
-                let parts = ClaimVerdict::ALL.iter().zip(counts);
-                let parts = parts.map(|(verdict, count)| show(*verdict, count));
-                parts.collect::<Vec<_>>().join(", ")
-            };
-            let full = listed(|verdict, count| format!("{count} {}", verdict.words()));
-            let full = format!("{} rows: {full}", rows.len());
-            // The letters are those of the list.
-            let letters = listed(|verdict, count| format!("{count} {}", verdict.letter()));
-            let room = usize::from(app.size.0.saturating_sub(2));
-            parts.push((Severity::Note, full.clone(), fitting([full, letters], room)));
+            let counts = ClaimVerdict::ALL.iter().zip(tally(tab.rows()));
+            let counts: Vec<String> =
+                counts.map(|(verdict, count)| format!("{count} {}", verdict.words())).collect();
+            parts.push(part(Severity::Note, counts.join(", ")));
         }
         parts
     }
@@ -117,7 +108,7 @@ impl Page for ThesisTab {
                 ("claims.csv", tab.report.is_complete, text)
             }
         };
-        Some(PageTable::new("Export this page to CSV", file, is_complete, move |_| text.clone()))
+        Some(PageTable::new("Export this page to CSV", file, is_complete, move || text.clone()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

@@ -1,13 +1,12 @@
-//! Which characters the terminal can show, the lines drawn with them, and the way back to ASCII.
+//! Which characters the terminal can show, and the way back to ASCII.
 //!
-//! `Block` keeps to the characters of the old PC set (code page 437), because that is what the Linux console's fonts have;
-//! `Braille` may use any of Unicode's box drawing and the braille cells.
+//! Everything is drawn with the characters of the old PC set (code page 437), because that is what the Linux console's fonts have, and
+//! curves with braille cells where the terminal has these. In ASCII mode the last step of a frame replaces all of them.
 
 use std::fmt;
 
 use cmra_studies::enumeration;
 use ratatui::buffer::Buffer;
-use ratatui::symbols::border;
 
 enumeration! {
     #[derive(Default, Hash)]
@@ -16,18 +15,14 @@ enumeration! {
         word: &'static str,
         /// Dots in a cell: across, down.
         dots: (u16, u16),
-        /// The frames of panes in this set.
-        border: border::Set<'static>,
-        /// The characters of its axes and rules.
-        lines: &'static Lines,
     }
     /// `+ - |` and letters: one dot a cell, works everywhere.
     #[default]
-    Ascii { word: "ascii", dots: (1, 1), border: ASCII_BORDER, lines: &ASCII_LINES }
+    Ascii { word: "ascii", dots: (1, 1) }
     /// Lines and half blocks: two dots a cell, one above the other.
-    Block { word: "block", dots: (1, 2), border: border::PLAIN, lines: &BLOCK_LINES }
+    Block { word: "block", dots: (1, 2) }
     /// Lines and braille: two by four dots a cell.
-    Braille { word: "braille", dots: (2, 4), border: border::PLAIN, lines: &BRAILLE_LINES }
+    Braille { word: "braille", dots: (2, 4) }
 }
 
 impl GlyphSet {
@@ -78,64 +73,6 @@ impl fmt::Display for GlyphSet {
         f.pad(self.word())
     }
 }
-
-/// The characters of axes and rules.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the names say where each character stands")]
-pub struct Lines {
-    pub horizontal: char,
-    pub vertical: char,
-    pub bottom_left: char,
-    /// Tick of an axis at the left of a plot.
-    pub tick_left: char,
-    /// Labelled tick of an axis below a plot.
-    pub tick_below: char,
-    /// Smaller tick between two labelled ones.
-    pub tick_minor: char,
-    /// Vertical dotted line: an event.
-    pub event: char,
-    /// Horizontal dotted line: a reference.
-    pub level: char,
-    /// Vertical line at the crosshair.
-    pub crosshair: char,
-}
-
-const ASCII_BORDER: border::Set<'static> = border::Set {
-    top_left: "+",
-    top_right: "+",
-    bottom_left: "+",
-    bottom_right: "+",
-    vertical_left: "|",
-    vertical_right: "|",
-    horizontal_top: "-",
-    horizontal_bottom: "-",
-};
-
-const ASCII_LINES: Lines = Lines {
-    horizontal: '-',
-    vertical: '|',
-    bottom_left: '+',
-    tick_left: '+',
-    tick_below: '+',
-    tick_minor: '\'',
-    event: ':',
-    level: '.',
-    crosshair: '|',
-};
-
-const BLOCK_LINES: Lines = Lines {
-    horizontal: '─',
-    vertical: '│',
-    bottom_left: '└',
-    tick_left: '┤',
-    tick_below: '┬',
-    tick_minor: '┴',
-    event: ':',
-    level: '·',
-    crosshair: '│',
-};
-
-const BRAILLE_LINES: Lines = Lines { event: '┊', level: '┈', ..BLOCK_LINES };
 
 /// Replaces every character that is not ASCII by one that is, cell by cell; the last step of a frame in ASCII mode.
 pub fn ascii_pass(buffer: &mut Buffer) {

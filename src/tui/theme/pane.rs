@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use ratatui::symbols::border;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Widget};
 
@@ -16,7 +17,6 @@ pub struct PaneFrame<'a> {
     focused: bool,
     /// It continues a box above it, and what its lower line is.
     stacked: Option<(bool, Below)>,
-    keeps_right: bool,
 }
 
 impl<'a> PaneFrame<'a> {
@@ -24,22 +24,10 @@ impl<'a> PaneFrame<'a> {
         Self { title: title.into(), ..Self::default() }
     }
 
-    #[must_use]
-    pub fn titled(self, title: impl Into<Line<'a>>) -> Self {
-        Self { title: title.into(), ..self }
-    }
-
-    /// With this at the right of the top line; omitted where there is no room.
+    /// With this at the right of the top line; where it has no room there, in the lower line of a frame of its own.
     #[must_use]
     pub fn right(mut self, right: impl Into<Line<'a>>) -> Self {
         self.right = right.into();
-        self
-    }
-
-    /// What is at the right stands in the line below where it has no room on top.
-    #[must_use]
-    pub fn keeps_right(mut self) -> Self {
-        self.keeps_right = true;
         self
     }
 
@@ -69,7 +57,7 @@ impl<'a> PaneFrame<'a> {
     pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Rect {
         let area = area.intersection(buffer.area);
         let border = theme.style(if self.focused { Role::Focus } else { Role::Border });
-        let mut set = theme.glyphs.border();
+        let mut set = border::PLAIN;
         if let Some((continues, below)) = self.stacked {
             if continues {
                 (set.top_left, set.top_right) = ("├", "┤");
@@ -96,11 +84,7 @@ impl<'a> PaneFrame<'a> {
         let room = usize::from(area.width).saturating_sub(6);
         if right.width() > 2 && self.title.width() + right.width() <= room {
             block = block.title_top(right.right_aligned());
-        } else if right.width() > 2
-            && self.keeps_right
-            && self.stacked.is_none()
-            && right.width() <= room
-        {
+        } else if right.width() > 2 && self.stacked.is_none() && right.width() <= room {
             block = block.title_bottom(right.right_aligned());
         }
         let inner = block.inner(area);
@@ -111,13 +95,14 @@ impl<'a> PaneFrame<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::ColourDepth;
+    use super::super::{ColourDepth, ascii_pass};
     use super::*;
 
     fn lines(pane: &PaneFrame<'_>, width: u16, height: u16) -> Vec<String> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
         pane.render(area, &mut buffer, Theme::PLAIN);
+        ascii_pass(&mut buffer);
         buffer
             .content
             .chunks(usize::from(width.max(1)))

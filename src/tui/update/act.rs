@@ -1,6 +1,6 @@
 //! One action: the page that is shown comes first, then what the action means anywhere.
 
-use crate::tui::app::edit;
+use crate::tui::app::{Settings, edit};
 use crate::tui::dialogs;
 use crate::tui::keymap::Call;
 use crate::tui::message::Content;
@@ -14,13 +14,11 @@ use crate::tui::widgets::{around, cycled, rows_moved, step_of};
 
 /// Do it, in the pane that has the keys.
 pub(crate) fn act(app: &mut App, action: Action) {
-    if !matches!(action, Action::Quit | Action::Cancel) {
-        app.jobs.quit_confirmation_shown = false;
+    if app.jobs.asked != Some(action) {
+        app.jobs.asked = None;
     }
-    if action != Action::Back {
-        app.jobs.stop_confirmation_shown = false;
-    }
-    if !steps(app, action) {
+    // Steps of a variable join into one edit.
+    if step_of(action).is_none() || app.pane() != VARIABLES {
         app.history.commit();
         app.pages.run.editor.stepped = None;
     }
@@ -60,11 +58,6 @@ fn in_form(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// Whether an action steps the value of a row: such steps join into one edit.
-fn steps(app: &App, action: Action) -> bool {
-    step_of(action).is_some() && (app.pane() == VARIABLES || pages::of(app.tab).form(app).is_some())
-}
-
 /// What an action does where the page has no meaning of its own for it.
 fn anywhere(app: &mut App, action: Action) {
     use Action as A;
@@ -84,11 +77,40 @@ fn anywhere(app: &mut App, action: Action) {
         A::Cancel | A::Back | A::Quit => leave(app, action),
         A::Redraw => app.request(Effect::Redraw),
         A::Suspend => app.request(Effect::Suspend),
+        A::Characters | A::Colours | A::Mouse => change_setting(app, action),
         _ => {
-            let key = app.keymap.label(action);
-            app.tell(format!("`{key}` does nothing here: <help> lists the keys"));
+            let label = app.keymap.label(action);
+            does_nothing(app, &label);
         }
     }
+}
+
+/// Say that a key has no meaning here.
+pub(crate) fn does_nothing(app: &mut App, label: &str) {
+    app.tell(format!("`{label}` does nothing here: <help> lists the keys"));
+}
+
+/// Take the next value of a setting.
+fn change_setting(app: &mut App, action: Action) {
+    let Settings { theme, mouse } = &mut app.settings;
+    let text = match action {
+        Action::Characters => {
+            theme.glyphs = theme.glyphs.next();
+            format!("characters: {}", theme.glyphs)
+        }
+        Action::Colours => {
+            theme.depth = theme.depth.next();
+            format!("colours: {}", theme.depth.word())
+        }
+        _ => {
+            *mouse = !*mouse;
+            app.effects.push(Effect::Mouse(*mouse));
+            let words = ["off: the terminal selects text", "on: a click selects, the wheel moves"];
+            format!("mouse {}", words[usize::from(*mouse)])
+        }
+    };
+    app.tell(text);
+    app.request(Effect::SaveSession);
 }
 
 /// Show a tab; one that is shown already shows its next page.
@@ -135,54 +157,46 @@ fn focus(app: &mut App, by: isize) {
     page.focused(app);
 }
 
+/// Stop jobs, close what is open, or quit; what would be lost is asked about first.
 fn leave(app: &mut App, action: Action) {
     // What is open is closed before a job is stopped.
     if action == Action::Back && update::clear(app) {
         return;
     }
-    let is_quit = action == Action::Quit;
-    let own: Vec<u64> =
-        pages::all_jobs(app).filter(|(tab, _)| *tab == app.tab).map(|(_, job)| job).collect();
-    let jobs: Vec<u64> = match action {
-        Action::Cancel if own.is_empty() => {
-            pages::all_jobs(app).take(1).map(|(_, job)| job).collect()
-        }
-        Action::Back | Action::Cancel => own,
-        _ => Vec::new(),
+    let all: Vec<(Tab, u64)> = pages::all_jobs(app).collect();
+    let is_meant = |tab: Tab| match action {
+        Action::Back => tab == app.tab,
+        _ => action == Action::Cancel,
     };
-    if !jobs.is_empty() {
-        let asks = action == Action::Back && jobs.iter().any(|job| app.jobs.long.contains(job));
-        if asks && !std::mem::replace(&mut app.jobs.stop_confirmation_shown, true) {
-            let question = "a job has been running for more than 5 s: <back> again cancels it and keeps what is finished";
-            return app.say(Severity::Warning, question);
-        }
-        app.jobs.stop_confirmation_shown = false;
-        return app.effects.extend(jobs.into_iter().map(Effect::Cancel));
-    }
-    if action == Action::Back {
-        return back(app);
-    }
-    let is_lost =
-        pages::all_jobs(app).any(|(tab, job)| tab == Tab::Search || app.jobs.long.contains(&job));
-    let question = if is_quit && is_lost {
-        Some(
+    let jobs: Vec<u64> =
+        all.iter().filter(|(tab, _)| is_meant(*tab)).map(|(_, job)| *job).collect();
+    let is_long = |job: &u64| app.jobs.long.contains(job);
+    let question = match action {
+        Action::Back if jobs.iter().any(is_long) => Some(
+            "a job has been running for more than 5 s: <back> again cancels it and keeps what is finished",
+        ),
+        Action::Quit if all.iter().any(|(tab, job)| *tab == Tab::Search || is_long(job)) => Some(
             "a job is running: <quit> again quits without it, <back> in its tab cancels it and keeps what is finished",
-        )
-    } else if is_quit && app.files.session_lost && app.is_modified() {
-        Some(
+        ),
+        Action::Quit if app.files.session_lost && app.is_modified() => Some(
             "the session cannot be kept (see <tab-log>:Log): <quit> again quits without it, <save> or <export> save the scene or the table",
-        )
-    } else if action == Action::Cancel {
-        Some("no job is running: <cancel> again quits")
-    } else {
-        None
+        ),
+        Action::Cancel if jobs.is_empty() => Some("no job is running: <cancel> again quits"),
+        _ => None,
     };
-    if let Some(question) = question.filter(|_| !app.jobs.quit_confirmation_shown) {
-        app.jobs.quit_confirmation_shown = true;
+    if let Some(question) = question.filter(|_| app.jobs.asked != Some(action)) {
+        app.jobs.asked = Some(action);
         return app.say(Severity::Warning, question);
     }
-    app.request(Effect::SaveSession);
-    app.request(Effect::Quit);
+    app.jobs.asked = None;
+    if !jobs.is_empty() {
+        app.effects.extend(jobs.into_iter().map(Effect::Cancel));
+    } else if action == Action::Back {
+        back(app);
+    } else {
+        app.request(Effect::SaveSession);
+        app.request(Effect::Quit);
+    }
 }
 
 /// Esc with nothing to stop: it closes what is open here, and never takes anything away.

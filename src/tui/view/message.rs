@@ -15,41 +15,24 @@ impl App {
     /// A message with more lines than the area has covers what stands above it.
     pub fn message_lines(&self, width: usize) -> Vec<(Severity, String)> {
         let room = width.saturating_sub(4).max(10);
-        let wrapped = |text: &str| wrap(&glued(text), room);
         let area = usize::from(self.layout().message.height).max(1);
         let readout = self.readout_line(room);
+        let mut all = Vec::new();
         let Some((severity, text)) = self.urgent() else {
             let (severity, text) = readout.unwrap_or((Severity::Note, String::new()));
-            let mut lines = wrapped(&text);
-            if lines.len() > area {
-                lines.truncate(area);
-                if let Some(last) = lines.last_mut() {
-                    *last = clip(last, room.saturating_sub(4)) + " ...";
-                }
+            all.extend(lines(severity, &text, room, (area, " ...")));
+            if all.len() < area {
+                all.extend(self.pin_hint(room).map(|text| (Severity::Note, text)));
             }
-            let is_full = lines.len() >= area;
-            let mut lines = plain(severity, lines);
-            let hint = self.pin_hint(room).filter(|_| !is_full);
-            lines.extend(hint.map(|text| (Severity::Note, text)));
-            return lines;
+            return all;
         };
         let room = room.saturating_sub(theme::columns(severity.mark()).saturating_sub(1)).max(10);
-        let mut lines = wrap(&glued(&text), room);
-        if lines.len() > MESSAGE_LINES {
-            lines.truncate(MESSAGE_LINES);
-            let end = self.keymap.shown(" ...: <tab-log>:Log");
-            if let Some(last) = lines.last_mut() {
-                *last = clip(last, room.saturating_sub(end.len())).trim_end_matches('.').to_owned()
-                    + &end;
-            }
+        let end = self.keymap.shown(" ...: <tab-log>:Log");
+        let message = lines(severity, &text, room, (MESSAGE_LINES, &end));
+        if message.len() < area {
+            all.extend(readout.map(|(severity, text)| (severity, clip(&text, room))));
         }
-        let mut all = Vec::new();
-        if lines.len() < area
-            && let Some((severity, text)) = readout
-        {
-            all.extend(plain(severity, vec![clip(&text, room)]));
-        }
-        all.extend(plain(severity, lines));
+        all.extend(message);
         all
     }
 
@@ -78,13 +61,10 @@ impl App {
 
     /// Why an open field refuses its text, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
-        if let Some(error) = self.field().and_then(|field| field.text.error.clone()) {
-            return Some((Severity::Error, self.keymap.shown(&error)));
-        }
-        if let Some(notice) = &self.notice {
-            return Some((notice.severity, notice.text.clone()));
-        }
-        None
+        let refused = self.field().and_then(|field| field.text.error.as_ref());
+        let refused = refused.map(|error| (Severity::Error, self.keymap.shown(error)));
+        let notice = self.notice.as_ref().map(|notice| (notice.severity, notice.text.clone()));
+        refused.or(notice)
     }
 
     /// What stands under the cursor, or what the selected row means.
@@ -98,38 +78,33 @@ impl App {
         Some((severity, self.keymap.shown(&text)))
     }
 
-    /// The parts of the status row, the most important first; the second of a pair is a shorter form. What other tabs are
-    /// computing stands at the end.
+    /// The parts of the status row, the most important first; what other tabs are computing stands behind the first one.
     pub fn status(&self) -> Vec<StatusPart> {
         let mut parts = pages::of(self.tab).status(self);
         let others = pages::all_jobs(self).filter(|(tab, _)| *tab != self.tab && *tab != Tab::Run);
         for (tab, _) in others {
             let text = format!("{} is computing", tab.title(&self.keymap));
             let at = parts.len().min(1);
-            parts.insert(at, (Severity::Note, text.clone(), text));
+            parts.insert(at, (Severity::Note, text));
         }
-        let shown = |(severity, long, short): StatusPart| {
-            (severity, self.keymap.shown(&long), self.keymap.shown(&short))
-        };
-        parts.into_iter().map(shown).collect()
+        parts.into_iter().map(|(severity, text)| (severity, self.keymap.shown(&text))).collect()
     }
 }
 
-/// Lines as they are drawn: numbers and units are apart by a plain blank again.
-fn plain(severity: Severity, lines: Vec<String>) -> Vec<(Severity, String)> {
-    lines.into_iter().map(|line| (severity, line.replace('\u{a0}', " "))).collect()
-}
-
-/// The text with its numbers and their units held together: a line does not break between them.
-fn glued(text: &str) -> String {
-    let mut glued = String::with_capacity(text.len());
-    let mut after_number = false;
-    for (index, word) in text.split(' ').enumerate() {
-        if index > 0 {
-            glued.push(if after_number && !word.is_empty() { '\u{a0}' } else { ' ' });
+/// A text in so many lines at most; one that is cut has this end.
+fn lines(
+    severity: Severity,
+    text: &str,
+    room: usize,
+    (most, end): (usize, &str),
+) -> Vec<(Severity, String)> {
+    let mut lines = wrap(text, room);
+    if lines.len() > most {
+        lines.truncate(most);
+        if let Some(last) = lines.last_mut() {
+            let kept = clip(last, room.saturating_sub(end.len()));
+            *last = kept.trim_end_matches('.').to_owned() + end;
         }
-        glued.push_str(word);
-        after_number = word.parse::<f64>().is_ok();
     }
-    glued
+    lines.into_iter().map(|line| (severity, line)).collect()
 }

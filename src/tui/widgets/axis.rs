@@ -11,9 +11,6 @@ use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{FormRow, VALUE_WIDTH};
 use crate::tui::widgets::steps::{self, Input, shown_number};
 
-/// The numbers of points the arrows go through.
-const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
-
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     Name,
@@ -54,7 +51,9 @@ impl Part {
             (Self::Name, Input::Text(text)) => *axis = over(scene, find(text)?, axis.count)?,
             (Self::Name, Input::Step(press)) => {
                 let all: Vec<&'static Variable> = numeric(scene).collect();
-                let next = cycled(place(axis, &all).unwrap_or(0), press.by(), all.len());
+                let now = variables::find(&axis.name).ok();
+                let at = all.iter().position(|it| now.is_some_and(|now| it.key == now.key));
+                let next = cycled(at.unwrap_or(0), press.by(), all.len());
                 *axis = over(scene, all[next], axis.count)?;
             }
             (Self::From | Self::To, _) => {
@@ -65,14 +64,7 @@ impl Part {
             (Self::Points, Input::Text(text)) => {
                 axis.count = usize::try_from(whole(text, counts)?).unwrap_or(usize::MAX);
             }
-            (Self::Points, Input::Step(press)) => {
-                let next = if press.up {
-                    COUNTS.into_iter().find(|other| *other > axis.count)
-                } else {
-                    COUNTS.into_iter().rev().find(|other| *other < axis.count)
-                };
-                axis.count = next.unwrap_or(axis.count);
-            }
+            (Self::Points, Input::Step(_)) => return Err("<enter> types a value here".to_owned()),
             (Self::Spacing, _) => axis.log = !axis.log,
         }
         Ok(())
@@ -102,11 +94,6 @@ fn changed_end(
 /// `gamma: mass ratio of the plate to the projectile`.
 pub(crate) fn meaning(variable: &Variable) -> String {
     format!("{}: {}", variable.symbol, variable.meaning)
-}
-
-pub(crate) fn place(axis: &SweepAxis, among: &[&'static Variable]) -> Option<usize> {
-    let now = variables::find(&axis.name).ok()?;
-    among.iter().position(|variable| variable.key == now.key)
 }
 
 /// An axis over a variable: the thesis's range, or from half to twice the present value.

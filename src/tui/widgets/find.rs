@@ -79,27 +79,3 @@ fn plain(text: &str) -> String {
     let text = text.to_lowercase().replace(['-', '_', ':', ','], " ");
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_whole_name_comes_before_a_beginning_a_word_and_a_part() {
-        let names = ["kind of spring", "kappa", "k", "bulk", "a k value"];
-        let found = ranked(names.iter(), |name| rank("k", &[name], ""));
-        assert_eq!(found, [&"k", &"kind of spring", &"kappa", &"a k value"]);
-        // Four letters within a word are an accident, as quit in obliquity.
-        assert_eq!(rank("quit", &["theta"], "obliquity"), None);
-        assert_eq!(rank("iquity", &["theta"], "obliquity"), Some(5));
-    }
-
-    #[test]
-    fn letters_scattered_over_a_text_do_not_match() {
-        assert_eq!(rank("pareto", &["peak-force"], "projectile and rear face, to rest"), None);
-        assert_eq!(rank("figure 9.8", &["figure-9.8"], ""), Some(1));
-        assert_eq!(rank("pareto", &["Pareto front"], ""), Some(2));
-        assert_eq!(rank("worth", &["Comparison"], "mass efficiency worth"), Some(4));
-        assert_eq!(rank("front", &["Pareto front"], ""), Some(3));
-    }
-}

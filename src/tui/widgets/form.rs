@@ -1,10 +1,7 @@
 //! A form: rows with their values below each other, the field that is open over the selected one.
 
-use std::ops::RangeInclusive;
-
 use ratatui::layout::Rect;
 
-use crate::model::units::significant;
 use crate::study::quantities::{QUANTITIES, Quantity, named};
 use crate::tui::keymap::{Pane, Target};
 use crate::tui::theme::Role;
@@ -70,11 +67,6 @@ impl FormRow {
         Self { text: Some(row.value.clone()), ..row }
     }
 
-    pub(crate) fn percent(label: &str, value: f64) -> Self {
-        let value = significant(value, 5);
-        Self { text: Some(value.clone()), ..Self::word(label, format!("{value} %")) }
-    }
-
     pub(crate) fn quantity(name: &str) -> Self {
         let title = named(name).map_or_else(|_| name.to_owned(), Quantity::title);
         Self { text: Some(title.clone()), ..Self::word(&title, "") }.means(quantity_meaning(name))
@@ -120,14 +112,6 @@ pub(crate) fn quantity_meaning(name: &str) -> String {
         |_| String::new(),
         |quantity| format!("{}: {}", quantity.title(), quantity.meaning),
     )
-}
-
-/// Reads a number of percent within bounds, with its sign or without.
-pub(crate) fn percent(text: &str, within: RangeInclusive<f64>) -> Result<f64, String> {
-    let value = text.trim_end_matches('%').trim().parse::<f64>().ok();
-    value
-        .filter(|value| within.contains(value))
-        .ok_or_else(|| format!("`{text}` must be from {} to {} %", within.start(), within.end()))
 }
 
 /// The name of another quantity: the one that was typed, or the next one, in a circle.

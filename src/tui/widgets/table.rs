@@ -51,25 +51,3 @@ pub(crate) const NO_MATCH: &str = "no row matches: <back> shows all of them";
 pub(crate) fn filtered(title: &str, filter: &str) -> String {
     if filter.is_empty() { title.to_owned() } else { format!("{title} /{filter}") }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn as_many_columns_as_fit_stand_beside_the_names() {
-        let column = |head: &str| Cells {
-            head: head.to_owned(),
-            is_text: false,
-            cells: vec![head.repeat(2)],
-        };
-        let shown = |width: u16| {
-            let grid = Grid::new(["a", "b", "c", "d", "e"].map(column).into(), width, u16::MAX);
-            grid.line(Some(0))
-        };
-        assert_eq!(shown(14), "aa bb cc dd ee");
-        assert_eq!(shown(13), "aa bb cc dd");
-        assert_eq!(shown(2), "aa");
-        assert_eq!(shown(60), "aa  bb  cc  dd  ee");
-    }
-}

@@ -6,9 +6,6 @@ use ratatui::style::Style;
 
 use crate::tui::theme::{self, Role};
 
-/// The text of a tab that studies one plate while the scene is a stack.
-pub(crate) const NEEDS_SINGLE: &str = "this tab needs a single plate";
-
 pub(crate) fn columns(text: &str) -> u16 {
     u16::try_from(theme::columns(text)).unwrap_or(u16::MAX)
 }

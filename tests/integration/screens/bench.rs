@@ -72,11 +72,6 @@ impl Bench {
         Self { app, effects: Vec::new() }
     }
 
-    /// The same state, with no effects.
-    pub(crate) fn copy(&self) -> Self {
-        Self { app: self.app.clone(), effects: Vec::new() }
-    }
-
     pub(crate) fn ascii(columns: u16, rows: u16) -> Self {
         Self::open(GlyphSet::Ascii, (columns, rows))
     }

@@ -159,21 +159,6 @@ fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
 }
 
 #[test]
-fn the_cursor_of_a_map_begins_again_on_a_map_of_another_scene() {
-    let mut bench = Bench::ascii(120, 40);
-    bench.keys("3");
-    search::answer(&mut bench);
-    bench.keys("<Tab><Tab>ll");
-    assert!(bench.app.pages.limit.map_cursor.is_some());
-    bench.keys("r");
-    search::answer(&mut bench);
-    assert!(bench.app.pages.limit.map_cursor.is_some(), "the same map");
-    bench.keys("1jjl3");
-    search::answer(&mut bench);
-    assert_eq!(bench.app.pages.limit.map_cursor, None);
-}
-
-#[test]
 fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
     for size in [(80, 24), (120, 40), (160, 45)] {
         let mut bench = Bench::ascii(size.0, size.1);

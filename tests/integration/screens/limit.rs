@@ -95,7 +95,10 @@ fn the_status_names_what_is_outside_validity_at_the_limit() {
     bench.keys("3");
     end(&mut bench, |report| report.at_limit.clone_from(&at_limit));
     let screen = bench.screen();
-    assert!(screen.contains("! at the limit: h/D, spring, spring mass, interface |"), "{screen}");
+    assert!(
+        screen.contains("! validity at the limit: h/D, spring, spring mass, interface"),
+        "{screen}"
+    );
 }
 
 #[test]

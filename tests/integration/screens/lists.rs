@@ -7,7 +7,7 @@ use super::bench::Bench;
 use super::{limit, stability};
 use cmra::tui::keymap::Keymap;
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::Message;
+use cmra::tui::message::Effect;
 use cmra::tui::preset::PresetEntry;
 use cmra::tui::theme::GlyphSet;
 
@@ -75,18 +75,14 @@ fn a_preset_of_a_figure_opens_its_sweep() {
 }
 
 #[test]
-fn options_are_a_menu_of_named_lines() {
+fn characters_colours_and_mouse_are_changed_by_a_key() {
     let mut bench = Bench::ascii(80, 24);
-    bench.press("o");
-    let screen = bench.screen();
-    for name in ["characters", "colours", "mouse"] {
-        assert!(screen.contains(name), "{name}: {screen}");
+    for (key, said) in [("m", "characters: block"), ("t", "colours: 256"), ("M", "mouse on")] {
+        bench.press(key);
+        assert!(bench.message().starts_with(said), "{key}: {}", bench.message());
     }
-    bench.press("jj<Enter>");
     assert!(bench.app.settings.mouse);
-    bench.send(Message::Resize(80, 24));
-    bench.press("<Esc>");
-    assert!(!bench.app.has_dialog());
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::Mouse(true))));
 }
 
 /// A name that no quantity has is answered with titles as they stand on the screen, never with keys of files.
@@ -179,8 +175,8 @@ fn no_text_has_a_key_that_is_not_in_force() {
     let mut bench = Bench::ascii(160, 50);
     let mut keys = BTreeMap::new();
     for (action, key) in [
-        ("zoom-in", vec!["F1"]),
-        ("zoom-out", vec!["F2"]),
+        ("down", vec!["F1"]),
+        ("up", vec!["F2"]),
         ("far-left", vec!["F3"]),
         ("far-right", vec!["F4"]),
         ("tab-limit", vec!["F7"]),
@@ -194,7 +190,7 @@ fn no_text_has_a_key_that_is_not_in_force() {
     let screen = bench.screen();
     assert!(screen.contains(" F7:Limit "), "{screen}");
     let footer = screen.lines().last().unwrap();
-    assert!(footer.contains(" F1/F2 zoom ") && !footer.contains("   "), "{footer}");
+    assert!(footer.contains(" F1/F2 chart ") && !footer.contains("   "), "{footer}");
     assert!(!footer.contains("whole") && !footer.contains("pin"), "{footer}");
     bench.keys("?");
     assert!(bench.screen().contains("(F3 F4 ten columns)"), "{}", bench.screen());

@@ -137,10 +137,8 @@ fn a_solution_becomes_the_scene_and_back() {
     bench.keys("4");
     answer(&mut bench);
     bench.keys("gjj<Enter>");
-    let Some(found) = bench.app.pages.search.front() else { panic!("no front") };
-    let designs = bench.app.pages.search.designs();
-    let design = designs[2];
-    assert_eq!(found.designs.len(), designs.len());
+    let found = bench.app.pages.search.front().expect("a front");
+    let design = &found.designs[2];
     for (axis, value) in found.request.over.iter().zip(&design.values) {
         let there = axis.get(&bench.app.scene).unwrap();
         assert!((there - value).abs() <= 1e-15 * value.abs(), "{}", axis.symbol());
@@ -251,7 +249,7 @@ fn the_front_is_exported_as_a_picture() {
     answer(&mut bench);
     bench.press("e<C-u>front.svg<Enter>");
     let (_, drawn, _) = bench.exported().expect("an export");
-    let designs = bench.app.pages.search.designs().len();
+    let designs = bench.app.pages.search.front().expect("a front").designs.len();
     let circles = drawn.matches("<circle").count();
     assert!(designs > 0 && circles >= designs, "{designs} designs, {circles} circles");
 }
@@ -279,7 +277,8 @@ fn the_front_begins_at_its_knee_as_a_table_that_is_sorted() {
     bench.keys("4");
     answer(&mut bench);
     let stroke = |bench: &Bench| {
-        bench.app.pages.search.designs()[bench.app.pages.search.selected()].measures[1].unwrap()
+        let tab = &bench.app.pages.search;
+        tab.front().expect("a front").designs[tab.selected()].measures[1].unwrap()
     };
     let best = (0..40u8).map(f64::from).min_by(|a, b| {
         let sum = |i: f64| i / 39.0 + (0.8 / (1.0 + i) - 0.02) / 0.78;

@@ -93,8 +93,7 @@ impl Work<'_> {
         self.run.ledger.initial_kinetic_j = 0.5 * m * v * v;
         self.run.ledger.initial_plate_j = 0.5 * self.scene.plate_mass_kg() * w * w;
         self.run.ledger.initial_spring_j = self.spring().integral(x);
-        let first = self.sample(Mode::Penetrating);
-        self.note(first, 0, 1);
+        self.note(Mode::Penetrating, 0, 1);
     }
 
     fn spring(&self) -> PowerLaw {
@@ -116,13 +115,14 @@ impl Work<'_> {
             contact_force_n: if mode == Mode::Penetrating { state.force_n } else { 0.0 },
             spring_force_n: spring,
             damper_force_n: damper,
-            stop_force_n: 0.0,
             is_step: true,
+            ..Sample::default()
         }
     }
 
-    /// Notes a point: work done since the one before by the trapezoid, extremes, and some of them for the series.
-    fn note(&mut self, sample: Sample, step: usize, every: usize) {
+    /// Notes where it is: work done since the point before by the trapezoid, extremes, and some of the points for the series.
+    fn note(&mut self, mode: Mode, step: usize, every: usize) {
+        let sample = self.sample(mode);
         if let Some(before) = self.before {
             let mean = |f: fn(&Sample) -> f64| 0.5 * (f(&before) + f(&sample));
             let relative = (sample.projectile_displacement_m - before.projectile_displacement_m)
@@ -163,10 +163,9 @@ impl Work<'_> {
             }
             self.deepest_m = larger(self.state.depth_m, self.deepest_m);
             self.peak_n = larger(self.state.force_n, self.peak_n);
-            let sample = self.sample(Mode::Penetrating);
             // A contact of many steps is drawn from some of them.
             let every = if ending.is_some() { 1 } else { step / POINTS + 1 };
-            self.note(sample, step, every);
+            self.note(Mode::Penetrating, step, every);
             if let Some(ending) = ending {
                 self.note_ending(ending);
                 return Ok(ending);
@@ -268,11 +267,10 @@ impl Work<'_> {
             } else {
                 (self.state.velocity_m_s, self.state.pen_m) = (y[1], start_m + y[0]);
             }
-            let sample = self.sample(mode);
             // A damper alone never quite stops the plate.
             let faded = springless && y[1].abs() < FADED * self.scene.projectile.velocity_m_s;
             let turned = rising && (y[1] <= 0.0 || faded);
-            self.note(sample, step, if turned { 1 } else { step / POINTS + 1 });
+            self.note(mode, step, if turned { 1 } else { step / POINTS + 1 });
             if turned && self.run.max_plate_displacement_m.is_none() {
                 self.run.max_plate_displacement_m = Some(self.max_displacement_m);
                 let kind = EventKind::GreatestDisplacement;
@@ -313,16 +311,18 @@ impl Work<'_> {
                     .then_some(self.max_displacement_m),
             };
         }
-        let plastic = self.scene.interface.law == InterfaceLaw::Plastic;
-        let stopped = sprung && self.scene.mechanism.stop.position_m.is_some();
-        let parts = self.scheme.listing.afterwards != Reading::Printed;
-        let joined = sprung && self.run.outcome == Outcome::Perforated && !parts;
-        let notes = [
-            plastic.then_some(Warning::NotModelled(NotModelled::PlasticLaw)),
-            stopped.then_some(Warning::NotModelled(NotModelled::Stop)),
-            joined.then_some(Warning::NotModelled(NotModelled::PartingBehindHole)),
-        ];
-        self.run.warnings.extend(notes.into_iter().flatten());
+        let is_plastic = self.scene.interface.law == InterfaceLaw::Plastic;
+        let is_stopped = sprung && self.scene.mechanism.stop.position_m.is_some();
+        let stays_joined = sprung
+            && self.run.outcome == Outcome::Perforated
+            && self.scheme.listing.afterwards == Reading::Printed;
+        for (lacks, what) in [
+            (is_plastic, NotModelled::PlasticLaw),
+            (is_stopped, NotModelled::Stop),
+            (stays_joined, NotModelled::PartingBehindHole),
+        ] {
+            self.run.warnings.extend(lacks.then_some(Warning::NotModelled(what)));
+        }
         self.run
     }
 }

@@ -43,25 +43,19 @@ pub(super) struct Accuracy {
 impl Contact {
     /// Go on by steps to the end; `None` where the simulation must take over.
     pub(super) fn integrate(&self, progress: Progress, accuracy: Accuracy) -> Option<ContactEnd> {
-        let spring = Linear(self.spring.coefficient);
-        if self.has_linear_damper {
-            let damper = Linear(self.damper.coefficient);
-            match (self.has_linear_spring, progress.clock) {
-                (true, _) => self.by_laws::<false>(spring, damper, progress, accuracy),
-                (false, StepTime::Even { .. }) => {
-                    self.by_laws::<false>(Power::of(self.spring), damper, progress, accuracy)
-                }
-                (false, StepTime::Graded { .. }) => {
-                    self.by_laws::<true>(Power::of(self.spring), damper, progress, accuracy)
-                }
+        let (spring, damper) = (Linear(self.spring.coefficient), Linear(self.damper.coefficient));
+        let (power_spring, power_damper) = (|| Power::of(self.spring), || Power::of(self.damper));
+        let is_graded = matches!(progress.clock, StepTime::Graded { .. });
+        // A singular damper always starts on a graded clock.
+        match (self.has_linear_spring, self.has_linear_damper, is_graded) {
+            (true, true, _) => self.by_laws::<false>(spring, damper, progress, accuracy),
+            (false, true, false) => {
+                self.by_laws::<false>(power_spring(), damper, progress, accuracy)
             }
-        } else {
-            // A singular damper always starts on a graded clock.
-            let damper = Power::of(self.damper);
-            if self.has_linear_spring {
-                self.by_laws::<true>(spring, damper, progress, accuracy)
-            } else {
-                self.by_laws::<true>(Power::of(self.spring), damper, progress, accuracy)
+            (false, true, true) => self.by_laws::<true>(power_spring(), damper, progress, accuracy),
+            (true, false, _) => self.by_laws::<true>(spring, power_damper(), progress, accuracy),
+            (false, false, _) => {
+                self.by_laws::<true>(power_spring(), power_damper(), progress, accuracy)
             }
         }
     }
@@ -102,7 +96,7 @@ impl Contact {
     pub(super) fn area_law(&self, piece: usize) -> Option<Area> {
         match self.geometry.pieces().get(piece)?.law {
             AreaLaw::Quadratic { origin_m, a } => Some(Area { origin_m, a }),
-            _ => None,
+            AreaLaw::Partial { .. } => None,
         }
     }
 

@@ -8,11 +8,7 @@
 use std::f64::consts::PI;
 
 use super::{About, Values, shown};
-use crate::model::run::Warning;
 use crate::model::scene::Scene;
-
-/// A projectile that arrives at common velocity within this part of the end of the history has not been overrun.
-const AT_THE_END: f64 = 1e-3;
 
 pub(super) const ABOUT: About = About {
     place: 3,
@@ -37,12 +33,6 @@ impl History {
     pub(super) fn of(scene: &Scene) -> Self {
         let (mass_kg, velocity_m_s) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
         Self { duration_s: Values::of(scene).duration_s, mass_kg, velocity_m_s }
-    }
-
-    pub(super) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
-        let duration_s = self.duration_s;
-        let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
-        early.map(|t_s| Warning::Overruns { t_s, duration_s })
     }
 
     fn angle(&self, t_s: f64) -> f64 {

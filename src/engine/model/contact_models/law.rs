@@ -5,6 +5,9 @@ use super::lumped::Lumped;
 use crate::model::run::Warning;
 use crate::model::scene::{ContactModel, Scene};
 
+/// A projectile that arrives at common velocity within this part of the end of a history has not been overrun.
+const AT_THE_END: f64 = 1e-3;
+
 /// A contact model's law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) enum Law {
@@ -49,8 +52,9 @@ impl Law {
 
     /// Says where a prescribed history has overrun the first common velocity.
     pub(in crate::model) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
-        let Self::History(history) = self else { return None };
-        history.overruns(first_arrest_s)
+        let Self::History(History { duration_s, .. }) = *self else { return None };
+        let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
+        early.map(|t_s| Warning::Overruns { t_s, duration_s })
     }
 
     /// Travel at which contact begins in a hole made by this travel, m.

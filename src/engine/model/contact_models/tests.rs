@@ -8,7 +8,7 @@ use super::Values;
 use crate::model::appendix::Scheme;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, Sample, Warning};
-use crate::model::scene::{Jumps, Listing, Reading, Scene, SpringKind};
+use crate::model::scene::{Listing, Reading, Scene, SpringKind};
 use crate::model::simulate::{self, Settings};
 use crate::model::variables::scene_with;
 
@@ -306,7 +306,7 @@ fn valid_every_error_corrected_the_listing_converges_to_the_simulation() {
 
 #[test]
 fn ignored_jumps_end_in_no_number_and_what_the_listing_lacks_is_noted() {
-    let ignored = Listing { jumps: Jumps::Ignored, ..Listing::default() };
+    let ignored = Listing { jumps: Reading::Printed, ..Listing::default() };
     let run = listed("mount=rigid", ignored);
     assert_eq!(run.end, EndReason::NonFinite);
     assert!(!run.series.is_empty() && run.final_penetration_m.is_none());

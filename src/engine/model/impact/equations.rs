@@ -257,7 +257,6 @@ impl Equations<'_> {
         let (nose, law) = (&self.setup.geometry.nose, self.mode.piece.law);
         let area = law.area_m2(nose, q_m);
         let slope = match law {
-            AreaLaw::None => 0.0,
             AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q_m - origin_m),
             AreaLaw::Partial { .. } => {
                 let width = SLOPE_WIDTH * nose.radius_m;

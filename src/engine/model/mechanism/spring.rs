@@ -8,7 +8,7 @@ use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::{Curve, SCALE_M};
 use crate::model::mechanism::piece::Piece;
 use crate::model::scene;
-use crate::numerics::larger;
+use crate::numerics::{larger, smaller};
 
 /// The force law of all springs together.
 #[derive(Clone, Debug, PartialEq)]
@@ -211,26 +211,21 @@ impl Spring {
         }
     }
 
+    /// The least and the greatest of zero and the forces between two displacements, N.
+    fn forces_between(&self, low_m: f64, high_m: f64) -> (f64, f64) {
+        match self {
+            Self::Power(law) => (smaller(law.force(low_m), 0.0), larger(law.force(high_m), 0.0)),
+            Self::Curve(curve) => curve.forces_between(low_m, high_m),
+        }
+    }
+
     /// The greatest force against the plate on the way from x with this energy, N, >= 0.
     pub fn greatest_push(&self, x: f64, energy_j: f64, reach_m: f64) -> f64 {
-        match self {
-            Self::Power(law) if reach_m.is_finite() => law.force(reach_m),
-            Self::Power(_) => 0.0,
-            Self::Curve(curve) => curve.forces_between(curve.backward(x, energy_j), reach_m).1,
-        }
+        self.forces_between(-self.backward(x, energy_j), reach_m).1
     }
 
     /// The greatest force forward on the way from x with this energy, N, >= 0.
     pub fn greatest_pull(&self, x: f64, energy_j: f64) -> f64 {
-        match self {
-            Self::Power(law) => {
-                let back = law.at_integral(energy_j);
-                if back.is_finite() { law.force(back) } else { 0.0 }
-            }
-            Self::Curve(curve) => {
-                let (back, far) = (curve.backward(x, energy_j), curve.forward(x, energy_j));
-                -curve.forces_between(back, far).0
-            }
-        }
+        0.0 - self.forces_between(-self.backward(x, energy_j), self.forward(x, energy_j)).0
     }
 }

@@ -114,21 +114,14 @@ fn a_bistable_plate_does_not_pass_its_barrier_without_the_energy() {
     assert!(curve.force(0.0).abs() < 1e-12 && curve.force(0.02).abs() < 1e-9);
 }
 
+/// Titanium of 4430 kg/m³ in Table 9.3's beam, of which 33/140 moves with the end.
 #[test]
-fn valid_the_cantilever_of_table_9_3() {
+fn valid_a_cantilever_weighs_what_its_material_does() {
     let spring = Parameters { kind: SpringKind::Cantilever, ..Parameters::default() };
-    let curve = spring.curve();
-    // 0.111 MN/m, and 880 MPa at about 0.03 m (0.0297 with K = 7200).
-    assert!((curve.tangent(0.0) / 1e6 - 0.111).abs() < 5e-4, "{}", curve.tangent(0.0));
-    let yields = spring.yields_at_m().unwrap();
-    assert!((yields - 0.0297).abs() < 1e-4, "{yields}");
-    assert!((spring.beam.torsional_n_m() - 7209.0).abs() < 1.0);
-    assert!((spring.beam.mass_kg() - 0.598).abs() < 1e-3);
-    let tip_kg = spring.moving_part() * spring.beam.mass_kg();
-    assert!((tip_kg - 0.141).abs() < 1e-3);
-    // Two springs of the energy K Theta²/2.
-    let angle = (0.03f64 / (0.85 * 0.3)).asin();
-    assert!((curve.energy(0.03) / (0.5 * 7209.0 * angle * angle) - 1.0).abs() < 1e-4);
+    let mass_kg = spring.law().mass_kg(&spring).unwrap();
+    assert!(
+        (mass_kg - 0.598).abs() < 1e-3 && (spring.moving_part() * mass_kg - 0.141).abs() < 1e-3
+    );
 }
 
 #[test]
@@ -142,26 +135,20 @@ fn valid_a_guided_beam_is_as_stiff_as_beam_theory_has_it() {
     assert!((stiffness / theory - 4.0 * 2.65 / 0.85 / 12.0).abs() < 1e-12, "{stiffness}");
 }
 
+/// Cocked, and joined with a third of the spring after the impact.
 #[test]
 fn valid_a_coil_spring_weighs_5_08_g_a_joule() {
-    let mut scene = Scene::default();
-    scene.mechanism.spring.own_mass = crate::model::scene::OwnMass::Counted;
-    let inertia = Inertia::of(&scene);
-    // 2.95 kg m/s of 59 g and a third of the spring: 36.17 J, and 0.1838 kg store them.
-    let mass = inertia.spring_mass_kg.unwrap();
-    assert!((mass - 0.1838).abs() < 5e-5, "{mass}");
-    assert!((inertia.added_kg() / (mass / 3.0) - 1.0).abs() < 1e-12);
     for pairs in ["", "d=0.01", "d=0.5", "theta=30deg gamma=7", "k=1e3 v_i=1"] {
-        let mut scene = crate::model::variables::scene_with(pairs);
-        scene.mechanism.spring.own_mass = crate::model::scene::OwnMass::Counted;
+        let scene = crate::model::variables::scene_with(&format!("own_mass=counted {pairs}"));
         let (shot, d) = (scene.projectile, scene.plate.cocking_m);
         let cos = scene.cos_obliquity();
         let inertia = Inertia::of(&scene);
+        let mass = inertia.spring_mass_kg.unwrap();
+        assert!((inertia.added_kg() / (mass / 3.0) - 1.0).abs() < 1e-12);
         let bodies = shot.mass_kg * cos * cos + scene.plate_mass_kg() + inertia.added_kg();
         let common = shot.mass_kg * shot.velocity_m_s * cos / bodies;
         let energy =
             0.5 * scene.mechanism.spring.coefficient * d * d + 0.5 * bodies * common * common;
-        let mass = inertia.spring_mass_kg.unwrap();
         assert!((mass / (energy * 5.081_673_469e-3) - 1.0).abs() < 1e-6, "{pairs}: {mass}");
     }
 }

@@ -8,7 +8,7 @@ use std::fmt;
 
 pub use crate::model::run::check::Check;
 
-use crate::model::design::Rod;
+use crate::model::design::critical_obliquity_deg;
 use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
 use crate::model::run::{EventKind, Run, Warning};
@@ -158,46 +158,41 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     if !matches!(scene.contact.model, ContactModel::Hydrodynamic | ContactModel::Appendix) {
         return None;
     }
-    let ratio = thickness_ratio(scene);
-    let shown = significant(ratio, 3);
-    let yield_pa = equivalent_yield_pa(scene);
-    if yield_pa >= HARD_PA && ratio < HARD_THICKNESS {
+    let (ratio, yield_pa) = (thickness_ratio(scene), equivalent_yield_pa(scene));
+    let (dishes, closure) = (scene.dishing(), scene.closure());
+    let (direction, text) = if yield_pa >= HARD_PA && ratio < HARD_THICKNESS {
         let text = format!(
-            "h/D = {shown} of a hard plate, Y = {} MPa: below about {HARD_THICKNESS} it fails by plugging; limits of rolled armour \
-             came out up to 59 % too high",
+            " of a hard plate, Y = {} MPa: below about {HARD_THICKNESS} it fails by plugging; limits of rolled armour came out up to \
+             59 % too high",
             significant(1e-6 * yield_pa, 4)
         );
-        return Some(breach(Check::Thickness, Direction::Unconservative, 1.0 / ratio, text));
-    }
-    if scene.dishing() && ratio > THICKNESS + ABOUT {
-        let cure = match scene.closure() {
-            ClosureInEffect::Given => "set dishing=off and a strength by cavity expansion",
-            ClosureInEffect::DoubleYield | ClosureInEffect::Cavity => {
-                "set dishing=off and closure=cavity"
-            }
+        (Direction::Unconservative, text)
+    } else if dishes && ratio > THICKNESS + ABOUT {
+        let cure = match closure {
+            ClosureInEffect::Given => "a strength by cavity expansion",
+            ClosureInEffect::DoubleYield | ClosureInEffect::Cavity => "closure=cavity",
         };
-        let text =
-            format!("h/D = {shown}: with dishing the law is validated up to about 1; {cure}");
-        return Some(breach(Check::Thickness, Direction::Conservative, ratio, text));
-    }
-    if scene.dishing() && ratio < SHEET {
+        let text = ": with dishing the law is validated up to about 1; set dishing=off and ";
+        (Direction::Conservative, format!("{text}{cure}"))
+    } else if dishes && ratio < SHEET {
         let text = format!(
-            "h/D = {shown}: with dishing each plate dishes over one diameter, however thin; below about {SHEET} several sheets \
-             resist more than one plate of their mass, which no measurement supports"
+            ": with dishing each plate dishes over one diameter, however thin; below about {SHEET} several sheets resist more than \
+             one plate of their mass, which no measurement supports"
         );
-        return Some(breach(Check::Thickness, Direction::Unconservative, 1.0 / ratio, text));
-    }
-    if scene.dishing() || ratio >= THICKNESS - ABOUT {
+        (Direction::Unconservative, text)
+    } else if !dishes && ratio < THICKNESS - ABOUT {
+        let cure = match closure {
+            ClosureInEffect::Given | ClosureInEffect::DoubleYield => "dishing=on",
+            ClosureInEffect::Cavity => "closure=double-yield and dishing=on",
+        };
+        let text = ": without dishing the law is validated from about 1; a thin plate bulges and resists less; set ";
+        (Direction::Unconservative, format!("{text}{cure}"))
+    } else {
         return None;
-    }
-    let cure = match scene.closure() {
-        ClosureInEffect::Given | ClosureInEffect::DoubleYield => "set dishing=on",
-        ClosureInEffect::Cavity => "set closure=double-yield and dishing=on",
     };
-    let text = format!(
-        "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; {cure}"
-    );
-    Some(breach(Check::Thickness, Direction::Unconservative, 1.0 / ratio, text))
+    let degree = if direction == Direction::Conservative { ratio } else { 1.0 / ratio };
+    let text = format!("h/D = {}{text}", significant(ratio, 3));
+    Some(breach(Check::Thickness, direction, degree, text))
 }
 
 fn material(scene: &Scene) -> Option<Breach> {
@@ -292,7 +287,7 @@ pub fn oblique_error(theta: f64) -> String {
 
 /// That a shot is likely to glance off, which the model does not know; `None` up to Tate's critical angle.
 pub fn ricochet(scene: &Scene) -> Option<String> {
-    let critical = Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3);
+    let critical = critical_obliquity_deg(scene);
     (scene.projectile.obliquity_deg > critical).then(|| {
         let critical = significant(critical, 3);
         format!("beyond Tate's critical {critical} deg, a rule for long rods at high speed, ricochet is likely")

@@ -47,8 +47,9 @@ parts! {
         pub scheme: Reading = Reading::Printed;
         /// A.2 to A.4: the whole force acts on both bodies, or it is resolved on the normal.
         pub obliquity: Reading = Reading::Printed;
-        /// A.2: the jumps work as meant, or the area is overwritten once the nose is buried.
-        pub jumps: Jumps = Jumps::Meant;
+        /// A.2: the scripts' jumps are calls that come back, so that once the nose is buried the next lines overwrite the area and
+        /// divide by tan(theta) = 0, or they are the jumps that they are meant to be.
+        pub jumps: Reading = Reading::Corrected;
     }
 
     /// The interface between projectile and plate after the first arrest.
@@ -100,15 +101,6 @@ pub enum Reading {
     Printed,
     /// Put right.
     Corrected,
-}
-
-/// The area once the nose is buried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Jumps {
-    /// The scripts' jumps do what they are meant to: the area stays that of the full section.
-    Meant,
-    /// They are calls that come back: the next lines overwrite the area, and divide by tan(theta) = 0.
-    Ignored,
 }
 
 impl Listing {

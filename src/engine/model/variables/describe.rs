@@ -1,6 +1,6 @@
 //! Descriptions of variables: the name in words, and when a scene uses it. Both are read off the table and its rules.
 
-use super::{Kind, VARIABLES, Value, Variable, is_listed, is_used};
+use super::{Kind, VARIABLES, Value, Variable, changed, is_listed, is_used};
 use crate::model::scene::Scene;
 
 /// How keys end in their units, the longer before its own end.
@@ -29,26 +29,24 @@ pub(super) fn named(name: &str) -> Option<&'static Variable> {
     VARIABLES.iter().find(|variable| variable.name() == spelled)
 }
 
-/// Changes of a scene that bring variables into use or out of it.
+/// Changes that bring variables into use or out of it, in words and as they are set.
+const CHANGES: [(&str, &str); 9] = [
+    ("b > 0", "b=1"),
+    ("theta > 0", "theta=30deg"),
+    ("m_p below that of the nose sphere", "m_p=1g"),
+    ("x_stop given", "x_stop=0.01"),
+    ("e_spring = auto", "e_spring=auto"),
+    ("e_spring given", "e_spring=2e4"),
+    ("a base plate or more elements", "h_base=0.01"),
+    ("m_2 given", "m_2=0.1"),
+    ("face given", "face=0.1"),
+];
+
+/// A scene with each of those changes, and each word of each choice, in turn.
 fn changes(base: &Scene) -> Vec<(String, Scene)> {
-    let with = |text: &str, change: fn(&mut Scene)| {
-        let mut scene = base.clone();
-        change(&mut scene);
-        (text.to_owned(), scene)
-    };
-    let mut list = vec![
-        with("b > 0", |it| it.mechanism.damper.coefficient = 1.0),
-        with("theta > 0", |it| it.projectile.obliquity_deg = 30.0),
-        with("m_p below that of the nose sphere", |it| it.projectile.mass_kg = 1e-3),
-        with("x_stop given", |it| it.mechanism.stop.position_m = Some(0.01)),
-        with("e_spring = auto", |it| it.mechanism.energy_j_kg = None),
-        with("e_spring given", |it| it.mechanism.energy_j_kg = Some(2e4)),
-        with("a base plate or more elements", |it| it.stack.base_thickness_m = Some(0.01)),
-        with("m_2 given", |it| it.resize(crate::model::scene::PlateSize::Mass(0.1))),
-        with("face given", |it| it.resize(crate::model::scene::PlateSize::Face(0.1))),
-    ];
-    list.extend(choices(base));
-    list
+    let with =
+        |(text, change): (&str, &str)| Some((text.to_owned(), changed(base.clone(), change).ok()?));
+    CHANGES.into_iter().filter_map(with).chain(choices(base)).collect()
 }
 
 /// The words for those changes whose scenes are meant.

@@ -1,13 +1,9 @@
 //! Variables found by the names people write, and the nearest names where there is none.
 
-use super::{Group, VARIABLES, Variable, VariableError, describe};
+use super::{VARIABLES, Variable, VariableError, describe};
 
 /// The symbols of the thesis, which are used most.
 const USUAL: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
-/// Columns of a line of the listing.
-const WIDTH: usize = 78;
-/// Columns of a group's name in it.
-const TITLE: usize = 12;
 
 /// The variable with this symbol, alias or full key.
 ///
@@ -20,25 +16,6 @@ pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
     exact
         .or_else(|| describe::named(name))
         .ok_or_else(|| VariableError(format!("`{name}` is not a variable: {}", nearest(name))))
-}
-
-/// All symbols by group, a paragraph each, for people.
-pub fn listing() -> String {
-    let mut text = String::new();
-    for group in Group::ALL {
-        let mut line = format!("  {:<TITLE$}", group.title());
-        for variable in VARIABLES.iter().filter(|variable| variable.group == group) {
-            if line.len() + 1 + variable.symbol.len() > WIDTH {
-                text.push_str(&line);
-                line = format!("\n  {:TITLE$}", "");
-            }
-            line.push(' ');
-            line.push_str(variable.symbol);
-        }
-        text.push_str(&line);
-        text.push('\n');
-    }
-    text
 }
 
 /// A hint that names the variables meant by `name`: by symbol, synonym and field before spelling.
@@ -62,7 +39,7 @@ pub fn nearest(name: &str) -> String {
         })
         .collect();
     close(name, ranked)
-        .unwrap_or_else(|| format!("the usual ones are {USUAL}; `cmra run --help` lists all"))
+        .unwrap_or_else(|| format!("the usual ones are {USUAL}; `cmra explain` lists all"))
 }
 
 /// Whether a symbol begins with a name, `v_i` with `v`, or a synonym or the field of the full key has it as a word.
@@ -87,19 +64,6 @@ pub fn close(name: &str, mut candidates: Vec<(usize, &str)>) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn every_variable_is_listed_once_in_lines_that_fit() {
-        let listing = listing();
-        assert!(listing.lines().all(|line| line.chars().count() <= WIDTH + 1), "{listing}");
-        let titles: Vec<&str> = Group::ALL.iter().map(|group| group.title()).collect();
-        let words = listing.split_whitespace().filter(|word| !titles.contains(word));
-        let mut listed: Vec<&str> = words.collect();
-        let mut all: Vec<&str> = VARIABLES.iter().map(|variable| variable.symbol).collect();
-        listed.sort_unstable();
-        all.sort_unstable();
-        assert_eq!(listed, all);
-    }
 
     #[test]
     fn the_usual_names_are_variables_and_an_unknown_one_gets_their_list() {

@@ -18,8 +18,6 @@ const IN_ROW: f64 = 0.25;
 const EVEN_ROWS: u16 = 6;
 /// Most digits of the label at an end of an axis.
 const END_DIGITS: usize = 6;
-/// A smaller tick stands in every n-th cell at most: nearer ones cannot be counted.
-const MINOR_CELLS: f64 = 3.0;
 /// Ticks looked at for one step; more would never fit.
 const TICKS_LOOKED_AT: usize = 512;
 
@@ -39,8 +37,6 @@ pub struct Tick {
 pub struct Ticks {
     /// In order of value.
     pub labelled: Vec<Tick>,
-    /// Cells of the smaller ticks between them, without labels.
-    pub minor: Vec<u16>,
     /// Power of ten the labels are to be multiplied by.
     pub exponent: i32,
 }
@@ -108,7 +104,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
             break;
         }
         if fits(&found.labelled, along, map) {
-            return Ticks { minor: between(map, step, along), ..found };
+            return found;
         }
         best = found;
         step = step.next();
@@ -147,7 +143,7 @@ fn ends(map: Mapping) -> Ticks {
                 tick.label.parse().map_or_else(|_| tick.label.clone(), |it: f64| format!("{it:e}"));
         }
     }
-    Ticks { labelled, minor: Vec::new(), exponent }
+    Ticks { labelled, exponent }
 }
 
 /// A number in so many digits, in plain decimals where that is short.
@@ -158,29 +154,9 @@ fn rounded(value: f64, digits: usize) -> String {
     if plain.len() <= text.len() + 1 { plain } else { text }
 }
 
-/// The cells of the smaller ticks: of the steps that divide a step, the least whose ticks can be counted. An axis upward has
-/// too few rows for any.
-fn between(map: Mapping, step: Step, along: Along) -> Vec<u16> {
-    let cells = f64::from(map.cells().saturating_sub(1)) / map.view().span();
-    // 1 is divided by 10, 5 and 2; 2 by 10, 4 and 2; 5 by 10 and 5.
-    let tenth = Step { exponent: step.exponent - 1, ..step };
-    let candidates = [tenth, tenth.next(), tenth.next().next()];
-    let divides = |small: &Step| {
-        let ratio = step.size() / small.size();
-        (ratio - ratio.round()).abs() < 1e-9 && ratio > 1.5
-    };
-    let fitting = candidates.into_iter().filter(divides);
-    let found =
-        fitting.filter(|small| small.size() * cells >= MINOR_CELLS).find(|_| along == Along::Row);
-    found.map_or_else(Vec::new, |small| {
-        multiples(map, small, 0).into_iter().map(|tick| tick.cell).collect()
-    })
-}
-
 /// The multiples of a step in view, with the common power of ten factored out where that makes their labels shorter.
 fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
-    let ticks =
-        |exponent| Ticks { labelled: multiples(map, step, exponent), exponent, ..Ticks::default() };
+    let ticks = |exponent| Ticks { labelled: multiples(map, step, exponent), exponent };
     let whole = ticks(0);
     if exponent == 0 {
         return whole;
@@ -255,19 +231,12 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
         return None;
     }
     if fits(&dense, along, map) {
-        return Some(Ticks { labelled: dense, ..Ticks::default() });
+        return Some(Ticks { labelled: dense, exponent: 0 });
     }
     let strides = [1, 2, 3, 5, 10, 20, 50, 100, 200];
-    let found = strides.into_iter().map(|stride| (stride, list(&[1], stride)));
-    let mut fitting = found.filter(|(_, ticks)| !ticks.is_empty() && fits(ticks, along, map));
-    let (stride, ticks) = fitting.next()?;
-    // Between decades 2 and 5, between every n-th decade those omitted.
-    let small = if stride == 1 { list(&[2, 5], 1) } else { list(&[1], 1) };
-    let cells = f64::from(map.cells()) / f64::from(last - first + 1).max(1.0);
-    let apart = if stride == 1 { 0.3 * cells } else { cells };
-    let minor = small.into_iter().map(|tick| tick.cell);
-    let minor = minor.filter(|_| along == Along::Row && apart >= MINOR_CELLS).collect();
-    Some(Ticks { labelled: ticks, minor, exponent: 0 })
+    let mut found = strides.into_iter().map(|stride| list(&[1], stride));
+    let labelled = found.find(|ticks| !ticks.is_empty() && fits(ticks, along, map))?;
+    Some(Ticks { labelled, exponent: 0 })
 }
 
 fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {

@@ -295,7 +295,8 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
 
 /// The kernel follows the first contact: where the interface may yield later, that is not the depth.
 fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
-    let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NeedsSimulation)?;
+    let end = Contact::of(scene).and_then(|contact| contact.run(tolerance));
+    let end = end.ok_or(Refusal::NeedsSimulation)?;
     let is_final = end.arrested && scene.interface.law == InterfaceLaw::Fused;
     let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
     let depth_m = is_final.then_some(end.penetration_m);

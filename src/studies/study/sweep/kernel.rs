@@ -58,7 +58,7 @@ impl Kernel {
         if !(decides(scene, wanted) && self.tells_force(scene)) {
             return None;
         }
-        let (contact, tolerance) = (Contact::of(scene), TOLERANCE_FRACTION * scene.run.tolerance);
+        let (contact, tolerance) = (Contact::of(scene)?, TOLERANCE_FRACTION * scene.run.tolerance);
         let (end, max_displacement_m) = if self.displacement {
             let end = contact.run_minding_plate(tolerance)?;
             (end, max_displacement_m(scene, &end))

@@ -6,7 +6,7 @@ use super::ClaimVerdict::{Corrected, Misprint, NotReproduced, Reproduced};
 use super::{Check, Claim, Shots, claim, four, list, millimetres, near};
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EventKind, Run, Sample};
-use crate::model::scene::{Beam, Jumps, Listing, Reading, Wire};
+use crate::model::scene::{Beam, Listing, Reading, Wire};
 use crate::model::units::engineering;
 use crate::study::limit;
 use crate::study::principles::{CONCEPTS, CRITERIA, Concept, PRINCIPLES};
@@ -296,7 +296,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the same lines serve normal and oblique impact",
         "once the nose is buried they divide by tan(0): only a jump over them saves the baseline",
         |shots| {
-            let ignored = Listing { jumps: Jumps::Ignored, ..Listing::default() };
+            let ignored = Listing { jumps: Reading::Printed, ..Listing::default() };
             let without = shots.by(ignored).run("mount=rigid").end;
             let own = millimetres(shots.depth_m("mount=rigid"));
             let text = if shots.listing.is_some() {

@@ -1,12 +1,13 @@
 //! The Explore tab, drawn: an output over one variable, with a curve for each value of a second one, or over two as a map; what has
 //! no value is a letter on the axis, never a number.
 
-use crate::report::figures::{axis_of, column_of, map_over, sweeps};
+use crate::report::figures::{axis_of, column_of, sweeps};
 use crate::report::map::Map;
+use crate::report::svg::Picture;
 use crate::study::sweep::grid::{self, Grid};
-use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS};
+use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, MARKERS};
 use crate::tui::pages::explore::plan::no_value;
-use crate::tui::pages::explore::state::{Picture, RESULTS, SETUP, nearest};
+use crate::tui::pages::explore::state::{self, RESULTS, SETUP, nearest};
 use crate::tui::pages::page::draw_setup;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::setup_width;
@@ -23,8 +24,8 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let old = if is_old(app) { ", of another scene" } else { "" };
     let title = column.title() + old;
     let drawn = match app.picture() {
-        Picture::Line => curves(app, grid, output, &title, area, canvas),
-        Picture::Surface => map(app, grid, output, &title, area, canvas),
+        state::Picture::Line => curves(app, grid, output, &title, area, canvas),
+        state::Picture::Surface => map(app, grid, output, &title, area, canvas),
     };
     if drawn.is_none() {
         let why = app.keymap.shown(&no_value(grid, output).join("\n"));
@@ -39,7 +40,7 @@ fn is_old(app: &App) -> bool {
 
 /// A pane that has nothing to show yet.
 fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let title = if app.picture() == Picture::Line { "Curves" } else { "Map" };
+    let title = if app.picture() == state::Picture::Line { "Curves" } else { "Map" };
     let inner = PaneFrame::new(title).draw(area, canvas);
     let why = app.pages.explore.problem.as_ref().map(|_| "see the message below");
     let text = nothing::<PictureSweep>(app, "sweeping the first points", why);
@@ -144,27 +145,17 @@ fn map(
     area: Rect,
     canvas: &mut Canvas<'_>,
 ) -> Option<()> {
+    let Some(Picture::Map(map)) = sweeps::picture(grid, output) else { return None };
     let axes = grid.plan().axes();
-    let column = grid.plan().outputs()[output];
-    let values = sweeps::points(grid, output).map(number);
-    let levels = Levels::of(values)?;
-    let (across, up) = (axis_of(&axes[0]), axis_of(&axes[1]));
+    let (across, up) = (&map.x, &map.y);
     // The name of the axis across stands in the same line, with its unit, that of the axis upward, brackets and the frame's ends.
     let taken = across.label.len() + across.unit.name.len() + up.unit.name.len() + 13;
     let titles = [title.to_owned(), shortened(title)].map(|it| format!("{it}, up: {}", up.label));
     let titles = titles.into_iter().chain([format!("up: {}", up.label)]);
-    let title = fitting(titles, usize::from(area.width).saturating_sub(taken));
+    let title = fitting(titles, usize::from(area.width).saturating_sub(taken)).into();
     let (x, y) = app.cursor_point(grid);
-    let marks = sweeps::marks(column, sweeps::points(grid, output));
-    let map = Map {
-        unit: column.unit(),
-        marks: marks.into_iter().map(|(letter, _, words)| (letter, words.to_owned())).collect(),
-        cursor: column_of(&axes[0], x).zip(column_of(&axes[1], y)),
-        focused: app.has_focus(RESULTS),
-        ..map_over(title, &axes[0], &axes[1], Some(levels), |x, y| {
-            sweeps::cell(grid.cell(x, y, output))
-        })
-    };
+    let cursor = column_of(&axes[0], x).zip(column_of(&axes[1], y));
+    let map = Map { title, cursor, focused: app.has_focus(RESULTS), ..map };
     let layout = canvas.draw_map(&map, area);
     canvas.plot(&layout, |x, y| {
         Some(Target::Cell(RESULTS, (nearest(&axes[0], x)?, nearest(&axes[1], y)?)))

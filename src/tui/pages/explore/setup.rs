@@ -9,7 +9,7 @@ use crate::study::sweep::grid::GRID_COUNTS;
 use crate::tui::pages::explore::plan::is_corrected_figure;
 use crate::tui::pages::explore::state::{Picture, SetupRow, completed, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
-use crate::tui::widgets::axis::{Part, numeric, over, place};
+use crate::tui::widgets::axis::{Part, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_after};
 use crate::tui::widgets::steps::Input;
 use crate::tui::widgets::{around, cycled};
@@ -80,15 +80,14 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
     let picture = app.picture();
     match (row, input) {
         (SetupRow::Axis(1, Part::Name), Input::Text("none")) if picture == Picture::Line => {
-            sweep.axes.truncate(1);
-            store(app, sweep, "one curve".to_owned());
+            without_family(app, sweep);
         }
         (SetupRow::Axis(at, Part::Name), Input::Step(press)) => {
             next_variable(app, at, press.by())?;
         }
         (SetupRow::Axis(at, part), _) => {
             part.change(&mut sweep.axes[at], &app.scene, input, &GRID_COUNTS)?;
-            checked(app, stood_in(app, sweep, at), at)?;
+            checked(app, sweep, at)?;
         }
         (SetupRow::Picture, Input::Step(press)) => {
             let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
@@ -113,7 +112,7 @@ pub(crate) fn choose_output(app: &mut App, name: &str) {
         app.pages.explore.output = there;
         return;
     }
-    leave_stand_in(app, &mut sweep);
+    sweep = settled(app, sweep, 0);
     let at = app.pages.explore.output_of(&sweep);
     name.clone_into(&mut sweep.outputs[at]);
     let title = named(name).map_or_else(|_| name.to_owned(), Quantity::title);
@@ -123,38 +122,43 @@ pub(crate) fn choose_output(app: &mut App, name: &str) {
 /// Another variable on an axis; across curves also none.
 fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     let mut sweep = sweep_of(&app.scene);
-    let other = variables::find(&sweep.axes[1 - at].name).ok();
-    let family = at == 1 && app.picture() == Picture::Line;
-    let alone = family && !has_family(&app.scene);
-    let taken = |variable: &&'static Variable| {
-        // The stand-in second axis gives way; one that a person chose does not.
-        let stands_in = at == 0 && !has_family(&app.scene);
-        stands_in || other.is_none_or(|other| !variables::exclude_each_other(other, variable))
+    let has_family = has_family(&app.scene);
+    // A second axis that a person chose does not give way.
+    let other = variables::find(&sweep.axes[1 - at].name).ok().filter(|_| at == 1 || has_family);
+    let is_there = |variable: &&'static Variable| {
+        other.is_none_or(|other| !variables::exclude_each_other(other, variable))
     };
-    let choices: Vec<&'static Variable> = numeric(&app.scene).filter(taken).collect();
-    let places = choices.len() + usize::from(family);
-    let own = place(&sweep.axes[at], &choices).unwrap_or(0);
-    let next = match (alone, by > 0) {
-        // From none to the usual one first.
-        (true, true) => own,
-        (true, false) => cycled(places - 1, by, places),
-        (false, _) => cycled(own, by, places),
-    };
-    let Some(variable) = choices.get(next) else {
-        sweep.axes.truncate(1);
-        store(app, sweep, "one curve".to_owned());
-        return Ok(());
-    };
-    sweep.axes[at] = over(&app.scene, variable, sweep.axes[at].count)?;
-    checked(app, stood_in(app, sweep, at), at)
+    let has_none = at == 1 && app.picture() == Picture::Line;
+    let choices = numeric(&app.scene).filter(is_there).map(Some);
+    let choices: Vec<Option<&'static Variable>> = choices.chain(has_none.then_some(None)).collect();
+    let now = variables::find(&sweep.axes[at].name).ok().filter(|_| has_family || !has_none);
+    let own = choices.iter().position(|it| it.map(|it| it.key) == now.map(|it| it.key));
+    match choices[cycled(own.unwrap_or(0), by, choices.len())] {
+        Some(variable) => {
+            sweep.axes[at] = over(&app.scene, variable, sweep.axes[at].count)?;
+            checked(app, sweep, at)?;
+        }
+        None => without_family(app, sweep),
+    }
+    Ok(())
 }
 
-/// The sweep with another stand-in where a variable along takes the place of the second axis, which nobody chose.
-fn stood_in(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
+/// Draw one curve.
+fn without_family(app: &mut App, mut sweep: Sweep) {
+    sweep.axes.truncate(1);
+    store(app, sweep, "one curve".to_owned());
+}
+
+/// The sweep after a change of one of its axes: a second one that nobody chose is left out of curves, and stands beside the first one of
+/// a map.
+fn settled(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     if changed == 0 && !has_family(&app.scene) {
         sweep.axes.truncate(1);
+        if app.picture() == Picture::Surface {
+            sweep = completed(&app.scene, sweep);
+        }
     }
-    completed(&app.scene, sweep)
+    sweep
 }
 
 /// Show curves or a map, unless that cannot be made.
@@ -170,18 +174,9 @@ fn show_as(app: &mut App, picture: Picture) -> Result<(), String> {
     Ok(())
 }
 
-/// The stand-in second axis becomes the scene's own only when it is shown or touched.
-fn leave_stand_in(app: &App, sweep: &mut Sweep) {
-    if app.picture() == Picture::Line && !has_family(&app.scene) {
-        sweep.axes.truncate(1);
-    }
-}
-
 /// Store a sweep that can be made, changed in one of its axes; the refusal names axis, value, rule and cure.
-fn checked(app: &mut App, mut sweep: Sweep, changed: usize) -> Result<(), String> {
-    if changed == 0 {
-        leave_stand_in(app, &mut sweep);
-    }
+fn checked(app: &mut App, sweep: Sweep, changed: usize) -> Result<(), String> {
+    let sweep = settled(app, sweep, changed);
     for axis in &sweep.axes {
         Axis::of(axis, &GRID_COUNTS).map_err(|error| error.to_string())?;
     }

@@ -103,12 +103,11 @@ impl App {
             (true, Some(_)) => format!(" at {own} m/s"),
         };
         let limit = format!("v_bl {} m/s{of}", fixed_significant(velocity_m_s, 6));
-        let bare = format!("{limit}, margin {:+.1} %", 100.0 * margin);
         let is_conditional = margin >= 0.0 && taken_to_hold(report).is_some();
         let condition = if is_conditional { " if the mechanism holds" } else { "" };
+        let bare = format!("{limit}, margin {:+.1} %", 100.0 * margin);
         let short = format!("{bare}{condition}");
-        let full = format!("{short}{ends}");
-        Some(fitting([format!("limit {full}"), full, short, bare, limit], width))
+        Some(fitting([format!("{short}{ends}"), short, bare, limit], width))
     }
 
     /// What to know of the limit.
@@ -127,8 +126,7 @@ impl App {
         parts.extend(self.v50().and_then(v50).map(|text| format!("V50 {text}")));
         // Where there is one row, the pane itself has the limit in full.
         if self.layout().message.height > 1 {
-            let at = usize::from(severity == Severity::Warning);
-            parts.insert(at.min(parts.len()), self.limit_headline(usize::MAX)?);
+            parts.insert(0, self.limit_headline(usize::MAX)?);
         }
         Some((severity, parts.join("; ")))
     }

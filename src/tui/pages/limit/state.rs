@@ -23,22 +23,16 @@ pub struct Ballistic {
     pub comparison: Kept<Comparison>,
     /// The first line shown of the comparison.
     pub scrolled: usize,
-    /// The cell under the cursor of the map of mass efficiency; `None`: the scene's.
-    pub map_cursor: Option<(usize, usize)>,
     /// Where curve and words have no room together: the first line of the words shown, counted from 1, or 0 for the curve.
     pub word: usize,
 }
 
 impl Ballistic {
-    /// Keep what was found; a map of another scene has its axes elsewhere.
     pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) {
-        let is_old = self.comparison.is_old(&running.scene);
         self.report.keep(running, news, |report| report.is_complete);
         self.spread.keep(running, news, |spread| spread.is_complete);
         let is_whole =
             |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
-        if self.comparison.keep(running, news, is_whole) {
-            self.map_cursor.take_if(|_| is_old);
-        }
+        self.comparison.keep(running, news, is_whole);
     }
 }

@@ -26,19 +26,15 @@ impl App {
         let progress = match progress::<Measurements, _>(self, &tab.report, &scene, words) {
             None => Progress::Done(format!("measured {count} points")),
             Some(Progress::Cut(_)) => Progress::Cut(format!(" after {count} points")),
-            Some(Progress::Nothing) if self.needs_single_plate().is_some() => {
-                Progress::Done("nothing to measure".to_owned())
-            }
             Some(other) => other,
         };
         let mut parts = vec![progress.part()];
         let Some(report) = &tab.report.found else { return parts };
         if let Some(reference) = report.references.any() {
-            let sure = reference.uncertainty.map(|it| format!("{it:.0e}"));
-            let sure = sure.as_deref().unwrap_or("unknown");
+            let sure = reference.uncertainty.map(|it| format!(", to {it:.0e}"));
             let words = reference.basis.words();
-            let long = format!("reference {words}, uncertainty {sure}");
-            parts.push((Severity::Note, long, format!("ref. {words}")));
+            let text = format!("reference {words}{}", sure.unwrap_or_default());
+            parts.push(part(Severity::Note, text));
             let ending = match reference.results[0] {
                 Some(depth_m) => format!("{} deep", engineering(depth_m, "m", 7)),
                 None => reference.outcome.word().to_owned(),
@@ -48,23 +44,22 @@ impl App {
         parts
     }
 
-    /// What to use and what it costs, how far the printed scheme is off, and what leaving out gains, with its times or without.
-    pub(crate) fn accuracy_answers(&self, has_times: bool) -> Vec<String> {
+    /// What to use and what it costs, how far the printed scheme is off, and what leaving out gains.
+    pub(crate) fn accuracy_answers(&self) -> Vec<String> {
         let tab = &self.pages.numerics.accuracy;
         let Some(report) = &tab.report.found else { return Vec::new() };
         if !report.is_complete {
-            let running = self.jobs.running::<Measurements>();
-            let kept = (tab.points(), tab.points_in_all.max(tab.points()));
-            let (done, total) = running.and_then(|it| it.points).unwrap_or(kept);
-            return vec![format!("error {:.0e}: not computed yet ({done} of {total})", TARGETS[0])];
+            let counted = self.jobs.running::<Measurements>().and_then(|it| it.points);
+            let counted = counted.map(|(done, total)| format!(" ({done} of {total})"));
+            let counted = counted.unwrap_or_default();
+            return vec![format!("error {:.0e}: not computed yet{counted}", TARGETS[0])];
         }
         let gains: Vec<String> = report
             .savings
             .iter()
             .map(|it| {
                 let [with, without] = [it.with_s, it.without_s].map(seconds);
-                let times = if has_times { format!(" {with} -> {without}") } else { String::new() };
-                format!("{}{times} ({})", it.part, gain(it))
+                format!("{} {with} -> {without} ({})", it.part, gain(it))
             })
             .collect();
         let gains = (!gains.is_empty()).then(|| format!("omitted: {}", gains.join("; ")));
@@ -163,9 +158,6 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.accuracy;
     if !tab.report.keep(running, news, |report| report.is_complete) {
         return;
-    }
-    if let Some((_, total)) = running.points {
-        tab.points_in_all = total;
     }
     if news.is_last() && !tab.report.is_complete {
         app.tell(jobs::CANCELLED);

@@ -1,6 +1,5 @@
 //! The Stability page: the map and the stiff scenes, what is selected in them, in words and drawn.
 
-use crate::model::variables::{VARIABLES, Value};
 use crate::report;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
@@ -9,7 +8,6 @@ use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::cursor_moved;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::NEEDS_SINGLE;
 use crate::worker::studies::{StabilityMap, StiffScenes};
 
 /// What the columns of the stiff scenes mean, for `?`.
@@ -122,28 +120,12 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             tab.view += 1;
             ask_map(app);
         }
-        Action::Enter => load(app),
         _ => match cursor_moved(action, FAR) {
             Some(by) => tab.move_cursor(by),
             None => return false,
         },
     }
     true
-}
-
-/// Load the value of the row under the cursor into the scene.
-fn load(app: &mut App) {
-    let tab = &app.pages.numerics.stability;
-    let found = tab.map.found.as_ref().zip(tab.cursor());
-    let Some((map, (_, row))) = found.filter(|_| !tab.map.is_old(&app.scene)) else {
-        return app.refuse(nothing::<StabilityMap>(app, BEING_COMPUTED, None));
-    };
-    let (symbol, value) = (map.axis.symbol(), map.values[row]);
-    let index = VARIABLES.iter().position(|one| one.symbol == symbol).unwrap_or(0);
-    match edit::set(app, index, Value::Number(value), None) {
-        Ok(()) => app.tell(format!("loaded {symbol} = {} (<undo> undoes)", significant(value, 4))),
-        Err(error) => app.refuse(error),
-    }
 }
 
 fn ask_map(app: &mut App) {
@@ -164,8 +146,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let pane = PaneFrame::new("Map").right(app.keymap.shown("<next-pane>: stiff scenes"));
         let pane = pane.focused(focused);
         let inner = pane.draw(area, canvas);
-        let why = app.needs_single_plate().map(|_| NEEDS_SINGLE);
-        return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", why));
+        return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", None));
     };
     let title = title(found) + old;
     let cursor = tab.cursor();

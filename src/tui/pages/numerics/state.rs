@@ -29,8 +29,6 @@ pub struct Accuracy {
     pub report: Kept<Report>,
     /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
     pub selected: Option<usize>,
-    /// Points of the study requested last, once known.
-    pub points_in_all: usize,
 }
 
 impl Accuracy {

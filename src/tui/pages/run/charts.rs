@@ -22,17 +22,8 @@ pub struct Curve<'a> {
     pub points: Vec<(f64, f64)>,
 }
 
-/// An event so near to the crosshair is under it, as a share of the range in view: half a column of a narrow chart.
-const NEAR: f64 = 0.01;
-
 /// How far a press moves the crosshair, as a share of the range in view.
 const STEP: f64 = 0.01;
-
-/// How much less, or more, of the time a zoom shows.
-const ZOOM: f64 = 2.0;
-
-/// How far beyond the range in view curves are given, as a share of it.
-const BEYOND: f64 = 0.02;
 
 /// A plate is as good as held that moves less than this part of the depth.
 const HELD: f64 = 1e-3;
@@ -58,22 +49,15 @@ pub(crate) fn is_free(run: &Run) -> bool {
 }
 
 impl App {
-    /// The time range of a window without zoom, s.
-    pub fn window_s(&self, window: Window) -> (f64, f64) {
-        let of = |run: &Run| match window {
+    /// The time range that a chart shows, s.
+    pub fn time_range_s(&self, chart: usize) -> (f64, f64) {
+        let of = |run: &Run| match self.pages.run.charts.windows[chart] {
             Window::Contact => contact_window_s(run),
             Window::Whole => whole_s(run),
         };
         let runs = self.visible_runs().into_iter().map(|view| of(view.run));
         let end = runs.filter(|end| end.is_finite() && *end > 0.0).fold(0.0, larger);
         (0.0, if end > 0.0 { end } else { 1e-3 })
-    }
-
-    /// The time range that a chart shows, s.
-    pub fn time_range_s(&self, chart: usize) -> (f64, f64) {
-        let window = self.pages.run.charts.windows[chart];
-        let zoom_s = self.pages.run.charts.zoom_s[window as usize];
-        zoom_s.map_or_else(|| self.window_s(window), |it| (it.lo(), it.hi()))
     }
 
     /// The curves of a chart.
@@ -108,9 +92,6 @@ impl App {
     }
 
     fn samples_seen(run: &Run, (from, to): (f64, f64)) -> Range<usize> {
-        // The outermost dots of a chart stand for times a little beyond its range.
-        let beyond = BEYOND * (to - from);
-        let (from, to) = (from - beyond, to + beyond);
         let before = run.series.partition_point(|sample| sample.t_s < from);
         let within = run.series.partition_point(|sample| sample.t_s <= to);
         before.saturating_sub(1)..run.series.len().min(within + 1)
@@ -149,40 +130,6 @@ impl App {
         let moved = |here: f64| (here + f64::from(by) * STEP * (to - from)).clamp(from, to);
         self.pages.run.charts.cursor_s = Some(self.pages.run.charts.cursor_s.map_or(middle, moved));
     }
-
-    /// The event of the current run under the crosshair.
-    pub fn event_at_cursor(&self) -> Option<&'static str> {
-        let cursor = self.pages.run.charts.cursor_s?;
-        let run = &self.shown.as_ref()?.run;
-        let (from, to) = self.time_range_s(self.pages.run.charts.selected);
-        let near = NEAR * (to - from);
-        run.events
-            .iter()
-            .filter(|event| (event.t_s - cursor).abs() <= near)
-            .min_by(|a, b| {
-                let distance = |t: f64| (t - cursor).abs();
-                distance(a.t_s).total_cmp(&distance(b.t_s))
-            })
-            .map(|event| event.kind.words())
-    }
-
-    /// Show a part of the time about the crosshair, or all of it; the charts of one window have it in common.
-    fn zoom(&mut self, action: Action) {
-        let charts = &self.pages.run.charts;
-        let (window, (from, to)) =
-            (charts.windows[charts.selected], self.time_range_s(charts.selected));
-        let about = charts.cursor_s.unwrap_or_else(|| f64::midpoint(from, to));
-        let (_, end_s) = self.window_s(window);
-        let view = ViewRange::new(from, to);
-        let next = match action {
-            Action::ZoomIn => view.zoomed(Scale::Linear, about, ZOOM),
-            Action::ZoomOut => view.zoomed(Scale::Linear, about, 1.0 / ZOOM),
-            _ => ViewRange::new(0.0, end_s),
-        };
-        let is_part = next.lo() > 0.0 || next.hi() < end_s;
-        self.pages.run.charts.zoom_s[window as usize] =
-            is_part.then(|| next.within(ViewRange::new(0.0, end_s)));
-    }
 }
 
 /// Do what a key means.
@@ -192,7 +139,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         A::Mark => runs::pin_scene(app),
         A::Window => window(app),
-        A::ZoomIn | A::ZoomOut | A::ZoomFit => app.zoom(action),
         A::View => {
             let mut next = app.pages.run.charts.quantities[selected].next();
             while app.pages.run.charts.quantities.contains(&next) {

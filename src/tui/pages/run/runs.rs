@@ -22,12 +22,6 @@ impl App {
         comparison(std::iter::once(now).chain(pins))
     }
 
-    /// `now`, or the letter of a pin.
-    pub(crate) fn run_label(&self, run: usize) -> String {
-        let pin = run.checked_sub(1).and_then(|at| self.pins.get(at));
-        pin.map_or_else(|| "now".to_owned(), |pin| pin.letter.to_string())
-    }
-
     /// The pin selected in the table of runs; `None`: the current run is.
     fn selected_pin(&self) -> Option<&Pin> {
         self.pins.get(self.pages.run.selected.checked_sub(1)?)
@@ -81,7 +75,9 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         list,
         |row| Some(Target::Row(RUNS, row)),
         |canvas, row, index| {
-            let label = format!("{}{}", MARKERS[index % MARKERS.len()], app.run_label(index));
+            let pin = index.checked_sub(1).map(|at| app.pins[at].letter.to_string());
+            let name = pin.as_deref().unwrap_or("now");
+            let label = format!("{}{name}", MARKERS[index % MARKERS.len()]);
             canvas.put(row, (0, 0), &label, Role::Curve(index));
             let line = grid.line(Some(index));
             canvas.put(row, (LEAD, 0), &line, Role::Text);

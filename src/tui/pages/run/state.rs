@@ -1,7 +1,6 @@
 //! What the Run tab keeps.
 
 use crate::report::series::Channel;
-use crate::tui::chart::ViewRange;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::pages::run::editor::Editor;
 
@@ -37,8 +36,6 @@ pub struct Charts {
     pub selected: usize,
     /// The crosshair, s since first contact.
     pub cursor_s: Option<f64>,
-    /// A time range chosen by zooming, s, of the charts of each window; `None`: all of it.
-    pub zoom_s: [Option<ViewRange>; 2],
 }
 
 impl Default for Charts {
@@ -48,7 +45,6 @@ impl Default for Charts {
             windows: [Window::Contact, Window::Contact, Window::Whole],
             selected: 0,
             cursor_s: None,
-            zoom_s: [None; 2],
         }
     }
 }

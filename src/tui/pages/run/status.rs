@@ -4,10 +4,8 @@ use crate::model::run::{EndReason, EstimateBasis, Outcome, Run};
 use crate::model::units::in_unit;
 use crate::report::series::Channel;
 use crate::tui::app::notice::demand;
-use crate::tui::app::pins::RunView;
 use crate::tui::app::show_duration;
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::run::editor::draw::measured;
 use crate::tui::widgets::steps::engineering;
 
 impl App {
@@ -17,9 +15,6 @@ impl App {
         let idle = !crate::model::variables::is_used(variable, &self.scene);
         let note = if idle { " (no effect here)" } else { "" };
         let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
-        if let Some(points) = measured(self) {
-            return clip(&format!("{text}; {points}: <enter>"), room);
-        }
         let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);
         let range = variable.number().and_then(|number| {
             let (low, high) = number.thesis_range?;
@@ -53,17 +48,17 @@ impl App {
             let values: Vec<String> = quantities
                 .iter()
                 .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)))
-                // A value is not broken away from its symbol and unit.
-                .map(|text| text.replace(' ', "\u{a0}"))
                 .collect();
             let values = values.join("  ");
             // Alone, the run needs no name.
             parts.push(match views.len() {
                 1 => values,
-                _ => format!("{} {values}", short_name(view)),
+                _ => format!(
+                    "{} {values}",
+                    view.letter.map_or_else(|| "now".to_owned(), String::from)
+                ),
             });
         }
-        parts.extend(self.event_at_cursor().map(str::to_owned));
         parts.join(" | ")
     }
 
@@ -87,8 +82,7 @@ impl App {
                 Outcome::Arrested | Outcome::Separated => Severity::Note,
                 Outcome::Perforated | Outcome::Moving => Severity::Warning,
             };
-            let short = format!("stack {}", stack.outcome.word());
-            parts.push((severity, stack.sentence(), short));
+            parts.push(part(severity, stack.sentence()));
         } else if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates {
             parts.push(part(Severity::Warning, "moving after many oscillations".to_owned()));
         }
@@ -107,8 +101,7 @@ impl App {
             _ => format!("error {:.0e}", estimate.relative),
         });
         let text = error.map_or_else(|| took.clone(), |error| format!("{error}, {took}"));
-        let long = format!("{text} with its estimate");
-        Some((Severity::Note, long, text))
+        Some(part(Severity::Note, text))
     }
 
     fn state_words(&self) -> StatusPart {
@@ -130,22 +123,12 @@ impl App {
         match &self.shown {
             None => part(Severity::Note, NO_RESULTS),
             Some(_) if self.is_stale() && self.jobs.current.is_none() => {
-                (Severity::Warning, old("scene"), "old: press <run>".to_owned())
+                part(Severity::Warning, old("scene"))
             }
-            Some(shown) => match shown.took {
-                Some(took) if shown.run.end.is_complete() => {
-                    part(Severity::Note, format!("done {}", show_duration(took)))
-                }
-                Some(_) => part(Severity::Warning, "ended early"),
-                None => part(Severity::Warning, "cancelled: a part is shown"),
-            },
+            Some(shown) if shown.took.is_some() => part(Severity::Warning, "ended early"),
+            Some(_) => part(Severity::Warning, "cancelled: a part is shown"),
         }
     }
-}
-
-/// `now`, or the pin's letter.
-fn short_name(view: &RunView<'_>) -> String {
-    view.letter.map_or_else(|| "now".to_owned(), String::from)
 }
 
 /// The value at a time with unit, `-` outside the run.

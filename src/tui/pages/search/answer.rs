@@ -23,9 +23,9 @@ pub(crate) trait Answer {
         None
     }
 
-    /// The places of the designs or solutions, in the order of the table.
-    fn order(&self, _tab: &Searching) -> Vec<usize> {
-        Vec::new()
+    /// How many designs or solutions it has.
+    fn choices(&self) -> usize {
+        0
     }
 
     /// The design under the cursor, as a change of a scene.

@@ -1,6 +1,5 @@
 //! What the Search tab has found, which design is selected, and whether all of it is old. No drawing.
 
-use crate::numerics::statistics::ascending;
 use crate::study::search::front::{Design, Report};
 use crate::tui::app::running::Kept;
 use crate::tui::pages::explore::state::copy_value;
@@ -31,43 +30,14 @@ impl Searching {
         }
     }
 
-    /// The places of all designs of a front in the order of the table: by the objective across.
-    pub fn sorted_places(&self, front: &Report) -> Vec<usize> {
-        let (sorted, _) = self.across(front);
-        let value =
-            |design: &Design| design.measures.get(sorted).copied().flatten().unwrap_or(f64::NAN);
-        ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
-    }
-
     /// The same as its page shows it.
     pub(crate) fn answer(&self) -> Option<&dyn Answer> {
         Some(self.shown()?.found.as_ref()?.answer())
     }
 
-    /// The places of the designs or solutions, in the order of the table.
-    pub fn order(&self) -> Vec<usize> {
-        self.answer().map_or_else(Vec::new, |answer| answer.order(self))
-    }
-
-    /// The selected design or solution, by its place among all.
-    pub fn chosen(&self) -> Option<usize> {
-        self.order().get(self.selected()).copied()
-    }
-
-    /// The designs of the front in that order.
-    pub fn designs(&self) -> Vec<&Design> {
-        let Some(front) = self.front() else { return Vec::new() };
-        self.order().into_iter().map(|at| &front.designs[at]).collect()
-    }
-
-    /// The places of the measures drawn across and up: the first two objectives.
-    pub fn across(&self, front: &Report) -> (usize, usize) {
-        (0, 1.min(front.request.measures().len().saturating_sub(1)))
-    }
-
     /// How many things the cursor can stand on.
     pub fn choices(&self) -> usize {
-        self.order().len()
+        self.answer().map_or(0, Answer::choices)
     }
 
     /// Whether there is something to draw on the page shown.
@@ -91,31 +61,19 @@ impl Searching {
         self.cursor[self.page as usize].unwrap_or(0)
     }
 
-    /// Select a row of the table; where there is none, the first line shown.
-    pub fn select(&mut self, row: usize) {
-        let order = self.order();
-        let at = if order.is_empty() { Some(row) } else { order.get(row).copied() };
-        self.cursor[self.page as usize] = at.or(self.cursor[self.page as usize]);
-    }
-
     /// The row of the selected one of them: of a front its knee, until another one is selected; the first where there is none.
     pub fn selected(&self) -> usize {
         let knee = || self.knee().filter(|_| self.page == Page::Front);
         let chosen = self.cursor[self.page as usize].or_else(knee);
-        self.order().iter().position(|at| Some(*at) == chosen).unwrap_or(0)
+        chosen.filter(|at| *at < self.choices()).unwrap_or(0)
     }
 
     /// The knee of the front, by its place: the design farthest from the line between the ends of the two axes shown, each axis by its
     /// range on the front; `None` where there is no such line.
     pub fn knee(&self) -> Option<usize> {
         let front = self.front()?;
-        let (across, up) = self.across(front);
-        let designs = &front.designs;
-        let place = |design: &Design| {
-            let value = |at: usize| design.measures.get(at).copied().flatten();
-            value(across).zip(value(up))
-        };
-        let places: Vec<Option<(f64, f64)>> = designs.iter().map(place).collect();
+        let places: Vec<Option<(f64, f64)>> =
+            front.designs.iter().map(|design| place(front, design)).collect();
         let shown = || places.iter().flatten();
         let range = |of: fn(&(f64, f64)) -> f64| {
             let least = shown().map(of).min_by(f64::total_cmp)?;
@@ -128,11 +86,18 @@ impl Searching {
         let known = places.iter().enumerate().filter_map(|(at, place)| Some((at, (*place)?)));
         known.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1))).map(|(at, _)| at)
     }
+}
 
-    /// Whether the design selected is the knee.
-    pub fn selects_knee(&self) -> bool {
-        self.knee().is_some_and(|knee| self.order().get(self.selected()) == Some(&knee))
-    }
+/// The places of the measures of a front that are drawn across and up: the first two objectives.
+pub(super) fn axes(front: &Report) -> (usize, usize) {
+    (0, 1.min(front.request.measures().len().saturating_sub(1)))
+}
+
+/// Where a design stands between these axes.
+pub(super) fn place(front: &Report, design: &Design) -> Option<(f64, f64)> {
+    let value = |at: usize| design.measures.get(at).copied().flatten();
+    let (across, up) = axes(front);
+    value(across).zip(value(up))
 }
 
 impl App {

@@ -12,6 +12,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note};
 use crate::tui::pages::search::draw::lines_below;
+use crate::tui::pages::search::found::{axes, place};
 use crate::tui::pages::search::setup::{OBJECTIVES, brief};
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::widgets::table::Grid;
@@ -38,8 +39,8 @@ fn rows(app: &App) -> Vec<Row> {
 fn request(app: &App) -> Result<SearchRequest, String> {
     let over = app.varied()?;
     let setup = &app.pages.search.setup;
-    let chosen = app.chosen_objectives().into_iter();
-    let objectives = chosen.map(|at| Objective::of(USUAL[at], false));
+    let chosen = USUAL.into_iter().zip(setup.objectives).filter(|(_, is_chosen)| *is_chosen);
+    let objectives = chosen.map(|(name, _)| Objective::of(name, false));
     let objectives: Vec<Objective> =
         objectives.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
     if objectives.is_empty() {
@@ -69,23 +70,22 @@ impl Answer for Report {
         Some(format!("{} designs after {} runs", self.designs.len(), self.runs))
     }
 
-    fn order(&self, tab: &Searching) -> Vec<usize> {
-        tab.sorted_places(self)
+    fn choices(&self) -> usize {
+        self.designs.len()
     }
 
     fn design(&self, app: &App) -> Result<LabelledScene, String> {
-        let tab = &app.pages.search;
-        let (designs, none) = (tab.designs(), "no design to load: relax a constraint or a bound");
-        let design = designs.get(tab.selected()).ok_or(none)?;
+        let selected = app.pages.search.selected();
+        let none = "no design to load: relax a constraint or a bound";
+        let design = self.designs.get(selected).ok_or(none)?;
         let values = self.request.over.iter().zip(design.values.iter().copied());
-        let number = tab.sorted_places(self).iter().position(|at| Some(*at) == tab.chosen());
-        let label = format!("design {} of the front", number.unwrap_or(0) + 1);
+        let label = format!("design {} of the front", selected + 1);
         Ok(LabelledScene { label, ..placed((*app.scene).clone(), values) })
     }
 
     fn readout(&self, app: &App) -> Option<String> {
         let tab = &app.pages.search;
-        let design = *tab.designs().get(tab.selected())?;
+        let design = self.designs.get(tab.selected())?;
         let request = &self.request;
         let values = request.over.iter().zip(&design.values);
         let values =
@@ -95,38 +95,34 @@ impl Answer for Report {
         let results = results.filter_map(|(value, column)| {
             Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
         });
-        let (at, count) = (tab.selected() + 1, tab.choices());
+        let (at, count) = (tab.selected() + 1, self.designs.len());
         let results = results.collect::<Vec<String>>().join(", ");
-        let knee = if tab.selects_knee() { of_knee(tab, self) } else { String::new() };
+        let is_knee = tab.knee() == Some(tab.selected());
+        let knee = if is_knee { of_knee(self) } else { String::new() };
         Some(format!("#{at}/{count}{knee}, {}: {results}", values.join(" ")))
     }
 
     fn validity(&self, _app: &App) -> Option<StatusPart> {
         if self.designs.len() == 1 {
-            return outside(self.outside.iter().map(|(check, _)| *check), " of the design", "");
+            return outside(self.outside.iter().map(|(check, _)| *check), " of the design");
         }
         (!self.outside.is_empty()).then(|| {
             let list = format!("of {} designs: {}", self.designs.len(), counted(&self.outside));
-            (Severity::Warning, format!("! outside validity, {list}"), format!("! {list}"))
+            part(Severity::Warning, format!("! validity {list}"))
         })
     }
 
     /// The designs as a table: a heading, then one row for each design; then why there are none.
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let (front, tab) = (self, &app.pages.search);
-        let (order, selected) = (tab.order(), tab.selected());
-        let mut columns = design_cells(tab, front);
-        for column in &mut columns {
-            column.cells = order.iter().map(|at| column.cells[*at].clone()).collect();
-        }
+        let tab = &app.pages.search;
         let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-        let grid = Grid::new(columns, room, u16::MAX);
+        let grid = Grid::new(design_cells(tab, self), room, u16::MAX);
         let mut lines = vec![note(format!("  {}", grid.line(None)))];
-        for at in 0..order.len() {
-            let mark = if at == selected { ">" } else { " " };
+        for at in 0..self.designs.len() {
+            let mark = if at == tab.selected() { ">" } else { " " };
             lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
         }
-        let lacks = lacks(front).into_iter();
+        let lacks = lacks(self).into_iter();
         lines.extend(broken(lacks.map(|text| (text, Role::Warning)).collect(), width));
         lines
     }
@@ -141,14 +137,14 @@ impl Answer for Report {
 
     /// Designs as points.
     fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-        let (found, tab) = (self, &app.pages.search);
-        let (across, up) = tab.across(found);
-        let measures = found.request.measures();
-        let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
-        let designs = tab.designs();
+        let (across, up) = axes(self);
+        let measures = self.request.measures();
         let axis = |label: String, at: usize| {
-            let values: Vec<f64> =
-                found.designs.iter().filter_map(|it| value(&it.measures, at)).collect();
+            let values: Vec<f64> = self
+                .designs
+                .iter()
+                .filter_map(|it| it.measures.get(at).copied().flatten())
+                .collect();
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             let axis = Axis::fitted(label, measures[at].unit(), values)?;
             // Nothing that is never below zero has room there.
@@ -160,13 +156,12 @@ impl Answer for Report {
             let text = "no design satisfies every constraint".to_owned();
             return lines_below(app, &[(text, Role::Warning)], area, canvas);
         };
-        let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
+        let title = format!("{} designs: {}", self.designs.len(), brief(measures[up]));
         let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
-        let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
-        let selected = designs.get(tab.selected()).and_then(|design| place(&design.measures));
-        let places = designs.iter().filter_map(|it| place(&it.measures));
+        let places = || self.designs.iter().map(|design| place(self, design));
+        let selected = places().nth(app.pages.search.selected()).flatten();
         let curves = vec![
-            Curve::points('o', "designs", places).colour(1),
+            Curve::points('o', "designs", places().flatten()).colour(1),
             Curve::points('X', "", selected).emphasis(Emphasis::Selected),
         ];
         let chart = Chart {
@@ -175,32 +170,31 @@ impl Answer for Report {
             ..Chart::new(title, x, y, curves)
         };
         let layout = canvas.draw(&chart, area);
-        canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), |at| {
-            Target::Row(RESULTS, at)
+        canvas.plot(&layout, |x, _| {
+            let away =
+                |place: Option<(f64, f64)>| place.map_or(f64::INFINITY, |it| (it.0 - x).abs());
+            let near = places().enumerate().min_by(|a, b| away(a.1).total_cmp(&away(b.1)));
+            near.map(|(at, _)| Target::Row(RESULTS, at))
         });
     }
 }
 
 /// The two results whose knee it is.
-pub(super) fn of_knee(tab: &Searching, front: &Report) -> String {
-    let (across, up) = tab.across(front);
+fn of_knee(front: &Report) -> String {
+    let (across, up) = axes(front);
     let [across, up] = [across, up].map(|axis| brief(front.request.measures()[axis]));
     format!(", knee of {across} and {up}")
 }
 
-/// The columns of the table of designs, by their places.
-pub(crate) fn design_cells(tab: &Searching, front: &Report) -> Vec<Cells> {
+/// The columns of the table of designs.
+fn design_cells(tab: &Searching, front: &Report) -> Vec<Cells> {
     let objectives = front.request.objectives.len();
     let mut keys = page_keys(front);
     // The objectives first, then the variables.
     keys[..front.request.over.len() + objectives].rotate_left(front.request.over.len());
-    let count = front.designs.len();
-    let mut names = vec![String::new(); count];
     let knee = tab.knee();
-    for (number, at) in tab.sorted_places(front).into_iter().enumerate() {
-        let is_knee = knee == Some(at);
-        names[at] = if is_knee { "knee".to_owned() } else { (number + 1).to_string() };
-    }
+    let name = |at| if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };
+    let names = (0..front.designs.len()).map(name).collect();
     let mut columns = table("", front).cells(&keys);
     columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });
     columns

@@ -54,18 +54,18 @@ impl Answer for Report {
         Some(format!("{} runs", self.runs))
     }
 
-    fn order(&self, _: &Searching) -> Vec<usize> {
-        (0..self.solutions().count()).collect()
+    fn choices(&self) -> usize {
+        self.solutions().count()
     }
 
     fn design(&self, app: &App) -> Result<LabelledScene, String> {
-        let chosen = app.pages.search.chosen().and_then(|at| self.solutions().nth(at));
+        let chosen = self.solutions().nth(app.pages.search.selected());
         let solution = chosen.ok_or("no solution to load: change the goal or the range")?;
         Ok(placed((*app.scene).clone(), [(&self.axis, solution.place.at)]))
     }
 
     fn readout(&self, app: &App) -> Option<String> {
-        let solution = self.solutions().nth(app.pages.search.chosen()?)?;
+        let solution = self.solutions().nth(app.pages.search.selected())?;
         let at = self.axis.show(solution.place.at, 5);
         let value = self.measure.show(solution.place.value, 4);
         let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
@@ -75,7 +75,7 @@ impl Answer for Report {
     fn validity(&self, _app: &App) -> Option<StatusPart> {
         let fails = self.checked.iter().flat_map(|checked| &checked.fails);
         let place = if self.checked.len() > 1 { " of solutions" } else { " of the solution" };
-        outside(fails.copied(), place, "")
+        outside(fails.copied(), place)
     }
 
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
@@ -115,7 +115,7 @@ impl Answer for Report {
         let old = app.search_is_old();
         let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
         let curve = Curve::new('*', "", &points).emphasis(emphasis);
-        let selected = app.pages.search.chosen().and_then(|at| report.solutions().nth(at));
+        let selected = report.solutions().nth(app.pages.search.selected());
         let lines = report.solutions().map(|found| Mark::new(found.place.at, ""));
         let chart = Chart {
             marks: lines.collect(),

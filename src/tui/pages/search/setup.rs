@@ -116,16 +116,11 @@ impl App {
             Row::Designs => FormRow::typed("designs", setup.designs.to_string())
                 .means("designs to try; the front has at most 100 of them"),
             Row::Output => FormRow::quantity(setup.output),
-            Row::Percent => FormRow::percent("std dev", setup.percent)
+            Row::Percent => FormRow::typed("std dev", format!("{} %", significant(setup.percent, 5)))
                 .means("standard deviation of every input, lognormal"),
             Row::Samples => FormRow::typed("samples", setup.samples.to_string())
                 .means("number of samples; the confidence interval narrows with its square root"),
         }
-    }
-
-    /// The places of the objectives that count.
-    pub(crate) fn chosen_objectives(&self) -> Vec<usize> {
-        (0..OBJECTIVES.len()).filter(|at| self.pages.search.setup.objectives[*at]).collect()
     }
 
     /// What the setup of a page asks for.
@@ -163,14 +158,8 @@ pub(crate) fn bound_line(bound: &Bound) -> FormRow {
     .means(format!("{meaning} (<enter>: LO..HI, LO..HI:log; <left>/<right> held or varied)"))
 }
 
-/// Read `0.8..7`, `1e3..7.5e6:log`, with units or without; `off` and `on`, `off` also behind a range.
+/// Read `0.8..7`, `1e3..7.5e6:log`, with units or without.
 pub(crate) fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
-    if let "on" | "off" = text {
-        return Ok(Bound { on: text == "on", ..old.clone() });
-    }
-    if let Some(range) = text.strip_suffix(" off") {
-        return Ok(Bound { on: false, ..read_bound(old, range)? });
-    }
     // An angle by its key, whose unit is that of the values.
     let variable = old.axis.variable();
     let name = if variable.unit() == "deg" { variable.key } else { variable.symbol };

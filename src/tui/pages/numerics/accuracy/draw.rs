@@ -8,7 +8,7 @@ use crate::tui::pages::numerics::state::ACCURACY;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::WIDE;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{NEEDS_SINGLE, wrapped};
+use crate::tui::widgets::text::wrapped;
 use crate::worker::studies::Measurements;
 
 /// Columns of a method's letter before the table.
@@ -24,15 +24,10 @@ const GAIN_ROWS: u16 = 3;
 pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (answer, rest) = split_top(body, ANSWER_ROWS);
     let room = usize::from(body.width.saturating_sub(2));
-    let answers = |has_times| {
-        let mut lines = app.accuracy_answers(has_times).into_iter();
-        let first = lines.next().unwrap_or_default();
-        (first, lines.flat_map(|line| wrap(&line, room)).collect::<Vec<String>>())
-    };
-    let (first, whole) = answers(true);
-    let rows = usize::from(GAIN_ROWS);
-    let below = if whole.len() > rows + 1 { answers(false).1 } else { whole };
-    let is_long = below.len() > rows;
+    let mut answers = app.accuracy_answers().into_iter();
+    let first = answers.next().unwrap_or_default();
+    let below: Vec<String> = answers.flat_map(|line| wrap(&line, room)).collect();
+    let is_long = below.len() > usize::from(GAIN_ROWS);
     let (top, gains) = split_bottom(rest, GAIN_ROWS + u16::from(is_long));
     let wanted = match body.width {
         0..72 => 29,
@@ -53,8 +48,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
     let Some(mut chart) = tab.chart() else {
         let inner = PaneFrame::new("Relative error").draw(area, canvas);
-        let why = app.needs_single_plate().map(|_| NEEDS_SINGLE);
-        let text = nothing::<Measurements>(app, "measuring the first points", why);
+        let text = nothing::<Measurements>(app, "measuring the first points", None);
         return canvas.put_centred(inner, &text);
     };
     let is_old = tab.report.is_old(&app.accuracy_scene());

@@ -9,7 +9,7 @@ use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
-    self, Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
+    Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
 };
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::{Curve as Data, is_free, is_held};
@@ -53,15 +53,11 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
             continue;
         }
         let layout = canvas.draw(chart, place.area);
-        hits(app, place.chart, &layout, canvas);
+        let at = place.chart;
+        if app.pages.run.charts.quantities[at].is_over_time() {
+            canvas.plot(&layout, |value, _| Some(Target::Value { pane: CHARTS, chart: at, value }));
+        }
         nothing_yet(app, place.area, canvas);
-    }
-}
-
-/// Say what the areas of a chart are to the mouse.
-fn hits(app: &App, chart: usize, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
-    if app.pages.run.charts.quantities[chart].is_over_time() {
-        canvas.plot(layout, |value, _| Some(Target::Value { pane: CHARTS, chart, value }));
     }
 }
 
@@ -71,10 +67,9 @@ fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canva
     let pane = PaneFrame::new(title).focused(focused).stacked(place.begins, Below::Nothing);
     pane.draw(place.area, canvas);
     if place.below == Below::End {
-        let set = app.settings.theme.glyphs.border();
         let role = if focused { Role::Focus } else { Role::Border };
-        canvas.put(place.area, (0, 0), set.bottom_left, role);
-        canvas.put(place.area, (place.area.width - 1, 0), set.bottom_right, role);
+        canvas.put(place.area, (0, 0), "└", role);
+        canvas.put(place.area, (place.area.width - 1, 0), "┘", role);
     }
 }
 
@@ -301,18 +296,20 @@ fn title(app: &App, chart: usize, room: usize) -> String {
     let name = format!("{name}{}{window}", of_first(run));
     match quantity {
         Channel::Penetration => fitting(depth_titles(&name, run), room),
-        Channel::ContactForce => fitting([format!("{name}, {}", peak(run)), name], room),
+        Channel::ContactForce => {
+            let peak = peak(run);
+            fitting([format!("{name}, {peak}"), format!("Force, {peak}")], room)
+        }
         Channel::PlateDisplacement => {
             let travel = travel(run);
-            let brief = format!("Plate{window}: {travel}");
-            fitting([format!("{name}: {travel}"), brief, format!("Plate: {travel}"), name], room)
+            fitting([format!("{name}: {travel}"), format!("Plate: {travel}")], room)
         }
         _ => {
             let values = run.series.iter().map(|sample| quantity.of(sample).abs());
             let most = values.filter(|value| value.is_finite()).fold(0.0, f64::max);
             let most = engineering(most, quantity.unit());
             let title = format!("{name}, greatest {most}");
-            fitting([if quantity.is_over_time() { title } else { name.clone() }, name], room)
+            fitting([if quantity.is_over_time() { title } else { name }], room)
         }
     }
 }
@@ -323,19 +320,15 @@ fn depth_titles(name: &str, run: &Run) -> Vec<String> {
         return vec![format!("{name}: {}", page::outcome(run)), name.to_owned()];
     };
     let percent = run.percent_of_baseline().filter(|_| run.scene.plate.mount == Mount::Sprung);
-    let percent = percent.map(|percent| format!("{percent:.0} %"));
-    let long = percent.clone().map_or_else(String::new, |it| format!(" ({it} of rigid mount)"));
-    let short = percent.map_or_else(String::new, |it| format!(" ({it})"));
+    let share = |of: &str| percent.map_or_else(String::new, |it| format!(" ({it:.0} %{of})"));
     let plastic = plastic(run).map_or_else(String::new, |it| format!("; plastic: {it}"));
     let colon = if run.outcome == Outcome::Perforated { ":" } else { "" };
-    [
-        format!("{name}{colon} {depth}{long}{plastic}"),
-        format!("{name}{colon} {depth}{short}{plastic}"),
-        format!("{name}{colon} {depth}{plastic}"),
+    vec![
+        format!("{name}{colon} {depth}{}{plastic}", share(" of rigid mount")),
+        format!("{name}{colon} {depth}{}{plastic}", share("")),
         format!("Depth {depth}{plastic}"),
         format!("{depth}{plastic}"),
     ]
-    .into()
 }
 
 /// The depth of a shot, and what becomes of it after the first contact; `None` where it is not known.

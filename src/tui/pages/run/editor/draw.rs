@@ -1,13 +1,11 @@
 //! The list of variables, drawn.
 
-use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES, is_listed};
 use crate::report::chart::Below;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{
-    ANALYSIS, DESIGN, Editor, EditorRow, FIELD_DIGITS, is_main, number_in, short_label, shown_in,
-    shown_value,
+    ANALYSIS, DESIGN, Editor, EditorRow, is_main, short_label, shown_in, shown_value,
 };
 use crate::tui::pages::run::state::VARIABLES as PANE;
 use crate::tui::widgets::input::Field;
@@ -21,14 +19,6 @@ const SYMBOL: u16 = 2;
 const LABEL: u16 = 9;
 /// Rows of More that are worth unfolding for.
 const UNFOLDED: u16 = 4;
-
-impl App {
-    /// The text that the field of the selected variable opens with: the number in the unit that stands behind it.
-    pub(crate) fn variable_text(&self) -> String {
-        let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);
-        number_in(self.pages.run.editor.variable(), &self.scene, unit, FIELD_DIGITS)
-    }
-}
 
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let editor = &app.pages.run.editor;
@@ -171,24 +161,4 @@ fn open_field(unit: &str, field: &Field, line: Rect, canvas: &mut Canvas<'_>) {
     let start = line.width.saturating_sub(behind + room + 1);
     field.draw_boxed(canvas, line, start, room);
     canvas.put(line, (start + room + 2, 0), unit, Role::Dim);
-}
-
-/// The points of the spring whose kind the selected variable is, in words, where it is a table.
-pub(crate) fn measured(app: &App) -> Option<String> {
-    let spring = &app.scene.mechanism.spring;
-    let is_kind = app.pages.run.editor.variable().key == "mechanism.spring.kind";
-    (is_kind && spring.kind == SpringKind::Table).then(|| extent(&spring.table.points))
-}
-
-/// `3 points, x = 0 to 0.05 m`.
-pub(crate) fn extent(points: &[[f64; 2]]) -> String {
-    match (points.first(), points.last()) {
-        (Some(first), Some(last)) => format!(
-            "{} points, x = {} to {} m",
-            points.len(),
-            units::shortest(first[0]),
-            units::shortest(last[0])
-        ),
-        _ => "no points".to_owned(),
-    }
 }
