@@ -36,6 +36,7 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
 }
 
 fn page(report: &[Row]) -> String {
+    use ClosureInEffect::{Cavity, DoubleYield};
     let mut page = String::new();
     for row in report {
         let case = row.case;
@@ -58,12 +59,8 @@ fn page(report: &[Row]) -> String {
             (
                 "alternative",
                 row.other.map_or_else(String::new, |value| {
-                    let other = match row.closure {
-                        ClosureInEffect::Cavity => ClosureInEffect::DoubleYield,
-                        ClosureInEffect::Given | ClosureInEffect::DoubleYield => {
-                            ClosureInEffect::Cavity
-                        }
-                    };
+                    let is_cavity = row.closure == Cavity;
+                    let other = if is_cavity { DoubleYield } else { Cavity };
                     format!("{} by {}", off(value), closure_words(other))
                 }),
             ),

@@ -140,7 +140,7 @@ fn a_solution_becomes_the_scene_and_back() {
     let found = bench.app.pages.search.front().expect("a front");
     let design = &found.designs[2];
     for (axis, value) in found.request.over.iter().zip(&design.values) {
-        let there = (axis.number().get)(&bench.app.scene).unwrap();
+        let there = axis.get(&bench.app.scene).unwrap();
         assert!((there - value).abs() <= 1e-15 * value.abs(), "{}", axis.symbol());
     }
     // Another variable makes the results stale: Enter refuses them.

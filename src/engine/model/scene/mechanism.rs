@@ -133,12 +133,4 @@ impl Mechanism {
             && spring.own_mass == OwnMass::Ignored
             && spring.is_single()
     }
-
-    /// Whether it is plain and neither spring, damper nor stop is there.
-    pub fn is_nothing(&self) -> bool {
-        self.is_plain()
-            && self.spring.coefficient == 0.0
-            && self.damper.is_absent()
-            && self.stop.position_m.is_none()
-    }
 }

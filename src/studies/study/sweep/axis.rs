@@ -112,11 +112,6 @@ impl Axis {
         self.variable
     }
 
-    /// The variable's number: its unit, and what is allowed.
-    pub fn number(&self) -> &'static Number {
-        self.number
-    }
-
     /// The variable's symbol: the axis's name in tables.
     pub fn symbol(&self) -> &'static str {
         self.variable.symbol
