@@ -321,7 +321,7 @@ impl Course<'_> {
     fn omitted(&self) -> Vec<&'static str> {
         let (setup, record) = (self.setup, &self.record);
         let spring = &setup.spring;
-        let whole = |law: PowerLaw| !law.is_absent() && law.whole_exponent().is_some();
+        let whole = |law: PowerLaw| !law.is_absent() && matches!(law.whole_exponent(), Some(1..=3));
         let rows = [
             (setup.still, "plate motion"),
             (spring.is_absent(), "spring"),
