@@ -368,6 +368,33 @@ mod tests {
         session
     }
 
+    #[test]
+    fn the_scene_of_another_workbench_is_kept() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("session.toml");
+        let of = |ratio: f64| {
+            let mut session = example();
+            session.scene.plate.mass_ratio = ratio;
+            session
+        };
+        let kept = || recent::list(&place.path().join("recent")).len();
+        save(&path, &of(1.0), &mut Known::default()).unwrap();
+        let (mut first, mut second) = (load(&path).known, load(&path).known);
+        // The second one saves; the first one has done nothing since and leaves.
+        assert_eq!(save(&path, &of(2.0), &mut second).unwrap(), None);
+        assert_eq!(save(&path, &of(1.0), &mut first).unwrap(), None);
+        assert_eq!((load(&path).session, kept()), (Some(of(2.0)), 0));
+        // It goes on working.
+        let aside = save(&path, &of(3.0), &mut first).unwrap().unwrap();
+        let text = fs::read_to_string(aside).unwrap();
+        assert_eq!(read::scene(&text, "kept").unwrap(), of(2.0).scene);
+        assert_eq!((load(&path).session, kept()), (Some(of(3.0)), 1));
+        // Someone took the file away: it is written again.
+        fs::remove_file(&path).unwrap();
+        assert_eq!(save(&path, &of(3.0), &mut first).unwrap(), None);
+        assert_eq!(load(&path).session, Some(of(3.0)));
+    }
+
     /// One that works on beside another keeps the last of its scenes, and pushes no others out.
     #[test]
     fn two_that_work_in_turn_leave_older_scenes_where_they_are() {
@@ -438,6 +465,20 @@ mod tests {
         let loaded = load(&path);
         assert_eq!(loaded.notice, None);
         assert_eq!(loaded.session, Some(session));
+    }
+
+    #[test]
+    fn a_broken_session_is_put_aside() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("session.toml");
+        fs::write(&path, "format = 1\nscene = 3\n").unwrap();
+        let loaded = load(&path);
+        assert_eq!(loaded.session, None);
+        let notice = loaded.notice.unwrap();
+        assert!(notice.contains("session.toml.broken"), "{notice}");
+        assert!(!path.exists());
+        let broken = place.path().join("session.toml.broken");
+        assert!(fs::read_to_string(broken).unwrap().contains("scene = 3"));
     }
 
     #[test]

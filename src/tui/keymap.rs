@@ -397,7 +397,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::FarLeft, "far-left", "H Shift-Left"), (A::FarRight, "far-right", "L Shift-Right")], "move or change by ten steps"),
     line(Everywhere, &[(A::First, "first", "g Home"), (A::Last, "last", "G End")], "first, last"),
     line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
-    line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load what is under the cursor into the scene"),
+    line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load what is under the cursor, where it is a design"),
     line(Everywhere, &[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
     line(Everywhere, &[(A::Find, "find", "/")], "show the variables, claims or lines of the log that match"),
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
@@ -411,7 +411,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::Characters, "characters", "m"), (A::Colours, "colours", "t"), (A::Mouse, "mouse", "M")], "next characters, next colours; mouse on or off"),
     line(Listed, &[(A::FullPane, "full-pane", "z")], "show this pane alone"),
     line(Everywhere, &[(A::Quit, "quit", "q")], "quit (the session is kept)"),
-    line(Everywhere, &[(A::Cancel, "cancel", "Ctrl-c")], "cancel the job; pressed twice: quit"),
+    line(Everywhere, &[(A::Cancel, "cancel", "Ctrl-c")], "cancel every job; pressed twice: quit"),
     line(Everywhere, &[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 
     line(Listed, &[(A::Reset, "reset", "d Del")], "reset this row"),

@@ -13,7 +13,7 @@ pub(super) mod hook;
 use std::io;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crossterm::cursor::{Hide, MoveTo, Show};
 use crossterm::event::{DisableBracketedPaste, EnableBracketedPaste};
@@ -34,8 +34,10 @@ use rustix::termios::{QueueSelector, tcflush};
 /// Whether the terminal is ours at present (raw, alternate screen).
 static ENTERED: AtomicBool = AtomicBool::new(false);
 
-/// Held while the terminal is given back: the process may end by another thread as soon as that is done, not before.
+/// Held while the terminal is given back: another thread that ends the process waits for that, so many times as long as the terminal is
+/// waited for.
 static RESTORING: Mutex<()> = Mutex::new(());
+const PATIENCE: usize = 5;
 
 static MOUSE: AtomicBool = AtomicBool::new(false);
 
@@ -197,7 +199,8 @@ impl Drop for Guard {
 /// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone). A terminal that takes no
 /// bytes loses the frames on their way to it, so that there is room for the farewell.
 pub(super) fn restore() {
-    let _one = RESTORING.lock();
+    let _one = (0..PATIENCE)
+        .find_map(|_| RESTORING.try_lock().inspect_err(|_| std::thread::sleep(SHORT)).ok());
     if ENTERED.swap(false, Ordering::SeqCst) {
         let takes =
             || poll_stdout(PollFlags::OUT, Some(SHORT)).is_ok_and(|found| !found.is_empty());
@@ -329,10 +332,12 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
 /// Wait for events of the terminal, at most this long; gives those that have come, hang-ups and errors among them.
 fn poll_stdout(wanted: PollFlags, patience: Option<Duration>) -> Result<PollFlags, Errno> {
     let out = stdout();
-    let patience = patience.and_then(|wait| Timespec::try_from(wait).ok());
+    let start = Instant::now();
     loop {
+        let left = patience.map(|patience| patience.saturating_sub(start.elapsed()));
+        let left = left.and_then(|left| Timespec::try_from(left).ok());
         let mut watched = [PollFd::new(&out, wanted)];
-        match poll(&mut watched, patience.as_ref()) {
+        match poll(&mut watched, left.as_ref()) {
             Ok(_) => return Ok(watched[0].revents()),
             // A signal says nothing of the terminal.
             Err(Errno::INTR) => {}

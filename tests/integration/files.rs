@@ -108,6 +108,10 @@ fn comments_order_and_formatting_survive_saving() {
     let kept = COMMENTED_AND_CHANGED.replace("\"Three plates\"", "'Two plates'");
     assert_eq!(fs::read_to_string(&path).unwrap(), kept);
     assert_eq!(scene_file(&path).unwrap(), scene);
+    // Saved under a name of its own it is called that.
+    let other = place.path().join("my scene.toml");
+    save_file(&other, &scene, Existing::Keep).unwrap();
+    assert_eq!(scene_file(&other).unwrap().title, "my scene");
 }
 
 #[test]

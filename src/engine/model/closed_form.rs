@@ -89,7 +89,7 @@ impl<'a> Passage<'a> {
 
     /// 2 c V/mu of a swept volume: what the drag takes.
     #[inline]
-    pub fn exponent(&self, volume_m3: f64) -> f64 {
+    fn exponent(&self, volume_m3: f64) -> f64 {
         2.0 * self.drag_kg_m3 * self.mobility_per_kg * volume_m3
     }
 
@@ -104,7 +104,7 @@ impl<'a> Passage<'a> {
     }
 
     /// u² at travel `q_m`, m²/s², from the start; negative beyond the arrest.
-    pub fn slip_squared(&self, q_m: f64) -> f64 {
+    fn slip_squared(&self, q_m: f64) -> f64 {
         let (s, c, v) = (self.strength_pa, self.drag_kg_m3, self.velocity_m_s);
         let volume = self.geometry.swept_m3(q_m);
         if c == 0.0 {

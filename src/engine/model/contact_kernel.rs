@@ -4,8 +4,8 @@
 //! The contact's Taylor recurrence is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`) and
 //! integrated step by step (`integration.rs`). A law that is singular where the plate starts is put in a moment later (`start.rs`).
 //! Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back through a singular point, one
-//! that a spring or damper holds too stiffly for its steps) are left to the
-//! simulation: [`Contact::of`] or [`Contact::run`] returns `None`.
+//! that a spring or damper holds too stiffly for its steps) are left to the simulation: [`Contact::of`] or [`Contact::run`] returns
+//! `None`. Free and rigid plates are integrated like others: their closed form takes longer, for its time is a quadrature.
 
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::mechanism::{Mechanism, PowerLaw, Spring};
@@ -76,7 +76,7 @@ pub struct ContactEnd {
 
 impl Contact {
     /// Prepare the contact of a scene that has been validated; `None` of a spring that is not a power law, a stop, another interaction
-    /// model, a plate that moves at first contact, or an area that is no polynomial.
+    /// model, a plate that moves at first contact, an area that does not begin as a polynomial, or a contact without a time scale.
     pub fn of(scene: &Scene) -> Option<Self> {
         let mechanism = Mechanism::of(scene);
         let Mechanism { spring: Spring::Power(spring), damper, stop: None, .. } = mechanism else {

@@ -40,7 +40,7 @@ pub(super) struct Record<'a> {
     /// Greatest displacement and when it was reached, m and s.
     pub(super) farthest_m: f64,
     pub(super) farthest_s: f64,
-    /// Greatest speed of the plate at the ends of steps, m/s.
+    /// Greatest speed of the plate at the ends of steps and before events, m/s.
     pub(super) fastest_m_s: f64,
     /// A steep law held the plate up to the first arrest.
     pub(super) was_held: bool,
@@ -78,7 +78,7 @@ impl Record<'_> {
             self.note(state.t_s, EventKind::FirstArrest);
             self.work.penetration_j = equations.setup.initial_j() - equations.kinetic_j(state);
         }
-        self.row(equations, state, true);
+        self.row(equations, state);
     }
 
     /// Keeps neither rows nor events any more.
@@ -266,9 +266,9 @@ impl Record<'_> {
         }
     }
 
-    fn row(&mut self, equations: &Equations<'_>, state: &State, is_step: bool) {
+    fn row(&mut self, equations: &Equations<'_>, state: &State) {
         if self.keep_series {
-            let row = sample(equations, state, is_step);
+            let row = sample(equations, state, true);
             if let Some(window) = self.window {
                 window.fill(row.t_s, |_| row);
             }
@@ -308,7 +308,7 @@ impl Record<'_> {
         let acts = |mode: &Mode| (mode.contact, mode.hold, mode.touch);
         if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
             self.changes += 1;
-            self.row(after, to, true);
+            self.row(after, to);
         } else if let Some(row) = self.series.last_mut().filter(|_| self.keep_series) {
             *row = sample(after, to, true);
         }
