@@ -34,6 +34,8 @@ const OTHERS: [Method; 4] =
 
 /// Prints both tables.
 pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
+    // The first scene once more than the others, while the processor takes up speed.
+    let _ = report(SCENES[0].1);
     let reports: Vec<(&str, Report)> =
         SCENES.iter().map(|(name, changes)| (*name, report(changes))).collect();
     write!(out, "\n| scene | changes | as shown | auto to 1e-6 | auto to 1e-9 | least error |")?;

@@ -397,7 +397,7 @@ pub static LINES: &[KeyHelp] = &[
     line(Everywhere, &[(A::FarLeft, "far-left", "H Shift-Left"), (A::FarRight, "far-right", "L Shift-Right")], "move or change by ten steps"),
     line(Everywhere, &[(A::First, "first", "g Home"), (A::Last, "last", "G End")], "first, last"),
     line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
-    line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load what is under the cursor, where it is a design"),
+    line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load the design under the cursor"),
     line(Everywhere, &[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
     line(Everywhere, &[(A::Find, "find", "/")], "show the variables, claims or lines of the log that match"),
     line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),

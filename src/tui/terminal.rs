@@ -199,8 +199,14 @@ impl Drop for Guard {
 /// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone). A terminal that takes no
 /// bytes loses the frames on their way to it, so that there is room for the farewell.
 pub(super) fn restore() {
-    let _one = (0..PATIENCE)
-        .find_map(|_| RESTORING.try_lock().inspect_err(|_| std::thread::sleep(SHORT)).ok());
+    let _one = (0..PATIENCE).find_map(|_| {
+        let free = RESTORING.try_lock().ok();
+        if free.is_none() {
+            // Waits, unless the terminal is gone.
+            let _ = poll_stdout(PollFlags::empty(), Some(SHORT));
+        }
+        free
+    });
     if ENTERED.swap(false, Ordering::SeqCst) {
         let takes =
             || poll_stdout(PollFlags::OUT, Some(SHORT)).is_ok_and(|found| !found.is_empty());
