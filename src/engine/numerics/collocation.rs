@@ -157,10 +157,10 @@ fn legendre_and_slope(n: usize, x: f64) -> (f64, f64) {
     (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
 }
 
-/// The integral of the Legendre polynomial of degree k, shifted to (0, 1), from 0 to theta.
-fn integral(k: usize, theta: f64) -> f64 {
+/// The integrals of the Legendre polynomials of degree below S, shifted to (0, 1), from 0 to theta.
+fn integrals<const S: usize>(theta: f64) -> [f64; S] {
     let p = legendre::<10>(2.0 * theta - 1.0);
-    if k == 0 { theta } else { (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64 }
+    std::array::from_fn(|k| if k == 0 { theta } else { (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64 })
 }
 
 impl<const S: usize> Member<S> {
@@ -188,7 +188,8 @@ impl<const S: usize> Member<S> {
         }
         let mut a = [[0.0; S]; S];
         for (row, node) in a.iter_mut().zip(&nodes) {
-            *row = std::array::from_fn(|j| (0..S).map(|k| integral(k, *node) * modes[k][j]).sum());
+            let integrals = integrals::<S>(*node);
+            *row = std::array::from_fn(|j| (0..S).map(|k| integrals[k] * modes[k][j]).sum());
         }
         let square = std::array::from_fn(|i| {
             std::array::from_fn(|j| (0..S).map(|k| a[i][k] * a[k][j]).sum())
