@@ -3,7 +3,7 @@
 use crate::numerics::root::in_bracket;
 
 /// Parts of a step at whose ends the gaps are looked at.
-const CELLS: usize = 16;
+pub(crate) const CELLS: usize = 16;
 /// A dip between two of them whose parabola comes below this part of its ends is looked into: a step's gap has few wiggles as
 /// narrow as a cell, and a parabola through three points misses the bottom by less than that.
 const DEEP: f64 = 0.25;
@@ -21,39 +21,28 @@ pub(crate) enum Found {
     Unresolved(usize),
 }
 
-/// Looks for the first fall of gaps, at most [`GAPS_MAX`]: `gap` gives that of an index at a part of the step.
+/// Looks for the first fall of gaps, of which each is given at the ends of the cells, and by its index at a part of the step.
 ///
 /// A gap that begins at zero has to rise first.
-pub(crate) fn first_fall(count: usize, gap: impl Fn(f64, usize) -> f64) -> Found {
-    first_fall_of(count, &gap)
-}
-
-/// The same, compiled once for all motions.
-fn first_fall_of(count: usize, gap: &dyn Fn(f64, usize) -> f64) -> Found {
-    let at = |theta: f64| {
-        let mut gaps = [0.0; GAPS_MAX];
-        for (which, value) in gaps[..count].iter_mut().enumerate() {
-            *value = gap(theta, which);
-        }
-        gaps
-    };
-    let fall = |from: f64, to: f64, which: usize| in_bracket(from, to, |theta| gap(theta, which));
-    let (mut older, mut before) = ([f64::NAN; GAPS_MAX], at(0.0));
+pub(crate) fn first_fall(gaps: &[[f64; CELLS + 1]], gap: impl Fn(f64, usize) -> f64) -> Found {
+    let fall = |from: f64, to: f64, which: usize| in_bracket(from, to, |part| gap(part, which));
     for cell in 1..=CELLS {
-        let (from, to) = ((cell - 1) as f64 / CELLS as f64, cell as f64 / CELLS as f64);
-        let now = at(to);
+        let [before, from, to] =
+            [cell as f64 - 2.0, cell as f64 - 1.0, cell as f64].map(|end| end / CELLS as f64);
         let mut first: Option<(usize, f64)> = None;
-        for which in 0..count {
-            let [a, b, c] = [older[which], before[which], now[which]];
+        for (which, gaps) in gaps.iter().enumerate() {
+            let (b, c) = (gaps[cell - 1], gaps[cell]);
             let place = if b > 0.0 && c <= 0.0 {
                 fall(from, to, which)
-            } else if cell == 1 && b <= 0.0 && c < 0.0 {
-                return Found::Unresolved(which);
-            } else if let Some(bottom) = bottom(from, [a, b, c])
+            } else if cell == 1 {
+                if b <= 0.0 && c < 0.0 {
+                    return Found::Unresolved(which);
+                }
+                continue;
+            } else if let Some(bottom) = bottom(from, [gaps[cell - 2], b, c])
                 && gap(bottom, which) < 0.0
             {
-                let start = if bottom < from { from - 1.0 / CELLS as f64 } else { from };
-                fall(start, bottom, which)
+                fall(if bottom < from { before } else { from }, bottom, which)
             } else {
                 continue;
             };
@@ -64,7 +53,6 @@ fn first_fall_of(count: usize, gap: &dyn Fn(f64, usize) -> f64) -> Found {
         if let Some((which, place)) = first {
             return Found::Fall(which, place);
         }
-        (older, before) = (before, now);
     }
     Found::Nothing
 }
@@ -85,7 +73,13 @@ mod tests {
     use super::*;
 
     fn of(gap: impl Fn(f64) -> f64) -> Found {
-        first_fall(1, |theta, _| gap(theta))
+        of_all(&[gap])
+    }
+
+    fn of_all<const N: usize>(gaps: &[impl Fn(f64) -> f64; N]) -> Found {
+        let at_ends =
+            gaps.each_ref().map(|gap| std::array::from_fn(|end| gap(end as f64 / CELLS as f64)));
+        first_fall(&at_ends, |part, which| gaps[which](part))
     }
 
     fn is_at(found: Found, exact: f64) -> bool {
@@ -117,7 +111,7 @@ mod tests {
 
     #[test]
     fn of_several_gaps_the_first_to_fall_counts() {
-        let found = first_fall(3, |t, which| [0.52, 0.51, 0.9][which] - t);
+        let found = of_all(&[0.52, 0.51, 0.9].map(|end| move |t| end - t));
         assert!(matches!(found, Found::Fall(1, at) if (at - 0.51).abs() < 1e-14), "{found:?}");
     }
 }

@@ -5,8 +5,8 @@ use crate::numerics::larger;
 
 /// Cells of the interval.
 const CELLS: usize = 8;
-/// Part of a cell by which the slope of the function at an end of the interval is seen.
-const INSIDE: f64 = 1e-3;
+/// Part of the interval by which the slope of the function at an end of it is seen.
+const INSIDE: f64 = 1e-4;
 /// Part of the interval to which a maximum is located: the value is then right to rounding.
 const LOCATED: f64 = 1e-8;
 /// Evaluations after which the best place found is taken.
@@ -14,17 +14,10 @@ const ROUNDS_MAX: usize = 60;
 /// (3 - sqrt 5)/2.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
-/// The greatest value of `f` between `from` and `to`, where it has no more than one maximum in each of eight cells. Maxima are
-/// located only if they may exceed `known`.
-pub(crate) fn greatest(from: f64, to: f64, known: f64, f: impl Fn(f64) -> f64) -> f64 {
-    greatest_of(from, to, known, &f)
-}
-
-/// Compiled once for all functions.
-fn greatest_of(from: f64, to: f64, known: f64, f: &dyn Fn(f64) -> f64) -> f64 {
-    let cell = (to - from) / CELLS as f64;
-    let place = |i: usize| if i == CELLS { to } else { from + cell * i as f64 };
-    let values: [f64; CELLS + 1] = std::array::from_fn(|i| f(place(i)));
+/// The greatest value of `f` between 0 and 1, where it has no more than one maximum in each of eight cells, at whose ends its values are
+/// given. Maxima are located only if they may exceed `known`.
+pub(crate) fn greatest(values: &[f64; CELLS + 1], known: f64, f: &dyn Fn(f64) -> f64) -> f64 {
+    let place = |i: usize| i as f64 / CELLS as f64;
     let mut best = larger(values[0], values[CELLS]);
     for (i, value) in values.iter().enumerate() {
         let (before, after) = (i.saturating_sub(1), if i == CELLS { i } else { i + 1 });
@@ -33,8 +26,8 @@ fn greatest_of(from: f64, to: f64, known: f64, f: &dyn Fn(f64) -> f64) -> f64 {
             continue;
         }
         let rises_inside = match i {
-            0 => f(from + INSIDE * cell) > *value,
-            CELLS => f(to - INSIDE * cell) > *value,
+            0 => f(INSIDE) > *value,
+            CELLS => f(1.0 - INSIDE) > *value,
             _ => true,
         };
         if rises_inside {
@@ -100,31 +93,29 @@ pub fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
 mod tests {
     use std::cell::Cell;
 
-    use super::greatest;
+    use super::*;
 
-    const UNKNOWN: f64 = f64::NEG_INFINITY;
+    fn of(known: f64, f: impl Fn(f64) -> f64) -> f64 {
+        let values = std::array::from_fn(|i| f(i as f64 / CELLS as f64));
+        greatest(&values, known, &f)
+    }
 
-    #[test]
-    fn maxima_inside_and_at_the_ends_are_found_to_rounding() {
-        let sine = greatest(0.0, 2.0, UNKNOWN, f64::sin);
-        assert!((sine - 1.0).abs() < 1e-15, "{sine}");
-        // Close to an end, within a cell of it.
-        let early = greatest(0.0, 1.0, UNKNOWN, |s| 3.0 - (s - 0.01).powi(2));
-        assert!((early - 3.0).abs() < 1e-15, "{early}");
-        let late = greatest(0.0, 1.0, UNKNOWN, |s| 3.0 - (s - 0.99).powi(2));
-        assert!((late - 3.0).abs() < 1e-15, "{late}");
-        assert!((greatest(1.0, 4.0, UNKNOWN, |s| s) - 4.0).abs() < 1e-15);
-        assert!((greatest(1.0, 4.0, UNKNOWN, |s| -s) + 1.0).abs() < 1e-15);
+    fn is_near(f: impl Fn(f64) -> f64, exact: f64) -> bool {
+        (of(f64::NEG_INFINITY, f) - exact).abs() < 1e-14
     }
 
     #[test]
-    fn of_several_maxima_the_greatest_is_found() {
+    fn maxima_inside_and_at_the_ends_are_found_to_rounding() {
+        assert!(is_near(|s| (2.0 * s).sin(), 1.0));
+        // Close to an end, within a cell of it.
+        assert!(is_near(|s| 3.0 - (s - 0.01).powi(2), 3.0));
+        assert!(is_near(|s| 3.0 - (s - 0.99).powi(2), 3.0));
+        assert!(is_near(|s| s, 1.0) && is_near(|s| -s, 0.0));
         // 1.5 at s = 1/4, 2 at s = 3/4.
         let two = |s: f64| {
             1.5 * (-200.0 * (s - 0.25f64).powi(2)).exp() + 2.0 * (-200.0 * (s - 0.75).powi(2)).exp()
         };
-        assert!((greatest(0.0, 1.0, UNKNOWN, two) - 2.0).abs() < 1e-14);
-        assert!((greatest(0.0, 1.0, UNKNOWN, |s| two(1.0 - s)) - 2.0).abs() < 1e-14);
+        assert!(is_near(two, 2.0) && is_near(|s| two(1.0 - s), 2.0));
     }
 
     #[test]
@@ -134,7 +125,7 @@ mod tests {
             evaluations.set(evaluations.get() + 1);
             -(s - 0.5) * (s - 0.5)
         };
-        let _ = greatest(0.0, 1.0, 1.0, count);
-        assert_eq!(evaluations.get(), 9);
+        let _ = of(1.0, count);
+        assert_eq!(evaluations.get(), CELLS + 1);
     }
 }

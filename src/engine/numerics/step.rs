@@ -74,8 +74,10 @@ pub(crate) struct Step<const D: usize, const S: usize> {
     start: Point<D>,
     /// Legendre coefficients of the acceleration.
     pub(crate) acceleration: [[f64; S]; D],
-    /// What places and speeds have changed by.
-    changes: ([Change<S>; D], [Change<S>; D]),
+    /// What places and speeds change by: coefficients of x, x² and so on, where x = 2 theta - 1.
+    powers: [Point<D>; S],
+    /// Their sums at x = -1, so that exactly nothing has changed where the step begins.
+    at_start: Point<D>,
     /// Places and speeds at its end.
     pub(crate) end: Point<D>,
 }
@@ -88,45 +90,40 @@ impl<const D: usize, const S: usize> Step<D, S> {
         speed: &[[f64; S]; D],
         acceleration: [[f64; S]; D],
     ) -> Self {
-        let changes = |rates: &[[f64; S]; D]| rates.each_ref().map(|rates| Change::of(rates, h));
-        Self { h, start, acceleration, changes: (changes(speed), changes(&acceleration)), end }
+        let mut powers = [([0.0; D], [0.0; D]); S];
+        for (k, integral) in INTEGRALS.iter().enumerate().take(S) {
+            for ((places, speeds), of_x) in powers.iter_mut().zip(integral) {
+                for d in 0..D {
+                    places[d] += h * speed[d][k] * of_x;
+                    speeds[d] += h * acceleration[d][k] * of_x;
+                }
+            }
+        }
+        let at_start = sums(&powers, -1.0);
+        Self { h, start, acceleration, powers, at_start, end }
     }
 
     /// Places and speeds at a part of it; a little beyond its end, too.
     pub(crate) fn at(&self, theta: f64) -> Point<D> {
-        let x = 2.0 * theta - 1.0;
-        let after = |start: &[f64; D], changes: &[Change<S>; D]| {
-            std::array::from_fn(|d| start[d] + changes[d].at(x))
+        let changed = sums(&self.powers, 2.0 * theta - 1.0);
+        let after = |get: fn(&Point<D>) -> &[f64; D]| {
+            let [start, changed, at_start] = [&self.start, &changed, &self.at_start].map(get);
+            std::array::from_fn(|d| start[d] + (changed[d] - at_start[d]))
         };
-        (after(&self.start.0, &self.changes.0), after(&self.start.1, &self.changes.1))
+        (after(|point| &point.0), after(|point| &point.1))
     }
 }
 
-/// The change of a place or a speed on a step, in powers of x = 2 theta - 1: exactly zero where the step begins.
-#[derive(Clone, Debug)]
-struct Change<const S: usize> {
-    /// Coefficients of x, x² and so on.
-    powers: [f64; S],
-    /// Their sum at x = -1.
-    start: f64,
-}
-
-impl<const S: usize> Change<S> {
-    /// Over a step of h at a rate with these Legendre coefficients.
-    fn of(rate: &[f64; S], h: f64) -> Self {
-        let mut powers = [0.0; S];
-        for (coefficient, integral) in rate.iter().zip(&INTEGRALS) {
-            for (power, of_x) in powers.iter_mut().zip(integral) {
-                *power += h * coefficient * of_x;
-            }
+/// Sums of coefficients of x, x² and so on times those.
+fn sums<const D: usize, const S: usize>(powers: &[Point<D>; S], x: f64) -> Point<D> {
+    let (mut place, mut speed) = ([0.0; D], [0.0; D]);
+    for (places, speeds) in powers.iter().rev() {
+        for d in 0..D {
+            place[d] = (place[d] + places[d]) * x;
+            speed[d] = (speed[d] + speeds[d]) * x;
         }
-        let start = Self { powers, start: 0.0 }.at(-1.0);
-        Self { powers, start }
     }
-
-    fn at(&self, x: f64) -> f64 {
-        x * self.powers.iter().rev().fold(0.0, |sum, power| sum * x + power) - self.start
-    }
+    (place, speed)
 }
 
 /// The most stages that a method has.

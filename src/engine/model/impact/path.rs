@@ -1,35 +1,27 @@
 //! The way of a step: its states by the part of it.
 
+use std::array;
+
 use crate::model::impact::equations::State;
+use crate::numerics::locate::CELLS;
+use crate::numerics::maximum;
 
-/// Parts of a step at whose ends events are looked for, forces compared and rows drawn: its polynomial has no wiggles that they miss.
-pub(super) const LOOKS: usize = 16;
-
-/// The states on a step; those at the looks are computed once.
+/// The states on a step.
 pub(super) struct Path<'a> {
     at: &'a dyn Fn(f64) -> State,
-    looks: [State; LOOKS + 1],
+    /// At the ends of equal parts, from its start to its end: there events are looked for, forces compared and rows drawn, for its
+    /// polynomial has no wiggles that they miss.
+    pub(super) looks: [State; CELLS + 1],
 }
 
 impl<'a> Path<'a> {
     /// From what gives the state at a part of the step, 0 to 1.
     pub(super) fn of(at: &'a dyn Fn(f64) -> State) -> Self {
-        Self { at, looks: std::array::from_fn(|look| at(look as f64 / LOOKS as f64)) }
+        Self { at, looks: array::from_fn(|look| at(look as f64 / CELLS as f64)) }
     }
 
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::float_cmp,
-        reason = "only what comes back the same is a look"
-    )]
     pub(super) fn at(&self, part: f64) -> State {
-        let place = part * LOOKS as f64;
-        let look = place as usize;
-        match self.looks.get(look) {
-            Some(state) if look as f64 == place => *state,
-            _ => (self.at)(part),
-        }
+        (self.at)(part)
     }
 
     pub(super) fn start(&self) -> &State {
@@ -37,6 +29,12 @@ impl<'a> Path<'a> {
     }
 
     pub(super) fn end(&self) -> &State {
-        &self.looks[LOOKS]
+        &self.looks[CELLS]
+    }
+
+    /// The greatest value of a function of its states, located only if it may exceed what is known.
+    pub(super) fn greatest(&self, known: f64, of: impl Fn(&State) -> f64) -> f64 {
+        let values = array::from_fn(|i| of(&self.looks[2 * i]));
+        maximum::greatest(&values, known, &|part| of(&self.at(part)))
     }
 }

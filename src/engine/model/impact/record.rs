@@ -3,11 +3,10 @@
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{self, Contact, Hold, Mode, Touch};
-use crate::model::impact::path::{LOOKS, Path};
+use crate::model::impact::path::Path;
 use crate::model::impact::window::Window;
 use crate::model::run::{self, Arrest, Departure, EnergyLedger, Event, EventKind, Sample};
 use crate::numerics::locate::{Found, first_fall};
-use crate::numerics::maximum::greatest;
 use crate::numerics::quadrature::GAUSS_16;
 use crate::numerics::{larger, smaller};
 
@@ -91,7 +90,7 @@ impl Record<'_> {
         self.steps += 1;
         self.add_work(equations, path);
         self.note_forces(equations, path);
-        self.draw(equations, LOOKS, path);
+        self.draw(equations, &path.looks[1..], path);
     }
 
     /// Notes a state that the run has come to.
@@ -133,63 +132,58 @@ impl Record<'_> {
 
     /// The greatest forces of contact, mount and interface on a step.
     fn note_forces(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
-        let contact_n = |theta: f64| equations.contact_n(&path.at(theta));
+        let contact_n = |state: &State| equations.contact_n(state);
         // Friction is no peak.
         let flows = equations.setup.law == Law::Flow;
         if equations.mode.contact == Contact::Deepening || (!flows && equations.slides()) {
-            let peak_n = greatest(0.0, 1.0, self.peak_contact_n, contact_n);
+            let peak_n = path.greatest(self.peak_contact_n, contact_n);
             self.peak_contact_n = larger(peak_n, self.peak_contact_n);
         }
         match equations.mode.hold {
             Hold::Mount => {}
             // What a plate that is held does not take, the mount does.
             Hold::OnStop | Hold::Spring | Hold::Damper => {
-                let push_n = |theta: f64| contact_n(theta) * equations.setup.cos;
+                let push_n = |state: &State| contact_n(state) * equations.setup.cos;
                 let known_n = self.loads.mount_n;
-                self.loads.mount_n = larger(greatest(0.0, 1.0, known_n, push_n), known_n);
+                self.loads.mount_n = larger(path.greatest(known_n, push_n), known_n);
             }
             Hold::Free => {
-                let force_n = |theta: f64| {
-                    let state = path.at(theta);
-                    equations.mechanism_n(state.x_m, state.w_m_s)
-                };
-                self.note_mechanism(equations, path, &force_n);
+                self.note_mechanism(equations, path);
                 if equations.setup.turning_kg > 0.0 {
-                    let mount_n = |theta: f64| equations.mount_n(&path.at(theta)).abs();
+                    let mount_n = |state: &State| equations.mount_n(state).abs();
                     let known_n = self.loads.mount_n;
-                    self.loads.mount_n = larger(greatest(0.0, 1.0, known_n, mount_n), known_n);
+                    self.loads.mount_n = larger(path.greatest(known_n, mount_n), known_n);
                 }
             }
         }
     }
 
     /// The greatest forces of the mechanism on a step.
-    fn note_mechanism(
-        &mut self,
-        equations: &Equations<'_>,
-        path: &Path<'_>,
-        force_n: &impl Fn(f64) -> f64,
-    ) {
+    fn note_mechanism(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
+        let force_n = |state: &State| equations.mechanism_n(state.x_m, state.w_m_s);
         // A power law and a stop push most at an end of the step, where nothing else does: the plate turns only there.
         let at_ends = equations.is_undamped() && equations.mode.spring.power().is_some();
         let most_n = |way: f64, known_n: f64| {
-            let force_n = |theta: f64| way * force_n(theta);
+            let force_n = |state: &State| way * force_n(state);
             if at_ends {
-                larger(force_n(0.0), force_n(1.0))
+                larger(force_n(path.start()), force_n(path.end()))
             } else {
-                greatest(0.0, 1.0, known_n, force_n)
+                path.greatest(known_n, force_n)
             }
         };
         let (push_n, pull_n) = self.loads.known_n(equations, path.end());
         let (push_n, pull_n) = (most_n(1.0, push_n), most_n(-1.0, pull_n));
         let first_s = |way: f64| {
             let holds = if way > 0.0 { 1.0 } else { equations.setup.grip };
-            let gap_n = |theta: f64| {
+            let gap_n = |state: &State| {
                 holds * equations.strength_n(path.end())
-                    - way * equations.setup.interface_fraction() * force_n(theta)
+                    - way * equations.setup.interface_fraction() * force_n(state)
             };
-            let found = first_fall(1, |theta, _| gap_n(theta));
-            path.at(if let Found::Fall(_, theta) = found { theta } else { 1.0 }).t_s
+            let gaps_n = path.looks.each_ref().map(gap_n);
+            match first_fall(&[gaps_n], |part, _| gap_n(&path.at(part))) {
+                Found::Fall(_, part) => path.at(part).t_s,
+                Found::Nothing | Found::Unresolved(_) => path.end().t_s,
+            }
         };
         self.note_load(equations, path.end(), [push_n, pull_n]);
         self.note_excess(equations, path.end(), [push_n, pull_n], first_s);
@@ -247,8 +241,8 @@ impl Record<'_> {
         }
     }
 
-    /// Draws a step in so many parts: its rows at equal times, and those at the ends of the parts.
-    pub(super) fn draw(&mut self, equations: &Equations<'_>, parts: usize, path: &Path<'_>) {
+    /// Draws a step: its rows at equal times, and those at some states of it, the last of them at its end.
+    pub(super) fn draw(&mut self, equations: &Equations<'_>, states: &[State], path: &Path<'_>) {
         if !self.keep_series {
             return;
         }
@@ -259,10 +253,12 @@ impl Record<'_> {
                 sample(equations, &state, false)
             });
         }
-        let parts = if self.series.len() < ROWS_MAX { parts } else { 1 };
-        for part in 1..=parts {
-            let state = path.at(part as f64 / parts as f64);
-            self.series.push(sample(equations, &state, part == parts));
+        let skipped = if self.series.len() < ROWS_MAX { 0 } else { states.len() - 1 };
+        for state in &states[skipped..] {
+            self.series.push(sample(equations, state, false));
+        }
+        if let Some(row) = self.series.last_mut() {
+            row.is_step = true;
         }
     }
 

@@ -14,7 +14,7 @@ use crate::model::impact::report::{self, Course};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Observer, Run};
 use crate::model::scene::Scene;
-use crate::numerics::locate::{Found, first_fall};
+use crate::numerics::locate::{CELLS, Found, GAPS_MAX, first_fall};
 use crate::numerics::step::{Near, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
@@ -289,7 +289,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             let dt_s = part * span_s;
             State { t_s: state.t_s + dt_s, q_m: state.q_m + state.u_m_s * dt_s, ..*state }
         };
-        record.draw(&Equations { setup, mode }, 1, &Path::of(&at));
+        record.draw(&Equations { setup, mode }, &[at(1.0)], &Path::of(&at));
         *state = at(1.0);
         None
     }
@@ -322,10 +322,15 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         };
         let at = |part: f64| law.state(&start, start.t_s + part * h_s, &step.at(part));
         let path = Path::of(&at);
-        let found = first_fall(events.list().len(), |theta, which| {
-            let event = events.list()[which];
-            let is_zero = theta == 0.0 && self.is_undone_by(event);
-            if is_zero { 0.0 } else { gap(equations, event, &path.at(theta)) }
+        let mut gaps = [[0.0; CELLS + 1]; GAPS_MAX];
+        for (gaps, event) in gaps.iter_mut().zip(events.list()) {
+            *gaps = path.looks.each_ref().map(|state| gap(equations, *event, state));
+            if self.is_undone_by(*event) {
+                gaps[0] = 0.0;
+            }
+        }
+        let found = first_fall(&gaps[..events.list().len()], |part, which| {
+            gap(equations, events.list()[which], &path.at(part))
         });
         match found {
             Found::Nothing => {
