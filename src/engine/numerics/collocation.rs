@@ -223,6 +223,12 @@ impl<const S: usize> Member<S> {
         let mut is_old = true;
         let mut before = f64::INFINITY;
         let enough = SOLVED + ROUNDING / goal.relative;
+        let size = |change: &Stages<D, S>| {
+            let speed = change.each_ref().map(|change| {
+                h * change.iter().fold(0.0, |most, change| larger(change.abs(), most))
+            });
+            goal.norm(&speed.map(|speed| h * speed), &speed)
+        };
         for round in 1..=ITERATIONS_MAX {
             let points = self.points(start, h, &stages);
             let is_new = is_old;
@@ -243,8 +249,7 @@ impl<const S: usize> Member<S> {
                 if is_guarded { self.allowed(law, start, h, [&stages, &whole]) } else { 1.0 };
             let is_whole = part >= 1.0;
             stages = if is_whole { whole } else { with(part, &change, &stages) };
-            let speed = change.map(|change| change.map(f64::abs).into_iter().fold(0.0, larger) * h);
-            let norm = goal.norm(&speed.map(|speed| h * speed), &speed);
+            let norm = size(&change);
             if !norm.is_finite() || (round > 3 && norm > 2.0 * before && is_whole) {
                 return (None, round * S);
             }
@@ -253,8 +258,12 @@ impl<const S: usize> Member<S> {
             // With new derivatives each contraction is the square of the one before.
             let next = if is_new { contraction * contraction } else { contraction };
             let ahead = if contraction < 1.0 { norm * next } else { norm };
-            // What no longer shrinks, far below the tolerance, is rounding.
-            let stalls = contraction > 0.5 && norm < 10.0 * enough;
+            // What no longer shrinks, far below the tolerance or as small as what the rounding of forces makes, is rounding.
+            let stalls = before.is_finite() && contraction > 0.5 && {
+                let mut rounding = law.rounding(&start).map(|rounding| [rounding; S]);
+                matrix.solve(&mut rounding);
+                norm < 10.0 * enough || norm < size(&rounding)
+            };
             if is_whole && (norm <= SOLVED || ahead <= enough || stalls) {
                 return (Some(self.polynomial(start, h, &stages)), round * S);
             }
@@ -344,10 +353,12 @@ impl<const S: usize> Member<S> {
         goal: &Tolerances<D>,
     ) -> f64 {
         let h = step.h;
+        let rounding = law.rounding(&step.end);
+        let beyond = |value: f64, d: usize| larger(value.abs() - rounding[d], 0.0);
         let mut tail = ([0.0; D], [0.0; D]);
         let (from, last) = Self::FALL;
         for d in 0..D {
-            let modes = step.acceleration[d].map(f64::abs);
+            let modes = step.acceleration[d].map(|mode| beyond(mode, d));
             let high = modes[S - last..].iter().copied().fold(0.0, larger);
             let low = larger(modes[from], modes[from + 1]);
             let fall = if high < low { high / low } else { 1.0 };
@@ -361,7 +372,7 @@ impl<const S: usize> Member<S> {
             let (place, speed) = step.at(*at);
             for (d, wanted) in law.at(&place, &speed).into_iter().enumerate() {
                 let given = dot(&step.acceleration[d], values);
-                let missed = h * weight * (wanted - given);
+                let missed = h * weight * beyond(wanted - given, d).copysign(wanted - given);
                 defect.1[d] += missed;
                 defect.0[d] += h * (1.0 - at) * missed;
             }

@@ -30,6 +30,11 @@ pub(crate) trait Acceleration<const D: usize> {
 
     /// What errors of places and speeds are relative to at a point.
     fn sizes(&self, at: &Point<D>) -> Point<D>;
+
+    /// What the rounding of forces, which may hold each other, makes of the accelerations at a point.
+    fn rounding(&self, _: &Point<D>) -> [f64; D] {
+        [0.0; D]
+    }
 }
 
 /// Places and speeds.

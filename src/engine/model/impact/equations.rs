@@ -16,9 +16,8 @@ const SLOPE_WIDTH: f64 = 1e-6;
 
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
-/// Part of a velocity that is below the rounding of forces that hold each other: ten units of the last place of a double, ten times that
-/// where the filter of a step's error has damped it least.
-const KNOWN: f64 = 2e-14;
+/// Rounding of a force, relative.
+pub(super) const KNOWN: f64 = 1e-13;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
 
@@ -372,21 +371,19 @@ impl Equations<'_> {
         (1e-9 * self.setup.geometry.nose.radius_m, 1e-6 * self.setup.velocity_m_s)
     }
 
-    /// The same at a displacement and a velocity; no shorter step knows the velocity better than rounding.
+    /// The same at a displacement and a velocity.
     pub(super) fn sizes_of_plate(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
         let (x_least_m, w_least_m_s) = self.least_sizes();
-        let w_m_s = larger(w_m_s.abs(), larger(w_least_m_s, self.rounding_m_s(x_m, w_m_s)));
-        (larger(x_m.abs(), x_least_m), w_m_s)
+        (larger(x_m.abs(), x_least_m), larger(w_m_s.abs(), w_least_m_s))
     }
 
-    /// What the rounding of the mechanism's forces, which may hold each other, makes of the plate's velocity against its damping and its
-    /// inertia, over a tolerance, m/s.
-    pub(super) fn rounding_m_s(&self, x_m: f64, w_m_s: f64) -> f64 {
-        let (by_place, by_speed) = self.mechanism_slopes(x_m, w_m_s);
-        let spring_n = self.mode.spring.force_in(self.mode.stretch, self.displacement_m(x_m));
-        let forces_n =
-            spring_n.abs() + by_speed * w_m_s.abs() + by_place.abs() * self.mode.origin_m.abs();
-        let resists = by_speed + (by_place.abs() * self.setup.plate_kg).sqrt();
-        if resists > 0.0 { KNOWN / self.setup.tolerance * forces_n / resists } else { 0.0 }
+    /// What the mechanism's forces, which may hold each other, are off by through rounding, N: those of spring, damper and stop, and of a
+    /// spring far from whose zero the displacement is measured.
+    pub(super) fn mechanism_rounding_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+        let (mode, at_m) = (self.mode, self.displacement_m(x_m));
+        let spring_n = mode.spring.force_in(mode.stretch, at_m).abs()
+            + mode.spring.tangent_in(mode.stretch, at_m).abs() * mode.origin_m.abs();
+        let others_n = self.setup.damper.force(w_m_s).abs() + self.pressed_stop_n(x_m, w_m_s).abs();
+        KNOWN * (spring_n + others_n)
     }
 }

@@ -201,7 +201,7 @@ impl Equations<'_> {
     pub(super) fn passes_zero(&self, state: &State) -> bool {
         let Some((way_s, false)) = self.next_zero(state) else { return false };
         let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
-        way_s * larger(slip.abs(), plate.abs()) < self.held_m_s()
+        way_s * larger(slip.abs(), plate.abs()) < HELD * state.w_m_s.abs()
             && self.setup.stop_at_m.abs() > self.displacement_m(state.x_m).abs()
     }
 

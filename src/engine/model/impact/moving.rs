@@ -2,10 +2,10 @@
 //! plate that rests.
 
 use crate::model::contact_models::History;
-use crate::model::impact::equations::{Equations, Setup, State};
+use crate::model::impact::equations::{Equations, KNOWN, Setup, State};
 use crate::model::impact::modes::Contact;
+use crate::numerics::smaller;
 use crate::numerics::step::{Acceleration, Point, Slopes};
-use crate::numerics::{larger, smaller};
 
 /// Part of the way to the zero of a steep law that an iteration may go at once.
 const OF_THE_WAY: f64 = 0.8;
@@ -115,9 +115,14 @@ impl Acceleration<2> for Both<'_> {
     fn sizes(&self, ([q, x], [u, w]): &Point<2>) -> Point<2> {
         let (travel, slip) = self.0.sizes_of_travel(*q, *u);
         let (place, speed) = self.0.sizes_of_plate(*x, *w);
-        // The plate's velocity is a part of the slip.
-        let slip = larger(slip, self.0.rounding_m_s(*x, *w) * self.0.setup.cos);
         ([travel, place], [slip, speed])
+    }
+
+    fn rounding(&self, ([q, x], [u, w]): &Point<2>) -> [f64; 2] {
+        let setup = self.0.setup;
+        let contact = KNOWN * self.0.contact_n(&slipping(*q, *u)).abs();
+        let plate = (contact * setup.cos + self.0.mechanism_rounding_n(*x, *w)) / setup.plate_kg;
+        [contact / setup.projectile_kg + plate * setup.cos, plate]
     }
 }
 
@@ -146,6 +151,10 @@ impl Acceleration<1> for Plate<'_> {
     fn sizes(&self, ([x], [w]): &Point<1>) -> Point<1> {
         let (place, speed) = self.0.sizes_of_plate(*x, *w);
         ([place], [speed])
+    }
+
+    fn rounding(&self, ([x], [w]): &Point<1>) -> [f64; 1] {
+        [self.0.mechanism_rounding_n(*x, *w) / self.0.moving_kg()]
     }
 }
 
