@@ -257,29 +257,20 @@ impl Painter<'_> {
             }
             trace(curve, owner, (self.layout.x, self.layout.y), &mut canvas);
             if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
-                place_markers(&canvas, owner, usize::from(plot.width), &mut markers);
+                place_markers(&canvas, owner, plot.width, &mut markers);
             }
         }
-        for row in 0..plot.height {
-            for column in 0..plot.width {
-                if let Some((owner, dots)) = canvas.cell(usize::from(column), usize::from(row)) {
-                    let curve = &self.chart.curves[owner];
-                    let character = match self.theme.glyphs {
-                        GlyphSet::Ascii => curve.marker,
-                        GlyphSet::Block | GlyphSet::Braille => dots,
-                    };
-                    let style = self.curve_style(curve);
-                    self.put(plot.x + column, plot.y + row, character, style);
-                }
+        for at in plot.positions() {
+            if let Some((owner, dots)) = canvas.cell(at.x - plot.x, at.y - plot.y) {
+                let curve = &self.chart.curves[owner];
+                let is_ascii = self.theme.glyphs == GlyphSet::Ascii;
+                let character = if is_ascii { curve.marker } else { dots };
+                self.put(at.x, at.y, character, self.curve_style(curve));
             }
         }
         for (column, row, owner) in markers {
-            let place = (u16::try_from(column), u16::try_from(row));
-            if let (Ok(column), Ok(row)) = place {
-                let curve = &self.chart.curves[owner];
-                let style = self.curve_style(curve);
-                self.put(plot.x + column, plot.y + row, curve.marker, style);
-            }
+            let curve = &self.chart.curves[owner];
+            self.put(plot.x + column, plot.y + row, curve.marker, self.curve_style(curve));
         }
         self.crosshair(&canvas);
         self.letters();
@@ -316,8 +307,7 @@ impl Painter<'_> {
             return;
         };
         for row in 0..plot.height {
-            let met = canvas.cell(usize::from(column), usize::from(row));
-            let (character, style) = match met {
+            let (character, style) = match canvas.cell(column, row) {
                 Some((owner, _)) => {
                     let curve = &self.chart.curves[owner];
                     let style = self.curve_style(curve).add_modifier(Modifier::BOLD);
@@ -338,18 +328,12 @@ fn drawing_order(curves: &[Curve<'_>]) -> Vec<usize> {
 }
 
 /// Chooses the cells (column, row, owner) that show a curve's marker, so that colour is never the only difference.
-fn place_markers(
-    canvas: &Canvas,
-    owner: usize,
-    width: usize,
-    markers: &mut Vec<(usize, usize, usize)>,
-) {
+fn place_markers(canvas: &Canvas, owner: usize, width: u16, markers: &mut Vec<(u16, u16, usize)>) {
     let middle = |column| Some((column, canvas.middle(column, owner)?, owner));
-    let first = (owner * MARKER_SHIFT + 3) % MARKER_EVERY;
+    let first = owner * MARKER_SHIFT + 3;
     let before = markers.len();
-    for column in (first..width).step_by(MARKER_EVERY) {
-        markers.extend(middle(column));
-    }
+    let columns = (0..width).skip(first % MARKER_EVERY).step_by(MARKER_EVERY);
+    markers.extend(columns.filter_map(middle));
     if markers.len() == before {
         let drawn: Vec<_> = (0..width).filter_map(middle).collect();
         markers.extend(drawn.get(drawn.len() / 2));
