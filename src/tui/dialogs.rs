@@ -1,12 +1,10 @@
-//! The dialogs on top of the panes: each in a file of its own, with its keys, how it is drawn, and what comes of it.
+//! The dialogs on top of the panes: each with its keys, how it is drawn, and what comes of it.
 
 mod ask;
-mod export;
 mod help;
 pub(crate) mod list;
 pub mod palette;
 mod presets;
-mod save;
 mod words;
 
 use crate::tui::app::dialog::Dialog;
@@ -22,8 +20,8 @@ const OPENED: &[(Action, Open)] = &[
     (Action::Help, |app| Some(help::open(app))),
     (Action::Palette, |app| Some(palette::open(app))),
     (Action::Presets, |app| Some(presets::open(app))),
-    (Action::Save, |app| Some(save::open(app))),
-    (Action::Export, export::open),
+    (Action::Save, |app| Some(ask::save(app))),
+    (Action::Export, ask::export),
 ];
 
 /// Open the dialog of an action; false where it has none here.
