@@ -28,7 +28,7 @@ use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::steps::Input;
-use crate::worker::studies::{SearchRequest, searches};
+use crate::worker::studies::SearchRequest;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -93,13 +93,9 @@ struct Study {
     request: fn(&App) -> Result<SearchRequest, String>,
 }
 
-macro_rules! studies {
-    ($($(#[$_doc:meta])* $kind:ident $page:ident,)*) => {
-        /// The studies, in the order of [`state::Page`].
-        const STUDIES: [Study; state::Page::COUNT] = [$($page::STUDY),*];
-    };
-}
-searches!(studies);
+/// The studies, in the order of [`state::Page`].
+const STUDIES: [Study; state::Page::COUNT] =
+    [seek::STUDY, front::STUDY, sensitivity::STUDY, monte_carlo::STUDY];
 
 impl state::Page {
     fn study(self) -> &'static Study {
