@@ -3,7 +3,7 @@
 use crate::model::variables::Kind;
 use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::dialogs::list::{List, Picker, frame, listed};
-use crate::tui::keymap::{LINES, Scope};
+use crate::tui::keymap::EVERYWHERE;
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
@@ -67,8 +67,7 @@ fn rows(app: &App) -> Vec<HelpRow> {
         is_own: true,
         help: app.keymap.shown(row.help),
     });
-    let everywhere = LINES.iter().filter(|line| line.scope == Scope::Everywhere);
-    own.chain(everywhere.map(|line| HelpRow {
+    own.chain(EVERYWHERE.iter().map(|line| HelpRow {
         keys: app.keymap.line_label(line),
         is_own: false,
         help: app.keymap.shown(line.meaning),

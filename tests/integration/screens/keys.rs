@@ -14,7 +14,7 @@ use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
 use cmra::report::series::Channel;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::keymap::Tab;
-use cmra::tui::keymap::{Key, LINES};
+use cmra::tui::keymap::{Key, bound};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::all_panes;
 use cmra::tui::pages::run::state::Window;
@@ -39,7 +39,7 @@ fn select(bench: &mut Bench, symbol: &str) {
 #[test]
 fn every_key_works_in_its_pane_and_draws() {
     for pane in all_panes() {
-        for (action, name, keys) in LINES.iter().flat_map(|line| line.keys) {
+        for (action, name, keys) in bound() {
             let mut bench = bench();
             bench.keys(" ");
             bench.app.focus_on(pane.pane);
