@@ -6,7 +6,7 @@ use ratatui::text::Span;
 
 use super::canvas::{Canvas, role, trace};
 use super::layout::Layout;
-use crate::report::chart::ticks::{Tick, label_start};
+use crate::report::chart::ticks::label_start;
 use crate::report::chart::{Chart, Curve, Emphasis, Frame, Mark, Scale};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 
@@ -61,9 +61,7 @@ impl Painter<'_> {
     }
 
     fn vertical_axis(&mut self) {
-        let Some(x) = self.layout.axis_left else {
-            return;
-        };
+        let Some(x) = self.layout.axis_left else { return };
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Border);
         for y in plot.top()..plot.bottom() {
@@ -80,9 +78,7 @@ impl Painter<'_> {
     }
 
     fn horizontal_axis(&mut self) {
-        let Some(y) = self.layout.axis_below else {
-            return;
-        };
+        let Some(y) = self.layout.axis_below else { return };
         if self.chart.frame != Frame::Boxed {
             return self.axis_in_line(y);
         }
@@ -94,11 +90,10 @@ impl Painter<'_> {
         if let Some(x) = self.layout.axis_left {
             self.put(x, y, '└', style);
         }
-        let mut free_from = i32::from(self.layout.inner.left());
         for tick in &self.layout.x_ticks.labelled {
             self.put(plot.x + tick.cell, y, '┬', style);
-            free_from = self.label_below(tick, free_from, 0);
         }
+        self.labels_below(self.layout.inner.left(), 0);
     }
 
     /// The line below a stacked chart: numbers stand in it where the ticks of an axis would, and the unit at its right end.
@@ -115,33 +110,25 @@ impl Painter<'_> {
         if taken > 2 && taken < inner.width {
             self.buffer.set_string(inner.right() - taken, y, &unit, text);
         }
-        let mut free_from =
-            i32::from(self.layout.axis_left.map_or_else(|| inner.left(), |x| x + 1));
-        for tick in &self.layout.x_ticks.labelled {
-            free_from = self.label_below(tick, free_from, taken);
-        }
+        self.labels_below(self.layout.axis_left.map_or_else(|| inner.left(), |x| x + 1), taken);
     }
 
-    /// Writes a label centred under its tick, moved only as far as the frame, and what is taken at its right, demand, and gives the first cell after it.
-    /// Without room it is omitted; the tick stays.
-    fn label_below(&mut self, tick: &Tick, free_from: i32, taken: u16) -> i32 {
-        let Some(y) = self.layout.labels_below else {
-            return free_from;
-        };
-        let inner = self.layout.inner;
-        let length = i32::try_from(tick.label.len()).unwrap_or(i32::MAX / 2);
-        let centre = i32::from(self.layout.plot.x + tick.cell);
-        let latest = i32::from(inner.right()) - i32::from(taken) - length;
-        let earliest = i32::from(inner.left());
-        let start = label_start(centre, length).min(latest).max(earliest);
-        let room = start >= free_from && start <= centre && start <= latest;
-        match u16::try_from(start) {
-            Ok(x) if room => {
-                let style = self.theme.style(Role::Text);
+    /// Writes labels from a column on, each centred under its tick, moved only as far as the frame, and what is taken at its right,
+    /// demand. Without room it is omitted; the tick stays.
+    fn labels_below(&mut self, from: u16, taken: u16) {
+        let Some(y) = self.layout.labels_below else { return };
+        let (inner, style) = (self.layout.inner, self.theme.style(Role::Text));
+        let (earliest, mut free_from) = (i32::from(inner.left()), i32::from(from));
+        for tick in &self.layout.x_ticks.labelled {
+            let length = i32::try_from(tick.label.len()).unwrap_or(i32::MAX / 2);
+            let centre = i32::from(self.layout.plot.x + tick.cell);
+            let latest = i32::from(inner.right()) - i32::from(taken) - length;
+            let start = label_start(centre, length).min(latest).max(earliest);
+            let has_room = start >= free_from && start <= centre && start <= latest;
+            if let Some(x) = u16::try_from(start).ok().filter(|_| has_room) {
                 self.buffer.set_string(x, y, &tick.label, style);
-                start + length + 1
+                free_from = start + length + 1;
             }
-            _ => free_from,
         }
     }
 
@@ -149,9 +136,7 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         for level in &self.chart.levels {
-            let Some(cell) = self.layout.y.cell(level.at) else {
-                continue;
-            };
+            let Some(cell) = self.layout.y.cell(level.at) else { continue };
             let y = self.row(cell);
             // A label of the axis in this row may have another value: the level's own takes its place.
             let labelled = self.layout.y_ticks.labelled.iter().any(|tick| tick.cell == cell);
@@ -188,9 +173,7 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         for level in self.chart.levels.iter().filter(|level| !level.tag.is_empty()) {
-            let Some(cell) = self.layout.y.cell(level.at) else {
-                continue;
-            };
+            let Some(cell) = self.layout.y.cell(level.at) else { continue };
             let y = self.row(cell);
             let is_free = |x: u16| self.is_free((x, y), LEVEL);
             // A blank keeps the tag clear of the dots.
@@ -210,9 +193,7 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         for event in &self.chart.marks {
-            let Some(cell) = self.layout.x.cell(event.at) else {
-                continue;
-            };
+            let Some(cell) = self.layout.x.cell(event.at) else { continue };
             for y in plot.top()..plot.bottom() {
                 self.put(plot.x + cell, y, EVENT, style);
             }
@@ -294,10 +275,8 @@ impl Painter<'_> {
 
     fn curve_style(&self, curve: &Curve<'_>) -> Style {
         let style = self.theme.style(role(curve));
-        match curve.emphasis {
-            Emphasis::Selected => style.add_modifier(Modifier::BOLD),
-            Emphasis::Normal | Emphasis::Faint | Emphasis::Stale => style,
-        }
+        let is_selected = curve.emphasis == Emphasis::Selected;
+        if is_selected { style.add_modifier(Modifier::BOLD) } else { style }
     }
 
     /// A line over everything; where it meets a curve, the curve's marker stands on it.
