@@ -8,6 +8,7 @@ mod presets;
 mod words;
 
 use crate::tui::app::dialog::Dialog;
+use crate::tui::dialogs::list::listed;
 use crate::tui::prelude::*;
 
 pub(crate) use words::open as list_words;
@@ -17,9 +18,12 @@ type Open = fn(&mut App) -> Option<Box<dyn Dialog>>;
 
 /// The dialogs by the action that opens each.
 const OPENED: &[(Action, Open)] = &[
-    (Action::Help, |app| Some(help::open(app))),
-    (Action::Palette, |app| Some(palette::open(app))),
-    (Action::Presets, |app| Some(presets::open(app))),
+    (Action::Help, |_| Some(listed(help::Help, 0))),
+    (Action::Palette, |_| Some(listed(palette::Palette, 0))),
+    (Action::Presets, |app| {
+        app.list_presets();
+        Some(listed(presets::Presets, 0))
+    }),
     (Action::Save, |app| Some(ask::save(app))),
     (Action::Export, ask::export),
 ];

@@ -61,17 +61,14 @@ pub(crate) fn submit_pins(app: &mut App) {
     }
 }
 
-/// Submit a study of the scene for a tab; an older one of its type is replaced.
-pub(crate) fn study<S: AskedFor + Into<Asked>>(app: &mut App, tab: Tab, study: S) {
-    study_of(app, tab, &Arc::clone(&app.scene), study);
+/// Submit a study of the scene for the tab shown; an older one of its type is replaced.
+pub(crate) fn study<S: AskedFor + Into<Asked>>(app: &mut App, study: S) {
+    study_of(app, &Arc::clone(&app.scene), study);
 }
 
-pub(crate) fn study_of<S>(app: &mut App, tab: Tab, scene: &Arc<Scene>, study: S)
-where
-    S: AskedFor + Into<Asked>,
-{
+pub(crate) fn study_of<S: AskedFor + Into<Asked>>(app: &mut App, scene: &Arc<Scene>, study: S) {
     app.jobs.take::<S>();
-    let running = task(app, tab, scene, study.into());
+    let running = task(app, app.tab, scene, study.into());
     app.request(Effect::After(LONG, Message::LongJob(running.id)));
     app.jobs.studies.push(running);
 }

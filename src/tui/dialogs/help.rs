@@ -1,8 +1,8 @@
 //! Help: what the selected variable or the pane means, then the keys of the pane, then those that work everywhere.
 
 use crate::model::variables::Kind;
-use crate::tui::app::dialog::{Dialog, Outcome};
-use crate::tui::dialogs::list::{List, Picker, frame, listed};
+use crate::tui::app::dialog::Outcome;
+use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::keymap::EVERYWHERE;
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
@@ -13,12 +13,8 @@ use crate::tui::prelude::*;
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 
-pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
-    listed(Help, 0)
-}
-
 #[derive(Debug)]
-struct Help;
+pub(super) struct Help;
 
 const SENTENCE: u16 = 15;
 

@@ -173,7 +173,7 @@ impl Page for ExploreTab {
         let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
         let csv = move || sweep::grid_csv(&name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.noted(&scene, "sweep", notes))
+        Some(table.of(&scene, "sweep").noted(notes))
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -220,10 +220,10 @@ pub(crate) fn compute(app: &mut App) {
         Ok(plan) => {
             app.pages.explore.problem = None;
             let sweep = PictureSweep { picture: app.picture(), plan: Arc::new(plan) };
-            jobs::study(app, Tab::Explore, sweep);
+            jobs::study(app, sweep);
             app.pages.explore.printed = None;
             if let Some(plan) = app.printed_plan() {
-                jobs::study(app, Tab::Explore, PrintedSweep(Arc::new(plan)));
+                jobs::study(app, PrintedSweep(Arc::new(plan)));
             }
         }
     }

@@ -301,7 +301,7 @@ fn look(app: &mut App) {
         }
     };
     app.pages.search.problem[page as usize] = None;
-    jobs::study(app, Tab::Search, request);
+    jobs::study(app, request);
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.

@@ -12,7 +12,7 @@ use crate::tui::widgets::text::clip;
 use crate::tui::widgets::text::columns;
 use crate::tui::widgets::{Canvas, RowList, Rows, cycled};
 
-/// Columns within a row: cursor, `*`, label, value, unit.
+/// Columns within a row: cursor, label, value, unit.
 const LABEL: u16 = 2;
 const VALUE: u16 = 10;
 /// Columns of a number.
@@ -33,7 +33,6 @@ pub(crate) struct FormRow {
     pub meaning: String,
     /// Its field takes a number with a unit.
     pub takes_unit: bool,
-    pub is_changed: bool,
     /// Headings are titles; a value that has no effect at present is dim.
     pub role: Role,
 }
@@ -52,7 +51,6 @@ impl FormRow {
             text: None,
             meaning: String::new(),
             takes_unit: false,
-            is_changed: false,
             role: Role::Text,
         }
     }
@@ -89,9 +87,6 @@ impl FormRow {
         if self.is_heading() {
             canvas.put(area, (0, 0), &self.label, self.role);
             return;
-        }
-        if self.is_changed {
-            canvas.put(area, (1, 0), "*", Role::Note);
         }
         let room = |start: u16| usize::from(area.width.saturating_sub(start));
         let label = canvas.put(area, (LABEL, 0), &clip(&self.label, room(LABEL)), self.role);

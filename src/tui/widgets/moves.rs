@@ -19,13 +19,9 @@ pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
 
 /// How far along an action moves a cursor; far is this many.
 pub(crate) fn along(action: Action, far: i16) -> Option<i16> {
-    match action {
-        Action::Left => Some(-1),
-        Action::Right => Some(1),
-        Action::FarLeft => Some(-far),
-        Action::FarRight => Some(far),
-        _ => None,
-    }
+    let Press { up, is_far } = step_of(action)?;
+    let by = if is_far { far } else { 1 };
+    Some(if up { by } else { -by })
 }
 
 /// How far along and upward an action moves a cursor; far is this many.

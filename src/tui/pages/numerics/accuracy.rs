@@ -151,15 +151,13 @@ fn use_method(app: &mut App) {
 }
 
 fn measure(app: &mut App) {
-    jobs::study(app, Tab::Numerics, Measurements(ComparisonOptions::FULL));
+    jobs::study(app, Measurements(ComparisonOptions::FULL));
 }
 
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.accuracy;
-    if !tab.report.keep(running, news, |report| report.is_complete) {
-        return;
-    }
-    if news.is_last() && !tab.report.is_complete {
+    let is_kept = tab.report.keep(running, news, |report| report.is_complete);
+    if is_kept && news.is_last() && !tab.report.is_complete {
         app.tell(jobs::CANCELLED);
     }
 }

@@ -131,11 +131,11 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 fn ask_map(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE };
-    jobs::study(app, Tab::Numerics, StabilityMap(wanted));
+    jobs::study(app, StabilityMap(wanted));
 }
 
 fn ask_battery(app: &mut App) {
-    jobs::study_of(app, Tab::Numerics, &Arc::default(), StiffScenes);
+    jobs::study_of(app, &Arc::default(), StiffScenes);
 }
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
