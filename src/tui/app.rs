@@ -31,7 +31,7 @@ use crate::tui::pages::states::States;
 use crate::tui::prelude::*;
 use crate::tui::preset::{Base, PresetEntry};
 use crate::tui::theme::Theme;
-use crate::tui::widgets::input::{Field, TextField};
+use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::{Layout, layout};
 
 /// Messages kept of a session.
@@ -61,7 +61,7 @@ pub struct Files {
 #[derive(Clone, Debug)]
 pub enum Typing {
     /// The field of a row of the pane that has the keys.
-    Field(Field),
+    Field(TextField),
     /// The field of `/`.
     Find(TextField),
 }
@@ -113,7 +113,7 @@ impl App {
     }
 
     /// The open field of a row.
-    pub fn field(&self) -> Option<&Field> {
+    pub fn field(&self) -> Option<&TextField> {
         if let Some(Typing::Field(field)) = &self.typing { Some(field) } else { None }
     }
 

@@ -93,7 +93,7 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         spans.push(Span::styled(key, app.settings.theme.style(Role::Key)));
         spans.push(Span::raw(format!(" {what}  ")));
     }
-    canvas.put_line(area, 0, &Line::from(spans));
+    canvas.put_line(area, &Line::from(spans));
 }
 
 fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
@@ -241,7 +241,7 @@ pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         }
         spans.push(Span::styled(text, app.settings.theme.style(severity.role())));
     }
-    canvas.put_line(area, 0, &Line::from(spans));
+    canvas.put_line(area, &Line::from(spans));
 }
 
 /// The parts of a status row in so many columns. Where there is no room for all, the notes behind the last warning are dropped, then

@@ -189,7 +189,7 @@ impl Ask {
             ));
         }
         let content = if is_svg(&path) {
-            let drawn = pages::pictures(pages::of(app.tab), app);
+            let drawn = pages::pictures(app);
             let none = "no chart on the screen can be drawn as SVG: write the table to a .csv file";
             (!drawn.is_empty()).then(|| Content::Text(svg::file(&drawn))).ok_or(none)?
         } else {

@@ -84,7 +84,7 @@ impl Page for ExploreTab {
                 app.pages.explore.output = cycled(app.pages.explore.output, 1, count);
             }
             Action::Enter => edit::load_design(app, app.sweep_design()),
-            _ => match cursor_moved(action, FAR) {
+            _ => match cursor_moved(action) {
                 Some(by) => move_cursor(app, by),
                 None => return false,
             },
@@ -187,8 +187,8 @@ impl Page for ExploreTab {
         }
     }
 
-    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
-        setup::change(app, app.setup_choices()[row], input)
+    fn change(&self, app: &mut App, input: Input<'_>) -> Result<(), String> {
+        setup::change(app, app.setup_row(), input)
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
@@ -199,9 +199,6 @@ impl Page for ExploreTab {
         curves::render(app, body, canvas);
     }
 }
-
-/// Far along a picture, in points.
-const FAR: i16 = 10;
 
 /// Forget the sweep under way.
 fn stop(app: &mut App) {

@@ -142,8 +142,8 @@ impl Page for SearchTab {
             _ if app.pane() == SETUP => return false,
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),
-            _ => match along(action, FAR) {
-                Some(by) => move_by(self, app, by.into()),
+            _ => match along(action) {
+                Some(by) => move_by(app, by.into()),
                 None => return false,
             },
         }
@@ -231,9 +231,8 @@ impl Page for SearchTab {
         (app.pane() == SETUP).then(|| app.search_form())
     }
 
-    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
-        let row = app.search_choices(app.pages.search.page)[row];
-        let before = app.snapshot();
+    fn change(&self, app: &mut App, input: Input<'_>) -> Result<(), String> {
+        let (row, before) = (app.search_row(), app.snapshot());
         change(app, row, input)?;
         note_change(app, row, before);
         follow(app);
@@ -266,9 +265,6 @@ impl Page for SearchTab {
         draw::render(app, setup, results, canvas);
     }
 }
-
-/// Far along a front, in designs.
-const FAR: i16 = 10;
 
 /// Lines of the words that have no room.
 pub(crate) fn hidden_lines(app: &App) -> usize {

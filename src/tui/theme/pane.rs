@@ -91,17 +91,14 @@ impl<'a> PaneFrame<'a> {
 mod tests {
     use super::super::{ColourDepth, ascii_pass};
     use super::*;
+    use crate::tui::chart::buffer_lines;
 
     fn lines(pane: &PaneFrame<'_>, width: u16, height: u16) -> Vec<String> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
         pane.render(area, &mut buffer, Theme::PLAIN);
         ascii_pass(&mut buffer);
-        buffer
-            .content
-            .chunks(usize::from(width.max(1)))
-            .map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect())
-            .collect()
+        buffer_lines(&buffer)
     }
 
     #[test]

@@ -97,13 +97,13 @@ fn a_bad_text_stays_with_its_reason_and_the_last_good_value_stays_live() {
     let mut bench = bench();
     bench.press("/m_p<Enter><Enter>12 mm<Enter>");
     let field = bench.app.field().cloned().unwrap();
-    assert_eq!(field.text.value(), "12 mm");
+    assert_eq!(field.value(), "12 mm");
     assert!(bench.message().contains("`mm` is not a unit of this quantity (column 4)"));
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
     assert!(bench.jobs().is_empty());
     // Typing goes on where it was; the error goes with the next character.
     bench.press("<BS><BS>kg");
-    assert_eq!(bench.app.field().cloned().unwrap().text.error, None);
+    assert_eq!(bench.app.field().cloned().unwrap().error, None);
     bench.press("<Enter>");
     assert_eq!(bench.app.scene.projectile.mass_kg, 12.0);
 }

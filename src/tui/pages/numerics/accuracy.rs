@@ -128,7 +128,7 @@ fn use_method(app: &mut App) {
             "the listing of the thesis (contact model appendix)".to_owned()
         }
         Method::Auto => {
-            let Some(tolerance) = tab.tolerance_for(method, TARGETS[0]) else {
+            let Some(tolerance) = tab.tolerance() else {
                 let text = format!("{} does not reach an error of 1e-6 here", method.name());
                 return app.refuse(text);
             };

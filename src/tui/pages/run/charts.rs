@@ -105,7 +105,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             }
             app.pages.run.charts.quantities[selected] = next;
         }
-        _ => match along(action, 10) {
+        _ => match along(action) {
             Some(by) => app.move_cursor(by),
             None => return false,
         },
