@@ -155,7 +155,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             if took.is_none() {
                 app.tell(CANCELLED);
             }
-            show(app, run, took);
+            show(app, &run, took);
         }
         ReportBody::Ended { .. } => app.tell("cancelled: <run> runs again"),
     }
@@ -166,8 +166,8 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
     }
 }
 
-fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
-    let before = app.shown.replace(Shown { run: Arc::clone(&run), took });
+fn show(app: &mut App, run: &Arc<Run>, took: Option<Duration>) {
+    let before = app.shown.replace(Shown { run: Arc::clone(run), took });
     let known = before.as_ref().map_or(&[][..], |shown| &shown.run.warnings);
     let is_known = |it: &&Warning| known.iter().any(|old| discriminant(old) == discriminant(*it));
     // The status row has the new ones in a few words: their sentences are for the Log tab. What comes after the run stands there anyway.
