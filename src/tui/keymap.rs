@@ -14,24 +14,22 @@ enumeration! {
     #[derive(Default, Hash, PartialOrd, Ord)]
     pub enum Tab in TabRow {
         name: &'static str,
-        /// How many pages it has.
-        pages: usize,
     }
     /// One impact: variables, charts, runs.
     #[default]
-    Run { name: "Run", pages: 1 }
+    Run { name: "Run" }
     /// Curves or a map of a quantity over one variable or two.
-    Explore { name: "Explore", pages: 1 }
+    Explore { name: "Explore" }
     /// The ballistic limit, and the comparison at equal areal mass.
-    Limit { name: "Limit", pages: 1 }
+    Limit { name: "Limit" }
     /// Goal seek, Pareto front, sensitivity, Monte Carlo.
-    Search { name: "Search", pages: 4 }
+    Search { name: "Search" }
     /// Accuracy and stability of the methods.
-    Numerics { name: "Numerics", pages: 2 }
+    Numerics { name: "Numerics" }
     /// The thesis: what is computed of it, its principles, its concepts.
-    Thesis { name: "Thesis", pages: 3 }
+    Thesis { name: "Thesis" }
     /// Warnings, events, energy, cost and messages.
-    Log { name: "Log", pages: 1 }
+    Log { name: "Log" }
 }
 
 /// The keys that lead to the tabs.
@@ -89,6 +87,17 @@ pub enum Target {
     },
     /// A row of the list in the dialog on top.
     DialogRow(usize),
+}
+
+impl Target {
+    /// The pane it is, or is in.
+    pub(crate) fn pane(self) -> Option<Pane> {
+        match self {
+            Self::Pane(pane) | Self::Row(pane, _) | Self::Cell(pane, _) => Some(pane),
+            Self::Value { pane, .. } => Some(pane),
+            Self::Tab(_) | Self::Page(_) | Self::DialogRow(_) => None,
+        }
+    }
 }
 
 pub struct PaneSpec {

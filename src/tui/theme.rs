@@ -70,7 +70,9 @@ impl Theme {
             Role::Text => plain,
             Role::Title | Role::Key | Role::Crosshair => bold,
             Role::Selection => plain.add_modifier(Modifier::REVERSED),
-            Role::Dim | Role::Border | Role::Event => self.faint(),
+            // `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.
+            Role::Dim | Role::Border | Role::Event if self.is_plain() => plain,
+            Role::Dim | Role::Border | Role::Event => plain.add_modifier(Modifier::DIM),
             Role::Focus => coloured(bold, colours::FOCUS.at(self.depth)),
             Role::Error if self.is_plain() => bold.add_modifier(Modifier::REVERSED),
             Role::Error => coloured(bold, colours::ERROR.at(self.depth)),
@@ -92,15 +94,7 @@ impl Theme {
     /// The colour of a heat map's shade, 0 the least of ten, and the ink that can be read on it; `None` where there are fewer
     /// than 256 colours.
     pub fn heat(self, shade: usize) -> Option<(Color, Color)> {
-        match self.depth {
-            ColourDepth::None | ColourDepth::Sixteen => None,
-            ColourDepth::Ansi256 => Some(colours::heat(shade)),
-        }
-    }
-
-    /// Faint where colours are on. `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.
-    fn faint(self) -> Style {
-        if self.is_plain() { Style::new() } else { Style::new().add_modifier(Modifier::DIM) }
+        (self.depth == ColourDepth::Ansi256).then(|| colours::heat(shade))
     }
 
     fn is_plain(self) -> bool {

@@ -148,7 +148,9 @@ impl Page for LimitTab {
                 Some(Rows { count: count + 1, selected: app.pages.limit.word, shown })
             }
             COMPARISON => {
-                let (lines, shown) = comparison_text(app)?;
+                let area = area(app, app.layout().body?, COMPARISON)?;
+                let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
+                let shown = usize::from(area.height.saturating_sub(2));
                 let count = lines.len().saturating_sub(shown) + 1;
                 Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
             }
@@ -175,11 +177,4 @@ impl Page for LimitTab {
             }
         }
     }
-}
-
-/// The lines of the comparison, and how many of them are shown at once.
-fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
-    let area = area(app, app.layout().body?, COMPARISON)?;
-    let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
-    Some((lines, usize::from(area.height.saturating_sub(2))))
 }

@@ -30,6 +30,7 @@ use crate::tui::app::running::Kept;
 use crate::tui::pages;
 use crate::tui::widgets::form::Form;
 use crate::tui::widgets::input::TextField;
+use crate::tui::widgets::layout::{Layout, layout};
 use crate::tui::widgets::steps::Input;
 
 /// The refusal of what needs results that are under way.
@@ -202,6 +203,19 @@ pub(crate) trait Page: Sync {
 
     /// Draw its panes into the body of the screen.
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>);
+}
+
+impl App {
+    pub fn layout(&self) -> Layout {
+        // A pinned run takes the row that says how to pin one.
+        let has_hint = self.tab != Tab::Run || self.pins.is_empty();
+        layout(self.size, pages::of(self.tab).about().pages.len() > 1, has_hint)
+    }
+
+    /// Rows of a list that fills the body.
+    pub(crate) fn list_rows(&self) -> usize {
+        self.layout().body.map_or(10, |body| usize::from(body.height.saturating_sub(2)))
+    }
 }
 
 /// Draw the setup of a study.

@@ -127,7 +127,7 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
 /// The next or previous page of the tab, in a circle; nothing where it has one.
 fn next_page(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
-    let count = app.tab.pages();
+    let count = page.about().pages.len();
     if count > 1 {
         page.turn_to(app, cycled(page.shown(app), by, count));
     }
@@ -148,7 +148,7 @@ fn focus(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
-        if app.tab.pages() < 2 {
+        if page.about().pages.is_empty() {
             app.tell("this tab has one pane; <tab-run>, <tab-explore> and so on change tabs");
         }
         return next_page(app, by);

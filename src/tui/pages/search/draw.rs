@@ -71,11 +71,10 @@ pub(super) fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mu
     canvas.rows(inner, (first, lines.len()), |line| {
         Some(Target::Row(RESULTS, choices.position(|at| at == line)?))
     });
-    for (row, (text, role)) in (0..inner.height).zip(lines.iter().skip(first)) {
-        let text = clip(text, usize::from(inner.width));
-        canvas.put(inner, (0, row), &text, *role);
-        if focused && has_choices && first + usize::from(row) == selected {
-            canvas.paint_row(inner, row);
+    for (row, (at, (text, role))) in inner.rows().zip(lines.iter().enumerate().skip(first)) {
+        canvas.put(row, (0, 0), &clip(text, usize::from(inner.width)), *role);
+        if focused && has_choices && at == selected {
+            canvas.paint_row(row);
         }
     }
 }

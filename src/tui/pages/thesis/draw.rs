@@ -77,7 +77,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         }
         canvas.put(line, (says, 0), part, role);
         if *index == tab.selected && app.dialog.is_none() {
-            canvas.paint_row(line, 0);
+            canvas.paint_row(line);
         }
     });
     claim(app, detail, canvas);

@@ -136,7 +136,7 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
     }
     if selected {
         canvas.put(line, (0, 0), ">", Role::Title);
-        canvas.paint_row(line, 0);
+        canvas.paint_row(line);
     }
 }
 
