@@ -9,7 +9,6 @@ pub mod jobs;
 pub mod notice;
 pub mod pins;
 pub mod running;
-pub(crate) mod setups;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -16,6 +16,8 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::app::{App, Settings};
 use crate::tui::keymap::Keymap;
+use crate::tui::pages::explore::state::{Picture, sweep_of};
+use crate::tui::pages::search::state::Setup;
 use crate::tui::pages::thesis;
 use crate::tui::preset::Base;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -159,6 +161,31 @@ pub(super) fn session(app: &App) -> Session {
     }
 }
 
+impl App {
+    /// The setups of Explore and Search as a session keeps them.
+    pub fn setups(&self) -> session::Setup {
+        let (explore, mut sweep) = (&self.pages.explore, sweep_of(&self.scene));
+        let picture = session::Explore {
+            is_map: explore.picture == Picture::Surface,
+            output: sweep.outputs.swap_remove(explore.output_of(&sweep)),
+        };
+        session::Setup { explore: Some(picture), search: Some(self.pages.search.setup.kept()) }
+    }
+
+    /// Take over what was kept, as far as it still means something.
+    pub fn restore_setups(&mut self, kept: session::Setup) {
+        let picture = kept.explore.unwrap_or_default();
+        let explore = &mut self.pages.explore;
+        explore.picture = if picture.is_map { Picture::Surface } else { Picture::Line };
+        let outputs = sweep_of(&self.scene).outputs;
+        explore.output = outputs.iter().position(|it| *it == picture.output).unwrap_or(0);
+        let search = kept.search.map_or_else(Setup::default, |kept| Setup::of(&kept));
+        self.pages.search.setup = Arc::new(search);
+        // Restoring is no edit.
+        (self.history, self.effects) = Default::default();
+    }
+}
+
 /// The last edits of the scene that can be undone, oldest first.
 fn undo_steps(app: &App) -> Vec<UndoStep> {
     let edits = app.history.edits[..app.history.done].iter().rev();
@@ -284,7 +311,6 @@ mod tests {
     use crate::tui::app::edit;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
-    use crate::tui::pages::explore::state::Picture;
     use crate::tui::update;
     use crate::worker::studies::Asked;
 

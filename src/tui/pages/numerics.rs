@@ -149,7 +149,7 @@ impl Page for NumericsTab {
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         match app.pane() {
-            ACCURACY => accuracy::draw::render(app, body, canvas),
+            ACCURACY => accuracy::draw(app, body, canvas),
             STABILITY => stability::draw_map(app, body, canvas),
             _ => stability::draw_battery(app, body, canvas),
         }
