@@ -14,23 +14,14 @@ enumeration! {
         mark: &'static str,
         /// The word in the Log tab.
         word: &'static str,
+        role: Role,
     }
     /// Good to know.
-    Note { mark: " ", word: "note" }
+    Note { mark: " ", word: "note", role: Role::Text }
     /// Legal, yet worth a second look.
-    Warning { mark: "!", word: "warning" }
+    Warning { mark: "!", word: "warning", role: Role::Warning }
     /// It did not work.
-    Error { mark: "error:", word: "error" }
-}
-
-impl Severity {
-    pub(crate) fn role(self) -> Role {
-        match self {
-            Self::Note => Role::Text,
-            Self::Warning => Role::Warning,
-            Self::Error => Role::Error,
-        }
-    }
+    Error { mark: "error:", word: "error", role: Role::Error }
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]

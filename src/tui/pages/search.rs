@@ -143,7 +143,7 @@ impl Page for SearchTab {
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),
             _ => match along(action) {
-                Some(by) => move_by(app, by.into()),
+                Some(by) => move_by(app, by),
                 None => return false,
             },
         }

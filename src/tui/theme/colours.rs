@@ -32,15 +32,10 @@ impl ColourDepth {
         if value("NO_COLOR").is_some() || term == "dumb" || mono {
             return Self::None;
         }
-        let few = ["linux", "ansi", "cons25"];
-        if is_vt(&term)
-            || few.iter().any(|name| term.starts_with(name))
-            || term.ends_with("-16color")
-            || term.ends_with("-color")
-        {
-            return Self::Sixteen;
-        }
-        Self::Ansi256
+        let has_few = is_vt(&term)
+            || ["linux", "ansi", "cons25"].iter().any(|name| term.starts_with(name))
+            || ["-16color", "-color"].iter().any(|ending| term.ends_with(ending));
+        if has_few { Self::Sixteen } else { Self::Ansi256 }
     }
 
     /// The next in the cycle 256, sixteen, none.

@@ -42,10 +42,8 @@ impl GlyphSet {
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         let value = |name| env(name).filter(|text| !text.is_empty());
         let locale = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(value);
-        let utf8 = locale.is_some_and(|text| {
-            let upper = text.to_ascii_uppercase();
-            upper.contains("UTF-8") || upper.contains("UTF8")
-        });
+        let utf8 =
+            locale.is_some_and(|text| text.to_ascii_uppercase().replace('-', "").contains("UTF8"));
         let term = value("TERM").unwrap_or_default();
         if !utf8 || term == "dumb" || is_vt(&term) {
             Self::Ascii

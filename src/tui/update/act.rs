@@ -203,17 +203,15 @@ fn leave(app: &mut App, action: Action) {
 fn back(app: &mut App) {
     if app.is_full() {
         app.pages.run.is_full = false;
-    } else {
-        let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
-        let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
-        let text = elsewhere.map_or_else(
-            || format!("nothing to close: <quit> quits (the session {kept})"),
-            |tab| {
-                format!("nothing to stop here: <back> in {} stops its job", tab.title(&app.keymap))
-            },
-        );
-        app.tell(text);
+        return;
     }
+    let text = if let Some((tab, _)) = pages::all_jobs(app).next() {
+        format!("nothing to stop here: <back> in {} stops its job", tab.title(&app.keymap))
+    } else {
+        let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
+        format!("nothing to close: <quit> quits (the session {kept})")
+    };
+    app.tell(text);
 }
 
 /// Copy the table that the page shows.

@@ -5,7 +5,6 @@ use crate::report::seek::{remarks, solution, table, warnings};
 use crate::study::quantities::named;
 use crate::study::search::seek::{self, Goal, Report, SCAN};
 use crate::study::sweep;
-use crate::study::sweep::PointOutcome;
 use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mark};
 use crate::tui::pages::explore::state::placed;
@@ -127,14 +126,12 @@ impl Answer for Report {
             ..Chart::new(report.measure.title(), x, y, vec![curve])
         };
         let layout = canvas.draw(&chart, area);
-        for (x, value) in &report.scan {
+        for (x, _) in report.scan.iter().filter(|point| point.1.is_none()) {
             let gap = report.of(seek::Kind::Gap).find(|gap| {
                 let (a, b) = (gap.place.at, gap.until.map_or(gap.place.at, |it| it.at));
                 (a.min(b)..=a.max(b)).contains(x)
             });
-            let outcome: Option<PointOutcome> =
-                gap.and_then(|gap| gap.outcome).filter(|_| value.is_none());
-            if let Some(outcome) = outcome {
+            if let Some(outcome) = gap.and_then(|gap| gap.outcome) {
                 canvas.put_gap(&layout, *x, outcome.letter());
             }
         }
