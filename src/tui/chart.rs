@@ -24,10 +24,9 @@ mod paint;
 use layout::{frame_of, plan};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::text::Span;
 
 use crate::report::svg::Svg;
-use crate::tui::theme::{GlyphSet, Theme, ascii_pass};
+use crate::tui::theme::{GlyphSet, Theme, ascii_pass, columns};
 
 pub use crate::report::chart::levels::Levels;
 pub use crate::report::chart::{
@@ -94,7 +93,7 @@ pub fn buffer_lines(buffer: &Buffer) -> Vec<String> {
                 continue;
             }
             text.push_str(cell.symbol());
-            hidden = Span::raw(cell.symbol()).width().saturating_sub(1);
+            hidden = columns(cell.symbol()).saturating_sub(1);
         }
         text.truncate(text.trim_end().len());
         text

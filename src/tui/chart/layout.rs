@@ -50,11 +50,7 @@ impl Layout {
 }
 
 pub(super) fn frame_of(chart: &Chart<'_>, title: String) -> PaneFrame<'static> {
-    let frame = PaneFrame::new(title).focused(chart.focused);
-    match chart.frame {
-        Frame::Boxed => frame,
-        Frame::Stacked { begins, below } => frame.stacked(begins, below),
-    }
+    PaneFrame::new(title).focused(chart.focused).frame(chart.frame)
 }
 
 /// Lays a chart out inside its frame; `legend_row` requests a row of its own for the legend.

@@ -7,7 +7,6 @@ use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
 use crate::tui::dialogs::list::{List, Picker, frame};
-use crate::tui::dialogs::palette::shown_in;
 use crate::tui::message::FileTask;
 use crate::tui::pages::run;
 use crate::tui::pages::run::editor::{index_of, shown_value};
@@ -109,7 +108,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
     lines.extend(wrapped(title, width, Role::Title));
     if entry.part.is_none() {
-        let tab = shown_in(entry);
+        let tab = if thesis::axes(&entry.scene) > 0 { Tab::Explore } else { Tab::Run };
         let text = format!("shows on {}", tab.title(&app.keymap));
         lines.push((text, Role::Dim));
     }

@@ -101,23 +101,24 @@ impl Page for ExploreTab {
         let computing = app.jobs.running::<PictureSweep>();
         let progress = match (computing, found) {
             (Some(computing), _) => {
-                Progress::Running(format!("sweeping{}", computing.counted("of", " points")))
+                under_way(&format!("sweeping{}", computing.counted("of", " points")))
             }
-            _ if app.sweep_is_old() => Progress::Old("scene"),
-            (None, None) => Progress::Nothing,
+            _ if app.sweep_is_old() => part(Severity::Warning, old("scene")),
+            (None, None) => part(Severity::Note, NO_RESULTS),
             (None, Some(grid)) => {
                 let (done, total) = grid.progress();
                 match app.pages.explore.result.took.filter(|_| grid.is_complete()) {
                     Some(took) => {
-                        Progress::Done(format!("{total} points in {}", show_duration(took)))
+                        let took = show_duration(took);
+                        part(Severity::Note, format!("{total} points in {took}"))
                     }
-                    None => Progress::Cut(format!(" after {done} of {total} points")),
+                    None => cut(&format!(" after {done} of {total} points")),
                 }
             }
         };
         let problem = app.pages.explore.problem.clone().filter(|_| computing.is_none());
-        let mut parts =
-            vec![problem.map_or_else(|| progress.part(), |text| part(Severity::Error, text))];
+        let problem = problem.map(|text| part(Severity::Error, text));
+        let mut parts = vec![problem.unwrap_or(progress)];
         if let Some(grid) = found {
             let others = grid.outcomes().each();
             for (word, count) in others.filter(|(word, count)| *count > 0 && *word != "arrested") {

@@ -66,25 +66,22 @@ impl Page for LimitTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.limit;
-        let done = || Progress::Done("done".to_owned());
+        let done = || part(Severity::Note, "done");
         let words = |it: &Running| format!("comparing{}", it.counted("of", ""));
         if app.pane() != RESIDUAL {
-            let comparing = progress::<EqualMass, _>(app, &tab.comparison, &app.scene, words);
-            let first = comparing.unwrap_or_else(done).part();
+            let comparing = progress::<EqualMass, _>(app, &tab.comparison, &app.scene, words, "");
+            let first = comparing.unwrap_or_else(done);
             return std::iter::once(first).chain(app.validity_part()).collect();
         }
-        let finding = progress::<LimitSearch, _>(
-            app,
-            &tab.report,
-            &app.limit_scene(&tab.report.scene),
-            |it| format!("finding the limit{}", it.counted("of about", " shots")),
-        );
-        let mut parts = vec![finding.unwrap_or_else(done).part()];
+        let scene = app.limit_scene(&tab.report.scene);
+        let shots = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
+        let finding = progress::<LimitSearch, _>(app, &tab.report, &scene, shots, "");
+        let mut parts = vec![finding.unwrap_or_else(done)];
         let sampling = |it: &Running| format!("V50{}", it.counted("of", " samples"));
-        parts.extend(app.jobs.running::<Spread>().map(|it| Progress::Running(sampling(it)).part()));
+        parts.extend(app.jobs.running::<Spread>().map(|it| under_way(&sampling(it))));
         if let Some(report) = &tab.report.found {
             let comparing = app.jobs.running::<EqualMass>();
-            parts.extend(comparing.map(|it| Progress::Running(words(it)).part()));
+            parts.extend(comparing.map(|it| under_way(&words(it))));
             let at_limit = report.at_limit.as_ref();
             parts.extend(at_limit.map_or_else(
                 || app.validity_part(),

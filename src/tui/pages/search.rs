@@ -168,25 +168,21 @@ impl Page for SearchTab {
         let progress = match (running, tab.answer()) {
             (Some((running, true)), _) => {
                 let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
-                Progress::Running(format!("searching{counted}"))
+                under_way(&format!("searching{counted}"))
             }
-            (Some((_, false)), _) => Progress::Running("another search is running".to_owned()),
-            (None, Some(_)) if app.search_is_old() => Progress::Old("setup"),
+            (Some((_, false)), _) => under_way("another search is running"),
+            (None, Some(_)) if app.search_is_old() => part(Severity::Warning, old("setup")),
             (None, Some(answer)) => {
                 count = answer.effort();
-                if answer.is_complete() {
-                    Progress::Done("done".to_owned())
-                } else {
-                    Progress::Cut(String::new())
-                }
+                if answer.is_complete() { part(Severity::Note, "done") } else { cut("") }
             }
-            (None, None) => Progress::Nothing,
+            (None, None) => part(Severity::Note, NO_RESULTS),
         };
         let is_refused = tab.problem().is_some() && running.is_none() && tab.answer().is_none();
         let first = if is_refused {
             part(Severity::Error, "this cannot be searched for")
         } else {
-            progress.part()
+            progress
         };
         let count = count.map(|runs| part(Severity::Note, runs));
         let answer = tab.answer().filter(|_| running.is_none());

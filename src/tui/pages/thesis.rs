@@ -88,8 +88,8 @@ impl Page for ThesisTab {
         let tab = &app.pages.thesis;
         let mut parts = Vec::new();
         let words = |it: &Running| format!("checking the claims{}", it.counted("of", ""));
-        let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words);
-        parts.extend(checking.map(Progress::part));
+        let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words, "");
+        parts.extend(checking);
         if tab.report.found.is_some() {
             let counts = ClaimVerdict::ALL.iter().zip(tally(tab.rows()));
             let counts: Vec<String> =
@@ -167,7 +167,7 @@ pub(crate) fn show(app: &mut App, base: Base) {
 }
 
 /// Axes of the sweep that a scene keeps.
-fn axes(scene: &Scene) -> usize {
+pub(crate) fn axes(scene: &Scene) -> usize {
     scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len())
 }
 

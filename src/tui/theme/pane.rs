@@ -7,15 +7,14 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Widget};
 
 use super::{Role, Theme, columns};
-use crate::report::chart::Below;
+use crate::report::chart::{Below, Frame};
 
 #[derive(Clone, Debug, Default)]
 pub struct PaneFrame<'a> {
     title: String,
     right: Line<'a>,
     focused: bool,
-    /// It continues a box above it, and what its lower line is.
-    stacked: Option<(bool, Below)>,
+    frame: Frame,
 }
 
 impl<'a> PaneFrame<'a> {
@@ -36,15 +35,15 @@ impl<'a> PaneFrame<'a> {
         self
     }
 
-    /// As one of several panes in a box: whether the box begins with it, and its lower line.
+    /// As one of several panes in a box.
     #[must_use]
-    pub fn stacked(mut self, begins: bool, below: Below) -> Self {
-        self.stacked = Some((!begins, below));
+    pub fn frame(mut self, frame: Frame) -> Self {
+        self.frame = frame;
         self
     }
 
     fn block(&self) -> Block<'_> {
-        let is_open = self.stacked.is_some_and(|(_, below)| below == Below::Nothing);
+        let is_open = matches!(self.frame, Frame::Stacked { below: Below::Nothing, .. });
         let without = if is_open { Borders::BOTTOM } else { Borders::NONE };
         Block::new().borders(Borders::ALL.difference(without))
     }
@@ -57,8 +56,8 @@ impl<'a> PaneFrame<'a> {
         let area = area.intersection(buffer.area);
         let border = theme.style(if self.focused { Role::Focus } else { Role::Border });
         let mut set = border::PLAIN;
-        if let Some((continues, below)) = self.stacked {
-            if continues {
+        if let Frame::Stacked { begins, below } = self.frame {
+            if !begins {
                 (set.top_left, set.top_right) = ("├", "┤");
             }
             if below == Below::Across {
@@ -78,7 +77,7 @@ impl<'a> PaneFrame<'a> {
         let room = usize::from(area.width).saturating_sub(6);
         if right.width() > 2 && title + right.width() <= room {
             block = block.title_top(right.right_aligned());
-        } else if right.width() > 2 && self.stacked.is_none() && right.width() <= room {
+        } else if right.width() > 2 && self.frame == Frame::Boxed && right.width() <= room {
             block = block.title_bottom(right.right_aligned());
         }
         let inner = block.inner(area);

@@ -36,12 +36,10 @@ impl App {
         let count = tab.points();
         let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
         let scene = self.accuracy_scene();
-        let progress = match progress::<Measurements, _>(self, &tab.report, &scene, words) {
-            None => Progress::Done(format!("measured {count} points")),
-            Some(Progress::Cut(_)) => Progress::Cut(format!(" after {count} points")),
-            Some(other) => other,
-        };
-        let mut parts = vec![progress.part()];
+        let after = format!(" after {count} points");
+        let progress = progress::<Measurements, _>(self, &tab.report, &scene, words, &after);
+        let done = || part(Severity::Note, format!("measured {count} points"));
+        let mut parts = vec![progress.unwrap_or_else(done)];
         let Some(report) = &tab.report.found else { return parts };
         if let Some(reference) = report.references.any() {
             let sure = reference.uncertainty.map(|it| format!(", to {it:.0e}"));

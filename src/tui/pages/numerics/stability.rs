@@ -60,16 +60,17 @@ impl App {
             let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
             let words = |it: &Running| format!("checking the stiff scenes{}", it.counted("of", ""));
-            let running = progress::<StiffScenes, _>(self, &tab.battery, &Scene::default(), words);
-            parts.extend(running.map(Progress::part));
+            let running =
+                progress::<StiffScenes, _>(self, &tab.battery, &Scene::default(), words, "");
+            parts.extend(running);
             if tab.battery.found.is_some() {
                 parts.push(part(severity, holds));
             }
             return parts;
         }
         let words = |it: &Running| format!("computing the map{}", it.counted("of", " rows"));
-        let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words);
-        parts.extend(mapping.map(Progress::part));
+        let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words, "");
+        parts.extend(mapping);
         if let Some(map) = &tab.map.found {
             parts.push(part(Severity::Note, map.method.name().to_owned()));
         }

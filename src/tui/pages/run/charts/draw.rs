@@ -64,8 +64,8 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 /// The title of a chart without rows: a line across the box, or the last one.
 fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canvas<'_>) {
     let title = format!("{}: {why}", app.pages.run.charts.quantities[place.chart].title());
-    let pane = PaneFrame::new(title).focused(focused).stacked(place.begins, Below::Nothing);
-    pane.draw(place.area, canvas);
+    let frame = Frame::Stacked { begins: place.begins, below: Below::Nothing };
+    PaneFrame::new(title).focused(focused).frame(frame).draw(place.area, canvas);
     if place.below == Below::End {
         let role = if focused { Role::Focus } else { Role::Border };
         canvas.put(place.area, (0, 0), "└", role);

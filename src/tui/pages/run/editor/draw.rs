@@ -2,7 +2,7 @@
 
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES, is_listed};
-use crate::report::chart::Below;
+use crate::report::chart::{Below, Frame};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{
     ANALYSIS, DESIGN, Editor, EditorRow, is_main, short_label, shown_in, shown_value,
@@ -41,7 +41,8 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         (true, _) => "Variables".to_owned(),
         (false, _) => filtered("Variables", &editor.filter),
     };
-    let mut pane = PaneFrame::new(title).focused(focused).stacked(true, below);
+    let mut pane =
+        PaneFrame::new(title).focused(focused).frame(Frame::Stacked { begins: true, below });
     if rows.len() > height {
         pane = pane.right(format!("{}-{}/{}", first + 1, first + height, rows.len()));
     }
@@ -68,7 +69,8 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
                     (*title).to_owned()
                 };
                 let line = Rect { x: area.x, width: area.width, ..line };
-                PaneFrame::new(text).stacked(false, Below::Nothing).draw(line, canvas);
+                let frame = Frame::Stacked { begins: false, below: Below::Nothing };
+                PaneFrame::new(text).frame(frame).draw(line, canvas);
             }
             EditorRow::Variable(index) => {
                 let is_outside = outside.contains(&VARIABLES[*index].symbol);
