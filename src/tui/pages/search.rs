@@ -160,37 +160,26 @@ impl Page for SearchTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.search;
-        let of_page = |(running, request): (_, &SearchRequest)| {
-            (running, state::Page::of(request) == tab.page)
-        };
-        let running: Option<(&Running, bool)> = app.jobs.study::<SearchRequest>().map(of_page);
-        let mut count = None;
-        let progress = match (running, tab.answer()) {
-            (Some((running, true)), _) => {
+        let running = app.jobs.study::<SearchRequest>();
+        let answer = tab.answer().filter(|_| running.is_none());
+        let own = answer.filter(|_| !app.search_is_old());
+        let first = match running {
+            Some((running, request)) if state::Page::of(request) == tab.page => {
                 let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
                 under_way(&format!("searching{counted}"))
             }
-            (Some((_, false)), _) => under_way("another search is running"),
-            (None, Some(_)) if app.search_is_old() => part(Severity::Warning, old("setup")),
-            (None, Some(answer)) => {
-                count = answer.effort();
-                if answer.is_complete() { part(Severity::Note, "done") } else { cut("") }
-            }
-            (None, None) => part(Severity::Note, NO_RESULTS),
+            Some(_) => under_way("another search is running"),
+            None if answer.is_some() && own.is_none() => part(Severity::Warning, old("setup")),
+            None if own.is_some_and(Answer::is_complete) => part(Severity::Note, "done"),
+            None if own.is_some() => cut(""),
+            None if tab.problem().is_some() => part(Severity::Error, "this cannot be searched for"),
+            None => part(Severity::Note, NO_RESULTS),
         };
-        let is_refused = tab.problem().is_some() && running.is_none() && tab.answer().is_none();
-        let first = if is_refused {
-            part(Severity::Error, "this cannot be searched for")
-        } else {
-            progress
-        };
-        let count = count.map(|runs| part(Severity::Note, runs));
-        let answer = tab.answer().filter(|_| running.is_none());
-        let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
-        let ends = answer.filter(|_| !app.search_is_old()).into_iter();
-        let ends = ends.flat_map(Answer::outside_at_ends);
+        let ends = own.into_iter().flat_map(Answer::outside_at_ends);
         let ends = outside(ends.map(|it| it.0), " at the ends");
-        std::iter::once(first).chain(ends).chain(validity).chain(count).collect()
+        let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
+        let effort = own.and_then(Answer::effort).map(|runs| part(Severity::Note, runs));
+        std::iter::once(first).chain(ends).chain(validity).chain(effort).collect()
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
