@@ -255,8 +255,8 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     // A recent file that is gone or broken is omitted: loading it says why.
     let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
     let recent = unsaved.iter().chain(opened).filter_map(|path| preset::from_file(path).ok());
-    let entry = |found: Preset, origin| PresetEntry {
-        origin,
+    let entry = |found: Preset| PresetEntry {
+        origin: found.origin.word(),
         name: found.name,
         scene: found.scene,
         comment: found.comment,
@@ -264,11 +264,8 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     };
     presets
         .into_iter()
-        .map(|found| {
-            let origin = found.origin.word();
-            entry(found, origin)
-        })
-        .chain(recent.map(|found| entry(found, "recent")))
+        .map(entry)
+        .chain(recent.map(|found| PresetEntry { origin: "recent", ..entry(found) }))
         .chain(parts.into_iter().map(PresetEntry::of_part))
         .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.name, it.error.to_string())))
         .chain(wrong_parts)

@@ -165,7 +165,7 @@ impl Page for ExploreTab {
         let (grid, kept) = (app.pages.explore.found()?, &app.pages.explore.result);
         let plan = grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
-        let file = format!("{}-{}.csv", app.base_stem(), names.join("-"));
+        let file = format!("{}.csv", names.join("-"));
         let sweep = Some(Columns::Chosen.sweep(plan));
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&kept.scene) });
         let (is_complete, (done, total)) = (kept.is_complete, grid.progress());
@@ -174,7 +174,7 @@ impl Page for ExploreTab {
         let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
         let csv = move || sweep::grid_csv(&name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.of(&scene, "sweep").noted(notes))
+        Some(table.of(app, &scene, "sweep").noted(notes))
     }
 
     fn form(&self, app: &App) -> Option<Form> {

@@ -100,42 +100,34 @@ impl Page for LimitTab {
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let (limit, comparison) = (&app.pages.limit.report, &app.pages.limit.comparison);
-        let scene = if app.pane() == RESIDUAL { &limit.scene } else { &comparison.scene };
-        let (name, stem) = (app.name_of(scene), app.base_stem());
-        let found = comparison.found.clone();
-        let (table, command) = match app.pane() {
-            RESIDUAL => {
-                let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
-                let csv = move || {
-                    let warnings = limit::warnings(&report);
-                    limit::shots(&name, &report).with_warnings(&warnings).csv()
-                };
-                let (title, file) = ("Export the shots to CSV", format!("{stem}-limit.csv"));
-                (PageTable::new(title, file, limit.is_complete, csv), COMMAND.to_owned())
-            }
-            COMPARISON => {
-                let found = found?;
-                let (title, file) = ("Export the comparison to CSV", format!("{stem}-compare.csv"));
-                let is_complete = found.report.is_complete;
-                let csv = move || {
-                    let warnings = validity::of_scene(&found.report.scene);
-                    report::compare::table(&name, &found.report).with_warnings(&warnings).csv()
-                };
-                let command = compare::Request::default().to_string();
-                (PageTable::new(title, file, is_complete, csv), command)
-            }
-            _ => {
-                let map = found?.map.clone()?;
-                let (title, file) =
-                    ("Export the map to CSV", format!("{stem}-mass-efficiency.csv"));
-                let axes = Some([map.x().clone(), map.y().clone()]);
-                let request = compare::Request { map: axes, ..compare::Request::default() };
-                let is_complete = map.is_complete();
-                let csv = move || report::compare::map_table(&name, &map).csv();
-                (PageTable::new(title, file, is_complete, csv), request.to_string())
-            }
+        if app.pane() == RESIDUAL {
+            let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
+            let name = app.name_of(&limit.scene);
+            let csv = move || {
+                let warnings = limit::warnings(&report);
+                limit::shots(&name, &report).with_warnings(&warnings).csv()
+            };
+            let title = "Export the shots to CSV";
+            let table = PageTable::new(title, "limit.csv", limit.is_complete, csv);
+            return Some(table.of(app, &limit.scene, COMMAND));
+        }
+        let (found, name) = (comparison.found.clone()?, app.name_of(&comparison.scene));
+        let mut request = compare::Request::default();
+        let table = if app.pane() == COMPARISON {
+            let is_complete = found.report.is_complete;
+            let csv = move || {
+                let warnings = validity::of_scene(&found.report.scene);
+                report::compare::table(&name, &found.report).with_warnings(&warnings).csv()
+            };
+            PageTable::new("Export the comparison to CSV", "compare.csv", is_complete, csv)
+        } else {
+            let map = found.map.clone()?;
+            request.map = Some([map.x().clone(), map.y().clone()]);
+            let is_complete = map.is_complete();
+            let csv = move || report::compare::map_table(&name, &map).csv();
+            PageTable::new("Export the map to CSV", "mass-efficiency.csv", is_complete, csv)
         };
-        Some(table.of(scene, &command))
+        Some(table.of(app, &comparison.scene, request.to_string()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

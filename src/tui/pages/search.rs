@@ -202,14 +202,14 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let file = format!("{}-{}", app.base_stem(), app.pages.search.page.study().file);
         let kept = app.pages.search.shown()?;
+        let (answer, scene) = (kept.found.clone()?, Arc::clone(&kept.scene));
         let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
-        let (scene, answer) = (Arc::clone(&kept.scene), Arc::clone(kept.found.as_ref()?));
         let name = app.name_of(&scene);
         let csv = move || answer.csv(&scene, &name);
-        let table = PageTable::new("Export the results to CSV", file, kept.is_complete, csv);
-        Some(table.of(&kept.scene, &command))
+        let (title, file) = ("Export the results to CSV", app.pages.search.page.study().file);
+        let table = PageTable::new(title, file, kept.is_complete, csv);
+        Some(table.of(app, &kept.scene, command))
     }
 
     fn form(&self, app: &App) -> Option<Form> {

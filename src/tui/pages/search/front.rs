@@ -140,15 +140,12 @@ impl Answer for Report {
         let (across, up) = axes(self);
         let measures = self.request.measures();
         let axis = |label: String, at: usize| {
-            let values: Vec<f64> = self
-                .designs
-                .iter()
-                .filter_map(|it| it.measures.get(at).copied().flatten())
-                .collect();
-            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-            let axis = Axis::fitted(label, measures[at].unit(), values)?;
+            let values =
+                || self.designs.iter().filter_map(|it| it.measures.get(at).copied().flatten());
+            let axis = Axis::fitted(label, measures[at].unit(), values())?;
             // Nothing that is never below zero has room there.
-            let lo = if least < 0.0 { axis.view.lo() } else { axis.view.lo().max(0.0) };
+            let has_room = values().any(|value| value < 0.0);
+            let lo = if has_room { axis.view.lo() } else { axis.view.lo().max(0.0) };
             Some(Axis { view: ViewRange::new(lo, axis.view.hi()), ..axis })
         };
         let axes = axis(brief(measures[across]), across).zip(axis(String::new(), up));
