@@ -66,6 +66,15 @@ impl Draw for Chart<'_> {
     }
 }
 
+/// How a curve stands among others: one of another scene, the selected one, or any other.
+pub(crate) fn emphasis(is_old: bool, is_selected: bool) -> Emphasis {
+    match (is_old, is_selected) {
+        (true, _) => Emphasis::Stale,
+        (false, true) => Emphasis::Selected,
+        (false, false) => Emphasis::Normal,
+    }
+}
+
 /// Where everything of a chart would lie in an area, without drawing.
 pub fn layout_of(chart: &Chart<'_>, area: Rect) -> Layout {
     plan(chart, area, Theme::PLAIN).layout

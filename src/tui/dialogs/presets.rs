@@ -41,23 +41,17 @@ impl List for Presets {
             return Outcome::Stays;
         }
         let rows = rows(&app.files.presets, picker.filter.value());
-        match rows.get(picker.selected).map(|entry| (*entry).clone()) {
-            Some(entry) => {
-                if let Err(why) = take(app, entry) {
-                    app.refuse(why);
-                    return Outcome::Stays;
-                }
-            }
-            None if is_path => app.request(Effect::Files(FileTask::Load(typed.into()))),
-            None => {
-                let typed = clip(typed, 24);
-                app.tell(format!(
-                    "no preset matches; a file is opened by its path: ./{typed}.toml"
-                ));
-                return Outcome::Stays;
-            }
+        if let Some(entry) = rows.get(picker.selected).map(|entry| (*entry).clone()) {
+            let Err(why) = take(app, entry) else { return Outcome::Closes };
+            app.refuse(why);
+        } else if is_path {
+            app.request(Effect::Files(FileTask::Load(typed.into())));
+            return Outcome::Closes;
+        } else {
+            let path = format!("./{}.toml", clip(typed, 24));
+            app.tell(format!("no preset matches; a file is opened by its path: {path}"));
         }
-        Outcome::Closes
+        Outcome::Stays
     }
 
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {

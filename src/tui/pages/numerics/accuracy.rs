@@ -3,10 +3,12 @@
 
 use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
-use crate::report::accuracy::{self, TARGETS, advice, gain, printed_scheme, seconds};
+use crate::report::accuracy::{
+    self, TARGETS, advice, error_over_time, gain, printed_scheme, seconds,
+};
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{ComparisonOptions, MethodReport, RESULTS};
-use crate::tui::chart::Emphasis;
+use crate::tui::chart::emphasis;
 use crate::tui::pages::numerics::state::ACCURACY;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::WIDE;
@@ -199,7 +201,7 @@ pub(crate) fn draw(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
-    let Some(mut chart) = tab.chart() else {
+    let Some(mut chart) = tab.report.found.as_deref().and_then(error_over_time) else {
         let inner = PaneFrame::new("Relative error").draw(area, canvas);
         let text = nothing::<Measurements>(app, "measuring the first points", None);
         return canvas.put_centred(inner, &text);
@@ -207,11 +209,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let is_old = tab.report.is_old(&app.accuracy_scene());
     chart.title = if is_old { "Relative error, of another scene" } else { "Relative error" }.into();
     for (method, curve) in Method::ALL.into_iter().zip(&mut chart.curves) {
-        curve.emphasis = match (is_old, method == tab.method()) {
-            (true, _) => Emphasis::Stale,
-            (false, true) => Emphasis::Selected,
-            (false, false) => Emphasis::Normal,
-        };
+        curve.emphasis = emphasis(is_old, method == tab.method());
     }
     chart.focused = app.dialog.is_none();
     canvas.draw(&chart, area);

@@ -1,6 +1,7 @@
 //! The Stability page: the map and the stiff scenes, what is selected in them, in words and drawn.
 
 use crate::report;
+use crate::report::chart::spaced;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{self, Map, Wanted};
@@ -8,6 +9,7 @@ use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::cursor_moved;
 use crate::tui::widgets::table::Grid;
+use crate::tui::widgets::text::counted;
 use crate::worker::studies::{StabilityMap, StiffScenes};
 
 /// What the columns of the stiff scenes mean, for `?`.
@@ -162,13 +164,7 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let list = RowList { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
     let title = if area.width < 70 { "Battery" } else { "Stiff and extreme scenes" };
-    let counted = if rows.len() > height {
-        let last = (first + height).min(rows.len());
-        format!(" {}-{last}/{}", first + 1, rows.len())
-    } else {
-        String::new()
-    };
-    let title = format!("{title}{counted}");
+    let title = spaced(title, &counted(first, height, rows.len()));
     let hint = app.keymap.shown("<next-pane>: map");
     let pane = PaneFrame::new(title).right(hint).focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);

@@ -1,12 +1,11 @@
 //! What the Numerics tab keeps.
 
-use crate::report::accuracy::{TARGETS, error_over_time};
+use crate::report::accuracy::TARGETS;
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::{Measured, MethodReport, Report};
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, FixedStep, Map};
 use crate::tui::app::running::Kept;
-use crate::tui::chart::Chart;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
 use crate::worker::study::RowsSoFar;
@@ -62,10 +61,6 @@ impl Accuracy {
 
     pub fn of(&self, method: Method) -> Option<&MethodReport> {
         self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
-    }
-
-    pub(crate) fn chart(&self) -> Option<Chart<'static>> {
-        error_over_time(self.report.found.as_ref()?)
     }
 
     /// The most accurate point of the selected method.

@@ -30,12 +30,11 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let alone = area.width == app.size.0;
     let hint = app.keymap.shown(if alone { "<next-pane>: setup" } else { "" });
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
-    let problem = app.pages.search.problem().map(|_| "see the message below");
-    let why = problem.unwrap_or(NO_RESULTS);
+    let why = app.pages.search.problem().map(|_| "see the message below");
     let running = app.jobs.study::<SearchRequest>().map(|(_, request)| Page::of(request));
     let is_own = running.is_none_or(|page| page == app.pages.search.page);
     let searching = if is_own { "searching" } else { "waits for another search" };
-    canvas.put_centred(inner, &nothing::<SearchRequest>(app, searching, Some(why)));
+    canvas.put_centred(inner, &nothing::<SearchRequest>(app, searching, why));
 }
 
 pub(super) fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {

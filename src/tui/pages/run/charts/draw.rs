@@ -9,7 +9,7 @@ use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
+    Axis, Chart, Curve, Frame, Legend, MARKERS, Mark, Unit, align_gutters, emphasis,
 };
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::{Curve as Data, is_free, is_held};
@@ -155,11 +155,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     let curves = data.iter().map(|Data { view, points }| {
         Curve::new(MARKERS[view.index % MARKERS.len()], label(view), points)
             .colour(view.index)
-            .emphasis(match (view.old, view.letter) {
-                (true, _) => Emphasis::Stale,
-                (false, None) => Emphasis::Selected,
-                (false, Some(_)) => Emphasis::Normal,
-            })
+            .emphasis(emphasis(view.old, view.letter.is_none()))
     });
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.

@@ -10,7 +10,7 @@ use crate::tui::pages::run::editor::{
 use crate::tui::pages::run::state::VARIABLES as PANE;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::table::filtered;
-use crate::tui::widgets::text::fitting;
+use crate::tui::widgets::text::{counted, fitting};
 
 /// Columns of a field.
 const FIELD_WIDTH: u16 = 9;
@@ -41,12 +41,9 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         (true, _) => "Variables".to_owned(),
         (false, _) => filtered("Variables", &editor.filter),
     };
-    let mut pane =
-        PaneFrame::new(title).focused(focused).frame(Frame::Stacked { begins: true, below });
-    if rows.len() > height {
-        pane = pane.right(format!("{}-{}/{}", first + 1, first + height, rows.len()));
-    }
-    let inner = pane.draw(area, canvas);
+    let pane = PaneFrame::new(title).right(counted(first, height, rows.len()));
+    let frame = Frame::Stacked { begins: true, below };
+    let inner = pane.focused(focused).frame(frame).draw(area, canvas);
     canvas.pane(area, PANE);
     if is_folded && below == Below::End {
         let line = Rect { y: area.bottom() - 1, height: 1, ..area };
