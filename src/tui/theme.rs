@@ -127,6 +127,37 @@ mod tests {
         Role::Key,
     ];
 
+    /// Of the variables of the locale the first one that is set decides about characters; `TERM` promises colours, never more than
+    /// the terminal surely has.
+    #[test]
+    fn the_environment_says_what_a_terminal_shows() {
+        use {ColourDepth as D, GlyphSet as G};
+        const UTF: (&str, &str) = ("LANG", "en_GB.UTF-8");
+        const TRUE: (&str, &str) = ("COLORTERM", "truecolor");
+        for (pairs, glyphs, depth) in [
+            (&[][..], G::Ascii, D::None),
+            (&[("LANG", "C")], G::Ascii, D::None),
+            (&[("LANG", "de_DE.utf8")], G::Braille, D::None),
+            (&[("LC_ALL", "C"), UTF, ("TERM", "xterm-256color")], G::Ascii, D::Ansi256),
+            (&[("LC_ALL", ""), UTF, ("TERM", "xterm-256color"), TRUE], G::Braille, D::Ansi256),
+            (&[("LC_CTYPE", "C.UTF-8"), ("LANG", "C"), ("TERM", "xterm")], G::Braille, D::Ansi256),
+            (&[("LC_ALL", "C.UTF-8"), ("LC_CTYPE", "C")], G::Braille, D::None),
+            (&[UTF, ("TERM", "vte-256color")], G::Braille, D::Ansi256),
+            (&[UTF, ("TERM", "xterm-16color")], G::Braille, D::Sixteen),
+            (&[UTF, ("TERM", "linux"), TRUE], G::Block, D::Sixteen),
+            (&[("LANG", "C"), ("TERM", "linux")], G::Ascii, D::Sixteen),
+            (&[UTF, ("TERM", "vt220")], G::Ascii, D::Sixteen),
+            (&[UTF, ("TERM", "dumb"), TRUE], G::Ascii, D::None),
+            (&[("TERM", "xterm-mono")], G::Ascii, D::None),
+            (&[("TERM", "linux-m")], G::Ascii, D::None),
+            (&[("TERM", "xterm"), ("NO_COLOR", "1")], G::Ascii, D::None),
+            (&[("TERM", "xterm"), ("NO_COLOR", "")], G::Ascii, D::Ansi256),
+        ] {
+            let value = |name: &str| pairs.iter().find(|it| it.0 == name).map(|it| it.1.to_owned());
+            assert_eq!(Theme::detect(value), Theme { glyphs, depth }, "{pairs:?}");
+        }
+    }
+
     #[test]
     fn without_colour_only_bold_reverse_and_underline_are_used() {
         let allowed = Modifier::BOLD | Modifier::REVERSED | Modifier::UNDERLINED;

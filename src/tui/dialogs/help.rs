@@ -1,6 +1,6 @@
 //! Help: what the selected variable or the pane means, then the keys of the pane, then those that work everywhere.
 
-use crate::model::variables::Kind;
+use crate::model::units::shortest;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::keymap::EVERYWHERE;
@@ -92,13 +92,11 @@ fn variable(app: &App, width: u16) -> Vec<TextLine> {
         lines.extend(indented.map(|(line, role)| (format!("  {line}"), role)));
     };
     text(variable.meaning.to_owned());
-    let range = match &variable.kind {
-        Kind::Number(number) => number.thesis_range.map_or_else(String::new, |(low, high)| {
-            let show = crate::model::units::shortest;
-            format!("; the thesis searched {} to {} (Table 9.2, T9.2)", show(low), show(high))
-        }),
-        Kind::Choice(_) | Kind::Switch { .. } => String::new(),
-    };
+    let range = variable.number().and_then(|number| number.thesis_range);
+    let range = range.map_or_else(String::new, |(low, high)| {
+        let (low, high) = (shortest(low), shortest(high));
+        format!("; the thesis searched {low} to {high} (Table 9.2, T9.2)")
+    });
     text(format!("now {}; allowed: {}{range}", variable.show(&app.scene), variable.allowed()));
     text(format!("default: {}", variable.source));
     lines.push((String::new(), Role::Text));

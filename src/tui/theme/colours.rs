@@ -112,35 +112,6 @@ pub(crate) fn ink_on(colour: Color) -> Color {
 mod tests {
     use super::*;
 
-    fn detect(pairs: &[(&str, &str)]) -> ColourDepth {
-        ColourDepth::detect(|name| {
-            let found = pairs.iter().find(|(key, _)| *key == name);
-            found.map(|(_, value)| (*value).to_owned())
-        })
-    }
-
-    #[test]
-    fn depth_follows_the_environment_conservatively() {
-        use ColourDepth as D;
-        let cases: &[(&[(&str, &str)], D)] = &[
-            (&[], D::None),
-            (&[("TERM", "dumb"), ("COLORTERM", "truecolor")], D::None),
-            (&[("TERM", "xterm-256color")], D::Ansi256),
-            (&[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")], D::Ansi256),
-            (&[("TERM", "linux"), ("COLORTERM", "truecolor")], D::Sixteen),
-            (&[("TERM", "vt220")], D::Sixteen),
-            (&[("TERM", "vte-256color")], D::Ansi256),
-            (&[("TERM", "xterm-mono")], D::None),
-            (&[("TERM", "linux-m")], D::None),
-            (&[("TERM", "xterm-16color")], D::Sixteen),
-            (&[("TERM", "xterm"), ("NO_COLOR", "1")], D::None),
-            (&[("TERM", "xterm"), ("NO_COLOR", "")], D::Ansi256),
-        ];
-        for (pairs, depth) in cases {
-            assert_eq!(detect(pairs), *depth, "{pairs:?}");
-        }
-    }
-
     /// Relative luminance, WCAG 2.1.
     fn luminance(rgb: (u8, u8, u8)) -> f64 {
         let [r, g, b] = linear(rgb);

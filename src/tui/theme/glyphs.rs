@@ -109,35 +109,6 @@ mod tests {
 
     use super::*;
 
-    fn detect(pairs: &[(&str, &str)]) -> GlyphSet {
-        GlyphSet::detect(|name| {
-            let found = pairs.iter().find(|(key, _)| *key == name);
-            found.map(|(_, value)| (*value).to_owned())
-        })
-    }
-
-    #[test]
-    fn the_first_locale_variable_that_is_set_decides() {
-        use GlyphSet as G;
-        let cases: &[(&[(&str, &str)], G)] = &[
-            (&[], G::Ascii),
-            (&[("LANG", "C")], G::Ascii),
-            (&[("LANG", "en_GB.UTF-8")], G::Braille),
-            (&[("LANG", "de_DE.utf8")], G::Braille),
-            (&[("LC_ALL", "C"), ("LANG", "en_GB.UTF-8")], G::Ascii),
-            (&[("LC_ALL", ""), ("LANG", "en_GB.UTF-8")], G::Braille),
-            (&[("LC_CTYPE", "C.UTF-8"), ("LANG", "C")], G::Braille),
-            (&[("LC_ALL", "C.UTF-8"), ("LC_CTYPE", "C")], G::Braille),
-            (&[("LANG", "en_GB.UTF-8"), ("TERM", "linux")], G::Block),
-            (&[("LANG", "C"), ("TERM", "linux")], G::Ascii),
-            (&[("LANG", "en_GB.UTF-8"), ("TERM", "vt220")], G::Ascii),
-            (&[("LANG", "en_GB.UTF-8"), ("TERM", "vte-256color")], G::Braille),
-        ];
-        for (pairs, set) in cases {
-            assert_eq!(detect(pairs), *set, "{pairs:?}");
-        }
-    }
-
     #[test]
     fn choices_are_read_and_an_unknown_one_names_the_cure() {
         assert_eq!(GlyphSet::named("auto"), Ok(None));

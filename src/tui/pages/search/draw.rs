@@ -37,7 +37,7 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_centred(inner, &nothing::<SearchRequest>(app, searching, why));
 }
 
-pub(super) fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
+fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup" } else { "" };
     let title = format!("{}{old}", app.pages.search.page.title());
     let focused = app.has_focus(RESULTS);

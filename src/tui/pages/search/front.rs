@@ -11,7 +11,6 @@ use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note};
-use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::found::{axes, place};
 use crate::tui::pages::search::setup::{OBJECTIVES, brief};
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
@@ -149,10 +148,7 @@ impl Answer for Report {
             Some(Axis { view: ViewRange::new(lo, axis.view.hi()), ..axis })
         };
         let axes = axis(brief(measures[across]), across).zip(axis(String::new(), up));
-        let Some((x, y)) = axes else {
-            let text = "no design satisfies every constraint".to_owned();
-            return lines_below(app, &[(text, Role::Warning)], area, canvas);
-        };
+        let Some((x, y)) = axes else { return };
         let title = format!("{} designs: {}", self.designs.len(), brief(measures[up]));
         let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
         let places = || self.designs.iter().map(|design| place(self, design));

@@ -6,7 +6,6 @@ use crate::tui::chart::{Axis, Chart, Curve, Mark};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note, table_lines};
-use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
@@ -88,11 +87,7 @@ impl Answer for Report {
         let tab = &app.pages.search;
         let Some(summary) = drawn(self, tab) else { return };
         let Summary { measure, sorted, .. } = summary;
-        let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
-            let text = "no sample has this result: <next-pane>, then another one under Show";
-            let text = app.keymap.shown(text);
-            return lines_below(app, &[(text, Role::Warning)], area, canvas);
-        };
+        let Some((least, most)) = sorted.first().zip(sorted.last()) else { return };
         let width = (most - least) / BINS as f64;
         let mut steps = Vec::new();
         for bin in 0..BINS {

@@ -11,7 +11,6 @@ use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, line, note};
-use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::widgets::axis::Part;
 use crate::tui::widgets::text::broken;
@@ -105,11 +104,7 @@ impl Answer for Report {
         let points: Vec<(f64, f64)> =
             report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
         let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
-        let y = Axis::fitted("", report.measure.unit(), values);
-        let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
-            let text = "no point has a value".to_owned();
-            return lines_below(app, &[(text, Role::Warning)], area, canvas);
-        };
+        let Some(y) = Axis::fitted("", report.measure.unit(), values) else { return };
         let x = axis_of(&report.axis);
         let old = app.search_is_old();
         let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
