@@ -21,8 +21,9 @@ pub fn columns(text: &str) -> usize {
 }
 
 /// The role of a piece of the screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Role {
+    #[default]
     Text,
     /// Less important than text: units, what is old, what is off.
     Dim,

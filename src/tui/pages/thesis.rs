@@ -276,37 +276,25 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     claim(app, detail, canvas);
 }
 
-/// The selected claim in full.
+/// The selected claim in full: its parts below each other, each over as many rows as it needs.
 fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let place = app.claim().map_or("", |row| row.claim.place);
-    let inner =
-        PaneFrame::new(place).right(app.keymap.shown("<next-pane>: principles")).draw(area, canvas);
-    if let Some(row) = app.claim() {
-        let verdict = row.claim.verdict;
-        let verdict = format!("{} {}", verdict.letter(), verdict.words());
-        let texts = [
-            ("says", row.claim.says),
-            ("computed", &row.computed),
-            ("as printed", &row.as_printed),
-            ("verdict", &verdict),
-            ("cause", row.claim.cause),
-        ];
-        let texts = texts.into_iter().filter(|(_, text)| !text.is_empty());
-        labelled(inner, texts, canvas);
-    }
-}
-
-/// Texts below each other, each with its label and over as many rows as it needs.
-fn labelled<'a>(
-    area: Rect,
-    texts: impl IntoIterator<Item = (&'static str, &'a str)>,
-    canvas: &mut Canvas<'_>,
-) {
+    let hint = app.keymap.shown("<next-pane>: principles");
+    let inner = PaneFrame::new(place).right(hint).draw(area, canvas);
+    let Some(row) = app.claim() else { return };
+    let verdict = format!("{} {}", row.claim.verdict.letter(), row.claim.verdict.words());
+    let texts = [
+        ("says", row.claim.says),
+        ("computed", &row.computed),
+        ("as printed", &row.as_printed),
+        ("verdict", &verdict),
+        ("cause", row.claim.cause),
+    ];
     let mut y = 0;
-    for (label, text) in texts {
-        canvas.put(area, (0, y), label, Role::Dim);
-        for line in wrap(text, usize::from(area.width.saturating_sub(LABEL).max(8))) {
-            canvas.put(area, (LABEL, y), &line, Role::Text);
+    for (label, text) in texts.into_iter().filter(|(_, text)| !text.is_empty()) {
+        canvas.put(inner, (0, y), label, Role::Dim);
+        for line in wrap(text, usize::from(inner.width.saturating_sub(LABEL).max(8))) {
+            canvas.put(inner, (LABEL, y), &line, Role::Text);
             y += 1;
         }
     }
