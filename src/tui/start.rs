@@ -282,14 +282,10 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     }
     app.restore_setups(last.setup);
     app.history = undoable(app, last.undo, paths);
-    app.tell(greeting(app));
-}
-
-/// One line on what has been restored.
-fn greeting(app: &App) -> String {
     let modified = if app.is_modified() { ", modified" } else { "" };
     let pins = counted_pins(app.pins.len());
-    format!("session restored: {}{modified}{pins} (or: cmra --fresh)", app.base.name)
+    let name = &app.base.name;
+    app.tell(format!("session restored: {name}{modified}{pins} (or: cmra --fresh)"));
 }
 
 /// `, 2 pinned runs`; empty where there is none.

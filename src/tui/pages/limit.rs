@@ -6,14 +6,14 @@ pub mod state;
 
 use crate::model::run::envelope;
 use crate::report::{self, limit};
-use crate::study::compare;
+use crate::study::compare::{self, map::Map};
 use crate::study::limit::COMMAND;
 use crate::study::monte_carlo;
 use crate::study::validity;
 use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
-use crate::worker::studies::{EqualMass, LimitSearch, Spread};
+use crate::worker::studies::{Comparison, EqualMass, LimitSearch, Spread};
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 
@@ -95,7 +95,12 @@ impl Page for LimitTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        app.pages.limit.keep(running, news);
+        let tab = &mut app.pages.limit;
+        tab.report.keep(running, news, |report| report.is_complete);
+        tab.spread.keep(running, news, |spread| spread.is_complete);
+        let is_whole =
+            |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
+        tab.comparison.keep(running, news, is_whole);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {

@@ -58,7 +58,7 @@ impl Page for ThesisTab {
     fn enter(&self, app: &mut App) {
         let lacks = app.jobs.lacks::<Claims, _>(&app.pages.thesis.report, &Scene::default());
         if lacks && app.pane() == CLAIMS {
-            check(app);
+            jobs::study_of(app, &Arc::default(), Claims);
         }
     }
 
@@ -67,7 +67,8 @@ impl Page for ThesisTab {
             return false;
         }
         match action {
-            Action::Run => check(app),
+            // The scene plays no part.
+            Action::Run => jobs::study_of(app, &Arc::default(), Claims),
             Action::Enter => open(app),
             _ => return false,
         }
@@ -138,11 +139,6 @@ impl Page for ThesisTab {
             _ => concepts(app, body, canvas),
         }
     }
-}
-
-/// Check the claims; the scene plays no part.
-fn check(app: &mut App) {
-    jobs::study_of(app, &Arc::default(), Claims);
 }
 
 /// Open the preset that shows the selected claim: a sweep in its tab, another scene in the Run tab.

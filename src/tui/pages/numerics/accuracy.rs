@@ -114,13 +114,13 @@ impl App {
 pub(crate) fn enter(app: &mut App) {
     if app.jobs.lacks::<Measurements, _>(&app.pages.numerics.accuracy.report, &app.accuracy_scene())
     {
-        measure(app);
+        jobs::study(app, Measurements(ComparisonOptions::FULL));
     }
 }
 
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
-        Action::Run => measure(app),
+        Action::Run => jobs::study(app, Measurements(ComparisonOptions::FULL)),
         Action::Enter => use_method(app),
         _ => return false,
     }
@@ -161,10 +161,6 @@ fn use_method(app: &mut App) {
     }
     edit::commit_scene(app, scene, format!("use {what}"), None);
     app.tell(format!("{what} (<undo> undoes)"));
-}
-
-fn measure(app: &mut App) {
-    jobs::study(app, Measurements(ComparisonOptions::FULL));
 }
 
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {

@@ -97,7 +97,7 @@ pub(crate) fn enter(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     if app.pane() == STIFF_SCENES {
         if app.jobs.lacks::<StiffScenes, _>(&tab.battery, &Scene::default()) {
-            ask_battery(app);
+            jobs::study_of(app, &Arc::default(), StiffScenes);
         }
         return;
     }
@@ -114,7 +114,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     let on_scenes = app.pane() == STIFF_SCENES;
     let tab = &mut app.pages.numerics.stability;
     match action {
-        Action::Run if on_scenes => ask_battery(app),
+        Action::Run if on_scenes => jobs::study_of(app, &Arc::default(), StiffScenes),
         _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
@@ -133,10 +133,6 @@ fn ask_map(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE };
     jobs::study(app, StabilityMap(wanted));
-}
-
-fn ask_battery(app: &mut App) {
-    jobs::study_of(app, &Arc::default(), StiffScenes);
 }
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

@@ -13,7 +13,7 @@ use crate::tui::chart::{
 };
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::{Curve as Data, is_free, is_held};
-use crate::tui::pages::run::state::{CHARTS, Window};
+use crate::tui::pages::run::state::{CHARTS, Charts, Window};
 use crate::tui::widgets::steps::engineering;
 use crate::tui::widgets::text::fitting;
 
@@ -89,11 +89,14 @@ fn places(app: &App, area: Rect) -> Vec<Place> {
 fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
     let absent: Vec<Option<String>> = charts.iter().map(|chart| absence(app, *chart)).collect();
     let drawn = u16::try_from(absent.iter().filter(|it| it.is_none()).count()).ok()?;
+    let Charts { quantities, windows, .. } = &app.pages.run.charts;
+    let has_same_axis = |one: usize, other: usize| {
+        let are_over_time = [one, other].iter().all(|at| quantities[*at].is_over_time());
+        are_over_time && windows[one] == windows[other]
+    };
     let below = |at: usize| match charts.get(at + 1) {
         None => Below::End,
-        Some(next)
-            if absent[at + 1].is_none() && app.pages.run.charts.shares_axis(charts[at], *next) =>
-        {
+        Some(next) if absent[at + 1].is_none() && has_same_axis(charts[at], *next) => {
             Below::Nothing
         }
         Some(_) => Below::Across,
