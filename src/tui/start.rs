@@ -310,10 +310,10 @@ mod tests {
     use crate::tui::update;
     use crate::worker::studies::Asked;
 
+    const FRESH: Options = Options { scene: None, fresh: true, glyphs: None };
+
     fn state() -> App {
-        let base = baseline();
-        let theme = Theme::detect(environment);
-        App::new(base, theme, PathBuf::new())
+        App::new(baseline(), Theme::detect(environment), PathBuf::new())
     }
 
     /// Press keys; a line break is Enter.
@@ -337,8 +337,7 @@ mod tests {
             ("thesis-baseline", Tab::Run),
         ] {
             let scene = preset::resolve(name, None).unwrap();
-            let options = Options { scene: Some(scene), fresh: false, glyphs: None };
-            let (mut state, _) = app(options, None);
+            let (mut state, _) = app(Options { scene: Some(scene), ..FRESH }, None);
             assert_eq!(state.tab, tab, "{name}");
             assert!(state.history.edits.is_empty(), "nothing to undo yet");
             let effects = update::start(&mut state);
@@ -423,8 +422,7 @@ mod tests {
 
     #[test]
     fn without_a_home_it_does_not_claim_to_keep_the_session() {
-        let options = || Options { scene: None, fresh: true, glyphs: None };
-        let (mut state, ..) = app(options(), None);
+        let (mut state, ..) = app(FRESH, None);
         let text = state.notice.clone().expect("it is said").text;
         assert!(text.contains("cannot be kept") && text.contains("HOME"), "{text}");
         let escape = KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE);
@@ -437,20 +435,19 @@ mod tests {
     fn another_start_keeps_a_session_that_would_be_lost() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let options = || Options { scene: None, fresh: true, glyphs: None };
         let mut last = Session { preset: Some("thesis-baseline".to_owned()), ..Session::default() };
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));
         // Nothing in it that a preset does not have: nothing to keep.
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, _) = app(options(), Some(&paths));
+        let (state, _) = app(FRESH, Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(state.files.recent, last.recent);
         assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, _) = app(options(), Some(&paths));
+        let (state, _) = app(FRESH, Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let text = state.pages.log.messages.last().unwrap().text.clone();
         assert!(text.contains("1 pinned run") && text.contains("as recent"), "{text}");

@@ -148,7 +148,15 @@ impl Page for ExploreTab {
         if PictureSweep::of(&running.asked).is_none() {
             return;
         }
-        app.pages.explore.keep(running, news);
+        let tab = &mut app.pages.explore;
+        let before = tab.found().map(|grid| Arc::clone(grid.plan()));
+        if tab.result.keep(running, news, Grid::is_complete)
+            && let Some(grid) = &tab.result.found
+            && before.is_none_or(|plan| plan.axes() != grid.plan().axes())
+        {
+            // Over other axes the cursor begins again.
+            tab.cursor = None;
+        }
         match news {
             ReportBody::Failed(_) => {
                 app.pages.explore.problem =

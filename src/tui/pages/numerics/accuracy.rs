@@ -35,7 +35,8 @@ impl App {
 
     pub fn accuracy_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.accuracy;
-        let count = tab.points();
+        let methods = tab.report.found.iter().flat_map(|report| &report.methods);
+        let count: usize = methods.map(|one| one.points.len()).sum();
         let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
         let scene = self.accuracy_scene();
         let after = format!(" after {count} points");

@@ -38,12 +38,6 @@ impl Accuracy {
         self.selected.or_else(auto).unwrap_or(0).min(Method::ALL.len() - 1)
     }
 
-    /// Points measured so far.
-    pub(crate) fn points(&self) -> usize {
-        let methods = self.report.found.iter().flat_map(|report| &report.methods);
-        methods.map(|one| one.points.len()).sum()
-    }
-
     pub fn method(&self) -> Method {
         Method::ALL[self.selected_row()]
     }
