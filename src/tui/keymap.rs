@@ -93,8 +93,10 @@ impl Target {
     /// The pane it is, or is in.
     pub(crate) fn pane(self) -> Option<Pane> {
         match self {
-            Self::Pane(pane) | Self::Row(pane, _) | Self::Cell(pane, _) => Some(pane),
-            Self::Value { pane, .. } => Some(pane),
+            Self::Pane(pane)
+            | Self::Row(pane, _)
+            | Self::Cell(pane, _)
+            | Self::Value { pane, .. } => Some(pane),
             Self::Tab(_) | Self::Page(_) | Self::DialogRow(_) => None,
         }
     }
@@ -276,17 +278,14 @@ impl Keymap {
             };
             map.keys.insert(*action, keys.iter().map(read).collect::<Result<_, _>>()?);
         }
-        let mut seen: Vec<(Key, Action)> = Vec::new();
-        for (action, keys) in &map.keys {
-            for key in keys {
-                if let Some((_, other)) = seen.iter().find(|(known, _)| known == key) {
-                    let (a, b) = (name(*other), name(*action));
-                    let key = key.label();
-                    return Err(format!(
-                        "[keys] `{key}` would mean both {a} and {b}: give one of them another key"
-                    ));
-                }
-                seen.push((*key, *action));
+        let all =
+            || map.keys.iter().flat_map(|(action, keys)| keys.iter().map(move |key| (key, action)));
+        for (at, (key, action)) in all().enumerate() {
+            if let Some((_, other)) = all().take(at).find(|(known, _)| *known == key) {
+                let (key, a, b) = (key.label(), name(*other), name(*action));
+                return Err(format!(
+                    "[keys] `{key}` would mean both {a} and {b}: give one of them another key"
+                ));
             }
         }
         Ok(map)

@@ -4,7 +4,6 @@ pub(crate) mod answer;
 pub(crate) mod draw;
 mod found;
 mod front;
-pub(crate) mod kept;
 mod monte_carlo;
 mod seek;
 mod sensitivity;

@@ -9,6 +9,7 @@ use ratatui::widgets::{Block, Borders, Widget};
 use super::{Role, Theme, columns};
 use crate::report::chart::{Below, Frame};
 
+#[must_use]
 #[derive(Clone, Debug, Default)]
 pub struct PaneFrame<'a> {
     title: String,
@@ -23,23 +24,17 @@ impl<'a> PaneFrame<'a> {
     }
 
     /// With this at the right of the top line; where it has no room there, in the lower line of a frame of its own.
-    #[must_use]
-    pub fn right(mut self, right: impl Into<Line<'a>>) -> Self {
-        self.right = right.into();
-        self
+    pub fn right(self, right: impl Into<Line<'a>>) -> Self {
+        Self { right: right.into(), ..self }
     }
 
-    #[must_use]
-    pub fn focused(mut self, focused: bool) -> Self {
-        self.focused = focused;
-        self
+    pub fn focused(self, focused: bool) -> Self {
+        Self { focused, ..self }
     }
 
     /// As one of several panes in a box.
-    #[must_use]
-    pub fn frame(mut self, frame: Frame) -> Self {
-        self.frame = frame;
-        self
+    pub fn frame(self, frame: Frame) -> Self {
+        Self { frame, ..self }
     }
 
     fn block(&self) -> Block<'_> {
