@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let table = &arguments.table;
     let page = page(&name, &report) + &table.warnings(&accuracy::warnings(&report));
     let (object, rows) = (accuracy::json(&name, &report), accuracy::table(&name, &report));
-    table.of(&arguments.scene, &scene, effort).deliver_report(&page, object, rows)?;
+    table.of(&arguments.scene, &scene, effort).deliver(&page, Some(object), rows)?;
     let failures: Vec<String> = auto_failures(&report).collect();
     for failure in &failures {
         output::note(&format!("{name}: {failure}"));
@@ -75,8 +75,14 @@ fn page(name: &str, report: &Report) -> String {
         let _ = writeln!(page, "{printed}; T is the error of its step");
     }
     page.push('\n');
-    page.push_str(&chart(report));
-    page.push_str(&table_of(report));
+    match error_over_time(report) {
+        Some(chart) => page += &draw::chart(&chart, chart_size(SIZE), Theme::PLAIN),
+        None => page.push_str("no method gave a result to compare\n"),
+    }
+    let pick = report.cheapest(TARGETS[1]).filter(|_| report.is_complete).map(|pick| pick.method);
+    let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
+    let table = methods(&report.methods).with("cheapest", "", "", mark);
+    let _ = write!(page, "\n{}", table.page(&KEYS, width()));
     if !report.is_complete {
         return page + "\nnot complete: no answer is drawn from these points\n";
     }
@@ -84,20 +90,6 @@ fn page(name: &str, report: &Report) -> String {
     references(&mut page, report);
     refusals(&mut page, report);
     page
-}
-
-fn chart(report: &Report) -> String {
-    error_over_time(report).map_or_else(
-        || "no method gave a result to compare\n".to_owned(),
-        |chart| draw::chart(&chart, chart_size(SIZE), Theme::PLAIN),
-    )
-}
-
-fn table_of(report: &Report) -> String {
-    let pick = report.cheapest(TARGETS[1]).filter(|_| report.is_complete).map(|pick| pick.method);
-    let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
-    let table = methods(&report.methods).with("cheapest", "", "", mark);
-    format!("\n{}", table.page(&KEYS, width()))
 }
 
 /// The run times for some accuracies, and what is gained by leaving out parts of a run.

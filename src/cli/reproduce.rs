@@ -24,7 +24,7 @@ pub(super) struct ReproduceArguments {
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(false)?;
     let rows = progress::study(arguments.threads.count(), "rows", thesis::reproduce);
-    arguments.table.alone().deliver(&page(&rows), tables::claims(&rows))?;
+    arguments.table.alone().deliver(&page(&rows), None, tables::claims(&rows))?;
     let failing: Vec<&Row> = rows.iter().filter(|row| !row.holds).collect();
     for row in &failing {
         let (id, verdict) = (row.claim.id, row.claim.verdict.words());

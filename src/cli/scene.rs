@@ -120,8 +120,8 @@ impl Changes {
     /// linear law whose law is not linear.
     fn say_unused(&self, scene: &Scene) {
         for argument in &self.set {
-            let (name, value) = argument.split_once('=').unwrap_or_default();
-            let Ok(variable) = variables::find(name.trim()) else { continue };
+            let Some(variable) = variable_of(argument) else { continue };
+            let (_, value) = argument.split_once('=').unwrap_or_default();
             let symbol = variable.symbol;
             if !is_used(variable, scene) {
                 let lacks = if variables::gives_mass(variable) {
@@ -169,10 +169,14 @@ impl Changes {
 
     /// The first `--set` of a variable that is chosen by its key.
     pub(super) fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
-        let variable = |argument: &str| variables::find(argument.split('=').next()?.trim()).ok();
         let mut set = self.set.iter().map(String::as_str);
-        set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
+        set.find(|argument| variable_of(argument).is_some_and(|found| is_chosen(found.key)))
     }
+}
+
+/// The variable that a `--set` is of.
+fn variable_of(argument: &str) -> Option<&'static Variable> {
+    variables::find(argument.split('=').next()?.trim()).ok()
 }
 
 /// The power law of a coefficient that was written in the unit of a linear one, where its exponent is not 1.
@@ -224,11 +228,8 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
 
 /// Refuses two inputs that both give the plate's size: the last one would win without a word.
 fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
-    let key = |argument: &String| {
-        let variable = variables::find(argument.split('=').next()?.trim()).ok()?;
-        Some((variable.key, argument.clone()))
-    };
-    let mut given = set.iter().filter_map(key).filter(|(key, _)| PlateSize::KEYS.contains(key));
+    let keys = set.iter().filter_map(|argument| Some((variable_of(argument)?.key, argument)));
+    let mut given = keys.filter(|(key, _)| PlateSize::KEYS.contains(key));
     let Some((first_key, first)) = given.next() else { return Ok(()) };
     given.find(|(key, _)| *key != first_key).map_or(Ok(()), |(_, second)| {
         Err(CliError::Option(format!(

@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let rows = arguments.study.run("scenes", |context| stability::run(&cases, &now_s, context))?;
     let took_s = now_s();
     let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
-    arguments.study.table.alone().deliver_report(&page, object, table(&rows))?;
+    arguments.study.table.alone().deliver(&page, Some(object), table(&rows))?;
     let failures: Vec<String> = failures(&rows).collect();
     for failure in &failures {
         output::note(failure);

@@ -22,7 +22,6 @@ use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
 use crate::files::export::{self, Beside};
 use crate::files::preset::Preset;
-use crate::files::sweep::notes;
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, Piece, Sheet, json_tail};
 use crate::study::context::{Context, Work};
@@ -206,7 +205,7 @@ impl Job<'_> {
         if let (Some(file), Some(to)) = (file, arguments.table.file()) {
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
-            let notes = notes(self.plan, missing.as_deref());
+            let notes = export::sweep_notes(self.plan, missing.as_deref());
             let is_part = self.shard != Shard::WHOLE;
             let part = if is_part { format!(" --shard {}", self.shard) } else { String::new() };
             let command = format!("sweep{part}");

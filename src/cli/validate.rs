@@ -26,7 +26,7 @@ pub(super) struct ValidateArguments {
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(false)?;
     let report = progress::study(arguments.threads.count(), "measurements", validation::report)?;
-    arguments.table.alone().deliver(&page(&report), tables::table(&report))?;
+    arguments.table.alone().deliver(&page(&report), None, tables::table(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();
     for id in &missing {

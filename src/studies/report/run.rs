@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::model::run::envelope::{fused_stop_hits, warnings};
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample, StackRun};
@@ -173,69 +173,56 @@ fn plastic(run: &Arc<Run>) -> String {
 
 /// Of a run beside another: its outcome and results.
 fn outcome_and_results(run: &Run) -> Value {
-    let outcome = [("outcome".to_owned(), Value::from(run.shot_outcome().word()))];
-    let results = of_runs().map(|column| (column.name.to_owned(), result(run, column)));
-    Value::Object(outcome.into_iter().chain(results).collect())
+    let mut object = json!({ "outcome": run.shot_outcome().word() });
+    for quantity in of_runs() {
+        object[quantity.name] = result(run, quantity);
+    }
+    object
 }
 
-/// A run of a scene of this name, computed in a given number of seconds, as one object with its keys in the order a reader expects.
-pub fn json(name: &str, run: &Run, took_s: f64) -> String {
+/// A run of a scene of this name as one object with its keys in the order a reader expects.
+pub fn json(name: &str, run: &Run) -> String {
     let scene = &run.scene;
-    let word = |name: &str| {
-        variables::find(name).map_or(Value::Null, |variable| Value::from(variable.show(scene)))
-    };
-    let mut entries = vec![
-        ("scene", Value::from(name)),
-        ("title", Value::from(scene.title.as_str())),
-        ("model", word("contact.model")),
-        ("interface", word("interface.law")),
-        ("outcome", Value::from(run.shot_outcome().word())),
-        ("criterion", word("target.criterion")),
-        ("closure", Value::from(run.scene.closure().word())),
-        ("end", Value::from(run.end.words())),
-        ("complete", Value::from(run.end.is_complete())),
-    ];
-    for column in of_runs() {
-        entries.push((column.name, result(run, column)));
+    let mut object = json!({
+        "scene": name,
+        "title": scene.title,
+        "model": scene.contact.model.word(),
+        "interface": scene.interface.law.word(),
+        "outcome": run.shot_outcome().word(),
+        "criterion": scene.target.criterion.word(),
+        "closure": scene.closure().word(),
+        "end": run.end.words(),
+        "complete": run.end.is_complete(),
+    });
+    for quantity in of_runs() {
+        object[quantity.name] = result(run, quantity);
     }
-    let bounds = of_runs().filter(|column| column.lower_bound(run).is_some());
-    entries.push(("lower_bounds", bounds.map(|column| Value::from(column.name)).collect()));
-    entries.push(("penetration_at_most_m", run.penetration_at_most_m.into()));
-    entries.push(("nose_protrusion_m", run.protrusion_m().into()));
-    entries.extend([
-        (
-            "error_estimate_basis",
-            run.error_estimate.map_or(Value::Null, |estimate| {
-                Value::from(match estimate.basis {
-                    EstimateBasis::SecondComputation => "second computation",
-                    EstimateBasis::HalfStep => "half the step",
-                    EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
-                })
-            }),
-        ),
-        ("error_estimates", estimates(run)),
-        ("method", Value::from(run.cost.method)),
-        ("method_reason", Value::from(run.cost.reason)),
-        ("run_time_s", Value::from(took_s)),
-        ("omitted", Value::from(run.omitted.clone())),
-        ("warnings", Value::from(warnings(run))),
-        ("plastic", run.plastic.as_ref().map_or(Value::Null, |run| outcome_and_results(run))),
-        ("energy_j", energy(&run.ledger)),
-        (
-            "events",
-            run.events
-                .iter()
-                .map(|event| json!({ "time_s": event.t_s, "event": event.kind.words() }))
-                .collect(),
-        ),
-        ("variables", all_variables(scene)),
-        ("version", Value::from(env!("CARGO_PKG_VERSION"))),
-    ]);
+    let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());
+    object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
+    object["penetration_at_most_m"] = run.penetration_at_most_m.into();
+    object["nose_protrusion_m"] = run.protrusion_m().into();
+    let basis = run.error_estimate.map(|estimate| match estimate.basis {
+        EstimateBasis::SecondComputation => "second computation",
+        EstimateBasis::HalfStep => "half the step",
+        EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
+    });
+    object["error_estimate_basis"] = basis.into();
+    object["error_estimates"] = estimates(run);
+    object["method"] = run.cost.method.into();
+    object["method_reason"] = run.cost.reason.into();
+    object["run_time_s"] = run.cost.took_s.into();
+    object["omitted"] = run.omitted.clone().into();
+    object["warnings"] = warnings(run).into();
+    object["plastic"] = run.plastic.as_ref().map(|run| outcome_and_results(run)).into();
+    object["energy_j"] = energy(&run.ledger);
+    let event = |it: &Event| json!({ "time_s": it.t_s, "event": it.kind.words() });
+    object["events"] = run.events.iter().map(event).collect();
+    object["variables"] = all_variables(scene);
+    object["version"] = env!("CARGO_PKG_VERSION").into();
     if let Some(stack) = &run.stack {
-        entries.push(("stack", stack_of(run, stack)));
+        object["stack"] = stack_of(run, stack);
     }
-    let entries = entries.into_iter().map(|(key, value)| (key.to_owned(), value));
-    pretty(&entries.collect::<Map<_, _>>())
+    pretty(&object)
 }
 
 /// The whole stack, and the results of every plate that was struck.
@@ -247,14 +234,15 @@ fn stack_of(whole: &Run, stack: &StackRun) -> Value {
     let rows: Vec<Value> = plates
         .enumerate()
         .map(|(plate, run)| {
-            let mut row = Map::new();
-            row.insert("plate".to_owned(), Value::from(stack.name(plate)));
-            let impact = run.scene.projectile.velocity_m_s;
-            row.insert("impact_velocity_m_s".to_owned(), impact.into());
-            row.insert("outcome".to_owned(), Value::from(run.outcome.word()));
-            let own = of_runs();
-            row.extend(own.map(|column| (column.name.to_owned(), result(run, column))));
-            Value::Object(row)
+            let mut row = json!({
+                "plate": stack.name(plate),
+                "impact_velocity_m_s": run.scene.projectile.velocity_m_s,
+                "outcome": run.outcome.word(),
+            });
+            for quantity in of_runs() {
+                row[quantity.name] = result(run, quantity);
+            }
+            row
         })
         .collect();
     json!({
@@ -347,24 +335,19 @@ fn energy(ledger: &EnergyLedger) -> Value {
 
 /// The input, by full key.
 fn all_variables(scene: &Scene) -> Value {
-    let mut map = Map::new();
     let listed = |variable: &&Variable| {
         !variable.key.starts_with("mechanism.") || variables::is_listed(variable, scene)
     };
-    for variable in VARIABLES.iter().filter(listed) {
-        map.insert(variable.key.to_owned(), of_variable(variable.value(scene)));
-    }
-    Value::Object(map)
-}
-
-/// A variable's value.
-pub fn of_variable(value: variables::Value) -> Value {
-    match value {
-        variables::Value::Number(number) => number.into(),
-        variables::Value::Absent => Value::Null,
-        variables::Value::Word(word) => word.into(),
-        variables::Value::Switch(on) => on.into(),
-    }
+    let entry = |variable: &Variable| {
+        let value = match variable.value(scene) {
+            variables::Value::Number(number) => number.into(),
+            variables::Value::Absent => Value::Null,
+            variables::Value::Word(word) => word.into(),
+            variables::Value::Switch(on) => on.into(),
+        };
+        (variable.key.to_owned(), value)
+    };
+    Value::Object(VARIABLES.iter().filter(listed).map(entry).collect())
 }
 
 #[cfg(test)]

@@ -1,8 +1,6 @@
 //! A run in words: its outcome in a sentence, and its results, events, energy and computation a line each. Pages and screens show
 //! the same lines.
 
-use std::time::Duration;
-
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
 use crate::model::scene::{Mount, Scene};
@@ -256,7 +254,7 @@ pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
 }
 
 /// How the run was computed, in which time where that is known, and how wrong it may be.
-pub fn computation(run: &Run, took: Option<Duration>) -> Vec<String> {
+pub fn computation(run: &Run) -> Vec<String> {
     let cost = &run.cost;
     let steps = format!(
         "{} accepted, {} rejected, {} evaluations",
@@ -266,7 +264,7 @@ pub fn computation(run: &Run, took: Option<Duration>) -> Vec<String> {
         if run.omitted.is_empty() { "nothing".to_owned() } else { run.omitted.join(", ") };
     let facts = [
         ("method", Some(format!("{}: {}", cost.method, cost.reason))),
-        ("run time", took.map(|took| short(took.as_secs_f64(), "s"))),
+        ("run time", cost.took_s.map(|took_s| short(took_s, "s"))),
         ("steps", Some(steps)),
         ("end", Some(run.end.words().to_owned())),
         ("error", Some(error(run).unwrap_or_else(|| "not estimated".to_owned()))),
