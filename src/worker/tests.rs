@@ -29,7 +29,7 @@ static STEPS: AtomicUsize = AtomicUsize::new(0);
 /// Does a task as its title says: a run goes on until it is cancelled, or panics; a study counts its points.
 fn make(task: &Task, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
     match (&task.asked, task.scene.title.is_empty()) {
-        (Asked::Run(_), true) => task.asked.study().make(&task.scene, reporter),
+        (Asked::Run(_), true) => task.asked.make(&task.scene, reporter),
         (Asked::Run(slot), false) => slow_run(slot.0, &task.scene, reporter),
         (_, _) => Ok(count_points(task.scene.title == "endless", reporter).into()),
     }
@@ -62,7 +62,7 @@ fn slow_run(
 /// Shows its points as it counts them, and goes on until it is cancelled where it is endless.
 fn count_points(endless: bool, reporter: &Reporter<'_>) -> RowsSoFar<Row> {
     let watch = &mut reporter.watch(|done: &usize| rows(*done));
-    let context = &mut Context::new(reporter.threads(), watch);
+    let context = &mut Context::new(reporter.threads, watch);
     let mut done = 0;
     while context.show(&done) && (endless || done < 3) {
         done += 1;
