@@ -15,7 +15,7 @@ use crate::files::read;
 use crate::files::{clean, read_table};
 use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
-use crate::model::scene::{Closure, Mechanism, PlateSize, Scene, Spring, SpringKind, Table};
+use crate::model::scene::{Closure, Mechanism, PlateSize, Scene, SpringKind, Table};
 use crate::model::units::{self, Bare, Dimension, shortest};
 use crate::model::variables::{self, Variable, is_used, used_where};
 
@@ -207,7 +207,9 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
             .split_once('=')
             .ok_or_else(|| refuse("write NAME=VALUE, for example --set gamma=2"))?;
         if CURVE_NAMES.contains(&name.trim()) {
-            take_curve(&mut scene.mechanism.spring, value.trim())?;
+            // A file makes its spring one of the kind `table`.
+            scene.mechanism.spring.table.points = read_table::curve(Path::new(value.trim()))?;
+            scene.mechanism.spring.kind = SpringKind::Table;
             has_curve = true;
             continue;
         }
@@ -240,13 +242,6 @@ fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
 
 /// The names of the spring's measured curve.
 const CURVE_NAMES: [&str; 3] = ["table", "mechanism.spring.table", "mechanism.spring.table.file"];
-
-/// Take a spring's curve from a CSV file; a file makes its spring one of the kind `table`.
-fn take_curve(spring: &mut Spring, file: &str) -> Result<(), CliError> {
-    spring.table.points = read_table::curve(Path::new(file))?;
-    spring.kind = SpringKind::Table;
-    Ok(())
-}
 
 /// A scene by name or path. Without a home directory there are just no own presets.
 pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {

@@ -81,7 +81,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let shard = Shard::parse(&arguments.shard)?;
     let draws = arguments.pictures.is_wanted();
     if draws && !(shard == Shard::WHOLE && page::is_drawable(&plan)) {
-        return Err(CliError::Option(page::undrawable()));
+        let most = page::KEPT_MAX;
+        return Err(CliError::Option(format!(
+            "--svg: a picture shows one or two axes and at most {most} points; omit --svg or use fewer points"
+        )));
     }
     let is_swept = |key: &str| plan.axes().iter().any(|axis| axis.variable().key == key);
     if let Some(set) = arguments.scene.changes.set_of(is_swept) {

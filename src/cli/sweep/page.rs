@@ -39,14 +39,6 @@ pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
     (0..all.len()).filter(wanted).filter_map(|output| picture(grid, output)).collect()
 }
 
-/// Why a sweep cannot be drawn.
-pub(super) fn undrawable() -> String {
-    format!(
-        "--svg: a picture shows one or two axes and at most {KEPT_MAX} points; omit --svg \
-         or use fewer points"
-    )
-}
-
 pub(super) fn text(
     plan: &Plan,
     head: &Head<'_>,

@@ -112,16 +112,15 @@ pub fn percent(part: f64) -> String {
 /// What to use for an error of 1e-6, and what it costs.
 pub fn advice(report: &Report) -> String {
     let target = TARGETS[0];
-    let with = report
-        .run_s
-        .map_or_else(String::new, |run_s| format!("; {} with series and estimate", seconds(run_s)));
-    match report.usable(target) {
-        Some(found) => format!("{target:.0e}: {} {}{with}", seconds(found.min_s), by(&found)),
-        None if report.is_measured(Method::Auto) => {
-            format!("{target:.0e}: auto does not reach it here")
-        }
-        None => format!("{target:.0e}: auto is not measured yet"),
-    }
+    let with = report.run_s.map(|run_s| format!("; {} with series and estimate", seconds(run_s)));
+    let with = with.unwrap_or_default();
+    let is_measured = |it: &MethodReport| it.method == Method::Auto && !it.points.is_empty();
+    let found = match report.usable(target) {
+        Some(found) => format!("{} {}{with}", seconds(found.min_s), by(&found)),
+        None if report.methods.iter().any(is_measured) => "auto does not reach it here".to_owned(),
+        None => "auto is not measured yet".to_owned(),
+    };
+    format!("{target:.0e}: {found}")
 }
 
 /// How far the printed scheme of the thesis is off, whatever its step.

@@ -109,20 +109,16 @@ pub fn picture(found: &Map) -> map::Map<'static> {
         map::Cell::Mark(cell.shade(), tone(cell))
     };
     let named = Cell::ALL.into_iter().filter(|cell| *cell != Cell::Waiting);
-    let mut marks: Vec<(char, String)> =
-        named.map(|cell| (cell.shade(), named_shade(cell))).collect();
+    // A blank is named.
+    let blank = |cell: Cell| if cell.shade() == ' ' { "blank: " } else { "" };
+    let mark = |cell: Cell| (cell.shade(), blank(cell).to_owned() + cell.words());
+    let mut marks: Vec<(char, String)> = named.map(mark).collect();
     marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
     map::Map {
         present: found.present_at().map(|at| (at, '+')),
         marks,
         ..map::Map::new(title(found), axes, counts, None, cell)
     }
-}
-
-/// What a shade means; a blank is named.
-pub fn named_shade(cell: Cell) -> String {
-    let blank = if cell.shade() == ' ' { "blank: " } else { "" };
-    format!("{blank}{}", cell.words())
 }
 
 /// The title of a map: of which scheme it speaks.

@@ -13,20 +13,16 @@ fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
 }
 
-/// A clock that ticks once a look: few repeats are made, since each seems to take long.
-fn ticking() -> impl FnMut() -> f64 {
+/// A comparison to its end, by a clock that ticks once a look: few repeats are made, since each seems to take long.
+fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
     let mut ticks = 0.0;
-    move || {
+    let clock = &mut || {
         ticks += 1.0;
         ticks
-    }
-}
-
-/// A comparison to its end, by that clock.
-fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
+    };
     let effort =
         ComparisonOptions { ladder, patience: Patience { point_s: 0.0, slow_s: f64::INFINITY } };
-    compare(scene, effort, &mut ticking(), &mut Context::new(1, &mut to_its_end)).unwrap()
+    compare(scene, effort, clock, &mut Context::new(1, &mut to_its_end)).unwrap()
 }
 
 fn compared(pairs: &str, ladder: Ladder) -> HashMap<char, MethodReport> {

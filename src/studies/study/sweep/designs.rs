@@ -8,6 +8,7 @@ use std::ops::Range;
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
 use crate::study::context::{Context, Work};
+use crate::study::sweep::kernel::Kernel;
 use crate::study::sweep::{Evaluator, Plan, Point};
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
@@ -51,7 +52,7 @@ impl Plan {
             axis.set(&mut far, larger(axis.ends().0, axis.ends().1));
         }
         let forced = self.outputs.iter().any(|it| it.needs_course(&far));
-        self.base.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::has_kernel(self)
+        self.base.interface.law == InterfaceLaw::Plastic || forced || Kernel::of(self).is_none()
     }
 }
 
