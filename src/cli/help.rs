@@ -4,8 +4,11 @@ use std::fmt::Write as _;
 
 use clap::{Args, Command};
 
-use crate::cli::{CliError, keys, output};
+use crate::cli::{CliError, output};
 use crate::files::error::did_you_mean;
+use crate::tui::keymap::{Keymap, LINES, Scope};
+use crate::tui::pages::all_panes;
+use crate::tui::widgets::text::wrap;
 
 /// One page of `cmra help`.
 struct Topic {
@@ -61,7 +64,7 @@ pub(super) fn run(arguments: &HelpArguments, program: Command) -> Result<(), Cli
     let mut program = grouped(program);
     program.build();
     let text = if name == KEYS {
-        keys::page()
+        keys()
     } else if let Some(topic) = TOPICS.iter().find(|topic| topic.name == name) {
         topic.text.to_owned()
     } else if let Some(found) = program.find_subcommand_mut(name) {
@@ -91,6 +94,43 @@ fn list() -> String {
     }
     let _ = writeln!(text, "  {KEYS:<12} every key of the workbench");
     text + "\nor a command: `cmra help run` prints `cmra run --help`.\n`cmra --help` lists the commands.\n"
+}
+
+/// Width of the text of a key, for a terminal of 80 columns.
+const HELP_WIDTH: usize = 52;
+
+/// The table of keys: what each means in every pane, then what it does in particular in each.
+fn keys() -> String {
+    let map = Keymap::default();
+    let mut text = String::from(
+        "KEYS\n\nEvery key has one meaning in all panes. `?` in the workbench lists those of the\n\
+         focused pane first. Other keys: [keys] in config.toml (see `cmra help scenes`),\n\
+         each action by its name in brackets, as in `undo = \"U\"`.\n",
+    );
+    let line = |text: &mut String, keys: &str, help: &str| {
+        for (row, line) in wrap(help, HELP_WIDTH).into_iter().enumerate() {
+            let keys = if row == 0 { keys } else { "" };
+            let _ = writeln!(text, "  {keys:<20}  {line}");
+        }
+    };
+    let table = |text: &mut String, wanted: bool| {
+        for row in LINES.iter().filter(|row| (row.scope == Scope::Everywhere) == wanted) {
+            let names: Vec<&str> = row.keys.iter().map(|(_, name, _)| *name).collect();
+            let help = format!("{} [{}]", map.shown(row.meaning), names.join(", "));
+            line(text, &map.line_label(row), &help);
+        }
+    };
+    text.push_str("\nIn every pane\n");
+    table(&mut text, true);
+    text.push_str("\nIn forms, charts and tables\n");
+    table(&mut text, false);
+    for pane in all_panes() {
+        let _ = writeln!(text, "\n{}", pane.label);
+        for row in pane.keys {
+            line(&mut text, &map.label(row.action), &map.shown(row.help));
+        }
+    }
+    text
 }
 
 #[cfg(test)]
@@ -127,7 +167,7 @@ mod tests {
     #[test]
     fn pages_fit_80_columns() {
         let pages = TOPICS.iter().map(|topic| (topic.name, topic.text.to_owned()));
-        for (name, text) in pages.chain([(KEYS, keys::page()), ("list", list())]) {
+        for (name, text) in pages.chain([(KEYS, keys()), ("list", list())]) {
             for line in text.lines() {
                 assert!(line.chars().count() <= COLUMNS, "{name}: {line}");
             }

@@ -158,9 +158,11 @@ impl Job<'_> {
     }
 
     fn page(&self, ended: OutcomeCounts, kept: Option<&Grid>, took_s: f64) -> String {
-        let head = page::Head { name: &self.preset.name, threads: self.threads, took_s };
+        let (took, threads) = (page::duration(took_s), self.threads);
+        let plural = if threads == 1 { "" } else { "s" };
+        let how = format!("in {took} on {threads} thread{plural}");
         let missing = self.missing(ended).map_or_else(String::new, |it| it + "\n\n");
-        missing + &page::text(self.plan, &head, ended, kept)
+        missing + &page::text(&self.preset.name, self.plan, (ended, &how), kept)
     }
 
     /// Computes all points, and writes their rows where they are to go.

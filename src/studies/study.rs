@@ -34,7 +34,12 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::{changed, changed_free_plate};
 
-/// A run without its course in time and without an estimate of its error; `None` for a scene that makes no physical sense.
+/// A run to its end; `None` for a scene that makes no physical sense.
+pub(crate) fn run_with(scene: &Scene, settings: Settings) -> Option<Run> {
+    simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).ok()
+}
+
+/// The same without its course in time and without an estimate of its error.
 pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {
-    simulate(&Arc::new(scene.clone()), &Settings::BARE, &mut |_| ControlFlow::Continue(())).ok()
+    run_with(scene, Settings::BARE)
 }

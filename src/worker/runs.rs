@@ -53,11 +53,11 @@ pub(super) fn run(
         reporter.goes_on()?;
         if let Some(run) = window.take() {
             pulse.part_came(reporter.elapsed());
-            reporter.report(ReportBody::Part(run.into()));
+            (reporter.send)(ReportBody::Part(run.into()));
         }
         if let Some(t_s) = pulse.beat(t_s, || reporter.elapsed()) {
             let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());
-            reporter.report(ReportBody::Progress { progress, elapsed });
+            (reporter.send)(ReportBody::Progress { progress, elapsed });
         }
         if slot == Slot::Current && pulse.part_is_due() {
             window.ask();

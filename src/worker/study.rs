@@ -65,7 +65,8 @@ pub(super) const BETWEEN: Duration = Duration::from_millis(500);
 
 /// A running task, as its computation sees it.
 pub struct Reporter<'a> {
-    send: &'a dyn Fn(ReportBody),
+    /// Reports.
+    pub(super) send: &'a dyn Fn(ReportBody),
     cancel: &'a CancelFlag,
     /// Threads to run on, where the work can be divided.
     pub(super) threads: usize,
@@ -115,10 +116,6 @@ impl<'a> Reporter<'a> {
         self.cancel.flow()
     }
 
-    pub(super) fn report(&self, body: ReportBody) {
-        (self.send)(body);
-    }
-
     /// Report the progress and the results of now, unless the last report has just been made. Gives whether the study goes on.
     pub fn tell(&self, progress: Progress, part: &dyn Fn() -> Option<Found>) -> ControlFlow<()> {
         self.goes_on()?;
@@ -132,11 +129,11 @@ impl<'a> Reporter<'a> {
         if part.is_some() || since(self.told.get()) >= BETWEEN {
             self.told.set(elapsed);
             let progress = JobProgress::Points(progress.done, progress.total);
-            self.report(ReportBody::Progress { progress, elapsed });
+            (self.send)(ReportBody::Progress { progress, elapsed });
         }
         if let Some(part) = part {
             self.shown.set(Some(elapsed));
-            self.report(ReportBody::Part(part));
+            (self.send)(ReportBody::Part(part));
         }
         ControlFlow::Continue(())
     }

@@ -128,7 +128,7 @@ pub fn json(name: &str, report: &Report) -> Value {
     let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
         let Distribution(kind, (first, second)) = tolerance.distribution;
         json!({
-            "variable": tolerance.symbol(), "key": tolerance.variable().key,
+            "variable": tolerance.symbol(), "key": tolerance.variable.key,
             "distribution": kind.word(),
             "parameters": [first, second], "redrawn": redrawn,
         })

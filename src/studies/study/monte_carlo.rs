@@ -253,7 +253,8 @@ pub fn run(
     let (tolerances, model) = (request.tolerances(scene), request.model(scene));
     let (wanted, seed) = (request.count(), request.seed);
     let space = space(scene, request, &tolerances)?;
-    let mut draw = Draw::new(scene, &tolerances, seed);
+    let (random, redrawn) = (Random::new(seed), vec![0; tolerances.len()]);
+    let mut draw = Draw { tolerances: &tolerances, scene: scene.clone(), random, redrawn };
     let mut report = Report { tolerances: tolerances.clone(), seed, model, ..Report::default() };
     let limit = space.outputs().iter().position(|it| it.name == LIMIT);
     let limit = limit.filter(|_| model != ModelError::default());
@@ -328,16 +329,7 @@ struct Draw<'t> {
     redrawn: Vec<usize>,
 }
 
-impl<'t> Draw<'t> {
-    fn new(scene: &Scene, tolerances: &'t [Tolerance], seed: u64) -> Self {
-        Self {
-            tolerances,
-            scene: scene.clone(),
-            random: Random::new(seed),
-            redrawn: vec![0; tolerances.len()],
-        }
-    }
-
+impl Draw<'_> {
     /// A value for every input, which together make physical sense.
     fn sample(&mut self) -> Result<Vec<f64>, SweepError> {
         let mut last = String::new();
@@ -346,13 +338,13 @@ impl<'t> Draw<'t> {
             for (tolerance, redrawn) in self.tolerances.iter().zip(&mut self.redrawn) {
                 let mut value = tolerance.distribution.draw(&mut self.random);
                 for _ in 0..DRAWS_MAX {
-                    if tolerance.number().allowed.contains(value) {
+                    if tolerance.number.allowed.contains(value) {
                         break;
                     }
                     *redrawn += 1;
                     value = tolerance.distribution.draw(&mut self.random);
                 }
-                (tolerance.number().set)(&mut self.scene, Some(value));
+                (tolerance.number.set)(&mut self.scene, Some(value));
                 values.push(value);
             }
             match variables::validate(&self.scene) {

@@ -72,10 +72,10 @@ impl Along {
 
 /// The ticks of an axis, as many as fit.
 pub fn ticks(map: Mapping, along: Along) -> Ticks {
-    if map.cells() == 0 {
+    if map.cells == 0 {
         return Ticks::default();
     }
-    match map.scale() {
+    match map.scale {
         Scale::Linear => linear(map, along),
         Scale::Log10 => decades(map, along).unwrap_or_else(|| linear(map, along)),
     }
@@ -87,7 +87,7 @@ pub fn label_start(cell: i32, length: i32) -> i32 {
 }
 
 fn linear(map: Mapping, along: Along) -> Ticks {
-    let view = map.view();
+    let view = map.view;
     let greatest = view.lo().abs().max(view.hi().abs());
     let exponent = common_exponent(greatest);
     // No two labels next to each other are nearer than two cells, whatever they say.
@@ -95,7 +95,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
         Along::Row => 2.0,
         Along::Column(_) | Along::Rows(_) => 1.0,
     };
-    let most = (f64::from(map.cells()) / nearest).max(2.0);
+    let most = (f64::from(map.cells) / nearest).max(2.0);
     let mut step = Step::at_least(view.span() / most);
     let mut best = Ticks::default();
     for _ in 0..STEPS_TRIED {
@@ -120,9 +120,9 @@ fn linear(map: Mapping, along: Along) -> Ticks {
 
 /// The ends of an axis, in as few digits as keep their labels in their rows.
 fn ends(map: Mapping) -> Ticks {
-    let view = map.view();
-    let exponent = if map.scale() == Scale::Log10 { 0 } else { common_exponent(view.size()) };
-    let last = map.cells().saturating_sub(1);
+    let view = map.view;
+    let exponent = if map.scale == Scale::Log10 { 0 } else { common_exponent(view.size()) };
+    let last = map.cells.saturating_sub(1);
     let tick = |cell: u16| {
         let value = map.value(cell);
         let near = |text: &String| {
@@ -167,7 +167,7 @@ fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
 
 /// The multiples of a step in view. Counting whole steps keeps labels and places free of accumulated error.
 fn multiples(map: Mapping, step: Step, exponent: i32) -> Vec<Tick> {
-    let view = map.view();
+    let view = map.view;
     let size = step.size();
     let mut count = (view.lo() / size - 1e-9).ceil();
     let last = (view.hi() / size + 1e-9).floor();
@@ -197,8 +197,8 @@ fn label(units: f64, exponent: i32) -> String {
 /// Decade ticks, with 2 and 5 between them where there is room; `None` where fewer than three would be seen: a linear axis
 /// tells more inside a decade.
 fn decades(map: Mapping, along: Along) -> Option<Ticks> {
-    let first = decade(map.view().lo());
-    let last = decade(map.view().hi());
+    let first = decade(map.view.lo());
+    let last = decade(map.view.hi());
     let list = |mantissas: &[u8], stride: i32| -> Vec<Tick> {
         let start = first.div_euclid(stride) * stride;
         let mut values = Vec::new();
@@ -241,7 +241,7 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
 
 fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {
     let value = f64::from(mantissa) * power(exponent);
-    let view = map.view();
+    let view = map.view;
     view.lo() * (1.0 - 1e-9) <= value && value <= view.hi() * (1.0 + 1e-9)
 }
 
@@ -249,7 +249,7 @@ fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {
 /// its row.
 fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
     let (least, most) = LABEL_GAP;
-    let gap = (i32::from(map.cells()) / 12).clamp(least, most);
+    let gap = (i32::from(map.cells) / 12).clamp(least, most);
     let apart = |pair: &[Tick]| match (pair, along.half_rows()) {
         ([a, b], Some(halves)) => b.cell >= a.cell + (halves / 2).max(1),
         ([a, b], None) => {

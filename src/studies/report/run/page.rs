@@ -299,25 +299,18 @@ fn largest_error(run: &Run) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
-    use std::sync::Arc;
-
     use super::*;
+    use crate::study::plain_run;
+    use crate::study::testing::scene;
 
-    use crate::model::simulate::{Settings, simulate};
-
-    fn run_of(change: impl Fn(&mut Scene)) -> Run {
-        let mut scene = Scene::default();
-        change(&mut scene);
-        let settings = Settings { series: false, estimate: true };
-        simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(()))
-            .expect("a valid scene")
+    fn run_of(pairs: &str) -> Run {
+        plain_run(&scene(pairs)).unwrap()
     }
 
     /// Without a spring both bodies, of equal mass, share the momentum: half the velocity, half the energy.
     #[test]
     fn valid_a_free_plate_of_equal_mass_takes_half_of_everything() {
-        let run = run_of(|scene| scene.mechanism.spring.coefficient = 0.0);
+        let run = run_of("k=0");
         let results = results(&run).join("\n");
         assert!(results.contains("  common velocity       50.0000 m/s"), "{results}");
         assert!(
@@ -332,10 +325,10 @@ mod tests {
 
     #[test]
     fn a_likely_ricochet_is_in_the_outcome() {
-        let at = |theta: f64| {
-            let run = run_of(|scene| scene.projectile.obliquity_deg = theta);
+        let at = |theta: &str| {
+            let run = run_of(theta);
             [outcome(&run), sentence(&run)].map(|text| text.contains("ricochet is likely"))
         };
-        assert_eq!((at(20.0), at(85.0)), ([false; 2], [true; 2]));
+        assert_eq!((at("theta=20deg"), at("theta=85deg")), ([false; 2], [true; 2]));
     }
 }

@@ -52,12 +52,11 @@ impl ShotRunner<'_, '_, '_> {
         if aimed.closing_velocity_m_s() <= 0.0 {
             return Some((shot(Outcome::Separated, None), ShotOutcome::Stopped));
         }
-        let decided = decide(&aimed, &mut self.context.observer());
         // The scene has been found valid, and so is any velocity that reaches the plate.
-        let found = decided
-            .map_or((shot(Outcome::Moving, None), ShotOutcome::Undecided), |(run, verdict)| {
-                (shot(run.shot_outcome(), run.shot_residual_m_s()), verdict)
-            });
+        let found = match decide(&aimed, &mut self.context.observer()) {
+            Some((run, verdict)) => (shot(run.shot_outcome(), run.shot_residual_m_s()), verdict),
+            None => (shot(Outcome::Moving, None), ShotOutcome::Undecided),
+        };
         (!self.context.is_stopped()).then_some(found)
     }
 
