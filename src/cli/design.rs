@@ -38,10 +38,10 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
         let _ = writeln!(page, "{shown:>14}  {name} ({source})");
     }
     let rows = Table::of(&found)
-        .with("name", "name", "", |it| it.0)
-        .with("value", "value", "", |it| it.1)
-        .with("unit", "unit", "", |it| it.2)
-        .with("source", "source", "", |it| it.3);
+        .field("name", |it| it.0)
+        .field("value", |it| it.1)
+        .field("unit", |it| it.2)
+        .field("source", |it| it.3);
     let breaches = envelope::of_scene(&preset.scene);
     let mut warnings: Vec<String> = breaches.iter().map(ToString::to_string).collect();
     warnings.extend(variables::range_warnings(&preset.scene));

@@ -146,7 +146,7 @@ impl Delivery<'_> {
     ) -> Result<(), CliError> {
         let (table, missing) = (self.table, not_complete());
         // The rows of an incomplete table say so.
-        let rows = if missing.is_some() { rows.with("complete", "", "", |_| false) } else { rows };
+        let rows = if missing.is_some() { rows.field("complete", |_| false) } else { rows };
         if table.is_stdout() {
             return output::print(&rows.csv());
         }

@@ -26,6 +26,7 @@ pub mod thesis;
 pub mod validation;
 pub mod validity;
 
+use std::fmt::Display;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -33,6 +34,11 @@ use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::{changed, changed_free_plate};
+
+/// An option of a command: ` --samples 64`; nothing where it has no value.
+fn option(name: &str, value: Option<impl Display>) -> String {
+    value.map_or_else(String::new, |value| format!(" --{name} {value}"))
+}
 
 /// A run to its end; `None` for a scene that makes no physical sense.
 pub(crate) fn run_with(scene: &Scene, settings: Settings) -> Option<Run> {

@@ -319,6 +319,3 @@ macro_rules! asked_and_found {
     };
 }
 searches!(asked_and_found);
-
-#[cfg(test)]
-mod tests;

@@ -91,7 +91,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
     let in_unit =
         |it: &&Summary, value: &Value| Some(it.measure.show_all_digits(value.as_f64()?, DIGITS));
     let table = Table::of(&report.summaries)
-        .with("scene", "scene", "", move |_| name)
+        .field("scene", move |_| name)
         .with("output", "", "", |it| it.measure.name)
         .shown(|it, _| Some(title(report, it)))
         .with("nominal", "nominal", "", |it| it.nominal)

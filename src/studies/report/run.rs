@@ -78,7 +78,7 @@ fn named<'c, R>(
     name: impl Fn(&R) -> &'c str + 'c,
 ) -> Table<'c, R> {
     let table = Table::of(rows);
-    if several { table.with("run", "run", "", name) } else { table }
+    if several { table.field("run", name) } else { table }
 }
 
 /// The moments of some runs: a run, and a row of it.
@@ -88,25 +88,23 @@ fn course<'c>(courses: &'c [Course<'c>], several: bool) -> Table<'c, (usize, usi
     let sample = |at: &(usize, usize)| &courses[at.0].samples[at.1];
     let mut table = named(rows, several, |at| courses[at.0].name);
     for (place, (key, get)) in NUMBERS.into_iter().enumerate() {
-        table = table.with(key, key, "", move |at| get(sample(at)));
+        table = table.field(key, move |at| get(sample(at)));
         if place == 0 {
-            table = table.with("mode", "mode", "", move |at| sample(at).mode.word());
+            table = table.field("mode", move |at| sample(at).mode.word());
         }
     }
-    table.with("event", "event", "", |at| courses[at.0].event(at.1))
+    table.field("event", |at| courses[at.0].event(at.1))
 }
 
 /// The results of some runs, a row each.
 pub fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
     let table = named(runs, true, |it: &&NamedRun| it.0.as_str())
-        .with("scene", "scene", "", |it| it.1.scene.title.as_str())
-        .with("outcome", "outcome", "", |it| it.1.shot_outcome().word())
-        .with("end", "end", "", |it| it.1.end.words())
-        .with("method", "method", "", |it| it.1.cost.method)
-        .with("run_time_s", "run time", "s", |it| it.1.cost.took_s);
-    of_runs().fold(table, |table, quantity| {
-        table.with(quantity.name, quantity.heading(), "", |it| quantity.value(&it.1))
-    })
+        .field("scene", |it| it.1.scene.title.as_str())
+        .field("outcome", |it| it.1.shot_outcome().word())
+        .field("end", |it| it.1.end.words())
+        .field("method", |it| it.1.cost.method)
+        .field("run_time_s", |it| it.1.cost.took_s);
+    of_runs().fold(table, |table, quantity| table.field(quantity.name, |it| quantity.value(&it.1)))
 }
 
 /// A run beside others.

@@ -70,12 +70,12 @@ pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> 
     let rows =
         (0..map.values.len()).flat_map(|row| columns.clone().map(move |column| (row, column)));
     Table::of(rows)
-        .with("scene", "scene", "", move |_| scene)
-        .with("method", "method", "", |_| map.method.name())
-        .with("variable", "variable", "", |_| map.axis.symbol())
-        .with("value", "value", "", |at| map.values[at.0])
-        .with("dt_s", "dt", "s", |at| map.dt_s[at.1])
-        .with("cell", "cell", "", |at| map.cell(at.0, at.1).word())
+        .field("scene", move |_| scene)
+        .field("method", |_| map.method.name())
+        .field("variable", |_| map.axis.symbol())
+        .field("value", |at| map.values[at.0])
+        .field("dt_s", |at| map.dt_s[at.1])
+        .field("cell", |at| map.cell(at.0, at.1).word())
 }
 
 /// The map; its cells as they are shaded, row by row.

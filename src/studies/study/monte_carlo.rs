@@ -13,6 +13,7 @@ use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
+use crate::study::option;
 use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities::{self, Needs, Quantity, find};
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
@@ -66,26 +67,14 @@ impl Default for Request {
 /// The command's name and options.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("montecarlo")?;
-        for tolerance in &self.vary {
-            write!(f, " --vary {tolerance}")?;
-        }
-        if !self.outputs.is_empty() {
-            let names: Vec<&str> = self.outputs.iter().map(|it| it.name).collect();
-            write!(f, " --outputs {}", names.join(","))?;
-        }
-        if let Some(samples) = self.samples {
-            write!(f, " --samples {samples}")?;
-        }
-        for (option, value) in [("bias", self.model_bias), ("spread", self.model_spread)] {
-            if let Some(value) = value {
-                write!(f, " --model-{option} {value}")?;
-            }
-        }
-        if self.seed != Self::default().seed {
-            write!(f, " --seed {}", self.seed)?;
-        }
-        Ok(())
+        let vary: String = self.vary.iter().map(|it| option("vary", Some(it))).collect();
+        let names: Vec<&str> = self.outputs.iter().map(|it| it.name).collect();
+        let outputs = option("outputs", (!names.is_empty()).then(|| names.join(",")));
+        let samples = option("samples", self.samples);
+        let bias = option("model-bias", self.model_bias);
+        let spread = option("model-spread", self.model_spread);
+        let seed = option("seed", Some(self.seed).filter(|seed| *seed != Self::default().seed));
+        write!(f, "montecarlo{vary}{outputs}{samples}{bias}{spread}{seed}")
     }
 }
 
