@@ -9,7 +9,7 @@ use clap::Args;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::text::{chart_size, width};
-use crate::cli::{CliError, draw, output, progress};
+use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::run::Outcome;
 use crate::model::units::engineering;
@@ -50,20 +50,11 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let page = page(&name, &report) + &table.warnings(&accuracy::warnings(&report));
     let (object, rows) = (accuracy::json(&name, &report), accuracy::table(&name, &report));
     table.of(&arguments.scene, &scene, effort).deliver(&page, Some(object), rows)?;
-    let failures: Vec<String> = auto_failures(&report).collect();
-    for failure in &failures {
-        output::note(&format!("{name}: {failure}"));
-    }
-    Ok(progress::exit_code(failures.is_empty()))
-}
-
-/// Where `auto` gave no answer, in words: the step or tolerance, and why.
-fn auto_failures(report: &Report) -> impl Iterator<Item = String> {
     let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
-    auto.flat_map(|method| &method.points).filter_map(|point| {
+    Ok(progress::exit_code_after(auto.flat_map(|method| &method.points).filter_map(|point| {
         let why = point.result.as_ref().err()?.words();
-        Some(format!("auto gave no answer at {}: {why}", point.parameter))
-    })
+        Some(format!("{name}: auto gave no answer at {}: {why}", point.parameter))
+    })))
 }
 
 fn page(name: &str, report: &Report) -> String {

@@ -230,7 +230,7 @@ fn summary(name: &str, run: &Run, table: &TableArguments) -> String {
     let sections = [
         ("energy", energy(&run.ledger)),
         ("events", events_in_brief(run)),
-        ("computation", computation(run)),
+        ("computation", computation(run, run.cost.took_s)),
     ];
     for (heading, lines) in sections.into_iter().filter(|(_, lines)| !lines.is_empty()) {
         let _ = writeln!(page, "\n{heading}");

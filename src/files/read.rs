@@ -111,17 +111,12 @@ impl Reader<'_> {
         self.one_size(document);
         for key in &PlateSize::KEYS[1..] {
             let found = VARIABLES.iter().find(|variable| variable.key == *key);
-            let plate = document.get("plate").map(Spanned::get_ref);
-            if let (Some(variable), Some(DeValue::Table(plate))) = (found, plate)
-                && let Some(value) = plate.get(&key["plate.".len()..])
-            {
+            if let (Some(variable), Some(value)) = (found, find(document, key)) {
                 self.variable(scene, variable, value);
             }
         }
         // Last: an element is like the scene but for what it says.
-        if let Some(DeValue::Table(stack)) = document.get("stack").map(Spanned::get_ref)
-            && let Some(list) = stack.get("layer")
-        {
+        if let Some(list) = find(document, read_stack::KEY) {
             scene.stack.layers = read_stack::layers(self, scene, list);
         }
         if self.is_right()

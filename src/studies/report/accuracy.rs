@@ -37,7 +37,7 @@ pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
     let rows =
         |method: &'r MethodReport| method.points.iter().map(move |point| Row { method, point });
     let warnings = warnings(report).join("; ");
-    Table::of(report.methods.iter().flat_map(rows))
+    let table = Table::of(report.methods.iter().flat_map(rows))
         .field("scene", move |_| name)
         .field("method", |row| row.method.method.name())
         .field("letter", |row| row.method.method.letter().to_string())
@@ -49,14 +49,11 @@ pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
             Parameter::Tolerance(value) => Some(value),
             Parameter::Step(_) => None,
         })
-        .field("error", |row| Some(row.measured()?.error()))
-        .field(RESULTS[0].0, |row| row.measured()?.errors[0])
-        .field(RESULTS[1].0, |row| row.measured()?.errors[1])
-        .field(RESULTS[2].0, |row| row.measured()?.errors[2])
-        .field(RESULTS[3].0, |row| row.measured()?.errors[3])
-        .field(RESULTS[4].0, |row| row.measured()?.errors[4])
-        .field(RESULTS[5].0, |row| row.measured()?.errors[5])
-        .field(RESULTS[6].0, |row| row.measured()?.errors[6])
+        .field("error", |row| Some(row.measured()?.error()));
+    let table = RESULTS.into_iter().enumerate().fold(table, |table, (at, (key, _))| {
+        table.field(key, move |row| row.measured()?.errors[at])
+    });
+    table
         .field("at_floor", |row| Some(row.measured()?.is_at_floor()))
         .field("penetration_m", |row| row.answer()?.results[0])
         .field("end_time_s", |row| row.answer()?.results[1])

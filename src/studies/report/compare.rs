@@ -5,7 +5,7 @@ use serde_json::{Map as Object, Value, json};
 
 use crate::model::library;
 use crate::model::mechanism::Mechanism;
-use crate::model::run::{Run, envelope};
+use crate::model::run::envelope;
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::units::{fixed_significant, velocity};
 use crate::report::chart::levels::Levels;
@@ -47,6 +47,9 @@ const LINES: [&str; 18] = [
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
     let own = |name| move |it: &&Entry| find(name)?.value(&it.run);
+    let preload_j = |it: &&Entry| {
+        (!Mechanism::of(&it.run.scene).is_absent()).then_some(it.run.ledger.initial_spring_j)
+    };
     let at_limit = |name| move |it: &&Entry| find(name)?.value(it.at_limit.as_ref()?);
     Table::of(&report.entries)
         .field("scene", move |_| name)
@@ -72,7 +75,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .with("stored_energy_j", "stored energy", "J", own("stored_energy_j"))
         .with("peak_mount_force_n", "mount force", "N", own("peak_mount_force_n"))
         .with("mount_impulse_n_s", "impulse into mount", "N s", own("mount_impulse_n_s"))
-        .with("preload_energy_j", "preloaded energy", "J", |it| preload_j(&it.run))
+        .with("preload_energy_j", "preloaded energy", "J", preload_j)
         .with("stroke_at_limit_m", "  at the limit", "m", at_limit("stroke_m"))
         .with("stored_energy_at_limit_j", "  at the limit", "J", at_limit("stored_energy_j"))
         .with("peak_mount_force_at_limit_n", "  at the limit", "N", at_limit("peak_mount_force_n"))
@@ -80,11 +83,6 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .with("thickness_m", "thickness", "m", |it| it.run.scene.target.thickness_m)
         .with("residual_velocity_m_s", "residual velocity", "m/s", own("residual_velocity_m_s"))
         .with("penetration_m", "depth", "m", |it| it.depth_m())
-}
-
-/// The energy in the cocked spring, J.
-fn preload_j(run: &Run) -> Option<f64> {
-    (!Mechanism::of(&run.scene).is_absent()).then_some(run.ledger.initial_spring_j)
 }
 
 /// The candidates beside each other, a figure on each line, as on a page of this width.

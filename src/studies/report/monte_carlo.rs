@@ -61,17 +61,14 @@ pub fn v50(report: &Report) -> Option<String> {
         let show = |value: f64| it.measure.show_all_digits(value, DIGITS);
         let median = it.quantile(0.5)?;
         let [low, high] = [median.low_95, median.high_95].map(show);
-        Some(format!(
-            "{} (95 %: {low} to {high}), spread {}",
-            show(median.value),
-            show(it.deviation?)
-        ))
+        let [value, spread] = [median.value, it.deviation?].map(show);
+        Some(format!("{value} (95 %: {low} to {high}), spread {spread}"))
     };
     let first = shown(each.next()?)?;
-    let bare = each.next().and_then(shown);
-    Some(
-        bare.map_or_else(|| first.clone(), |bare| format!("{first}; model error excluded: {bare}")),
-    )
+    Some(match each.next().and_then(shown) {
+        Some(bare) => format!("{first}; model error excluded: {bare}"),
+        None => first,
+    })
 }
 
 /// Columns of the quantiles: key, heading, part of the values below it.

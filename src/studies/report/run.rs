@@ -169,9 +169,8 @@ fn plastic(run: &Arc<Run>) -> String {
     format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
 }
 
-/// Of a run beside another: its outcome and results.
-fn outcome_and_results(run: &Run) -> Value {
-    let mut object = json!({ "outcome": run.shot_outcome().word() });
+/// An object with the results of a run.
+fn with_results(mut object: Value, run: &Run) -> Value {
     for quantity in of_runs() {
         object[quantity.name] = result(run, quantity);
     }
@@ -181,7 +180,7 @@ fn outcome_and_results(run: &Run) -> Value {
 /// A run of a scene of this name as one object with its keys in the order a reader expects.
 pub fn json(name: &str, run: &Run) -> String {
     let scene = &run.scene;
-    let mut object = json!({
+    let object = json!({
         "scene": name,
         "title": scene.title,
         "model": scene.contact.model.word(),
@@ -192,9 +191,7 @@ pub fn json(name: &str, run: &Run) -> String {
         "end": run.end.words(),
         "complete": run.end.is_complete(),
     });
-    for quantity in of_runs() {
-        object[quantity.name] = result(run, quantity);
-    }
+    let mut object = with_results(object, run);
     let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());
     object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
     object["penetration_at_most_m"] = run.penetration_at_most_m.into();
@@ -211,8 +208,11 @@ pub fn json(name: &str, run: &Run) -> String {
     object["run_time_s"] = run.cost.took_s.into();
     object["omitted"] = run.omitted.clone().into();
     object["warnings"] = warnings(run).into();
-    object["plastic"] = run.plastic.as_ref().map(|run| outcome_and_results(run)).into();
-    object["energy_j"] = energy(&run.ledger);
+    let beside =
+        |run: &Arc<Run>| with_results(json!({ "outcome": run.shot_outcome().word() }), run);
+    object["plastic"] = run.plastic.as_ref().map(beside).into();
+    let energy = ENERGY.iter().map(|(key, _, get)| ((*key).to_owned(), get(&run.ledger).into()));
+    object["energy_j"] = Value::Object(energy.collect());
     let event = |it: &Event| json!({ "time_s": it.t_s, "event": it.kind.words() });
     object["events"] = run.events.iter().map(event).collect();
     object["variables"] = all_variables(scene);
@@ -232,15 +232,12 @@ fn stack_of(whole: &Run, stack: &StackRun) -> Value {
     let rows: Vec<Value> = plates
         .enumerate()
         .map(|(plate, run)| {
-            let mut row = json!({
+            let row = json!({
                 "plate": stack.name(plate),
                 "impact_velocity_m_s": run.scene.projectile.velocity_m_s,
                 "outcome": run.outcome.word(),
             });
-            for quantity in of_runs() {
-                row[quantity.name] = result(run, quantity);
-            }
-            row
+            with_results(row, run)
         })
         .collect();
     json!({
@@ -269,67 +266,24 @@ fn estimates(run: &Run) -> Value {
     Value::Object(names.map(|name| (name.to_owned(), run.error_of(name).into())).collect())
 }
 
-struct LedgerPart {
-    /// Its name in JSON.
-    key: &'static str,
-    /// Its label on pages and screens.
-    label: &'static str,
-    get: fn(&EnergyLedger) -> f64,
-}
-
-const fn part(key: &'static str, label: &'static str, get: fn(&EnergyLedger) -> f64) -> LedgerPart {
-    LedgerPart { key, label, get }
-}
+/// A part of the energy ledger: its name in JSON, its label on pages, and where it is found.
+type LedgerPart = (&'static str, &'static str, fn(&EnergyLedger) -> f64);
 
 const ENERGY: [LedgerPart; 11] = [
-    part("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
-    part("initial_plate", "plate", |it| it.initial_plate_j),
-    part("initial_spring", "cocked spring", |it| it.initial_spring_j),
-    part("projectile", "projectile", |it| it.projectile_j),
-    part("plate", "plate", |it| it.plate_j),
-    part("mechanism_inertia", "mechanism", |it| it.inertia_j),
-    part("spring", "spring", |it| it.spring_j),
-    part("crush", "crushed", |it| it.crush_j),
-    part("damper", "damper", |it| it.damper_j),
-    part("penetration", "penetration", |it| it.penetration_j),
-    part("stop", "stop", |it| it.stop_j),
+    ("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
+    ("initial_plate", "plate", |it| it.initial_plate_j),
+    ("initial_spring", "cocked spring", |it| it.initial_spring_j),
+    ("projectile", "projectile", |it| it.projectile_j),
+    ("plate", "plate", |it| it.plate_j),
+    ("mechanism_inertia", "mechanism", |it| it.inertia_j),
+    ("spring", "spring", |it| it.spring_j),
+    ("crush", "crushed", |it| it.crush_j),
+    ("damper", "damper", |it| it.damper_j),
+    ("penetration", "penetration", |it| it.penetration_j),
+    ("stop", "stop", |it| it.stop_j),
 ];
 /// How many of them were there at the start.
 const AT_START: usize = 3;
-
-/// A term of the energy ledger.
-pub struct EnergyTerm {
-    /// The holder of the energy.
-    pub label: &'static str,
-    /// The energy, J.
-    pub energy_j: f64,
-    /// The same in percent of the energy at the start.
-    pub percent: f64,
-}
-
-impl EnergyTerm {
-    /// With its share of the energy at the start.
-    pub fn of(label: &'static str, energy_j: f64, start_j: f64) -> Self {
-        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
-        Self { label, energy_j, percent }
-    }
-}
-
-/// The terms of a ledger at the start and at the end; what has no energy is not listed.
-pub fn energy_terms(ledger: &EnergyLedger) -> (Vec<EnergyTerm>, Vec<EnergyTerm>) {
-    let start_j = ledger.initial_j();
-    let term = |part: &LedgerPart| {
-        let energy_j = (part.get)(ledger);
-        (energy_j != 0.0).then(|| EnergyTerm::of(part.label, energy_j, start_j))
-    };
-    let (start, end) = ENERGY.split_at(AT_START);
-    (start.iter().filter_map(term).collect(), end.iter().filter_map(term).collect())
-}
-
-fn energy(ledger: &EnergyLedger) -> Value {
-    let entry = |part: &LedgerPart| (part.key.to_owned(), Value::from((part.get)(ledger)));
-    Value::Object(ENERGY.iter().map(entry).collect())
-}
 
 /// The input, by full key.
 fn all_variables(scene: &Scene) -> Value {

@@ -131,20 +131,17 @@ impl<'a> Plot<'a> {
 
     /// An upright line.
     fn upright(&self, x: f64) -> [Point; 2] {
-        [Point { x, y: self.top }, Point { x, y: self.bottom }]
+        [(x, self.top), (x, self.bottom)]
     }
 
     /// A level line.
     fn level(&self, y: f64) -> [Point; 2] {
-        [Point { x: self.left, y }, Point { x: self.right, y }]
+        [(self.left, y), (self.right, y)]
     }
 }
 
-#[derive(Clone, Copy)]
-struct Point {
-    x: f64,
-    y: f64,
-}
+/// A place in a picture: to the right, and down.
+type Point = (f64, f64);
 
 /// How far along an axis a value lies; a little beyond its ends at most.
 fn part(axis: &Axis<'_>, value: f64) -> f64 {
@@ -159,13 +156,13 @@ fn at(value: f64) -> String {
 }
 
 /// A text at a place that is its `anchor`; `rest` are further attributes.
-fn text(out: &mut String, (x, y): (f64, f64), anchor: &str, rest: &str, text: &str) {
+fn text(out: &mut String, (x, y): Point, anchor: &str, rest: &str, text: &str) {
     let (x, y, text) = (at(x), at(y), escaped(text));
     let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{rest}>{text}</text>");
 }
 
 fn stroke(out: &mut String, [from, to]: [Point; 2], style: &str) {
-    let (x1, y1, x2, y2) = (at(from.x), at(from.y), at(to.x), at(to.y));
+    let (x1, y1, x2, y2) = (at(from.0), at(from.1), at(to.0), at(to.1));
     let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" {style}/>");
 }
 
@@ -195,7 +192,7 @@ fn draw_frame(out: &mut String, plot: Plot<'_>, title: &str) {
 }
 
 /// The attribute of a text that stands upright at a place.
-fn turned((x, y): (f64, f64)) -> String {
+fn turned((x, y): Point) -> String {
     format!(" transform=\"rotate(-90 {} {})\"", at(x), at(y))
 }
 
@@ -245,11 +242,10 @@ fn draw_chart(chart: &Chart<'_>) -> String {
             let curve = &chart.curves[*number];
             let ink = colour(curve.colour);
             if curve.is_dotted() {
-                dot(&mut out, Point { x: x + 11.0, y: y - 4.0 }, ink);
+                dot(&mut out, (x + 11.0, y - 4.0), ink);
             } else {
                 let style = format!("stroke=\"{ink}\" stroke-width=\"2\"");
-                let y = y - 4.0;
-                stroke(&mut out, [Point { x, y }, Point { x: x + 22.0, y }], &style);
+                stroke(&mut out, [(x, y - 4.0), (x + 22.0, y - 4.0)], &style);
             }
             text(&mut out, (x + 28.0, y), "start", "", &curve.label);
             x += 40.0 + LETTER * curve.label.chars().count() as f64;
@@ -272,33 +268,29 @@ fn draw_chart(chart: &Chart<'_>) -> String {
     out
 }
 
-fn dot(out: &mut String, Point { x, y }: Point, ink: &str) {
+fn dot(out: &mut String, (x, y): Point, ink: &str) {
     let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"3\" fill=\"{ink}\"/>", at(x), at(y));
 }
 
 fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve<'_>, ink: &str) {
     let (x, y) = (plot.x, plot.y);
-    let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
-    for (at_x, at_y) in &thinned(curve.points.to_vec()) {
-        if x.scale.shows(*at_x) && y.scale.shows(*at_y) {
-            if let Some(piece) = pieces.last_mut() {
-                piece.push(Point { x: plot.across(*at_x), y: plot.up(*at_y) });
+    let place = |(at_x, at_y)| {
+        let is_shown = x.scale.shows(at_x) && y.scale.shows(at_y);
+        is_shown.then(|| (plot.across(at_x), plot.up(at_y)))
+    };
+    let places: Vec<Option<Point>> =
+        thinned(curve.points.to_vec()).into_iter().map(place).collect();
+    for piece in places.split(Option::is_none) {
+        match piece {
+            [] => {}
+            [place] => place.iter().for_each(|place| dot(out, *place, ink)),
+            _ => {
+                let points = piece.iter().flatten().map(|(x, y)| format!("{},{}", at(*x), at(*y)));
+                let points = points.collect::<Vec<_>>().join(" ");
+                let style = format!("stroke=\"{ink}\" stroke-width=\"2\"");
+                let _ = writeln!(out, "<polyline points=\"{points}\" fill=\"none\" {style}/>");
             }
-        } else if pieces.last().is_some_and(|piece| !piece.is_empty()) {
-            pieces.push(Vec::new());
         }
-    }
-    for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
-        if piece.len() == 1 {
-            for place in piece {
-                dot(out, *place, ink);
-            }
-            continue;
-        }
-        let points: Vec<String> =
-            piece.iter().map(|place| format!("{},{}", at(place.x), at(place.y))).collect();
-        let (points, style) = (points.join(" "), format!("stroke=\"{ink}\" stroke-width=\"2\""));
-        let _ = writeln!(out, "<polyline points=\"{points}\" fill=\"none\" {style}/>");
     }
 }
 

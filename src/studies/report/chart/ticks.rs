@@ -199,32 +199,19 @@ fn label(units: f64, exponent: i32) -> String {
 fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     let first = decade(map.view.lo());
     let last = decade(map.view.hi());
+    let (low, high) = (map.view.lo() * (1.0 - 1e-9), map.view.hi() * (1.0 + 1e-9));
     let list = |mantissas: &[u8], stride: i32| -> Vec<Tick> {
-        let start = first.div_euclid(stride) * stride;
-        let mut values = Vec::new();
-        let mut exponent = start;
-        while exponent <= last {
-            values.extend(mantissas.iter().map(|mantissa| (*mantissa, exponent)));
-            exponent += stride;
-        }
-        let spelled = values
-            .iter()
-            .filter(|(mantissa, exponent)| in_view(map, *mantissa, *exponent))
-            .any(|(_, exponent)| !(-3..=4).contains(exponent));
-        let tick = |(mantissa, exponent): (u8, i32)| {
-            let value = f64::from(mantissa) * power(exponent);
-            let cell = map.cell(value)?;
-            in_view(map, mantissa, exponent).then(|| Tick {
-                cell,
-                value,
-                label: if spelled {
-                    format!("{mantissa}e{exponent}")
-                } else {
-                    label(f64::from(mantissa), exponent)
-                },
-            })
+        let exponents = (first..=last).filter(|exponent| exponent % stride == 0);
+        let all = exponents.flat_map(|exponent| mantissas.iter().map(move |it| (*it, exponent)));
+        let all = all.map(|it| (it, f64::from(it.0) * power(it.1)));
+        let seen: Vec<_> = all.filter(|(_, value)| low <= *value && *value <= high).collect();
+        let spelled = seen.iter().any(|((_, exponent), _)| !(-3..=4).contains(exponent));
+        let tick = |((mantissa, exponent), value): ((u8, i32), f64)| {
+            let plain = || label(f64::from(mantissa), exponent);
+            let label = if spelled { format!("{mantissa}e{exponent}") } else { plain() };
+            Some(Tick { cell: map.cell(value)?, value, label })
         };
-        values.into_iter().filter_map(tick).collect()
+        seen.into_iter().filter_map(tick).collect()
     };
     let dense = list(&[1, 2, 5], 1);
     if dense.len() < 3 {
@@ -237,12 +224,6 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     let mut found = strides.into_iter().map(|stride| list(&[1], stride));
     let labelled = found.find(|ticks| !ticks.is_empty() && fits(ticks, along, map))?;
     Some(Ticks { labelled, exponent: 0 })
-}
-
-fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {
-    let value = f64::from(mantissa) * power(exponent);
-    let view = map.view;
-    view.lo() * (1.0 - 1e-9) <= value && value <= view.hi() * (1.0 + 1e-9)
 }
 
 /// Whether all labels stand clear of each other, each on a cell of its own. Of rows there are at least two, each at the middle of
