@@ -261,22 +261,6 @@ fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison,
 }
 
 /// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.
-macro_rules! searches {
-    ($make:ident) => {
-        $make! {
-            /// Which values of a variable give a wanted result.
-            Seek seek,
-            /// The Pareto front: designs that no other one dominates.
-            Front front,
-            /// How strongly each variable acts on a quantity.
-            Sensitivity sensitivity,
-            /// How results scatter when inputs do.
-            MonteCarlo monte_carlo,
-        }
-    };
-}
-pub(crate) use searches;
-
 macro_rules! asked_and_found {
     ($($(#[$doc:meta])* $kind:ident $study:ident,)*) => {
         /// What is searched for.
@@ -318,4 +302,13 @@ macro_rules! asked_and_found {
         }
     };
 }
-searches!(asked_and_found);
+asked_and_found! {
+    /// Which values of a variable give a wanted result.
+    Seek seek,
+    /// The Pareto front: designs that no other one dominates.
+    Front front,
+    /// How strongly each variable acts on a quantity.
+    Sensitivity sensitivity,
+    /// How results scatter when inputs do.
+    MonteCarlo monte_carlo,
+}

@@ -27,9 +27,6 @@ pub struct PowerLaw {
     pub exponent: f64,
 }
 
-/// The greatest exponent that is taken as whole.
-const WHOLE_MAX: usize = 6;
-
 impl PowerLaw {
     /// No force.
     pub const NONE: Self = Self { coefficient: 0.0, exponent: 1.0 };
@@ -50,30 +47,17 @@ impl PowerLaw {
         !self.is_absent() && self.exponent < 1.0
     }
 
-    /// Its exponent where that is a whole number up to six.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "exponents are positive"
-    )]
-    pub fn whole_exponent(self) -> Option<usize> {
-        // Too large an exponent saturates, and is none of them.
-        let nearest = (self.exponent + 0.5) as usize;
-        let is_whole = (self.exponent - nearest as f64).abs() < f64::EPSILON;
-        (is_whole && (1..=WHOLE_MAX).contains(&nearest)).then_some(nearest)
-    }
-
     /// Whether it is linear, or no law at all.
     pub fn is_linear(self) -> bool {
-        self.is_absent() || self.whole_exponent() == Some(1)
+        self.is_absent() || matches!(self.exponent, 1.0)
     }
 
     /// Whether the law is one analytic function through zero (linear, cubic, ...).
     pub fn is_smooth_at_zero(self) -> bool {
-        self.is_absent() || self.whole_exponent().is_some_and(|n| n % 2 == 1)
+        self.is_absent() || matches!(self.exponent, 1.0 | 3.0 | 5.0)
     }
 
-    /// The force at `z`.
+    /// The force at `z`, which may be infinite.
     pub fn force(self, z: f64) -> f64 {
         if self.is_absent() {
             0.0
@@ -86,9 +70,9 @@ impl PowerLaw {
 
     /// The force on one side of zero, 1 or -1: a square goes on smoothly a little beyond it, any other law oddly.
     pub fn force_on(self, side: f64, z: f64) -> f64 {
-        match self.whole_exponent().filter(|_| !self.is_absent()) {
-            Some(2) => self.coefficient * z * z * side,
-            Some(3) => self.coefficient * z * z * z,
+        match self.exponent {
+            2.0 => self.coefficient * z * z * side,
+            3.0 => self.coefficient * z * z * z,
             _ => self.force(z),
         }
     }

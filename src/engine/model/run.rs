@@ -40,6 +40,9 @@ impl Default for Settings {
     }
 }
 
+/// The end of the time in which a contact is drawn, relative to its own end: a little beyond it, so that it is seen.
+pub const CONTACT_WINDOW: f64 = 1.1;
+
 /// Called before every step with the time reached, s; `Break` ends the run as cancelled.
 pub type Observer<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 

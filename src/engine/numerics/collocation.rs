@@ -5,12 +5,11 @@
 //! are the stage accelerations; speeds follow by the matrix A of the method, places by A squared. A failed or inaccurate step is for
 //! the caller to take again, shorter.
 
+use std::array;
 use std::sync::LazyLock;
 
 use crate::numerics::quadrature::legendre;
-use crate::numerics::step::{
-    Acceleration, Near, Point, Slopes, Square, Step, Stepper, dot, series,
-};
+use crate::numerics::step::{Acceleration, Near, Point, Square, Step, Stepper, dot, series};
 use crate::numerics::{larger, smaller};
 
 /// Iterations after which a step has failed. One that contracts by the usual tenth is at rounding after 16.
@@ -49,7 +48,7 @@ impl<const D: usize> Tolerances<D> {
 
     /// Of each size the larger.
     fn or_larger(self, other: &Self) -> Self {
-        let both = |a: [f64; D], b: [f64; D]| std::array::from_fn(|d| larger(a[d], b[d]));
+        let both = |a: [f64; D], b: [f64; D]| array::from_fn(|d| larger(a[d], b[d]));
         Self {
             place: both(self.place, other.place),
             speed: both(self.speed, other.speed),
@@ -66,6 +65,9 @@ impl<const D: usize> Tolerances<D> {
     }
 }
 
+/// Accelerations of each place at the stages.
+type Stages<const D: usize, const S: usize> = [[f64; S]; D];
+
 /// How the stage equations are solved.
 #[derive(Clone, Copy, Debug)]
 enum Way<const D: usize, const S: usize> {
@@ -80,10 +82,10 @@ enum Way<const D: usize, const S: usize> {
 pub(crate) struct Member<const S: usize> {
     /// The nodes, of which the last is 1.
     nodes: [f64; S],
-    /// A and its square.
+    /// A and its square, by columns: row j is what the value at node j adds at each node.
     a: Square<S>,
     square: Square<S>,
-    /// From values at the nodes to Legendre coefficients.
+    /// From values at the nodes to Legendre coefficients, by columns.
     modes: Square<S>,
     /// Gauss's rule with as many points.
     gauss: [Gauss<S>; S],
@@ -160,7 +162,7 @@ fn legendre_and_slope(n: usize, x: f64) -> (f64, f64) {
 /// The integrals of the Legendre polynomials of degree below S, shifted to (0, 1), from 0 to theta.
 fn integrals<const S: usize>(theta: f64) -> [f64; S] {
     let p = legendre::<10>(2.0 * theta - 1.0);
-    std::array::from_fn(|k| if k == 0 { theta } else { (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64 })
+    array::from_fn(|k| if k == 0 { theta } else { (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64 })
 }
 
 impl<const S: usize> Member<S> {
@@ -177,24 +179,16 @@ impl<const S: usize> Member<S> {
             *node = 0.5 * (1.0 + x);
         }
         // Radau's weights make the Legendre polynomials orthogonal on the nodes.
-        let mut modes = [[0.0; S]; S];
-        for (j, node) in nodes.iter().enumerate() {
+        let modes = nodes.map(|node| {
             let x = 2.0 * node - 1.0;
             let p = legendre::<10>(x);
             let weight = (1.0 + x) / (2.0 * order * order * p[S - 1] * p[S - 1]);
-            for (k, row) in modes.iter_mut().enumerate() {
-                row[j] = (2 * k + 1) as f64 * weight * p[k];
-            }
-        }
-        let mut a = [[0.0; S]; S];
-        for (row, node) in a.iter_mut().zip(&nodes) {
-            let integrals = integrals::<S>(*node);
-            *row = std::array::from_fn(|j| (0..S).map(|k| integrals[k] * modes[k][j]).sum());
-        }
-        let square = std::array::from_fn(|i| {
-            std::array::from_fn(|j| (0..S).map(|k| a[i][k] * a[k][j]).sum())
+            array::from_fn(|k| (2 * k + 1) as f64 * weight * p[k])
         });
-        let gauss = std::array::from_fn(|i| {
+        let integrals = nodes.map(integrals);
+        let a = modes.map(|modes| integrals.map(|integrals| dot(&integrals, &modes)));
+        let square = a.map(|column| times(&a, &column));
+        let gauss = array::from_fn(|i| {
             let guess = ((i as f64 + 0.75) / (order + 0.5) * std::f64::consts::PI).cos();
             let x = polished(guess, |x| legendre_and_slope(S, x));
             let slope = legendre_and_slope(S, x).1;
@@ -204,9 +198,8 @@ impl<const S: usize> Member<S> {
         Self { nodes, a, square, modes, gauss }
     }
 
-    /// The coefficients from which on the acceleration's are seen to fall, how many of the last are the end of the fall, and by which
-    /// power of it the error is less than they are: over four degrees, so that the error is taken to be that of six degrees more.
-    const FALL: (usize, usize, f64) = if S > 4 { (S - 6, 2, 1.5) } else { (0, 1, 1.0) };
+    /// The coefficients from which on the acceleration's are seen to fall, and how many of the last are the end of the fall.
+    const FALL: (usize, usize) = if S > 4 { (S - 6, 2) } else { (0, 1) };
 
     /// The power of the step by which its error grows, about: of the estimate below, no more than the order of the method.
     const ERROR_ORDER: f64 = if S > 4 { S + 6 } else { 2 * S - 1 } as f64;
@@ -222,9 +215,9 @@ impl<const S: usize> Member<S> {
     ) -> (Option<Step<D, S>>, usize) {
         let mut stages = match way {
             Way::From(Some(Near { acceleration, from, over })) => {
-                self.nodes.map(|node| series(&acceleration, from + over * node))
+                by_place(self.nodes.map(|node| series(&acceleration, from + over * node)))
             }
-            Way::From(None) | Way::Guarded => [guess(law, start, h); S],
+            Way::From(None) | Way::Guarded => guess(law, start, h).map(|value| [value; S]),
         };
         let mut matrix = Factored::zero();
         let mut is_old = true;
@@ -236,29 +229,22 @@ impl<const S: usize> Member<S> {
             if is_old {
                 self.derive(&mut matrix, law, &points, h);
             }
-            let mut change = [[0.0; D]; S];
-            for (change, (stage, (place, speed))) in
-                change.iter_mut().zip(stages.iter().zip(&points))
-            {
-                let wanted = law.at(place, speed);
-                *change = std::array::from_fn(|d| wanted[d] - stage[d]);
-            }
+            let wanted = by_place(points.map(|(place, speed)| law.at(&place, &speed)));
+            let with = |part: f64, change: &Stages<D, S>, stages: &Stages<D, S>| -> Stages<D, S> {
+                array::from_fn(|d| array::from_fn(|i| stages[d][i] + part * change[d][i]))
+            };
+            let mut change = with(-1.0, &stages, &wanted);
             if !matrix.solve(&mut change) {
                 return (None, round * S);
             }
-            let sum = |part: f64| -> [[f64; D]; S] {
-                std::array::from_fn(|i| std::array::from_fn(|d| stages[i][d] + part * change[i][d]))
-            };
-            let whole = sum(1.0);
+            let whole = with(1.0, &change, &stages);
             let is_guarded = matches!(way, Way::Guarded);
             let part =
                 if is_guarded { self.allowed(law, start, h, [&stages, &whole]) } else { 1.0 };
             let is_whole = part >= 1.0;
-            stages = if is_whole { whole } else { sum(part) };
-            let norm = change.iter().fold(0.0, |norm, change| {
-                let speed = change.map(|change| h * change);
-                larger(goal.norm(&speed.map(|speed| h * speed), &speed), norm)
-            });
+            stages = if is_whole { whole } else { with(part, &change, &stages) };
+            let speed = change.map(|change| change.map(f64::abs).into_iter().fold(0.0, larger) * h);
+            let norm = goal.norm(&speed.map(|speed| h * speed), &speed);
             if !norm.is_finite() || (round > 3 && norm > 2.0 * before && is_whole) {
                 return (None, round * S);
             }
@@ -280,24 +266,18 @@ impl<const S: usize> Member<S> {
         (None, ITERATIONS_MAX * S)
     }
 
+    /// Places and speeds at the nodes.
     fn points<const D: usize>(
         &self,
         (place, speed): Point<D>,
         h: f64,
-        stages: &[[f64; D]; S],
+        stages: &Stages<D, S>,
     ) -> [Point<D>; S] {
-        std::array::from_fn(|i| {
-            let (mut at, mut going) = (place, speed);
-            for d in 0..D {
-                let (mut one, mut two) = (0.0, 0.0);
-                for (j, stage) in stages.iter().enumerate() {
-                    one += self.a[i][j] * stage[d];
-                    two += self.square[i][j] * stage[d];
-                }
-                going[d] += h * one;
-                at[d] += h * (self.nodes[i] * speed[d] + h * two);
-            }
-            (at, going)
+        let one = stages.each_ref().map(|stages| times(&self.a, stages));
+        let two = stages.each_ref().map(|stages| times(&self.square, stages));
+        array::from_fn(|i| {
+            let way = |d: usize| place[d] + h * (self.nodes[i] * speed[d] + h * two[d][i]);
+            (array::from_fn(way), array::from_fn(|d| speed[d] + h * one[d][i]))
         })
     }
 
@@ -307,7 +287,7 @@ impl<const S: usize> Member<S> {
         law: &impl Acceleration<D>,
         start: Point<D>,
         h: f64,
-        [from, to]: [&[[f64; D]; S]; 2],
+        [from, to]: [&Stages<D, S>; 2],
     ) -> f64 {
         let (from, to) = (self.points(start, h, from), self.points(start, h, to));
         let parts = from.iter().zip(&to).map(|(from, to)| law.without_passing(*from, *to));
@@ -323,15 +303,17 @@ impl<const S: usize> Member<S> {
         h: f64,
     ) {
         let slopes = points.map(|(place, speed)| law.slopes(&place, &speed));
-        for (j, columns) in matrix.columns.iter_mut().enumerate() {
-            for (i, Slopes { place, speed }) in slopes.iter().enumerate() {
-                let (one, two) = (h * self.a[i][j], h * h * self.square[i][j]);
-                for (e, column) in columns.iter_mut().enumerate() {
-                    column[i] = std::array::from_fn(|d| -one * speed[d][e] - two * place[d][e]);
+        for (e, columns) in matrix.columns.iter_mut().enumerate() {
+            for d in 0..D {
+                let by_speed = slopes.each_ref().map(|slopes| h * slopes.speed[d][e]);
+                let by_place = slopes.each_ref().map(|slopes| h * h * slopes.place[d][e]);
+                for (column, (a, square)) in columns.iter_mut().zip(self.a.iter().zip(&self.square))
+                {
+                    column[d] = array::from_fn(|i| -a[i] * by_speed[i] - square[i] * by_place[i]);
                 }
             }
-            for (d, column) in columns.iter_mut().enumerate() {
-                column[j][d] += 1.0;
+            for (j, column) in columns.iter_mut().enumerate() {
+                column[e][j] += 1.0;
             }
         }
         matrix.factor();
@@ -341,15 +323,13 @@ impl<const S: usize> Member<S> {
         &self,
         start: Point<D>,
         h: f64,
-        stages: &[[f64; D]; S],
+        stages: &Stages<D, S>,
     ) -> Step<D, S> {
         let points = self.points(start, h, stages);
-        let coefficients = |value: &dyn Fn(usize) -> f64| {
-            std::array::from_fn(|k| (0..S).map(|j| self.modes[k][j] * value(j)).sum())
-        };
-        let acceleration = std::array::from_fn(|d| coefficients(&|j| stages[j][d]));
-        let speed = std::array::from_fn(|d| coefficients(&|j| points[j].1[d]));
-        Step::new(h, [start, points[S - 1]], &speed, acceleration)
+        let speeds = by_place(points.map(|(_, speed)| speed));
+        let coefficients =
+            |values: &Stages<D, S>| values.each_ref().map(|values| times(&self.modes, values));
+        Step::new(h, [start, points[S - 1]], &coefficients(&speeds), coefficients(stages))
     }
 
     /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
@@ -365,12 +345,14 @@ impl<const S: usize> Member<S> {
     ) -> f64 {
         let h = step.h;
         let mut tail = ([0.0; D], [0.0; D]);
-        let (from, last, power) = Self::FALL;
+        let (from, last) = Self::FALL;
         for d in 0..D {
             let modes = step.acceleration[d].map(f64::abs);
             let high = modes[S - last..].iter().copied().fold(0.0, larger);
             let low = larger(modes[from], modes[from + 1]);
-            let falling = if high < low { (high / low).powf(power) } else { 1.0 };
+            let fall = if high < low { high / low } else { 1.0 };
+            // Over four degrees: the error is taken to be that of six degrees more.
+            let falling = if S > 4 { fall * fall.sqrt() } else { fall };
             tail.1[d] = h * high * falling;
             tail.0[d] = h * tail.1[d];
         }
@@ -386,8 +368,8 @@ impl<const S: usize> Member<S> {
         }
         let slopes = law.slopes(&step.end.0, &step.end.1);
         let mut filter = Factored::<D, 1>::zero();
-        for (e, column) in filter.columns[0].iter_mut().enumerate() {
-            for (d, value) in column[0].iter_mut().enumerate() {
+        for (e, [column]) in filter.columns.iter_mut().enumerate() {
+            for (d, [value]) in column.iter_mut().enumerate() {
                 let unit = if d == e { 1.0 } else { 0.0 };
                 let stiff = slopes.speed[d][e] + FILTER * h * slopes.place[d][e];
                 *value = unit - FILTER * h * stiff;
@@ -395,9 +377,9 @@ impl<const S: usize> Member<S> {
         }
         filter.factor();
         let filtered = |error: [f64; D]| {
-            let mut all = [error];
+            let mut all = error.map(|error| [error]);
             // An infinite slope at the end damps without bound: nothing is known of the error then.
-            if filter.solve(&mut all) { all[0] } else { error }
+            if filter.solve(&mut all) { all.map(|[error]| error) } else { error }
         };
         [tail, defect].into_iter().fold(0.0, |worst, (place, speed)| {
             larger(goal.norm(&filtered(place), &filtered(speed)), worst)
@@ -405,26 +387,43 @@ impl<const S: usize> Member<S> {
     }
 }
 
+/// A matrix by columns times a column.
+fn times<const S: usize>(columns: &Square<S>, values: &[f64; S]) -> [f64; S] {
+    let mut sum = [0.0; S];
+    for (column, value) in columns.iter().zip(values) {
+        for (sum, of_column) in sum.iter_mut().zip(column) {
+            *sum += of_column * value;
+        }
+    }
+    sum
+}
+
+/// Values of each stage as those of each place.
+fn by_place<const D: usize, const S: usize>(values: [[f64; D]; S]) -> Stages<D, S> {
+    array::from_fn(|d| values.each_ref().map(|values| values[d]))
+}
+
 /// The first guess of the stages: the acceleration at the start, or none where it would change the speed by more than itself.
 fn guess<const D: usize>(law: &impl Acceleration<D>, (place, speed): Point<D>, h: f64) -> [f64; D] {
     let first = law.at(&place, &speed);
-    std::array::from_fn(|d| {
+    array::from_fn(|d| {
         let is_modest = (h * first[d]).abs() <= speed[d].abs() || speed[d] == 0.0;
         if is_modest && first[d].is_finite() { first[d] } else { 0.0 }
     })
 }
 
-/// A matrix of `S` times `S` blocks, factored by Gaussian elimination with partial pivoting, for several right-hand sides.
+/// A matrix of `D` times `D` blocks of `S`, factored by Gaussian elimination with partial pivoting, for several right-hand sides.
 struct Factored<const D: usize, const S: usize> {
-    columns: [[[[f64; D]; S]; D]; S],
-    pivots: [[usize; D]; S],
+    /// Of those on the diagonal the reciprocals.
+    columns: [[Stages<D, S>; S]; D],
+    pivots: [[usize; S]; D],
 }
 
 impl<const D: usize, const S: usize> Factored<D, S> {
     const SIZE: usize = D * S;
 
     fn zero() -> Self {
-        Self { columns: [[[[0.0; D]; S]; D]; S], pivots: [[0; D]; S] }
+        Self { columns: [[[[0.0; S]; D]; S]; D], pivots: [[0; S]; D] }
     }
 
     fn factor(&mut self) {
@@ -439,15 +438,19 @@ impl<const D: usize, const S: usize> Factored<D, S> {
                 }
             }
             pivots[at] = pivot;
-            column.swap(at, pivot);
-            let inverse = 1.0 / column[at];
-            let factors = &mut column[at + 1..];
+            if pivot != at {
+                column.swap(at, pivot);
+                for other in rest.iter_mut() {
+                    other.as_flattened_mut().swap(at, pivot);
+                }
+            }
+            column[at] = 1.0 / column[at];
+            let (inverse, factors) = (column[at], &mut column[at + 1..]);
             for factor in factors.iter_mut() {
                 *factor *= inverse;
             }
             for other in rest {
                 let other = other.as_flattened_mut();
-                other.swap(at, pivot);
                 let above = other[at];
                 for (value, factor) in other[at + 1..].iter_mut().zip(&*factors) {
                     *value -= factor * above;
@@ -457,7 +460,7 @@ impl<const D: usize, const S: usize> Factored<D, S> {
     }
 
     /// The solution replaces the right-hand side; `false` where it is not finite.
-    fn solve(&self, right: &mut [[f64; D]; S]) -> bool {
+    fn solve(&self, right: &mut Stages<D, S>) -> bool {
         let (columns, pivots) = (self.columns.as_flattened(), self.pivots.as_flattened());
         let right = right.as_flattened_mut();
         for (at, (column, pivot)) in columns.iter().zip(pivots).enumerate() {
@@ -470,7 +473,7 @@ impl<const D: usize, const S: usize> Factored<D, S> {
         }
         for (at, column) in columns.iter().enumerate().rev() {
             let column = column.as_flattened();
-            right[at] /= column[at];
+            right[at] *= column[at];
             let below = right[at];
             for (value, factor) in right[..at].iter_mut().zip(column) {
                 *value -= factor * below;
@@ -483,6 +486,7 @@ impl<const D: usize, const S: usize> Factored<D, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::step::Slopes;
 
     /// y'' = -y, or -k y for a stiff one.
     struct Spring(f64);
@@ -533,16 +537,14 @@ mod tests {
         let two = Member::<2>::new();
         let [third, whole] = two.nodes;
         assert!((third - 1.0 / 3.0).abs() < 1e-15 && (whole - 1.0).abs() < 1e-15, "{two:?}");
-        for (row, node) in NINE.a.iter().zip(NINE.nodes) {
-            // Constants and the highest power are integrated exactly.
-            let constant: f64 = row.iter().sum();
-            let eighth: f64 = row.iter().zip(NINE.nodes).map(|(a, c)| a * c.powi(8)).sum();
-            assert!((constant - node).abs() < 1e-14, "{constant} {node}");
-            assert!((eighth - node.powi(9) / 9.0).abs() < 1e-14);
+        // Constants and the highest power are integrated exactly, to the end up to degree 16.
+        let integral = |power: i32| times(&NINE.a, &NINE.nodes.map(|node| node.powi(power)));
+        let [constant, eighth] = [0, 8].map(integral);
+        for (i, node) in NINE.nodes.iter().enumerate() {
+            assert!((constant[i] - node).abs() < 1e-14, "{constant:?} {node}");
+            assert!((eighth[i] - node.powi(9) / 9.0).abs() < 1e-14);
         }
-        // The last row integrates up to degree 16.
-        let last: f64 = NINE.a[8].iter().zip(NINE.nodes).map(|(a, c)| a * c.powi(16)).sum();
-        assert!((last - 1.0 / 17.0).abs() < 1e-14);
+        assert!((integral(16)[8] - 1.0 / 17.0).abs() < 1e-14);
         let gauss: f64 = NINE.gauss.iter().map(|node| node.weight * node.at.powi(17)).sum();
         assert!((gauss - 1.0 / 18.0).abs() < 1e-14);
     }

@@ -10,15 +10,13 @@ use crate::model::impact::outcome::Farthest;
 use crate::model::impact::record::Record;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
-    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled, Outcome, Run,
-    STILL_WITHIN_CONTACT, Warning,
+    AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
+    Outcome, Run, STILL_WITHIN_CONTACT, Warning,
 };
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
 
-/// The end of what is drawn after everything is decided, relative to the end of the contact.
-const TAIL_END: f64 = 1.25;
 /// A plate slowed by a damper to this part of its speed has arrived, to be drawn.
 const ARRIVED_SPEED: f64 = 1e-2;
 /// Part of a load by which it may grow without being followed.
@@ -95,7 +93,7 @@ impl Course<'_> {
         let record = &self.record;
         let contact_s = record.first_arrest.map(|arrest| arrest.t_s);
         let end_s = contact_s.or_else(|| record.exit.map(|exit| exit.t_s));
-        TAIL_END * end_s.unwrap_or(self.state.t_s)
+        CONTACT_WINDOW * end_s.unwrap_or(self.state.t_s)
     }
 
     /// Whether there is still something to draw: the end of the contact, or the way to the greatest displacement.
@@ -321,7 +319,7 @@ impl Course<'_> {
     fn omitted(&self) -> Vec<&'static str> {
         let (setup, record) = (self.setup, &self.record);
         let spring = &setup.spring;
-        let whole = |law: PowerLaw| !law.is_absent() && matches!(law.whole_exponent(), Some(1..=3));
+        let whole = |law: PowerLaw| !law.is_absent() && matches!(law.exponent, 1.0 | 2.0 | 3.0);
         let rows = [
             (setup.still, "plate motion"),
             (spring.is_absent(), "spring"),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::run::Extent;
 use super::stepping::{Stepping, run_by};
 use crate::model::impact::window::Window;
-use crate::model::run::{EndReason, Outcome, Run};
+use crate::model::run::{CONTACT_WINDOW, EndReason, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::variables::scene_with;
 
@@ -287,7 +287,7 @@ fn valid_rows_at_equal_times_lie_on_the_motion() {
     let extent = Extent { keep_series: true, window: Some(&window), ..Extent::BARE };
     let found = run_to_end(&scene, Stepping::Collocation(1e-12), extent);
     let rows = window.rows();
-    let end_s = 1.25 * found.first_arrest.unwrap().t_s;
+    let end_s = CONTACT_WINDOW * found.first_arrest.unwrap().t_s;
     assert!((rows.len() as f64 - 1.0 - (end_s / 1e-6).floor()).abs() < 0.5, "{}", rows.len());
     for (index, row) in rows.iter().enumerate() {
         assert!((row.t_s - index as f64 * 1e-6).abs() < 1e-18);

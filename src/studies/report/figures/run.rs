@@ -1,6 +1,6 @@
 //! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
 
-use crate::model::run::{Mode, Run};
+use crate::model::run::{CONTACT_WINDOW, Mode, Run};
 use crate::numerics::{larger, smaller};
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::law::Law;
@@ -32,7 +32,7 @@ pub fn contact_window_s(run: &Run) -> f64 {
     let changes = |mode| matches!(mode, Mode::Penetrating | Mode::Withdrawing | Mode::Closing);
     let last = run.series.iter().rev().find(|sample| changes(sample.mode));
     let last_s = last.map_or(first_s, |sample| larger(sample.t_s, first_s));
-    1.1 * if last_s > LATER * first_s { first_s } else { last_s }
+    CONTACT_WINDOW * if last_s > LATER * first_s { first_s } else { last_s }
 }
 
 /// Penetration, displacement and force over time: during the contact, which is over in a fraction of a millisecond, then over
