@@ -5,10 +5,10 @@
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::Curve;
-use crate::model::scene::{OwnMass, Wire};
-use crate::model::variables::part::{parts, place};
+use crate::model::scene::{OwnMass, Scene, Wire};
+use crate::model::variables::part::{parts, placed};
 use crate::model::variables::visible::is_sprung;
-use crate::model::variables::{Variable, VariableError};
+use crate::model::variables::{Group, Variable, VariableError};
 use crate::model::worded::worded;
 
 mod beam;
@@ -37,7 +37,7 @@ macro_rules! kinds {
     ) => {
         parts! {
             $(#[$meta])*
-            pub struct Spring {
+            pub struct Spring at (mechanism.spring) {
                 $($common)+
                 $(#[doc = concat!("Parameters of ", $("`", $word, "` "),+)] pub $field: $field::$part = $field::$part::default();)+
             }
@@ -64,17 +64,18 @@ macro_rules! kinds {
             }
         }
 
-        $(place!(
-            Mechanism, mechanism.spring.$field: $field::$part,
-            listed |scene| matches!(scene.mechanism.spring.kind, $(SpringKind::$kind)|+),
-            used is_sprung
-        );)+
-
-        /// Adds the rows of the spring.
-        pub(in crate::model) fn add_spring_rows(rows: &mut Vec<Variable>) {
-            Spring::add_rows(rows);
-            $($field::$part::add_rows(rows);)+
-            Wire::add_rows(rows);
+        /// The rows of the spring.
+        pub(in crate::model) fn spring_rows() -> Vec<Variable> {
+            let of_kind = |listed, rows| placed(Group::Mechanism, listed, is_sprung, rows);
+            [
+                of_kind(|_| true, Spring::rows()),
+                $(of_kind(
+                    |scene| matches!(scene.mechanism.spring.kind, $(SpringKind::$kind)|+),
+                    $field::$part::rows(),
+                ),)+
+                of_kind(is_mass_of_wire, Wire::rows()),
+            ]
+            .concat()
         }
     };
 }
@@ -235,13 +236,8 @@ impl Spring {
     }
 }
 
-place!(Mechanism, mechanism.spring: Spring, used is_sprung);
-// Without a given energy per mass a coil's mass follows from its wire.
-place!(
-    Mechanism, mechanism.spring.wire: Wire,
-    listed |scene| {
-        let mechanism = &scene.mechanism;
-        mechanism.energy_j_kg.is_none() && mechanism.are_coils() && mechanism.has_springs()
-    },
-    used is_sprung
-);
+/// Without a given energy per mass a coil's mass follows from its wire.
+fn is_mass_of_wire(scene: &Scene) -> bool {
+    let mechanism = &scene.mechanism;
+    mechanism.energy_j_kg.is_none() && mechanism.are_coils() && mechanism.has_springs()
+}
