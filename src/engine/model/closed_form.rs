@@ -28,21 +28,6 @@ pub struct Passage<'a> {
     pub velocity_m_s: f64,
 }
 
-/// Where and how the relative motion ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Ending {
-    /// At rest at this travel, m.
-    Arrest {
-        /// Travel, m.
-        travel_m: f64,
-    },
-    /// Clear of the rear face with this relative residual velocity.
-    Exit {
-        /// Relative velocity, m/s.
-        velocity_m_s: f64,
-    },
-}
-
 impl<'a> Passage<'a> {
     /// A scene's shot on a rigid mount.
     pub fn rigid(scene: &Scene, geometry: &'a Geometry) -> Self {
@@ -78,13 +63,9 @@ impl<'a> Passage<'a> {
         Some(0.5 / (c * self.mobility_per_kg) * (c * v * v / s).ln_1p())
     }
 
-    /// Where it ends.
-    pub fn ending(&self) -> Ending {
-        let stop = self.stopping_volume_m3().and_then(|v| self.geometry.travel_at_volume_m(v));
-        stop.map_or_else(
-            || Ending::Exit { velocity_m_s: self.slip_squared(self.geometry.exit_m).sqrt() },
-            |travel_m| Ending::Arrest { travel_m },
-        )
+    /// Travel at which the shot comes to rest, m; `None` where it perforates.
+    pub fn arrest_m(&self) -> Option<f64> {
+        self.stopping_volume_m3().and_then(|volume| self.geometry.travel_at_volume_m(volume))
     }
 
     /// 2 c V/mu of a swept volume: what the drag takes.
@@ -132,12 +113,12 @@ impl<'a> Passage<'a> {
         left + (s / c + left) * self.exponent(volume).exp_m1()
     }
 
-    /// How long it takes to this end, to rounding, s: with q = end (1 - s²) the integrand 2 end s/u is smooth up to an arrest.
-    pub fn time_s(&self, ending: Ending) -> f64 {
-        let (end_m, left) = match ending {
-            Ending::Arrest { travel_m } => (travel_m, 0.0),
-            Ending::Exit { velocity_m_s } => (self.geometry.exit_m, velocity_m_s * velocity_m_s),
-        };
+    /// How long it takes to the arrest at this travel, or to the exit, to rounding, s: with q = end (1 - s²) the integrand 2 end s/u is
+    /// smooth up to an arrest.
+    pub fn time_s(&self, arrest_m: Option<f64>) -> f64 {
+        let end_m = arrest_m.unwrap_or(self.geometry.exit_m);
+        let left_m_s = if arrest_m.is_some() { 0.0 } else { self.slip_squared(end_m).sqrt() };
+        let left = left_m_s * left_m_s;
         let slip = |s: f64| self.slip_squared_before(end_m * s * s, end_m, left).sqrt();
         let joints = self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m);
         let joints = joints.map(|piece| ((end_m - piece.to_m) / end_m).sqrt());
@@ -158,10 +139,7 @@ mod tests {
         let depth = |drag: &str| {
             let scene = scene_with(drag);
             let geometry = Geometry::of(&scene);
-            match Passage::unsprung(&scene, &geometry, true).ending() {
-                Ending::Arrest { travel_m } => geometry.depth_m(travel_m),
-                Ending::Exit { .. } => panic!("perforated"),
-            }
+            geometry.depth_m(Passage::unsprung(&scene, &geometry, true).arrest_m().unwrap())
         };
         assert!((depth("C_d=1e-9") / depth("C_d=0") - 1.0).abs() < 1e-9);
     }

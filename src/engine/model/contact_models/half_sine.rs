@@ -7,18 +7,8 @@
 
 use std::f64::consts::PI;
 
-use super::{About, Values, shown};
+use super::Values;
 use crate::model::scene::Scene;
-
-pub(super) const ABOUT: About = About {
-    place: 3,
-    strength: "simple",
-    limit: "the duration has to be chosen; cannot perforate",
-    parameters: |scene| {
-        let duration_s = Values::of(scene).duration_s;
-        format!("t_d = {}", shown(duration_s, "s", scene.contact.duration_s))
-    },
-};
 
 /// A prescribed force history, a function of time alone.
 #[derive(Clone, Copy, Debug, PartialEq)]

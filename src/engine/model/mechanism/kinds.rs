@@ -92,8 +92,8 @@ kinds! {
             .from("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
         pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
             number(Number, Positive).searched(0.1, 3.0).log()
-            .listed_when(|scene| scene.mechanism.spring.law().has_exponent())
-            .used_when(|scene| scene.mechanism.spring.law().has_exponent() && !scene.mechanism.spring.is_absent())
+            .listed_when(|scene| scene.mechanism.spring.has_exponent())
+            .used_when(|scene| scene.mechanism.spring.has_exponent() && !scene.mechanism.spring.is_absent())
             .from("thesis Table 9.2 (range searched)");
         pub count: f64 = 1.0 => "N_spring", "springs", "number of equal springs that act in parallel",
             number(Number, Positive)
@@ -143,11 +143,6 @@ pub(in crate::model) trait Law {
         Curve::power(self.power_law(spring).unwrap_or(PowerLaw::NONE))
     }
 
-    /// Whether its force depends on the exponent of the spring.
-    fn has_exponent(&self) -> bool {
-        false
-    }
-
     /// Checks the rules between its parameters; `path` is the key of the spring.
     fn check(&self, _path: &str) -> Result<(), VariableError> {
         Ok(())
@@ -183,11 +178,6 @@ pub(in crate::model) trait Law {
         None
     }
 
-    /// Whether it is wound of wire, and surges.
-    fn is_coil(&self) -> bool {
-        false
-    }
-
     /// The parameters of a kind that keeps how far it was crushed.
     fn absorber(&self) -> Option<&crush::Crush> {
         None
@@ -195,6 +185,11 @@ pub(in crate::model) trait Law {
 }
 
 impl Spring {
+    /// Whether its force depends on the exponent.
+    fn has_exponent(&self) -> bool {
+        matches!(self.kind, SpringKind::PowerLaw | SpringKind::Normalised)
+    }
+
     /// Whether there is exactly one of it.
     pub fn is_single(&self) -> bool {
         (self.count - 1.0).abs() < f64::EPSILON

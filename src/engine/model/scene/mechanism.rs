@@ -107,9 +107,9 @@ impl Mechanism {
             .or_else(|| self.are_coils().then(|| self.spring.wire.specific_energy_j_kg()))
     }
 
-    /// Whether the springs that act are wound of wire, as a second one always is.
+    /// Whether the springs that act are wound of wire, as every power law is taken to be.
     pub fn are_coils(&self) -> bool {
-        self.spring.law().is_coil()
+        self.spring.power_law().is_some()
     }
 
     /// Whether one of the springs that are there is wound of wire.

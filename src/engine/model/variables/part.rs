@@ -110,7 +110,7 @@ macro_rules! kind {
         Kind::Choice(Choice {
             words: &<$type>::WORDS,
             get: |scene| scene.$($field).+ as usize,
-            set: |scene, index| scene.$($field).+ = <$type>::ALL[index.min(<$type>::ALL.len() - 1)],
+            set: |scene, index| scene.$($field).+ = <$type>::ALL[index],
         })
     }};
     // Anything else.
@@ -129,7 +129,7 @@ pub(in crate::model) fn placed(
     rows: Vec<Variable>,
 ) -> Vec<Variable> {
     let part = Visible { listed, used };
-    rows.into_iter().map(|row| Variable { group, part, ..row }).collect()
+    rows.into_iter().map(|row| Variable { part, group, ..row }).collect()
 }
 
 impl Variable {

@@ -25,8 +25,4 @@ impl Law for Helix {
     fn rotation_kg(&self) -> f64 {
         self.inertia_kg_m2 * self.twist_rad_m * self.twist_rad_m
     }
-
-    fn is_coil(&self) -> bool {
-        true
-    }
 }

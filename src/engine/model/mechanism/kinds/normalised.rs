@@ -22,12 +22,4 @@ impl Law for Normalised {
         let coefficient = self.force_n / scale * spring.count;
         Some(PowerLaw { coefficient, exponent: spring.exponent })
     }
-
-    fn has_exponent(&self) -> bool {
-        true
-    }
-
-    fn is_coil(&self) -> bool {
-        true
-    }
 }
