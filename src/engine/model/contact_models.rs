@@ -3,8 +3,6 @@
 //! A model gives its force; `impact` has the modes and events. What a model does not contain is absent from the run: no depth where it
 //! knows none, no peak force where the collision takes no time. The listing of Appendix A is a scheme of its own: see `appendix`.
 
-use std::cell::LazyCell;
-
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::scene::{ContactModel, Scene};
@@ -39,16 +37,16 @@ impl ContactModel {
         match self {
             Self::Hydrodynamic | Self::InitialVelocity => String::new(),
             Self::HalfSine => {
-                let duration_s = Values::of(scene).duration_s;
-                format!("t_d = {}{}", engineering(duration_s, "s", 4), auto(contact.duration_s))
+                let duration = engineering(duration_s(scene), "s", 4);
+                format!("t_d = {duration}{}", auto(contact.duration_s))
             }
             Self::Lumped => {
-                let values = Values::of(scene);
+                let (load_n_m, unload_n_m) = stiffnesses_n_m(scene);
                 format!(
                     "k_load = {}{}, k_unload = {} k_load{}, b_2 = {} N s/m",
-                    engineering(values.load_stiffness_n_m, "N/m", 4),
+                    engineering(load_n_m, "N/m", 4),
                     auto(contact.load_stiffness_n_m),
-                    significant(values.unload_stiffness_n_m / values.load_stiffness_n_m, 4),
+                    significant(unload_n_m / load_n_m, 4),
                     auto(contact.unload_stiffness_n_m),
                     shortest(contact.damping_n_s_m)
                 )
@@ -66,30 +64,19 @@ fn auto(given: Option<f64>) -> &'static str {
 /// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
 const UNLOAD_PER_LOAD: f64 = 100.0;
 
-/// The parameters of the models, with what was left open filled in.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Values {
-    duration_s: f64,
-    load_stiffness_n_m: f64,
-    unload_stiffness_n_m: f64,
+/// The duration of the half-sine history, s; left open, that of the hydrodynamic contact on a rigid mount.
+fn duration_s(scene: &Scene) -> f64 {
+    scene.contact.duration_s.unwrap_or_else(|| hydrodynamic_on_rigid_mount(scene).0)
 }
 
-impl Values {
-    /// The values a valid scene's models work with: what is left open is taken from the hydrodynamic contact on a rigid mount.
-    fn of(scene: &Scene) -> Self {
-        let contact = &scene.contact;
-        let own = LazyCell::new(|| hydrodynamic_on_rigid_mount(scene));
-        let load_stiffness_n_m = contact.load_stiffness_n_m.unwrap_or_else(|| {
-            let speed_per_s = scene.projectile.velocity_m_s / own.1;
-            scene.projectile.mass_kg * speed_per_s * speed_per_s
-        });
-        let unload = contact.unload_stiffness_n_m;
-        Self {
-            duration_s: contact.duration_s.unwrap_or_else(|| own.0),
-            load_stiffness_n_m,
-            unload_stiffness_n_m: unload.unwrap_or(UNLOAD_PER_LOAD * load_stiffness_n_m),
-        }
-    }
+/// The stiffnesses of the lumped interface on the way in and back, N/m; left open, the way in goes as far as the hydrodynamic contact
+/// on a rigid mount.
+fn stiffnesses_n_m(scene: &Scene) -> (f64, f64) {
+    let load_n_m = scene.contact.load_stiffness_n_m.unwrap_or_else(|| {
+        let speed_per_s = scene.projectile.velocity_m_s / hydrodynamic_on_rigid_mount(scene).1;
+        scene.projectile.mass_kg * speed_per_s * speed_per_s
+    });
+    (load_n_m, scene.contact.unload_stiffness_n_m.unwrap_or(UNLOAD_PER_LOAD * load_n_m))
 }
 
 /// How long the hydrodynamic contact lasts on a rigid mount, s, and how far the projectile travels in it, m. A plate that is

@@ -280,7 +280,7 @@ impl Variable {
     pub fn show(&self, scene: &Scene) -> String {
         match self.value(scene) {
             Value::Absent => {
-                self.number().map_or("", |number| number.absent.unwrap_or("none")).to_owned()
+                self.number().and_then(|number| number.absent).unwrap_or("none").to_owned()
             }
             value => show_value(value),
         }
@@ -316,12 +316,9 @@ impl Variable {
                 let rule = number.allowed.describe(number.quantity);
                 number.absent.map_or_else(|| rule.clone(), |word| format!("{rule}, or `{word}`"))
             }
-            Kind::Choice(choice) => match choice.words {
-                [first @ .., last] if !first.is_empty() => {
-                    format!("{} or {last}", first.join(", "))
-                }
-                words => words.concat(),
-            },
+            Kind::Choice(Choice { words, .. }) => {
+                format!("{} or {}", words[..words.len() - 1].join(", "), words[words.len() - 1])
+            }
             Kind::Switch { .. } => "true or false".to_owned(),
         }
     }

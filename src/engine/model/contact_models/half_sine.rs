@@ -7,7 +7,7 @@
 
 use std::f64::consts::PI;
 
-use super::Values;
+use super::duration_s;
 use crate::model::scene::Scene;
 
 /// A prescribed force history, a function of time alone.
@@ -22,7 +22,7 @@ pub(in crate::model) struct History {
 impl History {
     pub(super) fn of(scene: &Scene) -> Self {
         let (mass_kg, velocity_m_s) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
-        Self { duration_s: Values::of(scene).duration_s, mass_kg, velocity_m_s }
+        Self { duration_s: duration_s(scene), mass_kg, velocity_m_s }
     }
 
     fn angle(&self, t_s: f64) -> f64 {

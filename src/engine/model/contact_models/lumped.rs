@@ -4,7 +4,7 @@
 //! `delta_max (1 - k_load/k_unload)`, from which it is pressed again along `k_unload` up to where it was. It only pushes.
 //! The dent is the depth; the model has no rear face.
 
-use super::Values;
+use super::stiffnesses_n_m;
 use crate::model::scene::Scene;
 
 /// The interface.
@@ -20,10 +20,10 @@ pub(in crate::model) struct Lumped {
 
 impl Lumped {
     pub(super) fn of(scene: &Scene) -> Self {
-        let values = Values::of(scene);
+        let (load_n_m, unload_n_m) = stiffnesses_n_m(scene);
         Self {
-            load_n_m: values.load_stiffness_n_m,
-            unload_n_m: values.unload_stiffness_n_m,
+            load_n_m,
+            unload_n_m,
             damping_n_s_m: scene.contact.damping_n_s_m,
             mass_kg: scene.projectile.mass_kg,
             velocity_m_s: scene.projectile.velocity_m_s,

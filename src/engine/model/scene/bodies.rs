@@ -197,14 +197,11 @@ fn may_expand(scene: &Scene) -> bool {
     matches!(scene.target.closure, Closure::Cavity | Closure::ByThickness)
 }
 
-/// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with
-/// it.
-const CAVITY_FROM: f64 = 1.0;
-
 impl Target {
-    /// The thickness from which a closure by thickness is cavity expansion, m.
+    /// The thickness from which a closure by thickness is cavity expansion without dishing instead of 2 Y with it, m: the projectile's
+    /// diameter.
     pub fn thick_from_m(tip_radius_m: f64) -> f64 {
-        CAVITY_FROM * 2.0 * tip_radius_m
+        2.0 * tip_radius_m
     }
 
     /// Makes the drag coefficient a given one, also where the closure by thickness would choose it.
