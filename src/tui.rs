@@ -38,7 +38,6 @@ mod prelude {
 }
 
 use std::io::{self, Write};
-use std::sync::mpsc;
 
 use thiserror::Error;
 
@@ -68,9 +67,8 @@ pub enum TuiError {
 /// signal that ended it.
 pub fn run(options: Options) -> Result<u8, TuiError> {
     let paths = Paths::of_user().ok();
-    let (sender, inbox) = mpsc::channel();
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
-    let mut shell = Shell::start(options, paths, sender, inbox)?;
+    let mut shell = Shell::start(options, paths)?;
     let ending = shell.run();
     if let Some(text) = shell.leave(&ending) {
         // The reader of standard error may be gone; the workbench is over either way.

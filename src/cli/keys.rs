@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::tui::keymap::{Keymap, LINES, Scope};
+use crate::tui::keymap::{EVERYWHERE, KeyHelp, Keymap, LISTED};
 use crate::tui::pages::all_panes;
 use crate::tui::widgets::text::wrap;
 
@@ -23,17 +23,17 @@ pub(super) fn page() -> String {
             let _ = writeln!(text, "  {keys:<20}  {line}");
         }
     };
-    let table = |text: &mut String, wanted: bool| {
-        for row in LINES.iter().filter(|row| (row.scope == Scope::Everywhere) == wanted) {
+    let table = |text: &mut String, rows: &[KeyHelp]| {
+        for row in rows {
             let names: Vec<&str> = row.keys.iter().map(|(_, name, _)| *name).collect();
             let help = format!("{} [{}]", map.shown(row.meaning), names.join(", "));
             line(text, &map.line_label(row), &help);
         }
     };
     text.push_str("\nIn every pane\n");
-    table(&mut text, true);
+    table(&mut text, EVERYWHERE);
     text.push_str("\nIn forms, charts and tables\n");
-    table(&mut text, false);
+    table(&mut text, LISTED);
     for pane in all_panes() {
         let _ = writeln!(text, "\n{}", pane.label);
         for row in pane.keys {

@@ -139,7 +139,11 @@ impl FileQueue {
                 session_due = None;
                 self.save();
             }
-            match next_request(requests, session_due) {
+            let request = match session_due {
+                Some(due) => requests.recv_timeout(due.saturating_duration_since(Instant::now())),
+                None => requests.recv().map_err(Into::into),
+            };
+            match request {
                 Ok(Request::SessionChanged) => {
                     session_due.get_or_insert_with(|| Instant::now() + self.delay);
                 }
@@ -199,17 +203,6 @@ impl FileQueue {
                     .map_err(|error| error.to_string()),
             ),
         }
-    }
-}
-
-/// The next request; waits for one until the session is due.
-fn next_request(
-    requests: &Receiver<Request>,
-    session_due: Option<Instant>,
-) -> Result<Request, RecvTimeoutError> {
-    match session_due {
-        Some(due) => requests.recv_timeout(due.saturating_duration_since(Instant::now())),
-        None => Ok(requests.recv()?),
     }
 }
 

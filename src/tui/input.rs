@@ -8,7 +8,7 @@ use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
 
-use super::signals::{HUNG_UP, Incoming, Signal};
+use super::signals::{HUNG_UP, Incoming};
 use super::terminal;
 use super::terminal::decode::{Decoder, Input};
 use crate::tui::message::Message;
@@ -31,7 +31,7 @@ pub(super) fn spawn(inbox: Sender<Incoming>, hold: Duration) -> io::Result<()> {
         // What ends it, an error or a panic, is the end of the terminal.
         let _ = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, decoder, read)));
         // The loop may be over already.
-        let _ = inbox.send(Incoming::Signal(Signal::End(HUNG_UP)));
+        let _ = inbox.send(Incoming::End(HUNG_UP));
     };
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }

@@ -294,16 +294,14 @@ mod tests {
         App::new(base, theme, PathBuf::new())
     }
 
+    /// Press keys; a line break is Enter.
     fn press(app: &mut App, keys: &str) {
-        let mut rest = keys;
-        while let Some(first) = rest.chars().next() {
-            let name = rest.strip_prefix('<').and_then(|tail| tail.split_once('>'));
-            let code = match name.map(|it| it.0) {
-                Some("Enter") => KeyCode::Enter,
-                Some("Tab") => KeyCode::Tab,
-                _ => KeyCode::Char(first),
+        for key in keys.chars() {
+            let code = match key {
+                '\n' => KeyCode::Enter,
+                '\t' => KeyCode::Tab,
+                key => KeyCode::Char(key),
             };
-            rest = name.map_or_else(|| &rest[first.len_utf8()..], |it| it.1);
             update::update(app, Message::Key(KeyEvent::new(code, KeyModifiers::NONE)));
         }
     }
@@ -336,11 +334,8 @@ mod tests {
         app.settings.theme.glyphs = app.settings.theme.glyphs.next();
         app.files.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);
-        press(
-            &mut app,
-            "2<Tab>kl4gj<Enter>45<Enter>j<Enter>k<Enter>jj<Enter>9e6<Enter>k<Enter>8e6<Enter>",
-        );
-        press(&mut app, "4glgjjjjjj<Enter>1..5<Enter>jjl");
+        press(&mut app, "2\tkl4gj\n45\nj\nk\njj\n9e6\nk\n8e6\n");
+        press(&mut app, "4glgjjjjjj\n1..5\njjl");
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.

@@ -16,6 +16,7 @@ use std::ops::{Deref, DerefMut};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
+use ratatui::widgets::Widget;
 use text::{columns, put};
 
 use crate::tui::chart::{Draw, Layout};
@@ -84,11 +85,8 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    pub(crate) fn put_line(&mut self, area: Rect, row: u16, line: &Line<'_>) {
-        let area = area.intersection(self.buffer.area);
-        if row < area.height {
-            self.buffer.set_line(area.x, area.y + row, line, area.width);
-        }
+    pub(crate) fn put_line(&mut self, area: Rect, line: &Line<'_>) {
+        line.render(area.intersection(self.buffer.area), self.buffer);
     }
 
     pub(crate) fn paint_row(&mut self, area: Rect, row: u16) {

@@ -300,22 +300,6 @@ impl Study for Claims {
 }
 
 /// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.
-macro_rules! searches {
-    ($make:ident) => {
-        $make! {
-            /// Which values of a variable give a wanted result.
-            Seek seek,
-            /// The Pareto front: designs that no other one dominates.
-            Front front,
-            /// How strongly each variable acts on a quantity.
-            Sensitivity sensitivity,
-            /// How results scatter when inputs do.
-            MonteCarlo monte_carlo,
-        }
-    };
-}
-pub(crate) use searches;
-
 macro_rules! asked_and_found {
     ($($(#[$doc:meta])* $kind:ident $study:ident,)*) => {
         /// What is searched for.
@@ -357,7 +341,16 @@ macro_rules! asked_and_found {
         }
     };
 }
-searches!(asked_and_found);
+asked_and_found! {
+    /// Which values of a variable give a wanted result.
+    Seek seek,
+    /// The Pareto front: designs that no other one dominates.
+    Front front,
+    /// How strongly each variable acts on a quantity.
+    Sensitivity sensitivity,
+    /// How results scatter when inputs do.
+    MonteCarlo monte_carlo,
+}
 
 impl Study for SearchRequest {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {

@@ -1,9 +1,9 @@
 //! Help: what the selected variable or the pane means, then the keys of the pane, then those that work everywhere.
 
 use crate::model::variables::Kind;
-use crate::tui::app::dialog::{Dialog, Outcome};
-use crate::tui::dialogs::list::{List, Picker, frame, listed};
-use crate::tui::keymap::{LINES, Scope};
+use crate::tui::app::dialog::Outcome;
+use crate::tui::dialogs::list::{List, Picker, frame};
+use crate::tui::keymap::EVERYWHERE;
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
@@ -13,12 +13,8 @@ use crate::tui::prelude::*;
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 
-pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
-    listed(Help, 0)
-}
-
 #[derive(Debug)]
-struct Help;
+pub(super) struct Help;
 
 const SENTENCE: u16 = 15;
 
@@ -67,8 +63,7 @@ fn rows(app: &App) -> Vec<HelpRow> {
         is_own: true,
         help: app.keymap.shown(row.help),
     });
-    let everywhere = LINES.iter().filter(|line| line.scope == Scope::Everywhere);
-    own.chain(everywhere.map(|line| HelpRow {
+    own.chain(EVERYWHERE.iter().map(|line| HelpRow {
         keys: app.keymap.line_label(line),
         is_own: false,
         help: app.keymap.shown(line.meaning),

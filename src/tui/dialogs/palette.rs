@@ -1,8 +1,8 @@
 //! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym.
 
 use crate::model::variables::{VARIABLES, Variable, is_offered};
-use crate::tui::app::dialog::{Dialog, Outcome};
-use crate::tui::dialogs::list::{List, Picker, frame, listed};
+use crate::tui::app::dialog::Outcome;
+use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::dialogs::{presets, words};
 use crate::tui::keymap::Command;
 use crate::tui::pages::{commands, run};
@@ -12,12 +12,8 @@ use crate::tui::widgets::find::{rank, rank_variable, ranked};
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::clip;
 
-pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
-    listed(Palette, 0)
-}
-
 #[derive(Debug)]
-struct Palette;
+pub(super) struct Palette;
 
 impl List for Palette {
     const OPENED_BY: Action = Action::Palette;

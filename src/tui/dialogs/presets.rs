@@ -4,9 +4,9 @@ use std::path::Path;
 
 use crate::model::scene::{Mount, PlateSize, Scene};
 use crate::model::variables::VARIABLES;
-use crate::tui::app::dialog::{Dialog, Outcome};
+use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
-use crate::tui::dialogs::list::{List, Picker, frame, listed};
+use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::dialogs::palette::shown_in;
 use crate::tui::message::FileTask;
 use crate::tui::pages::run;
@@ -18,13 +18,8 @@ use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 use crate::tui::widgets::{split_left, split_top};
 
-pub(super) fn open(app: &mut App) -> Box<dyn Dialog> {
-    app.list_presets();
-    listed(Presets, 0)
-}
-
 #[derive(Debug)]
-struct Presets;
+pub(super) struct Presets;
 
 const NAMES: u16 = 32;
 

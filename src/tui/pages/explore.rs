@@ -84,7 +84,7 @@ impl Page for ExploreTab {
                 app.pages.explore.output = cycled(app.pages.explore.output, 1, count);
             }
             Action::Enter => edit::load_design(app, app.sweep_design()),
-            _ => match cursor_moved(action, FAR) {
+            _ => match cursor_moved(action) {
                 Some(by) => move_cursor(app, by),
                 None => return false,
             },
@@ -173,7 +173,7 @@ impl Page for ExploreTab {
         let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
         let csv = move || sweep::grid_csv(&name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.noted(&scene, "sweep", notes))
+        Some(table.of(&scene, "sweep").noted(notes))
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -187,8 +187,8 @@ impl Page for ExploreTab {
         }
     }
 
-    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
-        setup::change(app, app.setup_choices()[row], input)
+    fn change(&self, app: &mut App, input: Input<'_>) -> Result<(), String> {
+        setup::change(app, app.setup_row(), input)
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
@@ -199,9 +199,6 @@ impl Page for ExploreTab {
         curves::render(app, body, canvas);
     }
 }
-
-/// Far along a picture, in points.
-const FAR: i16 = 10;
 
 /// Forget the sweep under way.
 fn stop(app: &mut App) {
@@ -220,10 +217,10 @@ pub(crate) fn compute(app: &mut App) {
         Ok(plan) => {
             app.pages.explore.problem = None;
             let sweep = PictureSweep { picture: app.picture(), plan: Arc::new(plan) };
-            jobs::study(app, Tab::Explore, sweep);
+            jobs::study(app, sweep);
             app.pages.explore.printed = None;
             if let Some(plan) = app.printed_plan() {
-                jobs::study(app, Tab::Explore, PrintedSweep(Arc::new(plan)));
+                jobs::study(app, PrintedSweep(Arc::new(plan)));
             }
         }
     }

@@ -43,21 +43,18 @@ impl Page for LimitTab {
 
     fn enter(&self, app: &mut App) {
         if app.lacks_limit() {
-            find(app);
+            jobs::study(app, LimitSearch);
         }
         if app.jobs.lacks::<EqualMass, _>(&app.pages.limit.comparison, &app.scene) {
-            compare(app);
+            jobs::study(app, EqualMass);
         }
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (app.pane(), action) {
-            (RESIDUAL, A::Run) => find(app),
-            (_, A::Run) => compare(app),
-            (RESIDUAL, A::View) => {
-                let v50 = Spread(monte_carlo::Request::v50());
-                jobs::study(app, Tab::Limit, v50);
-            }
+            (RESIDUAL, A::Run) => jobs::study(app, LimitSearch),
+            (_, A::Run) => jobs::study(app, EqualMass),
+            (RESIDUAL, A::View) => jobs::study(app, Spread(monte_carlo::Request::v50())),
             _ => return false,
         }
         true
@@ -185,12 +182,4 @@ fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
     let area = area(app, app.layout().body?, COMPARISON)?;
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     Some((lines, usize::from(area.height.saturating_sub(2))))
-}
-
-fn compare(app: &mut App) {
-    jobs::study(app, Tab::Limit, EqualMass);
-}
-
-fn find(app: &mut App) {
-    jobs::study(app, Tab::Limit, LimitSearch);
 }

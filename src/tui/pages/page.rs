@@ -27,8 +27,9 @@ use ratatui::buffer::Buffer;
 
 use crate::tui::app::Typing;
 use crate::tui::app::running::Kept;
+use crate::tui::pages;
 use crate::tui::widgets::form::Form;
-use crate::tui::widgets::input::Field;
+use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::steps::Input;
 
 /// The refusal of what needs results that are under way.
@@ -139,11 +140,6 @@ pub(crate) trait Page: Sync {
         false
     }
 
-    /// Select the variable of the row that has the keys, where that has a list of words; whether it has.
-    fn lists_words(&self, _app: &mut App) -> bool {
-        false
-    }
-
     /// What stands under the cursor, or what the selected row means.
     fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
         None
@@ -175,9 +171,9 @@ pub(crate) trait Page: Sync {
         None
     }
 
-    /// The text that the field of a row opens with.
-    fn text(&self, app: &App, row: usize) -> String {
-        let text = || self.form(app)?.row(row)?.text.clone();
+    /// The text that the field of the selected row opens with.
+    fn text(&self, app: &App) -> String {
+        let text = || self.form(app)?.line()?.text.clone();
         text().unwrap_or_default()
     }
 
@@ -187,14 +183,14 @@ pub(crate) trait Page: Sync {
     }
 
     /// Whether a text differs from that of the row; a dim value has no effect at present, and gets one when it is typed again.
-    fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
+    fn is_new(&self, app: &App, text: &str) -> bool {
         let form = self.form(app);
-        let is_dim = form.is_some_and(|form| form.row(row).is_some_and(|it| it.role == Role::Dim));
-        is_dim || text != self.text(app, row)
+        let is_dim = form.is_some_and(|form| form.line().is_some_and(|it| it.role == Role::Dim));
+        is_dim || text != self.text(app)
     }
 
-    /// Change the value of a row of the pane.
-    fn change(&self, _app: &mut App, _row: usize, _input: Input<'_>) -> Result<(), String> {
+    /// Change the value of the selected row.
+    fn change(&self, _app: &mut App, _input: Input<'_>) -> Result<(), String> {
         Ok(())
     }
 
@@ -230,14 +226,15 @@ pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     runs.map(|id| (Tab::Run, id)).chain(studies)
 }
 
-/// Open the field of a row of the pane that has the keys, its old text selected.
-pub(crate) fn open_field(page: &dyn Page, app: &mut App, row: usize) {
-    let text = page.text(app, row);
-    app.typing = Some(Typing::Field(Field::new(row, text)));
+/// Open the field of the selected row of the pane that has the keys, its old text selected.
+pub(crate) fn open_field(app: &mut App) {
+    let text = pages::of(app.tab).text(app);
+    app.typing = Some(Typing::Field(TextField::selected(text)));
 }
 
 /// Move the selection of the pane by rows, stopping at the ends.
-pub(crate) fn move_by(page: &dyn Page, app: &mut App, by: isize) {
+pub(crate) fn move_by(app: &mut App, by: isize) {
+    let page = pages::of(app.tab);
     if let Some(rows) = page.rows(app)
         && let Some(last) = rows.count.checked_sub(1)
     {
@@ -255,12 +252,12 @@ pub(crate) fn nothing_yet(app: &App, what: &str) -> String {
 }
 
 /// The charts and maps on the screen, as SVG; none where the page shows none.
-pub(crate) fn pictures(page: &dyn Page, app: &App) -> Vec<String> {
+pub(crate) fn pictures(app: &App) -> Vec<String> {
     let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let mut canvas = Canvas::new(&mut buffer, app.settings.theme);
     canvas.pictures = Some(Vec::new());
     if let Some(body) = app.layout().body {
-        page.draw(app, body, &mut canvas);
+        pages::of(app.tab).draw(app, body, &mut canvas);
     }
     canvas.pictures.unwrap_or_default()
 }

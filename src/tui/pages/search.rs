@@ -28,7 +28,7 @@ use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::steps::Input;
-use crate::worker::studies::{SearchRequest, searches};
+use crate::worker::studies::SearchRequest;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -93,13 +93,9 @@ struct Study {
     request: fn(&App) -> Result<SearchRequest, String>,
 }
 
-macro_rules! studies {
-    ($($(#[$_doc:meta])* $kind:ident $page:ident,)*) => {
-        /// The studies, in the order of [`state::Page`].
-        const STUDIES: [Study; state::Page::COUNT] = [$($page::STUDY),*];
-    };
-}
-searches!(studies);
+/// The studies, in the order of [`state::Page`].
+const STUDIES: [Study; state::Page::COUNT] =
+    [seek::STUDY, front::STUDY, sensitivity::STUDY, monte_carlo::STUDY];
 
 impl state::Page {
     fn study(self) -> &'static Study {
@@ -146,8 +142,8 @@ impl Page for SearchTab {
             _ if app.pane() == SETUP => return false,
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),
-            _ => match along(action, FAR) {
-                Some(by) => move_by(self, app, by.into()),
+            _ => match along(action) {
+                Some(by) => move_by(app, by.into()),
                 None => return false,
             },
         }
@@ -235,9 +231,8 @@ impl Page for SearchTab {
         (app.pane() == SETUP).then(|| app.search_form())
     }
 
-    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
-        let row = app.search_choices(app.pages.search.page)[row];
-        let before = app.snapshot();
+    fn change(&self, app: &mut App, input: Input<'_>) -> Result<(), String> {
+        let (row, before) = (app.search_row(), app.snapshot());
         change(app, row, input)?;
         note_change(app, row, before);
         follow(app);
@@ -271,9 +266,6 @@ impl Page for SearchTab {
     }
 }
 
-/// Far along a front, in designs.
-const FAR: i16 = 10;
-
 /// Lines of the words that have no room.
 pub(crate) fn hidden_lines(app: &App) -> usize {
     let Some(body) = app.layout().body else { return 0 };
@@ -305,7 +297,7 @@ fn look(app: &mut App) {
         }
     };
     app.pages.search.problem[page as usize] = None;
-    jobs::study(app, Tab::Search, request);
+    jobs::study(app, request);
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.

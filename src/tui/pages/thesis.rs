@@ -131,7 +131,7 @@ impl Page for ThesisTab {
 
 /// Check the claims; the scene plays no part.
 fn check(app: &mut App) {
-    jobs::study_of(app, Tab::Thesis, &Arc::default(), Claims);
+    jobs::study_of(app, &Arc::default(), Claims);
 }
 
 /// Open the preset that shows the selected claim: a sweep in its tab, another scene in the Run tab.

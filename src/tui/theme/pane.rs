@@ -2,17 +2,16 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Style;
 use ratatui::symbols::border;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Widget};
 
-use super::{Role, Theme};
+use super::{Role, Theme, columns};
 use crate::report::chart::Below;
 
 #[derive(Clone, Debug, Default)]
 pub struct PaneFrame<'a> {
-    title: Line<'a>,
+    title: String,
     right: Line<'a>,
     focused: bool,
     /// It continues a box above it, and what its lower line is.
@@ -20,7 +19,7 @@ pub struct PaneFrame<'a> {
 }
 
 impl<'a> PaneFrame<'a> {
-    pub fn new(title: impl Into<Line<'a>>) -> Self {
+    pub fn new(title: impl Into<String>) -> Self {
         Self { title: title.into(), ..Self::default() }
     }
 
@@ -67,22 +66,17 @@ impl<'a> PaneFrame<'a> {
             }
         }
         // corner, line, blank, title, blank ... blank, right, blank, corner
-        let line = Span::styled(set.horizontal_top, border);
-        let styled = |text: &Line<'a>, style: Style| -> Vec<Span<'a>> {
-            let spans = text.spans.iter().cloned();
-            spans.map(|span| span.patch_style(text.style).patch_style(style)).collect()
-        };
         let mut block = self.block().border_set(set).border_style(border);
-        if self.title.width() > 0 {
-            let title = styled(&self.title, theme.title(self.focused));
-            block = block
-                .title_top(Line::from([vec![line, " ".into()], title, vec![" ".into()]].concat()));
+        let title = columns(&self.title);
+        if title > 0 {
+            let line = Span::styled(set.horizontal_top, border);
+            let text = Span::styled(&*self.title, theme.title(self.focused));
+            block = block.title_top(Line::from(vec![line, " ".into(), text, " ".into()]));
         }
-        let right = Line::from(
-            [vec![" ".into()], styled(&self.right, Style::new()), vec![" ".into()]].concat(),
-        );
+        let mut right = Line::from(" ");
+        right.extend(self.right.spans.iter().cloned().chain([" ".into()]));
         let room = usize::from(area.width).saturating_sub(6);
-        if right.width() > 2 && self.title.width() + right.width() <= room {
+        if right.width() > 2 && title + right.width() <= room {
             block = block.title_top(right.right_aligned());
         } else if right.width() > 2 && self.stacked.is_none() && right.width() <= room {
             block = block.title_bottom(right.right_aligned());
@@ -97,17 +91,14 @@ impl<'a> PaneFrame<'a> {
 mod tests {
     use super::super::{ColourDepth, ascii_pass};
     use super::*;
+    use crate::tui::chart::buffer_lines;
 
     fn lines(pane: &PaneFrame<'_>, width: u16, height: u16) -> Vec<String> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
         pane.render(area, &mut buffer, Theme::PLAIN);
         ascii_pass(&mut buffer);
-        buffer
-            .content
-            .chunks(usize::from(width.max(1)))
-            .map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect())
-            .collect()
+        buffer_lines(&buffer)
     }
 
     #[test]

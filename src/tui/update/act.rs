@@ -4,7 +4,7 @@ use crate::tui::app::{Settings, edit};
 use crate::tui::dialogs;
 use crate::tui::keymap::Call;
 use crate::tui::message::Content;
-use crate::tui::pages::run::{VARIABLES, runs};
+use crate::tui::pages::run::{self, VARIABLES, runs};
 use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
 use crate::tui::update;
@@ -28,7 +28,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if acts_on_rows && update::matches_nothing(app) {
         return app.tell(NO_MATCH);
     }
-    if action == Action::Enter && page.lists_words(app) {
+    if action == Action::Enter && run::lists_words(app) {
         return dialogs::list_words(app);
     }
     if page.act(app, action) || in_form(app, action) {
@@ -37,7 +37,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if let Some(rows) = page.rows(app)
         && let Some(by) = rows_moved(action, rows.shown)
     {
-        return move_by(page, app, by);
+        return move_by(app, by);
     }
     anywhere(app, action);
 }
@@ -51,8 +51,8 @@ fn in_form(app: &mut App, action: Action) -> bool {
     let row = form.rows(0).selected;
     page.select(app, row);
     if enters && form.line().is_some_and(|line| line.text.is_some()) {
-        pages::open_field(page, app, row);
-    } else if let Err(why) = page.change(app, row, Input::Step(press)) {
+        pages::open_field(app);
+    } else if let Err(why) = page.change(app, Input::Step(press)) {
         app.refuse(why);
     }
     true

@@ -17,20 +17,19 @@ pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
     }
 }
 
-/// How far along an action moves a cursor; far is this many.
-pub(crate) fn along(action: Action, far: i16) -> Option<i16> {
-    match action {
-        Action::Left => Some(-1),
-        Action::Right => Some(1),
-        Action::FarLeft => Some(-far),
-        Action::FarRight => Some(far),
-        _ => None,
-    }
+/// Far, and a page: so many points or columns.
+const FAR: i16 = 10;
+
+/// How far along an action moves a cursor.
+pub(crate) fn along(action: Action) -> Option<i16> {
+    let Press { up, is_far } = step_of(action)?;
+    let by = if is_far { FAR } else { 1 };
+    Some(if up { by } else { -by })
 }
 
-/// How far along and upward an action moves a cursor; far is this many.
-pub(crate) fn cursor_moved(action: Action, far: i16) -> Option<(isize, isize)> {
-    let up = isize::from(far);
+/// How far along and upward an action moves a cursor.
+pub(crate) fn cursor_moved(action: Action) -> Option<(isize, isize)> {
+    let up = isize::from(FAR);
     match action {
         Action::Up => Some((0, 1)),
         Action::Down => Some((0, -1)),
@@ -38,7 +37,7 @@ pub(crate) fn cursor_moved(action: Action, far: i16) -> Option<(isize, isize)> {
         Action::PageDown => Some((0, -up)),
         Action::First => Some((isize::MIN / 2, 0)),
         Action::Last => Some((isize::MAX / 2, 0)),
-        _ => along(action, far).map(|by| (by.into(), 0)),
+        _ => along(action).map(|by| (by.into(), 0)),
     }
 }
 

@@ -129,7 +129,7 @@ fn gaps(grid: &Grid, (output, curve): (usize, usize), layout: &Layout, canvas: &
 
 /// No point of the sweep has this output: say why, and what to do.
 fn nothing_exists(title: &str, why: &str, area: Rect, canvas: &mut Canvas<'_>) {
-    let inner = PaneFrame::new(title.to_owned()).draw(area, canvas);
+    let inner = PaneFrame::new(title).draw(area, canvas);
     let lines: Vec<TextLine> =
         why.lines().flat_map(|text| wrapped(text, inner.width, Role::Dim)).collect();
     let rows = u16::try_from(lines.len()).unwrap_or(u16::MAX);

@@ -128,7 +128,7 @@ fn use_method(app: &mut App) {
             "the listing of the thesis (contact model appendix)".to_owned()
         }
         Method::Auto => {
-            let Some(tolerance) = tab.tolerance_for(method, TARGETS[0]) else {
+            let Some(tolerance) = tab.tolerance() else {
                 let text = format!("{} does not reach an error of 1e-6 here", method.name());
                 return app.refuse(text);
             };
@@ -151,15 +151,13 @@ fn use_method(app: &mut App) {
 }
 
 fn measure(app: &mut App) {
-    jobs::study(app, Tab::Numerics, Measurements(ComparisonOptions::FULL));
+    jobs::study(app, Measurements(ComparisonOptions::FULL));
 }
 
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.accuracy;
-    if !tab.report.keep(running, news, |report| report.is_complete) {
-        return;
-    }
-    if news.is_last() && !tab.report.is_complete {
+    let is_kept = tab.report.keep(running, news, |report| report.is_complete);
+    if is_kept && news.is_last() && !tab.report.is_complete {
         app.tell(jobs::CANCELLED);
     }
 }

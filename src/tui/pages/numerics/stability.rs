@@ -77,8 +77,6 @@ impl App {
     }
 }
 
-const FAR: i16 = 10;
-
 /// Keep what was found; a map of another variable has its cursor elsewhere.
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.stability;
@@ -120,7 +118,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             tab.view += 1;
             ask_map(app);
         }
-        _ => match cursor_moved(action, FAR) {
+        _ => match cursor_moved(action) {
             Some(by) => tab.move_cursor(by),
             None => return false,
         },
@@ -131,11 +129,11 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 fn ask_map(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE };
-    jobs::study(app, Tab::Numerics, StabilityMap(wanted));
+    jobs::study(app, StabilityMap(wanted));
 }
 
 fn ask_battery(app: &mut App) {
-    jobs::study_of(app, Tab::Numerics, &Arc::default(), StiffScenes);
+    jobs::study_of(app, &Arc::default(), StiffScenes);
 }
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

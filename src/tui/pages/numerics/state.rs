@@ -33,12 +33,10 @@ pub struct Accuracy {
 
 impl Accuracy {
     pub fn selected_row(&self) -> usize {
-        let cheapest = || {
-            // What a scene is run by, where it reaches the target.
-            self.tolerance_for(Method::Auto, TARGETS[0])?;
-            Method::ALL.iter().position(|one| *one == Method::Auto)
-        };
-        self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
+        // What a scene is run by, where it reaches the target.
+        let is_reached = self.tolerance().is_some();
+        let auto = || Method::ALL.iter().position(|one| is_reached && *one == Method::Auto);
+        self.selected.or_else(auto).unwrap_or(0).min(Method::ALL.len() - 1)
     }
 
     /// Points measured so far.
@@ -51,10 +49,10 @@ impl Accuracy {
         Method::ALL[self.selected_row()]
     }
 
-    /// The loosest tolerance at which a method keeps an error.
-    pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
-        let report = self.of(method)?;
-        let good = report.measured().filter(|(_, it)| it.error() <= error);
+    /// The loosest tolerance at which what a scene is run by reaches the first target.
+    pub fn tolerance(&self) -> Option<f64> {
+        let report = self.of(Method::Auto)?;
+        let good = report.measured().filter(|(_, it)| it.error() <= TARGETS[0]);
         good.filter_map(|(parameter, _)| match parameter {
             Parameter::Tolerance(tolerance) => Some(tolerance),
             Parameter::Step(_) => None,

@@ -9,42 +9,35 @@ use crate::study::sweep::Axis;
 use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
-use crate::worker::studies::{SearchAnswer, SearchRequest, searches};
+use crate::worker::studies::{SearchAnswer, SearchRequest};
 
 pub const SETUP: Pane = Pane::of(Tab::Search, 0);
 pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
 
-macro_rules! pages {
-    ($($(#[$doc:meta])* $kind:ident $page:ident,)*) => {
-        /// A page of the tab.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Page {
-            $($(#[$doc])* $kind,)*
-        }
-
-        impl Page {
-            /// All of them, in their order.
-            pub const ALL: [Self; [$(Self::$kind),*].len()] = [$(Self::$kind),*];
-
-            /// The page that asks for it.
-            pub fn of(request: &SearchRequest) -> Self {
-                match request {
-                    $(SearchRequest::$kind(_) => Self::$kind,)*
-                }
-            }
-        }
-    };
+/// A page of the tab: a study.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Page {
+    #[default]
+    Seek,
+    Front,
+    Sensitivity,
+    MonteCarlo,
 }
-searches!(pages);
 
 impl Page {
+    /// All of them, in their order.
+    pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
     /// How many there are.
     pub const COUNT: usize = Self::ALL.len();
-}
 
-impl Default for Page {
-    fn default() -> Self {
-        Self::ALL[0]
+    /// The page that asks for it.
+    pub fn of(request: &SearchRequest) -> Self {
+        match request {
+            SearchRequest::Seek(_) => Self::Seek,
+            SearchRequest::Front(_) => Self::Front,
+            SearchRequest::Sensitivity(_) => Self::Sensitivity,
+            SearchRequest::MonteCarlo(_) => Self::MonteCarlo,
+        }
     }
 }
 

@@ -170,13 +170,13 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     if !quantity.is_over_time() {
         return Chart { frame, ..over_displacement(app, index, title, data, curves.collect()) };
     }
-    let range @ (from, to) = app.time_range_s(index);
-    let time = ViewRange::new(from, to);
+    let end_s = app.end_s(index);
+    let time = ViewRange::new(0.0, end_s);
     let x = Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s"));
-    let marks = app.shown.iter().flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
+    let marks = app.shown.iter().flat_map(|shown| event_marks(&shown.run, (0.0, end_s)));
     let left = room.saturating_sub(title.chars().count() + 4);
     Chart {
-        marks: marks.collect(),
+        marks: marks.take(EVENT_LINES).collect(),
         levels: levels(app, quantity),
         crosshair: app.pages.run.charts.cursor_s,
         frame,
@@ -202,11 +202,11 @@ fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
 /// The pins that coincide with the current run in a chart: `A = now`.
 fn alike(app: &App, chart: usize, data: &[Data<'_>]) -> String {
     let quantity = app.pages.run.charts.quantities[chart];
-    let range = app.time_range_s(chart);
+    let end_s = app.end_s(chart);
     let now = data.iter().find(|curve| curve.view.letter.is_none()).map(|curve| curve.view.run);
     let alike = data.iter().filter_map(|curve| {
         let letter = curve.view.letter?;
-        coincide(quantity, now?, curve.view.run, range).then(|| format!("{letter} = now"))
+        coincide(quantity, now?, curve.view.run, end_s).then(|| format!("{letter} = now"))
     });
     alike.collect::<Vec<_>>().join(", ")
 }
@@ -223,9 +223,9 @@ fn note(app: &App, chart: usize, alike: String, room: usize) -> String {
 /// Parts of a range that nobody sees apart.
 const APART: f64 = 0.01;
 
-/// Whether a quantity of two runs is one curve on the screen over a range of times.
-fn coincide(quantity: Channel, one: &Run, other: &Run, (from, to): (f64, f64)) -> bool {
-    let times = (0..=100).map(|step| from + (to - from) * f64::from(step) / 100.0);
+/// Whether a quantity of two runs is one curve on the screen up to a time.
+fn coincide(quantity: Channel, one: &Run, other: &Run, end_s: f64) -> bool {
+    let times = (0..=100).map(|step| end_s * f64::from(step) / 100.0);
     let at = |t_s| (quantity.at(one, t_s), quantity.at(other, t_s));
     let pairs: Vec<(Option<f64>, Option<f64>)> = times.map(at).collect();
     let values = pairs.iter().flat_map(|pair| [pair.0, pair.1]).flatten();
@@ -266,12 +266,16 @@ fn over_displacement<'a>(
 
 /// A vertical axis that shows all of some curves.
 fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
-    let (low, high) = app.value_range(data, chart);
+    let (quantity, end_s) = (app.pages.run.charts.quantities[chart], app.end_s(chart));
+    let points = data.iter().flat_map(|curve| &curve.points).filter(|point| point.0 <= end_s);
+    // What a curve passes at the end of the time counts, too: there may be no point just before it.
+    let at_end = data.iter().filter_map(|curve| quantity.at(curve.view.run, end_s));
+    let values = points.map(|point| point.1).chain(at_end);
+    let none = || Axis::new("", ViewRange::default()).unit(Unit::new(quantity.unit()));
+    let axis = Axis::over("", quantity.unit(), Scale::Linear, values).unwrap_or_else(none);
     // Rates at or above zero begin at zero: the eye takes the axis for it.
-    let from = if low >= 0.0 && low < 0.5 * high { 0.0 } else { low };
-    let values = ViewRange::new(from, high);
-    let unit = app.pages.run.charts.quantities[chart].unit();
-    Axis::new("", values).unit(Unit::with_prefix(values.size(), unit))
+    let is_rate = axis.view.lo() >= 0.0 && axis.view.lo() < 0.5 * axis.view.hi();
+    if is_rate { axis.with_zero() } else { axis }
 }
 
 /// `now`, or letter and name of a pin, kept short.
@@ -408,11 +412,11 @@ fn travel(run: &Run) -> String {
 
 /// What the letters of a chart's event lines mean.
 pub(crate) fn event_words(app: &App, chart: usize) -> String {
-    let (from, to) = app.time_range_s(chart);
+    let end_s = app.end_s(chart);
     let run = app.shown.as_ref().map(|shown| &shown.run);
     let events = run.into_iter().flat_map(|run| run.events.iter().enumerate());
     let words: Vec<String> = events
-        .filter(|(_, event)| (from..=to).contains(&event.t_s))
+        .filter(|(_, event)| event.t_s <= end_s)
         .take(EVENT_LINES)
         .map(|(index, event)| format!("{} {}", event_letter(index), event.kind.words()))
         .collect();

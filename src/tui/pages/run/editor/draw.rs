@@ -8,7 +8,7 @@ use crate::tui::pages::run::editor::{
     ANALYSIS, DESIGN, Editor, EditorRow, is_main, short_label, shown_in, shown_value,
 };
 use crate::tui::pages::run::state::VARIABLES as PANE;
-use crate::tui::widgets::input::Field;
+use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::fitting;
 
@@ -154,10 +154,10 @@ fn value_text(app: &App, index: usize, room: usize) -> String {
 }
 
 /// `[ 1.25_  ] mm`, wider where the text needs it.
-fn open_field(unit: &str, field: &Field, line: Rect, canvas: &mut Canvas<'_>) {
+fn open_field(unit: &str, field: &TextField, line: Rect, canvas: &mut Canvas<'_>) {
     let behind = columns(unit) + 2;
     let most = line.width.saturating_sub(behind + LABEL + 1);
-    let room = (columns(field.text.value()) + 1).max(FIELD_WIDTH).min(most);
+    let room = (columns(field.value()) + 1).max(FIELD_WIDTH).min(most);
     let start = line.width.saturating_sub(behind + room + 1);
     field.draw_boxed(canvas, line, start, room);
     canvas.put(line, (start + room + 2, 0), unit, Role::Dim);
