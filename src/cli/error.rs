@@ -60,7 +60,7 @@ impl CliError {
     pub fn code(&self) -> ExitCode {
         match self {
             // The reader has closed the pipe: not a failure.
-            Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+            _ if self.is_quiet() => ExitCode::SUCCESS,
             Self::Stdout(_)
             | Self::Workbench(_)
             | Self::File(FileError::Write { .. } | FileError::Kept { .. } | FileError::NoHome) => {

@@ -247,7 +247,7 @@ fn export(to: &Destination, content: &Content) -> ExportOutcome {
 }
 
 fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
-    let preset::List { presets, unreadable } = preset::list(paths);
+    let (presets, unreadable) = preset::list(paths);
     let (parts, wrong_parts) = library::list(paths);
     let wrong_parts = wrong_parts
         .iter()
@@ -270,7 +270,7 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
         })
         .chain(recent.map(|found| entry(found, "recent")))
         .chain(parts.into_iter().map(PresetEntry::of_part))
-        .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.name, it.error.to_string())))
+        .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.0, it.1.to_string())))
         .chain(wrong_parts)
         .collect()
 }

@@ -121,11 +121,11 @@ const LOW: u16 = 6;
 fn ends(chart: &Chart<'_>, rows: Mapping) -> Ticks {
     let tick = |cell: u16| {
         let value = rows.value(cell) * chart.y.unit.factor;
-        let value = if value.abs() < 1e-9 * rows.view().span() { 0.0 } else { value };
+        let value = if value.abs() < 1e-9 * rows.view.span() { 0.0 } else { value };
         let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
         Tick { cell, value, label: short.to_string() }
     };
-    let top = rows.cells().saturating_sub(1);
+    let top = rows.cells.saturating_sub(1);
     let zero = rows.cell(0.0).filter(|cell| (1..top).contains(cell));
     let zero = zero.map(|cell| Tick { cell, value: 0.0, label: "0".to_owned() });
     let labelled = [Some(tick(0)), zero, Some(tick(top))];

@@ -6,7 +6,7 @@ pub mod plan;
 pub mod setup;
 pub mod state;
 
-use crate::files::sweep as sweep_file;
+use crate::files::export;
 use crate::report::sweep::{self, Columns};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
@@ -169,7 +169,7 @@ impl Page for ExploreTab {
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&kept.scene) });
         let (is_complete, (done, total)) = (kept.is_complete, grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
-        let notes = sweep_file::notes(plan, missing.as_deref());
+        let notes = export::sweep_notes(plan, missing.as_deref());
         let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
         let csv = move || sweep::grid_csv(&name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);

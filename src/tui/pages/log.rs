@@ -147,5 +147,6 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
     section(lines, &heading, plain(energy(&run.ledger)));
     let results = plain([vec![sentence(run)], results(run)].concat());
     section(lines, &format!("Results{first}"), results);
-    section(lines, &format!("Computation{first}"), plain(computation(run, shown.took)));
+    let took_s = shown.took.map(|took| took.as_secs_f64());
+    section(lines, &format!("Computation{first}"), plain(computation(run, took_s)));
 }
