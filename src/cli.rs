@@ -22,7 +22,6 @@ mod error;
 mod explain;
 mod help;
 mod install;
-mod keys;
 mod libraries;
 mod limit;
 mod monte_carlo;

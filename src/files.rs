@@ -16,9 +16,7 @@ pub mod read;
 pub mod recent;
 pub mod report;
 pub mod session;
-pub mod sweep;
 pub mod validation;
-
 pub mod write;
 
 mod read_stack;

@@ -14,7 +14,6 @@ pub mod study;
 use std::collections::VecDeque;
 use std::error::Error;
 use std::mem::Discriminant;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
@@ -24,8 +23,9 @@ use studies::{Asked, Finding, Found};
 use study::{Lane, Reporter};
 
 use crate::model::scene::Scene;
+use crate::study::context::CancelFlag;
 
-pub use runs::SceneRun;
+pub use studies::SceneRun;
 
 /// A task that took longer leaves so much free memory behind that giving it back is worth a millisecond; so do the many short ones of
 /// a while.
@@ -139,7 +139,7 @@ struct Queue {
 #[derive(Default)]
 struct State {
     waiting: VecDeque<Task>,
-    running: Option<(u64, Slot, Arc<AtomicBool>)>,
+    running: Option<(u64, Slot, CancelFlag)>,
     closing: bool,
 }
 
@@ -150,15 +150,15 @@ impl Queue {
     }
 
     /// Wait for a task and mark it as the running one; `None` when the owner is gone.
-    fn next(&self) -> Option<(Task, Arc<AtomicBool>)> {
+    fn next(&self) -> Option<(Task, CancelFlag)> {
         let mut state = self.lock();
         loop {
             if state.closing {
                 return None;
             }
             if let Some(task) = state.waiting.pop_front() {
-                let cancel = Arc::new(AtomicBool::new(false));
-                state.running = Some((task.id, task.slot(), Arc::clone(&cancel)));
+                let cancel = CancelFlag::default();
+                state.running = Some((task.id, task.slot(), cancel.clone()));
                 return Some((task, cancel));
             }
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
@@ -169,7 +169,7 @@ impl Queue {
     fn take_out(&self, wanted: impl Fn(u64, Slot) -> bool) -> Option<Task> {
         let mut state = self.lock();
         if let Some((_, _, cancel)) = state.running.as_ref().filter(|it| wanted(it.0, it.1)) {
-            cancel.store(true, Ordering::Relaxed);
+            cancel.store(true);
         }
         let at = state.waiting.iter().position(|task| wanted(task.id, task.slot()))?;
         state.waiting.remove(at)
@@ -187,7 +187,7 @@ impl Worker {
         clock: Clock,
         sink: impl Fn(Report) + Send + Sync + 'static,
     ) -> std::io::Result<Self> {
-        Self::with(clock, |task, reporter| task.asked.study().make(&task.scene, reporter), sink)
+        Self::with(clock, |task, reporter| task.asked.make(&task.scene, reporter), sink)
     }
 
     fn with(
@@ -209,7 +209,7 @@ impl Worker {
     /// Queue a task; the older one of its slot is cancelled. The scene on the screen goes before pinned ones.
     pub fn submit(&self, task: Task) {
         let slot = task.slot();
-        let lane = &self.shared.lanes[task.asked.study().lane() as usize];
+        let lane = &self.shared.lanes[task.asked.lane() as usize];
         let older = lane.take_out(|_, other| other == slot);
         let mut state = lane.lock();
         match slot {
@@ -236,7 +236,7 @@ impl Drop for Worker {
             state.closing = true;
             state.waiting.clear();
             if let Some((_, _, cancel)) = &state.running {
-                cancel.store(true, Ordering::Relaxed);
+                cancel.store(true);
             }
             drop(state);
             // Not joined: a computation that asks too seldom must not hold up leaving.

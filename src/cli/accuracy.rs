@@ -9,7 +9,7 @@ use clap::Args;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::text::{chart_size, width};
-use crate::cli::{CliError, draw, output, progress};
+use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::run::Outcome;
 use crate::model::units::engineering;
@@ -49,21 +49,12 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let table = &arguments.table;
     let page = page(&name, &report) + &table.warnings(&accuracy::warnings(&report));
     let (object, rows) = (accuracy::json(&name, &report), accuracy::table(&name, &report));
-    table.of(&arguments.scene, &scene, effort).deliver_report(&page, object, rows)?;
-    let failures: Vec<String> = auto_failures(&report).collect();
-    for failure in &failures {
-        output::note(&format!("{name}: {failure}"));
-    }
-    Ok(progress::exit_code(failures.is_empty()))
-}
-
-/// Where `auto` gave no answer, in words: the step or tolerance, and why.
-fn auto_failures(report: &Report) -> impl Iterator<Item = String> {
+    table.of(&arguments.scene, &scene, effort).deliver(&page, Some(object), rows)?;
     let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
-    auto.flat_map(|method| &method.points).filter_map(|point| {
+    Ok(progress::exit_code_after(auto.flat_map(|method| &method.points).filter_map(|point| {
         let why = point.result.as_ref().err()?.words();
-        Some(format!("auto gave no answer at {}: {why}", point.parameter))
-    })
+        Some(format!("{name}: auto gave no answer at {}: {why}", point.parameter))
+    })))
 }
 
 fn page(name: &str, report: &Report) -> String {
@@ -75,8 +66,14 @@ fn page(name: &str, report: &Report) -> String {
         let _ = writeln!(page, "{printed}; T is the error of its step");
     }
     page.push('\n');
-    page.push_str(&chart(report));
-    page.push_str(&table_of(report));
+    match error_over_time(report) {
+        Some(chart) => page += &draw::chart(&chart, chart_size(SIZE), Theme::PLAIN),
+        None => page.push_str("no method gave a result to compare\n"),
+    }
+    let pick = report.cheapest(TARGETS[1]).filter(|_| report.is_complete).map(|pick| pick.method);
+    let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
+    let table = methods(&report.methods).with("cheapest", "", "", mark);
+    let _ = write!(page, "\n{}", table.page(&KEYS, width()));
     if !report.is_complete {
         return page + "\nnot complete: no answer is drawn from these points\n";
     }
@@ -84,20 +81,6 @@ fn page(name: &str, report: &Report) -> String {
     references(&mut page, report);
     refusals(&mut page, report);
     page
-}
-
-fn chart(report: &Report) -> String {
-    error_over_time(report).map_or_else(
-        || "no method gave a result to compare\n".to_owned(),
-        |chart| draw::chart(&chart, chart_size(SIZE), Theme::PLAIN),
-    )
-}
-
-fn table_of(report: &Report) -> String {
-    let pick = report.cheapest(TARGETS[1]).filter(|_| report.is_complete).map(|pick| pick.method);
-    let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
-    let table = methods(&report.methods).with("cheapest", "", "", mark);
-    format!("\n{}", table.page(&KEYS, width()))
 }
 
 /// The run times for some accuracies, and what is gained by leaving out parts of a run.

@@ -12,15 +12,11 @@ pub(super) fn above_zero(
     example: &'static str,
 ) -> impl TypedValueParser<Value = f64> {
     move |text: &str| {
-        let value = finite(text, quantity)?;
+        let value =
+            units::parse(text, quantity, Bare::Si).map_err(|problem| problem.to_string())?;
         let problem = || format!("must be greater than 0, for example {example}");
         (value > 0.0).then_some(value).ok_or_else(problem)
     }
-}
-
-fn finite(text: &str, quantity: Dimension) -> Result<f64, String> {
-    let value = units::parse(text, quantity, Bare::Si).map_err(|problem| problem.to_string())?;
-    value.is_finite().then_some(value).ok_or_else(|| "must be a finite number".to_owned())
 }
 
 /// Reads a count within bounds.

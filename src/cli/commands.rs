@@ -94,8 +94,3 @@ pub(super) fn whole() -> Command {
     program.build();
     program
 }
-
-/// The names of the commands.
-pub(super) fn names() -> Vec<String> {
-    Arguments::command().get_subcommands().map(|it| it.get_name().to_owned()).collect()
-}

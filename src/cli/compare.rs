@@ -92,7 +92,7 @@ impl CompareArguments {
         let page = map_page(name, &map) + &self.study.table.warnings(&warnings);
         let table = self.study.table.of(&self.study.scene, &preset.scene, request);
         if !self.pictures.is_stdout() {
-            table.deliver(&page, tables::map_table(name, &map))?;
+            table.deliver(&page, None, tables::map_table(name, &map))?;
         }
         let drawn = || tables::picture(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.study.table, drawn)?;

@@ -10,6 +10,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::model::design;
 use crate::model::library;
+use crate::model::mechanism::Mechanism;
 use crate::model::run::envelope;
 use crate::model::scene::{Scene, Wire};
 use crate::model::units::{Dimension, engineering};
@@ -32,30 +33,25 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     variables::validate(&preset.scene)?;
     let found = formulas(&preset.scene, arguments.c_t);
     let mut page = format!("{}: by formulas alone\n\n", preset.name);
-    for Formula { name, value, unit, source } in &found {
+    for (name, value, unit, source) in &found {
         let shown = engineering(*value, unit, 4);
         let _ = writeln!(page, "{shown:>14}  {name} ({source})");
     }
     let rows = Table::of(&found)
-        .with("name", "name", "", |it| it.name)
-        .with("value", "value", "", |it| it.value)
-        .with("unit", "unit", "", |it| it.unit)
-        .with("source", "source", "", |it| it.source);
+        .field("name", |it| it.0)
+        .field("value", |it| it.1)
+        .field("unit", |it| it.2)
+        .field("source", |it| it.3);
     let breaches = envelope::of_scene(&preset.scene);
     let mut warnings: Vec<String> = breaches.iter().map(ToString::to_string).collect();
     warnings.extend(variables::range_warnings(&preset.scene));
     warnings.extend(library::warnings(&preset.scene).map(str::to_owned));
     let page = page + &arguments.table.warnings(&warnings);
-    arguments.table.alone().deliver(&page, rows.with_warnings(&warnings))
+    arguments.table.alone().deliver(&page, None, rows.with_warnings(&warnings))
 }
 
-/// A value by a formula, and where that is from.
-struct Formula {
-    name: &'static str,
-    value: f64,
-    unit: &'static str,
-    source: &'static str,
-}
+/// The name of a value, the value by a formula, its unit, and where the formula is from.
+type Formula = (&'static str, f64, &'static str, &'static str);
 
 fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let (m, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
@@ -63,40 +59,28 @@ fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let common = design::inelastic(m, v, m_2, 0.0);
     let [back, forward] = design::elastic(m, v, m_2, 0.0);
     let left = 0.5 * (m + m_2) * common * common;
-    let drawn = variables_energy_j(scene);
+    let drawn = Mechanism::of(scene).spring.energy(0.0 - scene.plate.cocking_m);
     let spring = (left + drawn) / Wire::default().specific_energy_j_kg();
     let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
     let stone = design::stone_depth_m(m, v, r, rho, c_t.unwrap_or(1.0));
     let rod_m = design::rod_length_m(&scene.projectile);
-    let formula = |name, value, unit, source| Formula { name, value, unit, source };
     let critical_deg = design::critical_obliquity_deg(scene);
     let tate = "Tate, eq. 2.3; rho_p and Y_p are assumptions";
     let integral = "the integral of its force; k d^(n+1)/(n+1) of a power law";
     let coil = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
     vec![
-        formula("critical obliquity", critical_deg, "deg", tate),
-        formula("  length of the rod", rod_m, "m", "m_p/(rho_p pi R^2)"),
-        formula(
-            "effective thickness",
-            scene.effective_thickness_m(),
-            "m",
-            "h/cos(theta), Figure 4.1",
-        ),
-        formula("common velocity, inelastic", common, "m/s", "eq. 2.2 and 8.11"),
-        formula("energy after it", left, "J", "kinetic energy of both bodies together"),
-        formula("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
-        formula("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
-        formula("energy stored by cocking", drawn, "J", integral),
-        formula("least mass of a steel coil for both", spring, "kg", coil),
+        ("critical obliquity", critical_deg, "deg", tate),
+        ("  length of the rod", rod_m, "m", "m_p/(rho_p pi R^2)"),
+        ("effective thickness", scene.effective_thickness_m(), "m", "h/cos(theta), Figure 4.1"),
+        ("common velocity, inelastic", common, "m/s", "eq. 2.2 and 8.11"),
+        ("energy after it", left, "J", "kinetic energy of both bodies together"),
+        ("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
+        ("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
+        ("energy stored by cocking", drawn, "J", integral),
+        ("least mass of a steel coil for both", spring, "kg", coil),
         match c_t {
-            Some(_) => formula("Stone's depth P", stone, "m", "eq. 2.4"),
-            None => formula("Stone's depth times c_t", stone, "m3/s2", "eq. 2.4; give --c-t"),
+            Some(_) => ("Stone's depth P", stone, "m", "eq. 2.4"),
+            None => ("Stone's depth times c_t", stone, "m3/s2", "eq. 2.4; give --c-t"),
         },
     ]
-}
-
-/// The energy of a cocked spring, J.
-fn variables_energy_j(scene: &Scene) -> f64 {
-    let spring = crate::model::mechanism::Mechanism::of(scene).spring;
-    spring.energy(0.0 - scene.plate.cocking_m)
 }

@@ -19,27 +19,16 @@ pub(super) struct ExplainArguments {
     name: Option<String>,
 }
 
-/// What can be explained.
-#[derive(Clone, Copy)]
-enum Named {
-    Variable(&'static Variable),
-    Quantity(&'static Quantity),
-    Warning(Check),
-}
-
 pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     let page = match &arguments.name {
         None => list(),
-        Some(name) => {
-            let pages: Vec<String> = named(name.trim())?.iter().map(|it| it.page()).collect();
-            pages.join("\n")
-        }
+        Some(name) => pages(name.trim())?.join("\n"),
     };
     output::print(&page)
 }
 
 /// What has this name, which may be written with blanks: a quantity or variable, a warning, or a variable and a warning about it.
-fn named(name: &str) -> Result<Vec<Named>, CliError> {
+fn pages(name: &str) -> Result<Vec<String>, CliError> {
     let spelled = name.replace([' ', '-'], "_");
     let quantity = quantities::find(name).or_else(|| quantities::find(&spelled));
     let variable = || find(name).or_else(|_| find(&spelled)).ok();
@@ -52,27 +41,16 @@ fn named(name: &str) -> Result<Vec<Named>, CliError> {
         ))
     };
     let is_it = |check: &Check| check.label().eq_ignore_ascii_case(name);
-    let warning = Check::ALL.into_iter().find(is_it).map(Named::Warning);
-    let other = quantity.map(Named::Quantity).or_else(|| variable().map(Named::Variable));
-    let found: Vec<Named> = other.into_iter().chain(warning).collect();
+    let warning = Check::ALL.into_iter().find(is_it).map(|it| {
+        let lines = wrap(it.about(), text::width().saturating_sub(2));
+        format!("{}: a warning\n  {}\n", it.label(), lines.join("\n  "))
+    });
+    let other = quantity.map(quantity_page).or_else(|| variable().map(variable_page));
+    let found: Vec<String> = other.into_iter().chain(warning).collect();
     if !found.is_empty() {
         return Ok(found);
     }
-    let titled = quantities::named(name).ok().map(Named::Quantity);
-    titled.map(|it| vec![it]).ok_or_else(unknown)
-}
-
-impl Named {
-    fn page(self) -> String {
-        match self {
-            Self::Variable(it) => variable_page(it),
-            Self::Quantity(it) => quantity_page(it),
-            Self::Warning(it) => {
-                let lines = wrap(it.about(), text::width().saturating_sub(2));
-                format!("{}: a warning\n  {}\n", it.label(), lines.join("\n  "))
-            }
-        }
-    }
+    quantities::named(name).map(|it| vec![quantity_page(it)]).map_err(|_not_titled| unknown())
 }
 
 fn variable_page(variable: &Variable) -> String {

@@ -4,27 +4,23 @@ use std::fmt::Write as _;
 
 use clap::{Args, Command};
 
-use crate::cli::{CliError, keys, output};
+use crate::cli::{CliError, output};
 use crate::files::error::did_you_mean;
+use crate::tui::keymap::{EVERYWHERE, KeyHelp, Keymap, LISTED};
+use crate::tui::pages::all_panes;
+use crate::tui::widgets::text::wrap;
 
-/// One page of `cmra help`.
-struct Topic {
-    name: &'static str,
-    about: &'static str,
-    text: &'static str,
-}
-
-/// The pages, in the order of the list. The table of keys is made from the key bindings.
+/// The pages of `cmra help` in the order of the list: name, subject, text. The table of keys is made from the key bindings.
 #[rustfmt::skip]
-const TOPICS: [Topic; 8] = [
-    Topic { name: "scenes", about: "scene files, presets, values and units", text: include_str!("help/scenes.txt") },
-    Topic { name: "sweeps", about: "axes, designs, parts of a sweep on many machines", text: include_str!("help/sweeps.txt") },
-    Topic { name: "csv", about: "CSV, JSON and exit status", text: include_str!("help/csv.txt") },
-    Topic { name: "equations", about: "what is computed, with every symbol", text: include_str!("help/equations.txt") },
-    Topic { name: "mechanisms", about: "kinds of springs, dampers and stops", text: include_str!("help/mechanisms.txt") },
-    Topic { name: "stacks", about: "several plates behind one another", text: include_str!("help/stacks.txt") },
-    Topic { name: "methods", about: "how it is computed, and how that is checked", text: include_str!("help/methods.txt") },
-    Topic { name: "validation", about: "where the model may be used, and where not", text: include_str!("help/validation.txt") },
+const TOPICS: [(&str, &str, &str); 8] = [
+    ("scenes", "scene files, presets, values and units", include_str!("help/scenes.txt")),
+    ("sweeps", "axes, designs, parts of a sweep on many machines", include_str!("help/sweeps.txt")),
+    ("csv", "CSV, JSON and exit status", include_str!("help/csv.txt")),
+    ("equations", "what is computed, with every symbol", include_str!("help/equations.txt")),
+    ("mechanisms", "kinds of springs, dampers and stops", include_str!("help/mechanisms.txt")),
+    ("stacks", "several plates behind one another", include_str!("help/stacks.txt")),
+    ("methods", "how it is computed, and how that is checked", include_str!("help/methods.txt")),
+    ("validation", "where the model may be used, and where not", include_str!("help/validation.txt")),
 ];
 const KEYS: &str = "keys";
 
@@ -61,9 +57,9 @@ pub(super) fn run(arguments: &HelpArguments, program: Command) -> Result<(), Cli
     let mut program = grouped(program);
     program.build();
     let text = if name == KEYS {
-        keys::page()
-    } else if let Some(topic) = TOPICS.iter().find(|topic| topic.name == name) {
-        topic.text.to_owned()
+        keys()
+    } else if let Some((_, _, text)) = TOPICS.into_iter().find(|topic| topic.0 == name) {
+        text.to_owned()
     } else if let Some(found) = program.find_subcommand_mut(name) {
         found.render_long_help().to_string()
     } else {
@@ -73,7 +69,7 @@ pub(super) fn run(arguments: &HelpArguments, program: Command) -> Result<(), Cli
 }
 
 fn topics() -> Vec<&'static str> {
-    TOPICS.iter().map(|topic| topic.name).chain([KEYS]).collect()
+    TOPICS.iter().map(|topic| topic.0).chain([KEYS]).collect()
 }
 
 fn unknown(name: &str, program: &Command) -> CliError {
@@ -86,11 +82,48 @@ fn unknown(name: &str, program: &Command) -> CliError {
 
 fn list() -> String {
     let mut text = String::from("cmra help TOPIC, where TOPIC is one of\n\n");
-    for Topic { name, about, .. } in &TOPICS {
+    for (name, about, _) in TOPICS {
         let _ = writeln!(text, "  {name:<12} {about}");
     }
     let _ = writeln!(text, "  {KEYS:<12} every key of the workbench");
     text + "\nor a command: `cmra help run` prints `cmra run --help`.\n`cmra --help` lists the commands.\n"
+}
+
+/// Width of the text of a key, for a terminal of 80 columns.
+const HELP_WIDTH: usize = 52;
+
+/// The table of keys: what each means in every pane, then what it does in particular in each.
+fn keys() -> String {
+    let map = Keymap::default();
+    let mut text = String::from(
+        "KEYS\n\nEvery key has one meaning in all panes. `?` in the workbench lists those of the\n\
+         focused pane first. Other keys: [keys] in config.toml (see `cmra help scenes`),\n\
+         each action by its name in brackets, as in `undo = \"U\"`.\n",
+    );
+    let line = |text: &mut String, keys: &str, help: &str| {
+        for (row, line) in wrap(help, HELP_WIDTH).into_iter().enumerate() {
+            let keys = if row == 0 { keys } else { "" };
+            let _ = writeln!(text, "  {keys:<20}  {line}");
+        }
+    };
+    let table = |text: &mut String, rows: &[KeyHelp]| {
+        for row in rows {
+            let names: Vec<&str> = row.keys.iter().map(|(_, name, _)| *name).collect();
+            let help = format!("{} [{}]", map.shown(row.meaning), names.join(", "));
+            line(text, &map.line_label(row), &help);
+        }
+    };
+    text.push_str("\nIn every pane\n");
+    table(&mut text, EVERYWHERE);
+    text.push_str("\nIn forms, charts and tables\n");
+    table(&mut text, LISTED);
+    for pane in all_panes() {
+        let _ = writeln!(text, "\n{}", pane.label);
+        for row in pane.keys {
+            line(&mut text, &map.label(row.action), &map.shown(row.help));
+        }
+    }
+    text
 }
 
 #[cfg(test)]
@@ -104,7 +137,7 @@ mod tests {
 
     /// The examples of all pages, without what is said beside them.
     fn examples() -> Vec<&'static str> {
-        let lines = TOPICS.iter().flat_map(|topic| topic.text.lines());
+        let lines = TOPICS.iter().flat_map(|topic| topic.2.lines());
         let examples = lines.filter_map(|line| line.strip_prefix("  cmra "));
         examples.map(|line| line.split("  ").next().unwrap().trim_end_matches(" \\")).collect()
     }
@@ -126,8 +159,8 @@ mod tests {
 
     #[test]
     fn pages_fit_80_columns() {
-        let pages = TOPICS.iter().map(|topic| (topic.name, topic.text.to_owned()));
-        for (name, text) in pages.chain([(KEYS, keys::page()), ("list", list())]) {
+        let pages = TOPICS.iter().map(|topic| (topic.0, topic.2.to_owned()));
+        for (name, text) in pages.chain([(KEYS, keys()), ("list", list())]) {
             for line in text.lines() {
                 assert!(line.chars().count() <= COLUMNS, "{name}: {line}");
             }

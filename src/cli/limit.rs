@@ -40,13 +40,8 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
             StudyOutput { command, warnings, page, object, rows: limit::shots(name, &report) };
         study.deliver(&report.scene, answer)?;
     }
-    let chart = || {
-        residual(&report, report.scene.projectile.velocity_m_s)
-            .map(Picture::Chart)
-            .into_iter()
-            .collect()
-    };
-    pictures.write(&study.table, chart)?;
+    let chart = || residual(&report, report.scene.projectile.velocity_m_s).map(Picture::Chart);
+    pictures.write(&study.table, || chart().into_iter().collect())?;
     Ok(progress::exit_code(true))
 }
 

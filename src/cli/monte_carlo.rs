@@ -8,7 +8,7 @@ use clap::Args;
 use crate::cli::amount::{deviation, part};
 use crate::cli::study::{Random, StudyArguments, StudyOutput};
 use crate::cli::text::width;
-use crate::cli::{CliError, output, progress};
+use crate::cli::{CliError, progress};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo::{self, perforation, table};
 use crate::study::monte_carlo::{LIMIT, Report, Request, Tolerance, run as study};
@@ -100,10 +100,9 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
         rows: table(name, &report),
     };
     arguments.study.deliver(&preset.scene, answer)?;
-    if report.outcomes.failed > 0 {
-        output::note(&format!("{} samples failed and are not counted", report.outcomes.failed));
-    }
-    Ok(progress::exit_code(report.outcomes.failed == 0))
+    let failed = Some(report.outcomes.failed).filter(|failed| *failed > 0);
+    let failed = failed.map(|failed| format!("{failed} samples failed and are not counted"));
+    Ok(progress::exit_code_after(failed))
 }
 
 fn page(name: &str, report: &Report) -> String {

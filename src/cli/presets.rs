@@ -45,7 +45,7 @@ fn whole(preset: &Preset) -> String {
 
 fn list() -> Result<(), CliError> {
     let paths = Paths::of_user().ok();
-    let preset::List { presets, unreadable } = preset::list(paths.as_ref());
+    let (presets, unreadable) = preset::list(paths.as_ref());
     let width = presets.iter().map(|preset| preset.name.chars().count()).max().unwrap_or(0);
     let (bundled, own): (Vec<_>, Vec<_>) =
         presets.iter().partition(|preset| preset.origin == Origin::Bundled);
@@ -60,8 +60,8 @@ fn list() -> Result<(), CliError> {
         text.extend(own.iter().map(row));
     }
     output::print(&text)?;
-    for one in unreadable {
-        output::note(&format!("not listed: {}", one.error));
+    for (_, error) in unreadable {
+        output::note(&format!("not listed: {error}"));
     }
     Ok(())
 }

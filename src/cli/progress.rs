@@ -124,6 +124,11 @@ pub(super) fn exit_code(good: bool) -> ExitCode {
     if good && !stopped { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
+/// The same after notes of what failed: 0 where there is none.
+pub(super) fn exit_code_after(failures: impl IntoIterator<Item = String>) -> ExitCode {
+    exit_code(failures.into_iter().inspect(|failure| output::note(failure)).count() == 0)
+}
+
 /// A flag that the first interrupt, or a dropped connection, sets; a second Ctrl-C ends the process.
 pub(super) fn interruptible() -> CancelFlag {
     let stop = STOP.get_or_init(|| {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::run::{self, Computed};
+use crate::cli::run::{compute, exit_code};
 use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
 use crate::cli::sweep::page::KEPT_MAX;
@@ -51,8 +51,8 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         atomic::check(path, existing)?;
     }
     let preset = arguments.scene.load()?;
-    let scene = Arc::new(preset.scene.clone());
-    let Computed { preset, run, .. } = run::compute(preset)?;
+    let scene = Arc::new(preset.scene);
+    let run = compute(&scene)?;
     let threads = arguments.threads.count();
     let limit = progress::study(threads, "shots or so", |context| limit::find(&scene, context))?;
     let sweep = own_sweep(&scene, threads)?;
@@ -69,7 +69,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         atomic::write(path, text.as_bytes(), existing)?;
         output::note_written(std::slice::from_ref(path));
     }
-    Ok(run::exit_code(&run))
+    Ok(exit_code(&run))
 }
 
 /// The sweep that is kept with the scene.

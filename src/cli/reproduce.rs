@@ -7,7 +7,7 @@ use clap::Args;
 
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output, progress, text};
+use crate::cli::{CliError, progress, text};
 use crate::report::thesis as tables;
 use crate::study::thesis::{self, ClaimVerdict, Row};
 
@@ -24,13 +24,12 @@ pub(super) struct ReproduceArguments {
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(false)?;
     let rows = progress::study(arguments.threads.count(), "rows", thesis::reproduce);
-    arguments.table.alone().deliver(&page(&rows), tables::claims(&rows))?;
-    let failing: Vec<&Row> = rows.iter().filter(|row| !row.holds).collect();
-    for row in &failing {
+    arguments.table.alone().deliver(&page(&rows), None, tables::claims(&rows))?;
+    let failing = rows.iter().filter(|row| !row.holds).map(|row| {
         let (id, verdict) = (row.claim.id, row.claim.verdict.words());
-        output::note(&format!("{id}: the computation does not bear out \"{verdict}\""));
-    }
-    Ok(progress::exit_code(failing.is_empty()))
+        format!("{id}: the computation does not bear out \"{verdict}\"")
+    });
+    Ok(progress::exit_code_after(failing))
 }
 
 fn page(rows: &[Row]) -> String {

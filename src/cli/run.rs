@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use clap::Args;
 
@@ -22,7 +22,7 @@ use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
 use crate::model::run::envelope::warnings;
-use crate::model::scene::ContactModel;
+use crate::model::scene::{ContactModel, Scene};
 use crate::model::simulate::{self, Settings};
 use crate::model::units::{Dimension, engineering};
 use crate::model::variables::{self, VariableError};
@@ -59,32 +59,22 @@ pub(super) struct RunArguments {
     glyphs: Glyphs,
 }
 
-/// A run with what the command line adds to it.
-pub(super) struct Computed {
-    /// The scene's name and origin.
-    pub(super) preset: Preset,
-    pub(super) run: Arc<Run>,
-    /// Wall-clock time of the one computation.
-    pub(super) took: Duration,
-}
-
 const DT_ROWS_MAX: usize = 5_000_000;
 /// Steps after which it is shown again how far a run is: a look at the clock costs a part of a step.
 const LOOK: u64 = 64;
 
 /// Compute a scene, and measure the time of the computation alone. The series is always kept: it costs little, and every
 /// output of one scene then shows the digits and events of one and the same computation.
-pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
-    compute_openly(preset, &Window::default())
+pub(super) fn compute(scene: &Arc<Scene>) -> Result<Run, VariableError> {
+    compute_openly(scene, &Window::default())
 }
 
 /// The same with the series at equal time steps.
-fn at_equal_steps(preset: Preset, dt_s: f64) -> Result<Computed, CliError> {
-    variables::require_hydrodynamic(&preset.scene)?;
-    variables::require_single(&preset.scene)?;
+fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
+    variables::require_hydrodynamic(scene)?;
+    variables::require_single(scene)?;
     let window = Window::with_steps(dt_s, DT_ROWS_MAX);
-    let mut computed = compute_openly(preset, &window)?;
-    let mut run = Run::clone(&computed.run);
+    let mut run = compute_openly(scene, &window)?;
     let end_s = run.series.last().map_or(0.0, |row| row.t_s);
     run.series = window.rows();
     if run.series.len() >= DT_ROWS_MAX {
@@ -93,12 +83,10 @@ fn at_equal_steps(preset: Preset, dt_s: f64) -> Result<Computed, CliError> {
             "--dt: more than {DT_ROWS_MAX} rows; write {least} or more"
         )));
     }
-    computed.run = Arc::new(run);
-    Ok(computed)
+    Ok(run)
 }
 
-fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableError> {
-    let scene = Arc::new(preset.scene.clone());
+fn compute_openly(scene: &Arc<Scene>, window: &Window) -> Result<Run, VariableError> {
     let settings = Settings { series: true, estimate: true };
     let mut line = ProgressLine::begin();
     let mut steps = 0_u64;
@@ -113,15 +101,14 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
         })
     };
     let start = Instant::now();
-    let mut run = simulate::simulate_openly(&scene, &settings, &mut observer, window)?;
-    let took = start.elapsed();
-    run.cost.took_s = Some(took.as_secs_f64());
+    let mut run = simulate::simulate_openly(scene, &settings, &mut observer, window)?;
+    run.cost.took_s = Some(start.elapsed().as_secs_f64());
     let loads = [run.interface_demand_ratio, run.interface_tension_ratio];
     if run.end.is_complete() && loads.into_iter().flatten().any(|ratio| ratio > 1.0) {
-        run.plastic = simulate::plastic_beside(&scene, &mut observer).map(Arc::new);
+        run.plastic = simulate::plastic_beside(scene, &mut observer).map(Arc::new);
     }
     line.clear();
-    Ok(Computed { preset, run: Arc::new(run), took })
+    Ok(run)
 }
 
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
@@ -130,16 +117,18 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if arguments.compare.is_some() {
         return compare_models(arguments);
     }
-    let computed = match arguments.dt {
-        None => compute(arguments.scene.load()?)?,
-        Some(dt_s) => at_equal_steps(arguments.scene.load()?, dt_s)?,
-    };
+    let Preset { name, scene, .. } = arguments.scene.load()?;
+    let scene = Arc::new(scene);
+    let run = Arc::new(match arguments.dt {
+        None => compute(&scene)?,
+        Some(dt_s) => at_equal_steps(&scene, dt_s)?,
+    });
     if arguments.table.is_stdout() {
-        output::print(&report::csv(&named(&computed)))?;
-        return Ok(exit_code(&computed.run));
+        output::print(&report::csv(&named(&name, &run)))?;
+        return Ok(exit_code(&run));
     }
     if let Some(to) = arguments.table.file() {
-        let runs = named(&computed);
+        let runs = named(&name, &run);
         let mut scenes = scenes(&runs);
         let dt = arguments.dt.map(|dt_s| format!(" --dt {dt_s}")).unwrap_or_default();
         if let Some(first) = scenes.first_mut() {
@@ -148,31 +137,30 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         let written = to.write(report::csv(&runs).as_bytes(), &scenes, !was_interrupted());
         output::note_written(&written?);
     }
-    arguments.pictures.write(&arguments.table, || {
-        selected(&computed.run).into_iter().map(Picture::Chart).collect()
-    })?;
+    let drawn = || selected(&run).into_iter().map(Picture::Chart).collect();
+    arguments.pictures.write(&arguments.table, drawn)?;
     if arguments.pictures.is_stdout() {
-        return Ok(exit_code(&computed.run));
+        return Ok(exit_code(&run));
     }
     if arguments.table.json {
-        let (name, took) = (&computed.preset.name, computed.took);
-        output::print(&report::json(name, &computed.run, took.as_secs_f64()))?;
+        output::print(&report::json(&name, &run))?;
     } else {
         output::print(&arguments.scene.changes.changed())?;
-        print_readable(&computed, arguments.plain.then_some(arguments.glyphs), &arguments.table)?;
+        print_readable(&name, &run, arguments.plain.then_some(arguments.glyphs), &arguments.table)?;
     }
-    Ok(exit_code(&computed.run))
+    Ok(exit_code(&run))
 }
 
 /// The summary, with charts of these characters below it where they are wanted.
 pub(super) fn print_readable(
-    computed: &Computed,
+    name: &str,
+    run: &Run,
     charts: Option<Glyphs>,
     table: &TableArguments,
 ) -> Result<(), CliError> {
-    let mut text = summary(computed, table);
+    let mut text = summary(name, run, table);
     if let Some(glyphs) = charts {
-        text.push_str(&drawn(&computed.run, glyphs));
+        text.push_str(&drawn(run, glyphs));
     }
     output::print(&fitted(&text))
 }
@@ -188,12 +176,9 @@ pub(super) fn exit_code(run: &Run) -> ExitCode {
 }
 
 /// The run; of a stack the run of every plate that was struck.
-fn named(computed: &Computed) -> Vec<NamedRun> {
-    let first = Arc::clone(&computed.run);
-    let Some(stack) = &computed.run.stack else {
-        return vec![(computed.preset.name.clone(), first)];
-    };
-    std::iter::once(&first)
+fn named(name: &str, first: &Arc<Run>) -> Vec<NamedRun> {
+    let Some(stack) = &first.stack else { return vec![(name.to_owned(), Arc::clone(first))] };
+    std::iter::once(first)
         .chain(&stack.behind)
         .enumerate()
         .map(|(plate, run)| (stack.name(plate).replace(' ', "-"), Arc::clone(run)))
@@ -227,11 +212,9 @@ fn drawn(run: &Run, glyphs: Glyphs) -> String {
     })
 }
 
-fn summary(computed: &Computed, table: &TableArguments) -> String {
-    let run = &computed.run;
+fn summary(name: &str, run: &Run, table: &TableArguments) -> String {
     let title = clean::line(&run.scene.title);
-    let name = &computed.preset.name;
-    let title = if title.is_empty() { name.clone() } else { format!("{name}: {title}") };
+    let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
     let mut page = title + "\n";
     if let Some(stack) = &run.stack {
         for line in stack::table(run, stack) {
@@ -247,7 +230,7 @@ fn summary(computed: &Computed, table: &TableArguments) -> String {
     let sections = [
         ("energy", energy(&run.ledger)),
         ("events", events_in_brief(run)),
-        ("computation", computation(run, Some(computed.took))),
+        ("computation", computation(run, run.cost.took_s)),
     ];
     for (heading, lines) in sections.into_iter().filter(|(_, lines)| !lines.is_empty()) {
         let _ = writeln!(page, "\n{heading}");
@@ -263,23 +246,15 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     variables::require_single(&preset.scene)?;
     let (mut runs, mut remarks) = (Vec::new(), Vec::new());
-    let mut models = ContactModel::ALL;
-    models.sort_by_key(|model| model.about().place);
-    for model in models {
+    for model in ContactModel::IN_TABLE_8_1 {
         let mut scene = preset.scene.clone();
         scene.contact.model = model;
-        let (word, about) = (model.word(), model.about());
-        let parameters = (about.parameters)(&scene);
-        match compute(Preset { scene, ..preset.clone() }) {
-            Ok(found) => {
-                runs.push((word.to_owned(), found.run));
-                remarks.push(
-                    format!("{}; {}", about.strength, about.limit)
-                        + &match &*parameters {
-                            "" => String::new(),
-                            parameters => format!("; {parameters}"),
-                        },
-                );
+        let (word, parameters) = (model.word(), model.parameters(&scene));
+        match compute(&Arc::new(scene)) {
+            Ok(run) => {
+                runs.push((word.to_owned(), Arc::new(run)));
+                let lead = if parameters.is_empty() { "" } else { "; " };
+                remarks.push(format!("{}{lead}{parameters}", model.about()));
             }
             // Without the first there is nothing to compare with.
             Err(problem) if runs.is_empty() => return Err(problem.into()),
@@ -305,5 +280,5 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     }
     page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
     let table = arguments.table.of(&arguments.scene, &preset.scene, "run --compare models");
-    table.deliver(&page, report::results(&runs)).map(|()| ExitCode::SUCCESS)
+    table.deliver(&page, None, report::results(&runs)).map(|()| ExitCode::SUCCESS)
 }

@@ -15,7 +15,7 @@ use crate::files::read;
 use crate::files::{clean, read_table};
 use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
-use crate::model::scene::{Closure, Mechanism, PlateSize, Scene, Spring, SpringKind, Table};
+use crate::model::scene::{Closure, Mechanism, PlateSize, Scene, SpringKind, Table};
 use crate::model::units::{self, Bare, Dimension, shortest};
 use crate::model::variables::{self, Variable, is_used, used_where};
 
@@ -120,8 +120,8 @@ impl Changes {
     /// linear law whose law is not linear.
     fn say_unused(&self, scene: &Scene) {
         for argument in &self.set {
-            let (name, value) = argument.split_once('=').unwrap_or_default();
-            let Ok(variable) = variables::find(name.trim()) else { continue };
+            let Some(variable) = variable_of(argument) else { continue };
+            let (_, value) = argument.split_once('=').unwrap_or_default();
             let symbol = variable.symbol;
             if !is_used(variable, scene) {
                 let lacks = if variables::gives_mass(variable) {
@@ -169,10 +169,14 @@ impl Changes {
 
     /// The first `--set` of a variable that is chosen by its key.
     pub(super) fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
-        let variable = |argument: &str| variables::find(argument.split('=').next()?.trim()).ok();
         let mut set = self.set.iter().map(String::as_str);
-        set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
+        set.find(|argument| variable_of(argument).is_some_and(|found| is_chosen(found.key)))
     }
+}
+
+/// The variable that a `--set` is of.
+fn variable_of(argument: &str) -> Option<&'static Variable> {
+    variables::find(argument.split('=').next()?.trim()).ok()
 }
 
 /// The power law of a coefficient that was written in the unit of a linear one, where its exponent is not 1.
@@ -203,7 +207,9 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
             .split_once('=')
             .ok_or_else(|| refuse("write NAME=VALUE, for example --set gamma=2"))?;
         if CURVE_NAMES.contains(&name.trim()) {
-            take_curve(&mut scene.mechanism.spring, value.trim())?;
+            // A file makes its spring one of the kind `table`.
+            scene.mechanism.spring.table.points = read_table::curve(Path::new(value.trim()))?;
+            scene.mechanism.spring.kind = SpringKind::Table;
             has_curve = true;
             continue;
         }
@@ -224,11 +230,8 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
 
 /// Refuses two inputs that both give the plate's size: the last one would win without a word.
 fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
-    let key = |argument: &String| {
-        let variable = variables::find(argument.split('=').next()?.trim()).ok()?;
-        Some((variable.key, argument.clone()))
-    };
-    let mut given = set.iter().filter_map(key).filter(|(key, _)| PlateSize::KEYS.contains(key));
+    let keys = set.iter().filter_map(|argument| Some((variable_of(argument)?.key, argument)));
+    let mut given = keys.filter(|(key, _)| PlateSize::KEYS.contains(key));
     let Some((first_key, first)) = given.next() else { return Ok(()) };
     given.find(|(key, _)| *key != first_key).map_or(Ok(()), |(_, second)| {
         Err(CliError::Option(format!(
@@ -239,13 +242,6 @@ fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
 
 /// The names of the spring's measured curve.
 const CURVE_NAMES: [&str; 3] = ["table", "mechanism.spring.table", "mechanism.spring.table.file"];
-
-/// Take a spring's curve from a CSV file; a file makes its spring one of the kind `table`.
-fn take_curve(spring: &mut Spring, file: &str) -> Result<(), CliError> {
-    spring.table.points = read_table::curve(Path::new(file))?;
-    spring.kind = SpringKind::Table;
-    Ok(())
-}
 
 /// A scene by name or path. Without a home directory there are just no own presets.
 pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {

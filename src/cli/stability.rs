@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::table::choice;
-use crate::cli::{CliError, draw, output, progress, text};
+use crate::cli::{CliError, draw, progress, text};
 use crate::model::library;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
@@ -54,12 +54,8 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let rows = arguments.study.run("scenes", |context| stability::run(&cases, &now_s, context))?;
     let took_s = now_s();
     let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
-    arguments.study.table.alone().deliver_report(&page, object, table(&rows))?;
-    let failures: Vec<String> = failures(&rows).collect();
-    for failure in &failures {
-        output::note(failure);
-    }
-    Ok(progress::exit_code(failures.is_empty()))
+    arguments.study.table.alone().deliver(&page, Some(object), table(&rows))?;
+    Ok(progress::exit_code_after(failures(&rows)))
 }
 
 /// A sentence for each scene that fails.

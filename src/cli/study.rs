@@ -61,7 +61,7 @@ impl StudyArguments {
         object["warnings"] = warnings.as_slice().into();
         let page = page + &self.table.warnings(&warnings);
         let rows = rows.with_warnings(&warnings);
-        self.table.of(&self.scene, scene, command).deliver_report(&page, object, rows)
+        self.table.of(&self.scene, scene, command).deliver(&page, Some(object), rows)
     }
 }
 

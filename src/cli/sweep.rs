@@ -22,7 +22,6 @@ use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
 use crate::files::export::{self, Beside};
 use crate::files::preset::Preset;
-use crate::files::sweep::notes;
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, Piece, Sheet, json_tail};
 use crate::study::context::{Context, Work};
@@ -82,7 +81,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let shard = Shard::parse(&arguments.shard)?;
     let draws = arguments.pictures.is_wanted();
     if draws && !(shard == Shard::WHOLE && page::is_drawable(&plan)) {
-        return Err(CliError::Option(page::undrawable()));
+        let most = page::KEPT_MAX;
+        return Err(CliError::Option(format!(
+            "--svg: a picture shows one or two axes and at most {most} points; omit --svg or use fewer points"
+        )));
     }
     let is_swept = |key: &str| plan.axes().iter().any(|axis| axis.variable().key == key);
     if let Some(set) = arguments.scene.changes.set_of(is_swept) {
@@ -156,9 +158,11 @@ impl Job<'_> {
     }
 
     fn page(&self, ended: OutcomeCounts, kept: Option<&Grid>, took_s: f64) -> String {
-        let head = page::Head { name: &self.preset.name, threads: self.threads, took_s };
+        let (took, threads) = (page::duration(took_s), self.threads);
+        let plural = if threads == 1 { "" } else { "s" };
+        let how = format!("in {took} on {threads} thread{plural}");
         let missing = self.missing(ended).map_or_else(String::new, |it| it + "\n\n");
-        missing + &page::text(self.plan, &head, ended, kept)
+        missing + &page::text(&self.preset.name, self.plan, (ended, &how), kept)
     }
 
     /// Computes all points, and writes their rows where they are to go.
@@ -206,7 +210,7 @@ impl Job<'_> {
         if let (Some(file), Some(to)) = (file, arguments.table.file()) {
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
-            let notes = notes(self.plan, missing.as_deref());
+            let notes = export::sweep_notes(self.plan, missing.as_deref());
             let is_part = self.shard != Shard::WHOLE;
             let part = if is_part { format!(" --shard {}", self.shard) } else { String::new() };
             let command = format!("sweep{part}");

@@ -137,44 +137,34 @@ struct Source<'a> {
 }
 
 impl Delivery<'_> {
-    /// Print the page or the rows, and write the file.
-    pub(super) fn deliver<R>(&self, page: &str, rows: Table<'_, R>) -> Result<(), CliError> {
-        let rows = marked(rows);
-        self.deliver_texts(page, &|| rows.json(), &|| rows.csv())
-    }
-
-    /// The same for a report whose JSON object has more than its rows.
-    pub(super) fn deliver_report<R>(
+    /// Print the page or the rows, or the JSON object where that has more than its rows, and write the file.
+    pub(super) fn deliver<R>(
         &self,
         page: &str,
-        mut object: Value,
+        object: Option<Value>,
         rows: Table<'_, R>,
     ) -> Result<(), CliError> {
-        if let Value::Object(keys) = &mut object {
-            let is_complete = keys.get("complete").and_then(Value::as_bool).unwrap_or(true);
-            keys.insert("complete".to_owned(), (is_complete && not_complete().is_none()).into());
-        }
-        let rows = marked(rows);
-        self.deliver_texts(page, &|| pretty(&object), &|| rows.csv())
-    }
-
-    fn deliver_texts(
-        &self,
-        page: &str,
-        object: &dyn Fn() -> String,
-        csv: &dyn Fn() -> String,
-    ) -> Result<(), CliError> {
-        let table = self.table;
+        let (table, missing) = (self.table, not_complete());
+        // The rows of an incomplete table say so.
+        let rows = if missing.is_some() { rows.field("complete", |_| false) } else { rows };
         if table.is_stdout() {
-            return output::print(&csv());
+            return output::print(&rows.csv());
         }
-        let written = table.file().map_or(Ok(()), |to| self.write(&to, &csv()));
+        let written = table.file().map_or(Ok(()), |to| self.write(&to, &rows.csv()));
         // A file that cannot be written must not cost what was computed.
-        let changed =
-            || self.source.as_ref().map_or_else(String::new, |source| source.changes.changed());
-        let missing = || not_complete().map_or_else(String::new, |missing| missing + "\n\n");
-        let whole = || text::fitted(&(missing() + &changed() + page));
-        output::print(&if table.json { object() } else { whole() })?;
+        output::print(&match object {
+            _ if !table.json => {
+                let changed = self.source.as_ref().map(|source| source.changes.changed());
+                let missing = missing.map(|missing| missing + "\n\n");
+                text::fitted(&(missing.unwrap_or_default() + &changed.unwrap_or_default() + page))
+            }
+            Some(mut object) => {
+                let is_complete = object["complete"].as_bool().unwrap_or(true);
+                object["complete"] = (is_complete && missing.is_none()).into();
+                pretty(&object)
+            }
+            None => rows.json(),
+        })?;
         Ok(written?)
     }
 
@@ -190,11 +180,6 @@ impl Delivery<'_> {
         output::note_written(&to.write(text.as_bytes(), beside.as_slice(), is_complete)?);
         Ok(())
     }
-}
-
-/// The rows of an incomplete table say so.
-fn marked<R>(table: Table<'_, R>) -> Table<'_, R> {
-    if not_complete().is_some() { table.with("complete", "", "", |_| false) } else { table }
 }
 
 /// A warning in a line: of a breach of validity the first clause, which has its name and number, or the first two where the first has

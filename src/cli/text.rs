@@ -31,15 +31,10 @@ pub(super) fn hanging(lead: &str, text: &str, indent: usize) -> String {
     format!("{lead}{}\n", lines.join(&format!("\n{:indent$}", "")))
 }
 
-/// A label in a column of its own, and a text beside it.
-pub(super) fn labelled(page: &mut String, label: &str, text: &str) {
-    page.push_str(&hanging(&format!("    {label:<12}"), text, 16));
-}
-
-/// The same for several, without those of which there is nothing to say.
+/// Labels in a column of their own, and a text beside each; without those of which there is nothing to say.
 pub(super) fn labelled_each(page: &mut String, lines: &[(&str, impl AsRef<str>)]) {
     for (label, text) in lines.iter().filter(|(_, text)| !text.as_ref().is_empty()) {
-        labelled(page, label, text.as_ref());
+        page.push_str(&hanging(&format!("    {label:<12}"), text.as_ref(), 16));
     }
 }
 

@@ -7,7 +7,7 @@ use clap::Args;
 
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output, progress, text};
+use crate::cli::{CliError, progress, text};
 use crate::files::validation;
 use crate::model::scene::ClosureInEffect;
 use crate::model::units::{engineering, fixed_significant};
@@ -26,13 +26,10 @@ pub(super) struct ValidateArguments {
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(false)?;
     let report = progress::study(arguments.threads.count(), "measurements", validation::report)?;
-    arguments.table.alone().deliver(&page(&report), tables::table(&report))?;
-    let missing: Vec<&str> =
-        report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();
-    for id in &missing {
-        output::note(&format!("nothing could be computed for {id}"));
-    }
-    Ok(progress::exit_code(missing.is_empty()))
+    arguments.table.alone().deliver(&page(&report), None, tables::table(&report))?;
+    let missing = report.iter().filter(|row| row.computed.is_none());
+    let missing = missing.map(|row| format!("nothing could be computed for {}", row.case.id));
+    Ok(progress::exit_code_after(missing))
 }
 
 fn page(report: &[Row]) -> String {

@@ -3,8 +3,9 @@
 use std::ffi::{OsStr, OsString};
 use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
+use std::sync::Arc;
 
-use clap::Args;
+use clap::{Args, Command};
 
 use crate::cli::run::{compute, print_readable};
 use crate::cli::table::TableArguments;
@@ -36,18 +37,17 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
         scene: preset,
         fresh: arguments.fresh,
         glyphs: arguments.glyphs.chosen(),
-    })?;
+    })
+    .map_err(CliError::Workbench)?;
     Ok(ExitCode::from(status))
 }
 
 /// The scene; a mistyped subcommand arrives here, too.
 fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     scene::named(name).map_err(|error| {
-        match (error, {
-            let names = commands::names();
-            let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            did_you_mean(&name.to_string_lossy(), &names)
-        }) {
+        let commands = commands::whole();
+        let names: Vec<&str> = commands.get_subcommands().map(Command::get_name).collect();
+        match (error, did_you_mean(&name.to_string_lossy(), &names)) {
             (CliError::File(FileError::UnknownScene { name, .. }), Some(nearest)) => {
                 let hint = nearest.replace("you mean", "you mean the subcommand");
                 CliError::File(FileError::UnknownScene { name, hint })
@@ -58,15 +58,12 @@ fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
 }
 
 fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliError> {
-    let preset = match preset {
-        Some(preset) => preset,
-        None => scene::named(bundled::BASELINE.as_ref())?,
-    };
+    let preset = preset.map_or_else(|| scene::named(bundled::BASELINE.as_ref()), Ok)?;
     output::note(
         "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
     );
-    let computed = compute(preset)?;
-    print_readable(&computed, Some(glyphs), &TableArguments::default())?;
+    let run = compute(&Arc::new(preset.scene))?;
+    print_readable(&preset.name, &run, Some(glyphs), &TableArguments::default())?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -245,11 +245,11 @@ impl Growing {
     ///
     /// # Errors
     /// [`FileError::Exists`] when another file has taken a name meanwhile, or [`FileError::Write`].
-    pub fn finish(self, beside: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), FileError> {
+    pub fn finish(self, beside: &[(PathBuf, String)], existing: Existing) -> Result<(), FileError> {
         let mut ready = vec![self];
         for (path, content) in beside {
             let mut file = Self::prepare(path, existing, hidden)?;
-            file.add(content)?;
+            file.add(content.as_bytes())?;
             ready.push(file);
         }
         name_all(ready, existing)
@@ -360,7 +360,7 @@ mod tests {
         let (first, second) = (place.path().join("a.csv"), place.path().join("a.toml"));
         fs::write(&second, "mine").unwrap();
         let file = Growing::begin(&first, Existing::Keep).unwrap();
-        assert!(file.finish(&[(second.clone(), b"2")], Existing::Keep).is_err());
+        assert!(file.finish(&[(second.clone(), "2".to_owned())], Existing::Keep).is_err());
         assert_eq!(names(place.path()), ["a.toml"]);
         assert_eq!(fs::read(&second).unwrap(), b"mine");
     }
@@ -418,7 +418,7 @@ mod tests {
         // A folder takes the table's name meanwhile: it cannot be named.
         let file = Growing::begin(&table, Existing::Replace).unwrap();
         fs::create_dir(&table).unwrap();
-        assert!(file.finish(&[(scene.clone(), b"new")], Existing::Replace).is_err());
+        assert!(file.finish(&[(scene.clone(), "new".to_owned())], Existing::Replace).is_err());
         assert_eq!(names(place.path()), ["a.csv", "a.toml"]);
         assert_eq!(fs::read(&scene).unwrap(), b"old");
     }
@@ -455,7 +455,7 @@ mod tests {
 
     #[test]
     fn a_link_stays_a_link_and_permissions_stay() {
-        use std::os::unix::fs::{PermissionsExt as _, symlink};
+        use std::os::unix::fs::symlink;
         let place = tempfile::tempdir().unwrap();
         let (real, link) = (place.path().join("real"), place.path().join("link"));
         fs::write(&real, "old").unwrap();

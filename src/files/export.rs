@@ -18,6 +18,8 @@ use crate::model::scene::Scene;
 use crate::model::units;
 use crate::report::run::NamedRun;
 use crate::study::quantities::of_runs;
+use crate::study::sweep::Plan;
+use crate::study::validity;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
@@ -60,13 +62,6 @@ impl Destination {
         Ok(())
     }
 
-    fn check_beside(&self) -> Result<(), FileError> {
-        if self.has_beside() {
-            check_sidecar(&self.path, &sidecar_path(&self.path, None))?;
-        }
-        Ok(())
-    }
-
     /// A device or a pipe has no place beside it.
     fn has_beside(&self) -> bool {
         fs::metadata(&self.path).map_or(true, |found| found.is_file())
@@ -82,8 +77,8 @@ impl Destination {
         scenes: &[Beside<'_>],
         is_complete: bool,
     ) -> Result<Vec<PathBuf>, FileError> {
-        if !scenes.is_empty() {
-            self.check_beside()?;
+        if !scenes.is_empty() && self.has_beside() {
+            check_sidecar(&self.path, &sidecar_path(&self.path, None))?;
         }
         // A part of a table takes the place of none.
         let existing = if is_complete { self.existing } else { Existing::Replace };
@@ -110,22 +105,17 @@ impl Destination {
     /// # Errors
     /// [`FileError`]; no file is new or changed then.
     pub fn finish(&self, file: Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
-        // Another program may have taken the name meanwhile.
-        let taken = atomic::check(&self.path, self.existing);
-        let taken =
-            taken.and_then(|()| if scenes.is_empty() { Ok(()) } else { self.check_beside() });
-        if let Err(problem) = taken {
-            return Err(kept(&file, problem));
-        }
-        let mut beside: Vec<(PathBuf, String)> = Vec::new();
-        for scene in scenes.iter().filter(|_| self.has_beside()) {
+        let beside = |scene: &Beside<'_>| {
             let path = sidecar_path(&self.path, scene.run);
             check_sidecar(&self.path, &path)?;
-            beside.push((path, scene.file(&self.path)));
-        }
-        let texts: Vec<(PathBuf, &[u8])> =
-            beside.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
-        file.finish(&texts, self.existing)?;
+            Ok((path, scene.file(&self.path)))
+        };
+        // Another program may have taken the name meanwhile.
+        let taken = atomic::check(&self.path, self.existing);
+        let scenes = scenes.iter().filter(|_| self.has_beside());
+        let beside: Result<Vec<_>, _> = taken.and_then(|()| scenes.map(beside).collect());
+        let beside = beside.map_err(|problem| kept(&file, problem))?;
+        file.finish(&beside, self.existing)?;
         let beside = beside.into_iter().map(|(path, _)| path);
         Ok(std::iter::once(self.path.clone()).chain(beside).collect())
     }
@@ -203,6 +193,15 @@ fn outcome(run: &Run) -> String {
     }
     for warning in envelope::warnings(run) {
         let _ = writeln!(text, "# warning: {warning}");
+    }
+    text
+}
+
+/// The comment lines above the scene beside a sweep's table: that it is not complete (`missing`), and the warnings.
+pub fn sweep_notes(plan: &Plan, missing: Option<&str>) -> String {
+    let mut text = missing.map_or_else(String::new, |missing| format!("# {missing}\n"));
+    for warning in validity::of_plan(plan) {
+        let _ = writeln!(text, "# warning: {}", clean::line(&warning));
     }
     text
 }

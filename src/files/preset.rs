@@ -56,41 +56,21 @@ impl Origin {
     }
 }
 
-/// The presets there are.
-#[derive(Debug, Default)]
-pub struct List {
-    /// Those that can be read, bundled first, then the user's own by name.
-    pub presets: Vec<Preset>,
-    /// Those that cannot.
-    pub unreadable: Vec<Unreadable>,
-}
-
-/// A preset that cannot be read.
-#[derive(Debug)]
-pub struct Unreadable {
-    /// Its name.
-    pub name: String,
-    /// The reason.
-    pub error: FileError,
-}
-
-/// Lists the presets.
-pub fn list(paths: Option<&Paths>) -> List {
-    let mut list = List::default();
-    let own = paths.map(own_presets).unwrap_or_default().into_iter();
-    let found = BUNDLED.iter().map(|preset| (preset.name.to_owned(), from_bundled(*preset))).chain(
-        own.map(|(name, path)| {
-            let preset = path.and_then(|path| from_own(name.clone(), path));
-            (name, preset)
-        }),
-    );
-    for (name, preset) in found {
+/// The presets that can be read, bundled first, then the user's own by name; and the names of those that cannot, with the reason.
+pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<(String, FileError)>) {
+    let bundled = BUNDLED.iter().map(|preset| (preset.name.to_owned(), from_bundled(*preset)));
+    let own = paths.map(own_presets).unwrap_or_default().into_iter().map(|(name, path)| {
+        let preset = path.and_then(|path| from_own(name.clone(), path));
+        (name, preset)
+    });
+    let (mut presets, mut unreadable) = (Vec::new(), Vec::new());
+    for (name, preset) in bundled.chain(own) {
         match preset {
-            Ok(preset) => list.presets.push(preset),
-            Err(error) => list.unreadable.push(Unreadable { name, error }),
+            Ok(preset) => presets.push(preset),
+            Err(error) => unreadable.push((name, error)),
         }
     }
-    list
+    (presets, unreadable)
 }
 
 /// The scene meant by `name`: a bundled preset, an own one, or the path of a TOML file.
@@ -304,7 +284,7 @@ mod tests {
         fs::create_dir_all(&paths.presets).unwrap();
         let path = paths.preset_file("hurt");
         fs::write(&path, "format = 1\n[plate]\nmass_ration = 2\n").unwrap();
-        let problem = list(Some(&paths)).unreadable[0].error.to_string();
+        let problem = list(Some(&paths)).1[0].1.to_string();
         assert!(problem.contains("hurt.toml:3:1"), "{problem}");
         let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
         assert!(error.to_string().contains("was not replaced"), "{error}");

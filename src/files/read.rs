@@ -54,21 +54,16 @@ fn is_of_system(path: &Path) -> bool {
 /// read than is accepted.
 pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let mut bytes = Vec::new();
-    source
-        .take(bytes_max + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|source| FileError::read(path, source))?;
+    let read = source.take(bytes_max + 1).read_to_end(&mut bytes);
+    read.map_err(|source| FileError::read(path, source))?;
+    let refused = |problem: &str| FileError::Refused(format!("`{}` {problem}", shown(path)));
     if bytes.len() as u64 > bytes_max {
-        return Err(FileError::Refused(format!(
-            "`{}` has more than {bytes_max} bytes, the most that is read: is this the right file?",
-            shown(path)
+        return Err(refused(&format!(
+            "has more than {bytes_max} bytes, the most that is read: is this the right file?"
         )));
     }
     String::from_utf8(bytes).map_err(|_not_text| {
-        FileError::Refused(format!(
-            "`{}` is not UTF-8 text: is this the right file? if so, save it as UTF-8",
-            shown(path)
-        ))
+        refused("is not UTF-8 text: is this the right file? if so, save it as UTF-8")
     })
 }
 
@@ -116,17 +111,12 @@ impl Reader<'_> {
         self.one_size(document);
         for key in &PlateSize::KEYS[1..] {
             let found = VARIABLES.iter().find(|variable| variable.key == *key);
-            let plate = document.get("plate").map(Spanned::get_ref);
-            if let (Some(variable), Some(DeValue::Table(plate))) = (found, plate)
-                && let Some(value) = plate.get(&key["plate.".len()..])
-            {
+            if let (Some(variable), Some(value)) = (found, find(document, key)) {
                 self.variable(scene, variable, value);
             }
         }
         // Last: an element is like the scene but for what it says.
-        if let Some(DeValue::Table(stack)) = document.get("stack").map(Spanned::get_ref)
-            && let Some(list) = stack.get("layer")
-        {
+        if let Some(list) = find(document, read_stack::KEY) {
             scene.stack.layers = read_stack::layers(self, scene, list);
         }
         if self.is_right()
@@ -146,13 +136,10 @@ impl Reader<'_> {
         let (kind, key) = ("mechanism.spring.kind", read_table::KEY);
         let Some(found) = find(document, kind) else { return };
         if scene.mechanism.spring.kind == SpringKind::Table && find(document, key).is_none() {
-            self.problem(
-                found.span(),
-                format!(
-                    "{kind} = \"table\" has no measured curve: add [{key}] with file = \"curve.csv\" or points = [[x, F], ...] in m \
-                     and N"
-                ),
+            let text = format!(
+                "{kind} = \"table\" has no measured curve: add [{key}] with file = \"curve.csv\" or points = [[x, F], ...] in m and N"
             );
+            self.problem(found.span(), text);
         }
     }
 
@@ -166,12 +153,10 @@ impl Reader<'_> {
         let is_supported = number(value.get_ref()) == Some(FORMAT as f64);
         if !is_supported {
             let shown = self.shown(value);
-            self.problem(
-                value.span(),
-                format!(
-                    "format = {shown} is not supported: this program reads format {FORMAT}; {cure}"
-                ),
+            let text = format!(
+                "format = {shown} is not supported: this program reads format {FORMAT}; {cure}"
             );
+            self.problem(value.span(), text);
         }
         is_supported
     }
@@ -208,15 +193,12 @@ impl Reader<'_> {
             }
             (_, Some(variable)) => self.variable(scene, variable, value),
             (_, None) if is_table => {
-                let shown = self.shown(value);
-                self.problem(
-                    value.span(),
-                    format!(
-                        "{path} = {shown} is {}: `{path}` is a table; write [{path}] with {} below it",
-                        kind_of(value.get_ref()),
-                        keys_below(path)
-                    ),
+                let (shown, kind) = (self.shown(value), kind_of(value.get_ref()));
+                let keys = keys_below(path);
+                let text = format!(
+                    "{path} = {shown} is {kind}: `{path}` is a table; write [{path}] with {keys} below it"
                 );
+                self.problem(value.span(), text);
             }
             (_, None) => {
                 let text = unknown(path, matches!(value.get_ref(), DeValue::Table(_)));
@@ -267,19 +249,16 @@ impl Reader<'_> {
                 format!("write for example {}", variable.show(&defaults))
             }
         };
-        let cure = match value.get_ref() {
-            DeValue::String(text) => variable
-                .parse(&defaults, text, Bare::Stored)
-                .ok()
-                .and_then(|value| match value {
-                    Value::Number(number) => {
-                        Some(format!("write {} without quotes", units::shortest(number)))
-                    }
-                    Value::Switch(on) => Some(format!("write {on} without quotes")),
-                    Value::Absent | Value::Word(_) => None,
-                })
-                .unwrap_or(example),
-            _ => example,
+        let quoted = match value.get_ref() {
+            DeValue::String(text) => variable.parse(&defaults, text, Bare::Stored).ok(),
+            _ => None,
+        };
+        let cure = match quoted {
+            Some(Value::Number(number)) => {
+                format!("write {} without quotes", units::shortest(number))
+            }
+            Some(Value::Switch(on)) => format!("write {on} without quotes"),
+            Some(Value::Absent | Value::Word(_)) | None => example,
         };
         let rule = variable.number().map(|number| number.allowed.describe(number.quantity));
         let allowed = rule.unwrap_or_else(|| variable.allowed());

@@ -352,9 +352,10 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
 mod tests {
     use super::*;
 
-    fn example() -> Session {
+    /// A session with this mass ratio.
+    fn of(ratio: f64) -> Session {
         let mut session = Session::default();
-        session.scene.plate.mass_ratio = 0.1 + 0.2;
+        session.scene.plate.mass_ratio = ratio;
         session.scene.notes = "two\nlines and ''' quotes".to_owned();
         session.preset = Some("cocked".to_owned());
         session.pins.push(("A".to_owned(), Scene::default()));
@@ -368,15 +369,34 @@ mod tests {
         session
     }
 
-    #[test]
-    fn the_scene_of_another_workbench_is_kept() {
+    fn example() -> Session {
+        of(0.1 + 0.2)
+    }
+
+    /// A folder, and the path of a session in it.
+    fn place() -> (tempfile::TempDir, PathBuf) {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("session.toml");
-        let of = |ratio: f64| {
-            let mut session = example();
-            session.scene.plate.mass_ratio = ratio;
-            session
-        };
+        (place, path)
+    }
+
+    /// The session of the example in a folder, and its text.
+    fn saved() -> (tempfile::TempDir, PathBuf, String) {
+        let (place, path) = place();
+        save(&path, &example(), &mut Known::default()).unwrap();
+        let text = fs::read_to_string(&path).unwrap();
+        (place, path, text)
+    }
+
+    /// The mass ratio of a kept scene.
+    fn ratio_in(path: impl AsRef<Path>) -> f64 {
+        let text = fs::read_to_string(path).unwrap();
+        read::scene(&text, "kept").unwrap().plate.mass_ratio
+    }
+
+    #[test]
+    fn the_scene_of_another_workbench_is_kept() {
+        let (place, path) = place();
         let kept = || recent::list(&place.path().join("recent")).len();
         save(&path, &of(1.0), &mut Known::default()).unwrap();
         let (mut first, mut second) = (load(&path).known, load(&path).known);
@@ -398,13 +418,8 @@ mod tests {
     /// One that works on beside another keeps the last of its scenes, and pushes no others out.
     #[test]
     fn two_that_work_in_turn_leave_older_scenes_where_they_are() {
-        let place = tempfile::tempdir().unwrap();
-        let (path, folder) = (place.path().join("session.toml"), place.path().join("recent"));
-        let of = |ratio: f64| {
-            let mut session = example();
-            session.scene.plate.mass_ratio = ratio;
-            session
-        };
+        let (place, path) = place();
+        let folder = place.path().join("recent");
         recent::keep(&folder, &of(0.5).scene, None).unwrap();
         let known = |writer: &str| Known { writer: writer.to_owned(), ..load(&path).known };
         let mut first = known("1");
@@ -414,11 +429,7 @@ mod tests {
             save(&path, &of(10.0 + f64::from(turn)), &mut second).unwrap();
             save(&path, &of(20.0 + f64::from(turn)), &mut first).unwrap();
         }
-        let kept = recent::list(&folder).into_iter().map(|path| {
-            let text = fs::read_to_string(path).unwrap();
-            read::scene(&text, "kept").unwrap().plate.mass_ratio
-        });
-        let mut kept: Vec<f64> = kept.collect();
+        let mut kept: Vec<f64> = recent::list(&folder).into_iter().map(ratio_in).collect();
         kept.sort_by(f64::total_cmp);
         assert_eq!(kept, [0.5, 19.0, 28.0]);
     }
@@ -427,25 +438,20 @@ mod tests {
     #[test]
     fn two_that_save_at_once_are_both_kept() {
         for round in 0..40 {
-            let place = tempfile::tempdir().unwrap();
-            let path = place.path().join("session.toml");
-            save(&path, &example(), &mut Known::default()).unwrap();
+            let (place, path, _) = saved();
             let known = load(&path).known;
             let barrier = std::sync::Barrier::new(2);
             std::thread::scope(|scope| {
                 for ratio in [2.0, 3.0] {
                     let (mut known, barrier, path) = (known.clone(), &barrier, &path);
                     scope.spawn(move || {
-                        let mut session = example();
-                        session.scene.plate.mass_ratio = ratio;
                         barrier.wait();
-                        save(path, &session, &mut known).unwrap();
+                        save(path, &of(ratio), &mut known).unwrap();
                     });
                 }
             });
             let here = load(&path).session.unwrap().scene.plate.mass_ratio;
-            let aside = fs::read_to_string(place.path().join("recent/unsaved-1.toml")).unwrap();
-            let both = here + read::scene(&aside, "kept").unwrap().plate.mass_ratio;
+            let both = here + ratio_in(place.path().join("recent/unsaved-1.toml"));
             assert!((both - 5.0).abs() < 1e-12, "round {round}: one of them is lost");
         }
     }
@@ -469,8 +475,7 @@ mod tests {
 
     #[test]
     fn a_broken_session_is_put_aside() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("session.toml");
+        let (place, path) = place();
         fs::write(&path, "format = 1\nscene = 3\n").unwrap();
         let loaded = load(&path);
         assert_eq!(loaded.session, None);
@@ -483,10 +488,7 @@ mod tests {
 
     #[test]
     fn a_damaged_pin_does_not_cost_the_scene() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("session.toml");
-        save(&path, &example(), &mut Known::default()).unwrap();
-        let text = fs::read_to_string(&path).unwrap();
+        let (_place, path, text) = saved();
         // The pin's own scene is the last one before those of edits.
         let at = text[..text.find("[[undo]]").unwrap()].rfind("mass_kg").unwrap();
         fs::write(&path, format!("{}mass_lb{}", &text[..at], &text[at + 7..])).unwrap();
@@ -499,10 +501,7 @@ mod tests {
 
     #[test]
     fn a_setup_that_means_nothing_costs_nothing_else() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("session.toml");
-        save(&path, &example(), &mut Known::default()).unwrap();
-        let text = fs::read_to_string(&path).unwrap();
+        let (_place, path, text) = saved();
         for wrong in ["[view]\nlater = 3\nthreads = \"x\"\n", "[setup]\nlater = 3\nexplore = 7\n"] {
             let table = &wrong[..=wrong.find('\n').unwrap()];
             let text = if text.contains(table) { text.clone() } else { format!("{text}\n{table}") };

@@ -9,12 +9,12 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
 use crate::files::{read, read_table};
-use crate::model::scene::{Layer, PlateSize, Scene, SpringKind, Sweep};
+use crate::model::scene::{Layer, PlateSize, Scene, SpringKind, Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
-/// Where the comment beside a value begins.
-const COMMENT_COLUMN: usize = 28;
+/// Columns of a value before the comment beside it.
+const VALUE_WIDTH: usize = 27;
 
 /// A scene as a new TOML file.
 pub fn fresh(scene: &Scene) -> String {
@@ -31,16 +31,11 @@ pub fn fresh(scene: &Scene) -> String {
             table = parent;
         }
         let (line, note) = match value_text(variable, scene) {
-            Some(value) => (format!("{key} = {value}"), String::new()),
+            Some(value) => (format!("{key} = {value}"), ""),
             // An optional number that is not there: shown, so that a reader knows it can be.
-            None => (format!("# {key} ="), ", omitted".to_owned()),
+            None => (format!("# {key} ="), ", omitted"),
         };
-        let _ = writeln!(
-            text,
-            "{line:<width$} # {}{note}",
-            comment(variable),
-            width = COMMENT_COLUMN - 1
-        );
+        let _ = writeln!(text, "{line:<VALUE_WIDTH$} # {}{note}", comment(variable));
     }
     if let Some((key, points)) = changed_table(&Scene::default(), scene) {
         let _ = writeln!(text, "\n[{key}]\npoints = {points}");
@@ -98,12 +93,10 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
     }
     if old.sweep != scene.sweep {
         root.remove("sweep");
-        if let Some(sweep) = &scene.sweep {
-            let mut fresh = Table::new();
-            if let Ok(parsed) = sweep_text(sweep).parse::<DocumentMut>() {
-                fresh = parsed.into_table();
-                fresh.set_position(None);
-            }
+        let text = scene.sweep.as_ref().map(sweep_text);
+        if let Some(Ok(parsed)) = text.map(|text| text.parse::<DocumentMut>()) {
+            let mut fresh = parsed.into_table();
+            fresh.set_position(None);
             root.insert("sweep", Item::Table(fresh));
         }
     }
@@ -253,27 +246,18 @@ fn quoted(text: &str) -> String {
 }
 
 fn sweep_text(sweep: &Sweep) -> String {
-    let mut text = "axes = [".to_owned();
-    for (index, axis) in sweep.axes.iter().enumerate() {
-        let log = if axis.log { ", log = true" } else { "" };
-        let comma = if index == 0 { "" } else { "," };
-        let name = quoted(&axis.name);
-        if !axis.values.is_empty() {
-            let values: Vec<String> = axis.values.iter().map(|value| float(*value)).collect();
-            let values = values.join(", ");
-            let _ = write!(text, "{comma}\n    {{ name = {name}, values = [{values}] }}");
-            continue;
-        }
-        let _ = write!(
-            text,
-            "{comma}\n    {{ name = {name}, from = {}, to = {}, count = {}{log} }}",
-            float(axis.from),
-            float(axis.to),
-            axis.count
-        );
-    }
-    text.push_str(",\n]\n");
+    let axis = |axis: &SweepAxis| {
+        let points = if axis.values.is_empty() {
+            let ([from, to], count) = ([axis.from, axis.to].map(float), axis.count);
+            let log = if axis.log { ", log = true" } else { "" };
+            format!("from = {from}, to = {to}, count = {count}{log}")
+        } else {
+            let values: Vec<String> = axis.values.iter().copied().map(float).collect();
+            format!("values = [{}]", values.join(", "))
+        };
+        format!("\n    {{ name = {}, {points} }}", quoted(&axis.name))
+    };
+    let axes: Vec<String> = sweep.axes.iter().map(axis).collect();
     let outputs: Vec<String> = sweep.outputs.iter().map(|name| quoted(name)).collect();
-    let _ = writeln!(text, "outputs = [{}]", outputs.join(", "));
-    text
+    format!("axes = [{},\n]\noutputs = [{}]\n", axes.join(","), outputs.join(", "))
 }

@@ -23,7 +23,6 @@ pub mod svg;
 pub mod sweep;
 pub mod table;
 pub mod thesis;
-pub mod unit;
 pub mod validation;
 
 /// Words about a result.

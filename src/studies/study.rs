@@ -26,6 +26,7 @@ pub mod thesis;
 pub mod validation;
 pub mod validity;
 
+use std::fmt::Display;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -34,7 +35,17 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::{changed, changed_free_plate};
 
-/// A run without its course in time and without an estimate of its error; `None` for a scene that makes no physical sense.
+/// An option of a command: ` --samples 64`; nothing where it has no value.
+fn option(name: &str, value: Option<impl Display>) -> String {
+    value.map_or_else(String::new, |value| format!(" --{name} {value}"))
+}
+
+/// A run to its end; `None` for a scene that makes no physical sense.
+pub(crate) fn run_with(scene: &Scene, settings: Settings) -> Option<Run> {
+    simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).ok()
+}
+
+/// The same without its course in time and without an estimate of its error.
 pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {
-    simulate(&Arc::new(scene.clone()), &Settings::BARE, &mut |_| ControlFlow::Continue(())).ok()
+    run_with(scene, Settings::BARE)
 }

@@ -9,8 +9,6 @@ pub mod jobs;
 pub mod notice;
 pub mod pins;
 pub mod running;
-pub(crate) mod setups;
-mod validity;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -31,8 +29,7 @@ use crate::tui::pages::states::States;
 use crate::tui::prelude::*;
 use crate::tui::preset::{Base, PresetEntry};
 use crate::tui::theme::Theme;
-use crate::tui::widgets::input::{Field, TextField};
-use crate::tui::widgets::layout::{Layout, layout};
+use crate::tui::widgets::input::TextField;
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
@@ -61,7 +58,7 @@ pub struct Files {
 #[derive(Clone, Debug)]
 pub enum Typing {
     /// The field of a row of the pane that has the keys.
-    Field(Field),
+    Field(TextField),
     /// The field of `/`.
     Find(TextField),
 }
@@ -113,7 +110,7 @@ impl App {
     }
 
     /// The open field of a row.
-    pub fn field(&self) -> Option<&Field> {
+    pub fn field(&self) -> Option<&TextField> {
         if let Some(Typing::Field(field)) = &self.typing { Some(field) } else { None }
     }
 
@@ -146,17 +143,6 @@ impl App {
             picture: self.pages.explore.picture,
             pins: self.pins.iter().map(|pin| Pin { run: None, job: None, ..pin.clone() }).collect(),
         }
-    }
-
-    pub fn layout(&self) -> Layout {
-        // A pinned run takes the row that says how to pin one.
-        let has_hint = self.tab != Tab::Run || self.pins.is_empty();
-        layout(self.size, self.tab.pages() > 1, has_hint)
-    }
-
-    /// Rows of a list that fills the body.
-    pub fn list_rows(&self) -> usize {
-        self.layout().body.map_or(10, |body| usize::from(body.height.saturating_sub(2)))
     }
 
     /// Whether the pane that has the keys fills the body.
@@ -238,28 +224,14 @@ impl App {
 
     /// The runs to draw, the current one last so that it lies on top.
     pub fn visible_runs(&self) -> Vec<RunView<'_>> {
-        let pins = self.pins.iter().enumerate();
-        let mut list: Vec<RunView<'_>> = pins
-            .filter_map(|(index, pin)| {
-                pin.run.as_deref().map(|run| RunView {
-                    letter: Some(pin.letter),
-                    index: index + 1,
-                    name: &pin.name,
-                    run,
-                    old: false,
-                })
-            })
-            .collect();
-        if let Some(shown) = &self.shown {
-            list.push(RunView {
-                letter: None,
-                index: 0,
-                name: "now",
-                run: &shown.run,
-                old: self.shows_old(),
-            });
-        }
-        list
+        let pins = (1..).zip(&self.pins).filter_map(|(index, pin)| {
+            let run = pin.run.as_deref()?;
+            Some(RunView { letter: Some(pin.letter), index, name: &pin.name, run, old: false })
+        });
+        let old = self.shows_old();
+        let now = self.shown.iter().map(|shown| &*shown.run);
+        let now = now.map(|run| RunView { letter: None, index: 0, name: "now", run, old });
+        pins.chain(now).collect()
     }
 
     /// The variables that differ between two scenes, by index into the table.

@@ -1,15 +1,14 @@
-//! The dialogs on top of the panes: each in a file of its own, with its keys, how it is drawn, and what comes of it.
+//! The dialogs on top of the panes: each with its keys, how it is drawn, and what comes of it.
 
 mod ask;
-mod export;
 mod help;
 pub(crate) mod list;
 pub mod palette;
 mod presets;
-mod save;
 mod words;
 
 use crate::tui::app::dialog::Dialog;
+use crate::tui::dialogs::list::listed;
 use crate::tui::prelude::*;
 
 pub(crate) use words::open as list_words;
@@ -19,11 +18,14 @@ type Open = fn(&mut App) -> Option<Box<dyn Dialog>>;
 
 /// The dialogs by the action that opens each.
 const OPENED: &[(Action, Open)] = &[
-    (Action::Help, |app| Some(help::open(app))),
-    (Action::Palette, |app| Some(palette::open(app))),
-    (Action::Presets, |app| Some(presets::open(app))),
-    (Action::Save, |app| Some(save::open(app))),
-    (Action::Export, export::open),
+    (Action::Help, |_| Some(listed(help::Help, 0))),
+    (Action::Palette, |_| Some(listed(palette::Palette, 0))),
+    (Action::Presets, |app| {
+        app.list_presets();
+        Some(listed(presets::Presets, 0))
+    }),
+    (Action::Save, |app| Some(ask::save(app))),
+    (Action::Export, ask::export),
 ];
 
 /// Open the dialog of an action; false where it has none here.

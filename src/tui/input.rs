@@ -8,7 +8,7 @@ use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
 
-use super::signals::{HUNG_UP, Incoming, Signal};
+use super::signals::{HUNG_UP, Incoming};
 use super::terminal;
 use super::terminal::decode::{Decoder, Input};
 use crate::tui::message::Message;
@@ -31,7 +31,7 @@ pub(super) fn spawn(inbox: Sender<Incoming>, hold: Duration) -> io::Result<()> {
         // What ends it, an error or a panic, is the end of the terminal.
         let _ = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, decoder, read)));
         // The loop may be over already.
-        let _ = inbox.send(Incoming::Signal(Signal::End(HUNG_UP)));
+        let _ = inbox.send(Incoming::End(HUNG_UP));
     };
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }
@@ -104,17 +104,13 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_later_than_the_hold_is_another_key() {
+    fn an_escape_is_a_key_once_nothing_follows_within_the_hold() {
         use KeyCode as K;
         assert_eq!(keys(HOLD, &[(0, b"\x1b"), (20, b"[H")]), [K::Home]);
         assert_eq!(keys(HOLD, &[(0, b"\x1b"), (60, b"j")]), [K::Esc, K::Char('j')]);
         assert_eq!(keys(HOLD_OVER_SSH, &[(0, b"\x1b"), (60, b"[D")]), [K::Left]);
-    }
-
-    #[test]
-    fn a_lone_escape_is_a_key_once_nothing_follows() {
-        assert_eq!(keys(HOLD, &[(0, b"\x1b")]), [KeyCode::Esc]);
-        assert_eq!(keys(HOLD, &[(0, b"\x1b\x1b")]), [KeyCode::Esc; 2]);
+        assert_eq!(keys(HOLD, &[(0, b"\x1b")]), [K::Esc]);
+        assert_eq!(keys(HOLD, &[(0, b"\x1b\x1b")]), [K::Esc; 2]);
     }
 
     #[test]

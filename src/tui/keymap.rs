@@ -8,31 +8,28 @@ use cmra_studies::enumeration;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use Action as A;
-use Scope::{Everywhere, Listed};
 
 enumeration! {
     /// The tabs, in the order of the title row.
     #[derive(Default, Hash, PartialOrd, Ord)]
     pub enum Tab in TabRow {
         name: &'static str,
-        /// How many pages it has.
-        pages: usize,
     }
     /// One impact: variables, charts, runs.
     #[default]
-    Run { name: "Run", pages: 1 }
+    Run { name: "Run" }
     /// Curves or a map of a quantity over one variable or two.
-    Explore { name: "Explore", pages: 1 }
+    Explore { name: "Explore" }
     /// The ballistic limit, and the comparison at equal areal mass.
-    Limit { name: "Limit", pages: 1 }
+    Limit { name: "Limit" }
     /// Goal seek, Pareto front, sensitivity, Monte Carlo.
-    Search { name: "Search", pages: 4 }
+    Search { name: "Search" }
     /// Accuracy and stability of the methods.
-    Numerics { name: "Numerics", pages: 2 }
+    Numerics { name: "Numerics" }
     /// The thesis: what is computed of it, its principles, its concepts.
-    Thesis { name: "Thesis", pages: 3 }
+    Thesis { name: "Thesis" }
     /// Warnings, events, energy, cost and messages.
-    Log { name: "Log", pages: 1 }
+    Log { name: "Log" }
 }
 
 /// The keys that lead to the tabs.
@@ -92,6 +89,19 @@ pub enum Target {
     DialogRow(usize),
 }
 
+impl Target {
+    /// The pane it is, or is in.
+    pub(crate) fn pane(self) -> Option<Pane> {
+        match self {
+            Self::Pane(pane)
+            | Self::Row(pane, _)
+            | Self::Cell(pane, _)
+            | Self::Value { pane, .. } => Some(pane),
+            Self::Tab(_) | Self::Page(_) | Self::DialogRow(_) => None,
+        }
+    }
+}
+
 pub struct PaneSpec {
     pub pane: Pane,
     /// Its name in help, palette and messages.
@@ -103,8 +113,8 @@ pub struct PaneSpec {
 impl PaneSpec {
     /// Whether an action means something in the pane.
     pub fn knows(&self, action: Action) -> bool {
-        let line = LINES.iter().find(|line| line.keys.iter().any(|(one, ..)| *one == action));
-        line.is_none_or(|line| line.works_in(self))
+        let is_of = |line: &KeyHelp| line.keys.iter().any(|(one, ..)| *one == action);
+        !LISTED.iter().any(is_of) || self.keys.iter().any(|row| row.action == action)
     }
 }
 
@@ -268,17 +278,14 @@ impl Keymap {
             };
             map.keys.insert(*action, keys.iter().map(read).collect::<Result<_, _>>()?);
         }
-        let mut seen: Vec<(Key, Action)> = Vec::new();
-        for (action, keys) in &map.keys {
-            for key in keys {
-                if let Some((_, other)) = seen.iter().find(|(known, _)| known == key) {
-                    let (a, b) = (name(*other), name(*action));
-                    let key = key.label();
-                    return Err(format!(
-                        "[keys] `{key}` would mean both {a} and {b}: give one of them another key"
-                    ));
-                }
-                seen.push((*key, *action));
+        let all =
+            || map.keys.iter().flat_map(|(action, keys)| keys.iter().map(move |key| (key, action)));
+        for (at, (key, action)) in all().enumerate() {
+            if let Some((_, other)) = all().take(at).find(|(known, _)| *known == key) {
+                let (key, a, b) = (key.label(), name(*other), name(*action));
+                return Err(format!(
+                    "[keys] `{key}` would mean both {a} and {b}: give one of them another key"
+                ));
             }
         }
         Ok(map)
@@ -350,72 +357,55 @@ impl Command {
     }
 }
 
-/// Where a line of the table works.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scope {
-    Everywhere,
-    /// In the panes that list one of its keys.
-    Listed,
-}
-
 /// An action, its name in the configuration, and its keys as people write them, the one to show first.
-pub(crate) type Bound = (Action, &'static str, &'static str);
+pub type Bound = (Action, &'static str, &'static str);
 
 pub struct KeyHelp {
-    pub scope: Scope,
     pub keys: &'static [Bound],
     pub meaning: &'static str,
 }
 
-impl KeyHelp {
-    /// Whether its keys mean something in a pane.
-    pub fn works_in(&self, pane: &PaneSpec) -> bool {
-        match self.scope {
-            Everywhere => true,
-            Listed => pane
-                .keys
-                .iter()
-                .any(|row| self.keys.iter().any(|(action, _, _)| *action == row.action)),
-        }
-    }
+const fn line(keys: &'static [Bound], meaning: &'static str) -> KeyHelp {
+    KeyHelp { keys, meaning }
 }
 
-const fn line(scope: Scope, keys: &'static [Bound], meaning: &'static str) -> KeyHelp {
-    KeyHelp { scope, keys, meaning }
+/// All actions that have a name in the configuration, by which they are bound to keys.
+pub fn bound() -> impl Iterator<Item = &'static Bound> {
+    EVERYWHERE.iter().chain(LISTED).flat_map(|line| line.keys)
 }
 
-/// All actions that have a name in the configuration.
-fn bound() -> impl Iterator<Item = &'static Bound> {
-    LINES.iter().flat_map(|line| line.keys)
-}
-
+/// What means the same in all panes.
 #[rustfmt::skip]
-pub static LINES: &[KeyHelp] = &[
-    line(Everywhere, TAB_KEYS, "go to the tab; again: its next page"),
-    line(Everywhere, &[(A::FocusNext, "next-pane", "Tab"), (A::FocusPrevious, "previous-pane", "Shift-Tab")], "next pane, previous pane"),
-    line(Everywhere, &[(A::Left, "left", "h Left"), (A::Down, "down", "j Down"), (A::Up, "up", "k Up"), (A::Right, "right", "l Right")], "move the selection or cursor, as arrows do; <left> <right> change values"),
-    line(Everywhere, &[(A::FarLeft, "far-left", "H Shift-Left"), (A::FarRight, "far-right", "L Shift-Right")], "move or change by ten steps"),
-    line(Everywhere, &[(A::First, "first", "g Home"), (A::Last, "last", "G End")], "first, last"),
-    line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
-    line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load the design under the cursor"),
-    line(Everywhere, &[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
-    line(Everywhere, &[(A::Find, "find", "/")], "show the variables, claims or lines of the log that match"),
-    line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
-    line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
-    line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),
-    line(Everywhere, &[(A::Mark, "mark", "Space")], "pin or unpin a run to compare with"),
-    line(Everywhere, &[(A::View, "view", "v")], "next view of this pane"),
-    line(Everywhere, &[(A::Run, "run", "r")], "run again what this page computes"),
-    line(Everywhere, &[(A::Export, "export", "e"), (A::Copy, "copy", "y")], "export, copy what this page shows"),
-    line(Everywhere, &[(A::Presets, "presets", "p"), (A::Save, "save", "s")], "presets, threats, materials and absorbers; save the scene"),
-    line(Everywhere, &[(A::Characters, "characters", "m"), (A::Colours, "colours", "t"), (A::Mouse, "mouse", "M")], "next characters, next colours; mouse on or off"),
-    line(Listed, &[(A::FullPane, "full-pane", "z")], "show this pane alone"),
-    line(Everywhere, &[(A::Quit, "quit", "q")], "quit (the session is kept)"),
-    line(Everywhere, &[(A::Cancel, "cancel", "Ctrl-c")], "cancel every job; pressed twice: quit"),
-    line(Everywhere, &[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
+pub static EVERYWHERE: &[KeyHelp] = &[
+    line(TAB_KEYS, "go to the tab; again: its next page"),
+    line(&[(A::FocusNext, "next-pane", "Tab"), (A::FocusPrevious, "previous-pane", "Shift-Tab")], "next pane, previous pane"),
+    line(&[(A::Left, "left", "h Left"), (A::Down, "down", "j Down"), (A::Up, "up", "k Up"), (A::Right, "right", "l Right")], "move the selection or cursor, as arrows do; <left> <right> change values"),
+    line(&[(A::FarLeft, "far-left", "H Shift-Left"), (A::FarRight, "far-right", "L Shift-Right")], "move or change by ten steps"),
+    line(&[(A::First, "first", "g Home"), (A::Last, "last", "G End")], "first, last"),
+    line(&[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
+    line(&[(A::Enter, "enter", "Enter")], "edit, open, or load the design under the cursor"),
+    line(&[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
+    line(&[(A::Find, "find", "/")], "show the variables, claims or lines of the log that match"),
+    line(&[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
+    line(&[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
+    line(&[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),
+    line(&[(A::Mark, "mark", "Space")], "pin or unpin a run to compare with"),
+    line(&[(A::View, "view", "v")], "next view of this pane"),
+    line(&[(A::Run, "run", "r")], "run again what this page computes"),
+    line(&[(A::Export, "export", "e"), (A::Copy, "copy", "y")], "export, copy what this page shows"),
+    line(&[(A::Presets, "presets", "p"), (A::Save, "save", "s")], "presets, threats, materials and absorbers; save the scene"),
+    line(&[(A::Characters, "characters", "m"), (A::Colours, "colours", "t"), (A::Mouse, "mouse", "M")], "next characters, next colours; mouse on or off"),
+    line(&[(A::Quit, "quit", "q")], "quit (the session is kept)"),
+    line(&[(A::Cancel, "cancel", "Ctrl-c")], "cancel every job; pressed twice: quit"),
+    line(&[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
+];
 
-    line(Listed, &[(A::Reset, "reset", "d Del")], "reset this row"),
-    line(Listed, &[(A::Window, "window", "c")], "show the contact only, or the whole response"),
+/// What means something in the panes that list it.
+#[rustfmt::skip]
+pub static LISTED: &[KeyHelp] = &[
+    line(&[(A::FullPane, "full-pane", "z")], "show this pane alone"),
+    line(&[(A::Reset, "reset", "d Del")], "reset this row"),
+    line(&[(A::Window, "window", "c")], "show the contact only, or the whole response"),
 ];
 
 #[cfg(test)]
@@ -425,20 +415,13 @@ mod tests {
     /// No key has two meanings, and about twenty lines hold everywhere.
     #[test]
     fn every_key_has_one_meaning_and_there_are_few_of_them() {
-        let mut seen: Vec<&str> = Vec::new();
-        for (_, name, keys) in bound() {
-            for key in keys.split(' ') {
-                assert!(!seen.contains(&key), "{name}: {key} has a second meaning");
-                seen.push(key);
-            }
-        }
+        assert_eq!(Keymap::remapped(&BTreeMap::new()), Ok(Keymap::default()));
         let mut actions: Vec<Action> = bound().map(|it| it.0).collect();
         let count = actions.len();
         actions.sort();
         actions.dedup();
         assert_eq!(actions.len(), count, "an action stands in two lines");
-        let everywhere = LINES.iter().filter(|line| line.scope == Everywhere).count();
-        assert!(everywhere <= 24, "{everywhere} lines hold everywhere");
+        assert!(EVERYWHERE.len() <= 24, "{} lines hold everywhere", EVERYWHERE.len());
     }
 
     #[test]

@@ -131,22 +131,12 @@ pub struct PageTable {
     pub file: String,
     pub is_complete: bool,
     csv: Arc<dyn Fn() -> String + Send + Sync>,
-    source: Option<Source>,
-}
-
-/// The scene of a table, the comment lines above it in the file beside the table, and the command that makes the table again.
-#[derive(Clone)]
-struct Source {
-    scene: Arc<Scene>,
+    /// Its scene, where it is of one.
+    scene: Option<Arc<Scene>>,
+    /// The comment lines above the scene in the file beside the table.
     notes: String,
+    /// The command that makes the table again of the scene: `sweep --over k=1..2`.
     command: String,
-}
-
-impl Source {
-    fn beside(&self) -> Beside<'_> {
-        let (notes, command) = (self.notes.clone(), self.command.clone());
-        Beside { run: None, scene: &self.scene, notes, command }
-    }
 }
 
 impl PageTable {
@@ -157,19 +147,26 @@ impl PageTable {
         is_complete: bool,
         csv: impl Fn() -> String + Send + Sync + 'static,
     ) -> Self {
-        Self { title, file: file.into(), is_complete, csv: Arc::new(csv), source: None }
+        let (file, csv, notes, command) =
+            (file.into(), Arc::new(csv), String::new(), String::new());
+        Self { title, file, is_complete, csv, scene: None, notes, command }
     }
 
-    /// The same as a table of a scene, which a command makes again: `sweep --over k=1..2`.
-    pub(crate) fn of(self, scene: &Arc<Scene>, command: &str) -> Self {
-        let missing = if self.is_complete { "" } else { "# not complete\n" };
-        self.noted(scene, command, missing.to_owned())
+    /// The same as a table of a scene, which a command makes again; the file is called by the preset, too.
+    pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: impl Into<String>) -> Self {
+        let file = format!("{}-{}", app.base_stem(), self.file);
+        let notes = if self.is_complete { "" } else { "# not complete\n" }.to_owned();
+        Self { file, scene: Some(Arc::clone(scene)), notes, command: command.into(), ..self }
     }
 
     /// The same with other comment lines above the scene.
-    pub(crate) fn noted(self, scene: &Arc<Scene>, command: &str, notes: String) -> Self {
-        let (scene, command) = (Arc::clone(scene), command.to_owned());
-        Self { source: Some(Source { scene, notes, command }), ..self }
+    pub(crate) fn noted(self, notes: String) -> Self {
+        Self { notes, ..self }
+    }
+
+    fn beside(&self) -> Option<Beside<'_>> {
+        let (notes, command) = (self.notes.clone(), self.command.clone());
+        Some(Beside { run: None, scene: self.scene.as_ref()?, notes, command })
     }
 }
 
@@ -199,7 +196,7 @@ impl Content {
     pub fn scenes(&self) -> Vec<Beside<'_>> {
         match self {
             Self::Runs(runs) => export::scenes(runs),
-            Self::Page(table) => table.source.iter().map(Source::beside).collect(),
+            Self::Page(table) => table.beside().into_iter().collect(),
             Self::Text(_) => Vec::new(),
         }
     }

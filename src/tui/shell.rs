@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 use std::io;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
+use std::sync::mpsc::{self, Receiver, Sender};
 use std::time::{Duration, Instant};
 
 use crossterm::clipboard::CopyToClipboard;
@@ -10,7 +10,8 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::effects::{self, IoThread};
 use super::pace::Pace;
-use super::signals::{self, HUNG_UP, Incoming, Signal};
+use super::signals::{self, HUNG_UP, Incoming};
+use super::start::environment;
 use super::terminal::{self, Guard};
 use super::{Options, input, start};
 use crate::files::paths::Paths;
@@ -42,9 +43,18 @@ pub(super) enum Ending {
     Quit,
     /// A signal, or the terminal is gone: with the exit status that stands for.
     Signal(u8),
-    /// The terminal cannot be used any more, though it is there.
+    /// The terminal cannot be used any more.
     Broken(io::Error),
 }
+
+impl From<io::Error> for Ending {
+    fn from(error: io::Error) -> Self {
+        Self::Broken(error)
+    }
+}
+
+/// Goes on, unless there is a reason to leave.
+type GoesOn = Result<(), Ending>;
 
 /// Everything the loop has at hand.
 pub(super) struct Shell {
@@ -63,12 +73,8 @@ pub(super) struct Shell {
 
 impl Shell {
     /// Take the terminal over and start every thread. The first run is under way before the terminal is touched.
-    pub(super) fn start(
-        options: Options,
-        paths: Option<Paths>,
-        sender: Sender<Incoming>,
-        inbox: Receiver<Incoming>,
-    ) -> io::Result<Self> {
+    pub(super) fn start(options: Options, paths: Option<Paths>) -> io::Result<Self> {
+        let (sender, inbox) = mpsc::channel();
         let for_reports = sender.clone();
         let worker = Worker::spawn(move |report| {
             // The loop may be over already.
@@ -83,7 +89,6 @@ impl Shell {
             let _ = unsaved.save();
             terminal::restore();
         })?;
-        let now = Instant::now();
         // Dropped when anything below fails, which restores the terminal.
         let guard = Guard::enter()?;
         let mut shell = Self {
@@ -92,19 +97,15 @@ impl Shell {
             inbox,
             worker,
             io_thread,
-            pace: Pace::new(now),
+            pace: Pace::new(Instant::now()),
             timers: Vec::new(),
-            put_off: VecDeque::new(),
+            put_off: VecDeque::from([Incoming::Message(size()?)]),
             _left: left,
         };
-        input::spawn(sender, input::hold(variable))?;
-        let mut queue = VecDeque::from([size()?]);
+        input::spawn(sender, input::hold(environment))?;
         for effect in effects {
             // Starting requests runs and lists only.
-            let _ = shell.carry_out(effect, &mut queue)?;
-        }
-        for message in queue {
-            let _ = shell.take(message)?;
+            let _ = shell.carry_out(effect, &mut VecDeque::new());
         }
         Ok(shell)
     }
@@ -113,11 +114,12 @@ impl Shell {
     pub(super) fn run(&mut self) -> Ending {
         loop {
             match self.turn() {
-                Ok(None) => {}
-                Ok(Some(ending)) => return ending,
+                Ok(()) => {}
                 // A terminal that is gone answers with several different errors.
-                Err(_) if terminal::is_hung_up() => return Ending::Signal(HUNG_UP),
-                Err(error) => return Ending::Broken(error),
+                Err(Ending::Broken(_)) if terminal::is_hung_up() => {
+                    return Ending::Signal(HUNG_UP);
+                }
+                Err(ending) => return ending,
             }
         }
     }
@@ -141,38 +143,26 @@ impl Shell {
     }
 
     /// Wait for something, deal with all that has come, and draw if it is time.
-    fn turn(&mut self) -> io::Result<Option<Ending>> {
-        let mut next = match self.put_off.pop_front() {
-            Some(incoming) => Some(incoming),
-            None => match self.inbox.recv_timeout(self.wait(Instant::now())) {
-                Ok(incoming) => Some(incoming),
-                Err(RecvTimeoutError::Timeout) => None,
-                Err(RecvTimeoutError::Disconnected) => return Ok(Some(Ending::Signal(HUNG_UP))),
-            },
-        };
-        let mut taken = 0;
-        while let Some(incoming) = next.take() {
-            if let Some(ending) = self.receive(incoming)? {
-                return Ok(Some(ending));
-            }
-            taken += 1;
-            if taken < MESSAGES_PER_TURN {
-                next = self.put_off.pop_front().or_else(|| self.inbox.try_recv().ok());
-            }
+    fn turn(&mut self) -> GoesOn {
+        if self.put_off.is_empty() {
+            self.put_off.extend(self.inbox.recv_timeout(self.wait(Instant::now())));
         }
-        if let Some(ending) = self.fire_timers()? {
-            return Ok(Some(ending));
+        for _ in 0..MESSAGES_PER_TURN {
+            let next = self.put_off.pop_front().or_else(|| self.inbox.try_recv().ok());
+            let Some(incoming) = next else { break };
+            self.receive(incoming)?;
         }
+        self.fire_timers()?;
         let now = Instant::now();
         if terminal::is_hung_up() {
-            return Ok(Some(Ending::Signal(HUNG_UP)));
+            return Err(Ending::Signal(HUNG_UP));
         }
         if self.pace.due().is_some_and(|due| due <= now) {
             let (app, asks) = (&self.app, self.pace.asks());
             let changed = self.guard.draw(app.size, asks, |buffer| view::view(app, buffer))?;
             self.pace.drawn(Instant::now(), changed);
         }
-        Ok(None)
+        Ok(())
     }
 
     /// How long nothing can happen by itself.
@@ -185,40 +175,36 @@ impl Shell {
             .map_or(LOOK, |wait| wait.min(LOOK))
     }
 
-    fn fire_timers(&mut self) -> io::Result<Option<Ending>> {
-        loop {
-            let now = Instant::now();
-            let Some(at) = self.timers.iter().position(|(due, _)| *due <= now) else {
-                return Ok(None);
-            };
+    fn fire_timers(&mut self) -> GoesOn {
+        while let Some(at) = self.timers.iter().position(|(due, _)| *due <= Instant::now()) {
             let (_, message) = self.timers.remove(at);
-            if let Some(ending) = self.take(message)? {
-                return Ok(Some(ending));
-            }
+            self.take(message)?;
         }
+        Ok(())
     }
 
-    fn receive(&mut self, incoming: Incoming) -> io::Result<Option<Ending>> {
+    fn receive(&mut self, incoming: Incoming) -> GoesOn {
         match incoming {
-            Incoming::Message(message) => self.take(message),
-            Incoming::Mouse(mouse) => match self.pointed(mouse) {
-                Some(message) => self.take(message),
-                None => Ok(None),
-            },
-            Incoming::Signal(Signal::End(status)) => Ok(Some(Ending::Signal(status))),
-            // Where no shell could continue it, the system would ignore the signal.
-            Incoming::Signal(Signal::Stop) => self.suspend().map(|_stopped| None),
-            Incoming::Arrived => {
-                self.pace.arrived();
-                Ok(None)
+            Incoming::Message(message) => self.take(message)?,
+            Incoming::Mouse(mouse) => {
+                if let Some(message) = self.pointed(mouse) {
+                    self.take(message)?;
+                }
             }
-            Incoming::Signal(Signal::Resized) => self.take(size()?),
-            Incoming::Signal(Signal::Continued) => {
+            Incoming::Arrived => self.pace.arrived(),
+            Incoming::End(status) => return Err(Ending::Signal(status)),
+            Incoming::Stop => {
+                // Where no shell could continue it, the system would ignore the signal.
+                let _stopped = self.suspend()?;
+            }
+            Incoming::Resized => self.take(size()?)?,
+            Incoming::Continued => {
                 self.guard.enter_again()?;
                 self.pace.lost();
-                self.take(size()?)
+                self.take(size()?)?;
             }
         }
+        Ok(())
     }
 
     /// The message of a click or a turn of the wheel on the present screen.
@@ -232,7 +218,7 @@ impl Shell {
     }
 
     /// Let the state take a message, and all that follows from it at once.
-    fn take(&mut self, message: Message) -> io::Result<Option<Ending>> {
+    fn take(&mut self, message: Message) -> GoesOn {
         let mut queue = VecDeque::from([message]);
         while let Some(message) = queue.pop_front() {
             let effects = update::update(&mut self.app, message);
@@ -241,19 +227,13 @@ impl Shell {
                 self.pace.result_came();
             }
             for effect in effects {
-                if let Some(ending) = self.carry_out(effect, &mut queue)? {
-                    return Ok(Some(ending));
-                }
+                self.carry_out(effect, &mut queue)?;
             }
         }
-        Ok(None)
+        Ok(())
     }
 
-    fn carry_out(
-        &mut self,
-        effect: Effect,
-        queue: &mut VecDeque<Message>,
-    ) -> io::Result<Option<Ending>> {
+    fn carry_out(&mut self, effect: Effect, queue: &mut VecDeque<Message>) -> GoesOn {
         match effect {
             Effect::Submit(task) => {
                 if task.slot() == Slot::Current {
@@ -282,9 +262,9 @@ impl Shell {
                     )));
                 }
             }
-            Effect::Quit => return Ok(Some(Ending::Quit)),
+            Effect::Quit => return Err(Ending::Quit),
         }
-        Ok(None)
+        Ok(())
     }
 
     /// Send a text to the clipboard of the terminal; gives what to say of it.
@@ -296,7 +276,7 @@ impl Shell {
             ));
         }
         self.guard.send(&CopyToClipboard::to_clipboard_from(text))?;
-        let passed_on = match variable("TMUX") {
+        let passed_on = match environment("TMUX") {
             Some(_) => "; tmux passes it on only with `set -s set-clipboard on`",
             None => "",
         };
@@ -317,7 +297,7 @@ impl Shell {
         let mut waits = 0;
         while !stopped && waits < 2 {
             match self.inbox.recv_timeout(STOPPING) {
-                Ok(Incoming::Signal(Signal::Continued)) => stopped = true,
+                Ok(Incoming::Continued) => stopped = true,
                 Ok(other) => self.put_off.push_back(other),
                 Err(_) => waits += 1,
             }
@@ -346,9 +326,4 @@ impl Shell {
 /// The message of the present size of the terminal.
 fn size() -> io::Result<Message> {
     terminal::size().map(|(columns, rows)| Message::Resize(columns, rows))
-}
-
-/// A variable of the environment.
-fn variable(name: &str) -> Option<String> {
-    std::env::var(name).ok().filter(|value| !value.is_empty())
 }

@@ -26,10 +26,13 @@ const PATIENCE: Duration = Duration::from_millis(600);
 const DISCARD_EVERY: Duration = Duration::from_millis(50);
 const DISCARDS: u32 = 12;
 
-/// Which signal ends the process with which status: 128 + its number, as shells do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Signal {
-    /// Leave with this exit status.
+/// What the inbox of the loop takes.
+pub(super) enum Incoming {
+    Message(Message),
+    Mouse(MouseEvent),
+    /// The last frame has arrived at the terminal.
+    Arrived,
+    /// A signal, or the terminal is gone: leave with this exit status.
     End(u8),
     /// Stop the process (`kill -TSTP`).
     Stop,
@@ -37,15 +40,6 @@ pub(super) enum Signal {
     Resized,
     /// The process was stopped and goes on: take the terminal over again.
     Continued,
-}
-
-/// What the inbox of the loop takes.
-pub(super) enum Incoming {
-    Message(Message),
-    Mouse(MouseEvent),
-    /// The last frame has arrived at the terminal.
-    Arrived,
-    Signal(Signal),
 }
 
 /// The exit status where the terminal is gone, whether a signal said so or not.
@@ -61,13 +55,12 @@ pub(super) fn spawn(
     let (left, loop_left) = mpsc::channel::<()>();
     thread::Builder::new().name("signals".to_owned()).spawn(move || {
         for number in signals.forever() {
-            let signal = meaning(number);
-            if inbox.send(Incoming::Signal(signal)).is_err() {
+            let incoming = meaning(number);
+            let status = if let Incoming::End(status) = incoming { Some(status) } else { None };
+            if inbox.send(incoming).is_err() {
                 return;
             }
-            let Signal::End(status) = signal else {
-                continue;
-            };
+            let Some(status) = status else { continue };
             if !has_left(&loop_left) {
                 last_resort();
                 end_process(status);
@@ -89,12 +82,13 @@ fn has_left(loop_left: &mpsc::Receiver<()>) -> bool {
         })
 }
 
-fn meaning(number: i32) -> Signal {
+/// What a signal asks for; the exit status is 128 + its number, as shells have it.
+fn meaning(number: i32) -> Incoming {
     match number {
-        SIGCONT => Signal::Continued,
-        SIGTSTP => Signal::Stop,
-        SIGWINCH => Signal::Resized,
-        other => Signal::End(u8::try_from(128 + other).unwrap_or(u8::MAX)),
+        SIGCONT => Incoming::Continued,
+        SIGTSTP => Incoming::Stop,
+        SIGWINCH => Incoming::Resized,
+        other => Incoming::End(u8::try_from(128 + other).unwrap_or(u8::MAX)),
     }
 }
 

@@ -16,6 +16,8 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::app::{App, Settings};
 use crate::tui::keymap::Keymap;
+use crate::tui::pages::explore::state::{Picture, sweep_of};
+use crate::tui::pages::search::state::Setup;
 use crate::tui::pages::thesis;
 use crate::tui::preset::Base;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -159,6 +161,31 @@ pub(super) fn session(app: &App) -> Session {
     }
 }
 
+impl App {
+    /// The setups of Explore and Search as a session keeps them.
+    pub fn setups(&self) -> session::Setup {
+        let (explore, mut sweep) = (&self.pages.explore, sweep_of(&self.scene));
+        let picture = session::Explore {
+            is_map: explore.picture == Picture::Surface,
+            output: sweep.outputs.swap_remove(explore.output_of(&sweep)),
+        };
+        session::Setup { explore: Some(picture), search: Some(self.pages.search.setup.kept()) }
+    }
+
+    /// Take over what was kept, as far as it still means something.
+    pub fn restore_setups(&mut self, kept: session::Setup) {
+        let picture = kept.explore.unwrap_or_default();
+        let explore = &mut self.pages.explore;
+        explore.picture = if picture.is_map { Picture::Surface } else { Picture::Line };
+        let outputs = sweep_of(&self.scene).outputs;
+        explore.output = outputs.iter().position(|it| *it == picture.output).unwrap_or(0);
+        let search = kept.search.map_or_else(Setup::default, |kept| Setup::of(&kept));
+        self.pages.search.setup = Arc::new(search);
+        // Restoring is no edit.
+        (self.history, self.effects) = Default::default();
+    }
+}
+
 /// The last edits of the scene that can be undone, oldest first.
 fn undo_steps(app: &App) -> Vec<UndoStep> {
     let edits = app.history.edits[..app.history.done].iter().rev();
@@ -200,8 +227,9 @@ fn kept_name(app: &App, base: &Base) -> String {
     }
 }
 
-fn environment(name: &str) -> Option<String> {
-    std::env::var(name).ok()
+/// A variable of the environment.
+pub(super) fn environment(name: &str) -> Option<String> {
+    std::env::var(name).ok().filter(|value| !value.is_empty())
 }
 
 /// The reference for edits of a preset.
@@ -255,14 +283,10 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     }
     app.restore_setups(last.setup);
     app.history = undoable(app, last.undo, paths);
-    app.tell(greeting(app));
-}
-
-/// One line on what has been restored.
-fn greeting(app: &App) -> String {
     let modified = if app.is_modified() { ", modified" } else { "" };
     let pins = counted_pins(app.pins.len());
-    format!("session restored: {}{modified}{pins} (or: cmra --fresh)", app.base.name)
+    let name = &app.base.name;
+    app.tell(format!("session restored: {name}{modified}{pins} (or: cmra --fresh)"));
 }
 
 /// `, 2 pinned runs`; empty where there is none.
@@ -284,26 +308,23 @@ mod tests {
     use crate::tui::app::edit;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
-    use crate::tui::pages::explore::state::Picture;
     use crate::tui::update;
     use crate::worker::studies::Asked;
 
+    const FRESH: Options = Options { scene: None, fresh: true, glyphs: None };
+
     fn state() -> App {
-        let base = baseline();
-        let theme = Theme::detect(environment);
-        App::new(base, theme, PathBuf::new())
+        App::new(baseline(), Theme::detect(environment), PathBuf::new())
     }
 
+    /// Press keys; a line break is Enter.
     fn press(app: &mut App, keys: &str) {
-        let mut rest = keys;
-        while let Some(first) = rest.chars().next() {
-            let name = rest.strip_prefix('<').and_then(|tail| tail.split_once('>'));
-            let code = match name.map(|it| it.0) {
-                Some("Enter") => KeyCode::Enter,
-                Some("Tab") => KeyCode::Tab,
-                _ => KeyCode::Char(first),
+        for key in keys.chars() {
+            let code = match key {
+                '\n' => KeyCode::Enter,
+                '\t' => KeyCode::Tab,
+                key => KeyCode::Char(key),
             };
-            rest = name.map_or_else(|| &rest[first.len_utf8()..], |it| it.1);
             update::update(app, Message::Key(KeyEvent::new(code, KeyModifiers::NONE)));
         }
     }
@@ -317,8 +338,7 @@ mod tests {
             ("thesis-baseline", Tab::Run),
         ] {
             let scene = preset::resolve(name, None).unwrap();
-            let options = Options { scene: Some(scene), fresh: false, glyphs: None };
-            let (mut state, _) = app(options, None);
+            let (mut state, _) = app(Options { scene: Some(scene), ..FRESH }, None);
             assert_eq!(state.tab, tab, "{name}");
             assert!(state.history.edits.is_empty(), "nothing to undo yet");
             let effects = update::start(&mut state);
@@ -336,11 +356,8 @@ mod tests {
         app.settings.theme.glyphs = app.settings.theme.glyphs.next();
         app.files.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);
-        press(
-            &mut app,
-            "2<Tab>kl4gj<Enter>45<Enter>j<Enter>k<Enter>jj<Enter>9e6<Enter>k<Enter>8e6<Enter>",
-        );
-        press(&mut app, "4glgjjjjjj<Enter>1..5<Enter>jjl");
+        press(&mut app, "2\tkl4gj\n45\nj\nk\njj\n9e6\nk\n8e6\n");
+        press(&mut app, "4glgjjjjjj\n1..5\njjl");
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
         // A variable that is held keeps its range.
@@ -406,8 +423,7 @@ mod tests {
 
     #[test]
     fn without_a_home_it_does_not_claim_to_keep_the_session() {
-        let options = || Options { scene: None, fresh: true, glyphs: None };
-        let (mut state, ..) = app(options(), None);
+        let (mut state, ..) = app(FRESH, None);
         let text = state.notice.clone().expect("it is said").text;
         assert!(text.contains("cannot be kept") && text.contains("HOME"), "{text}");
         let escape = KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE);
@@ -420,20 +436,19 @@ mod tests {
     fn another_start_keeps_a_session_that_would_be_lost() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let options = || Options { scene: None, fresh: true, glyphs: None };
         let mut last = Session { preset: Some("thesis-baseline".to_owned()), ..Session::default() };
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));
         // Nothing in it that a preset does not have: nothing to keep.
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, _) = app(options(), Some(&paths));
+        let (state, _) = app(FRESH, Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(state.files.recent, last.recent);
         assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, _) = app(options(), Some(&paths));
+        let (state, _) = app(FRESH, Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let text = state.pages.log.messages.last().unwrap().text.clone();
         assert!(text.contains("1 pinned run") && text.contains("as recent"), "{text}");

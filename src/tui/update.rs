@@ -78,8 +78,7 @@ fn open_text(app: &mut App) -> Option<&mut TextField> {
     match &mut app.dialog {
         Some(dialog) => dialog.field_mut(),
         None => app.typing.as_mut().map(|typing| match typing {
-            Typing::Field(field) => &mut field.text,
-            Typing::Find(text) => text,
+            Typing::Field(text) | Typing::Find(text) => text,
         }),
     }
 }
@@ -186,12 +185,12 @@ fn commit(app: &mut App) {
     let Some(mut field) = app.field().cloned() else { return };
     app.typing = None;
     let page = pages::of(app.tab);
-    let text = field.text.value().trim().to_owned();
-    if field.text.all_selected || !page.is_new(app, field.row, &text) {
+    let text = field.value().trim().to_owned();
+    if field.all_selected || !page.is_new(app, &text) {
         return;
     }
-    if let Err(error) = page.change(app, field.row, Input::Text(&text)) {
-        field.text.error = Some(error);
+    if let Err(error) = page.change(app, Input::Text(&text)) {
+        field.error = Some(error);
         app.typing = Some(Typing::Field(field));
     }
 }
@@ -215,8 +214,8 @@ pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
             clear(app);
         }
         KeyCode::Enter | KeyCode::Tab => app.typing = None,
-        KeyCode::Up => pages::move_by(pages::of(app.tab), app, -1),
-        KeyCode::Down => pages::move_by(pages::of(app.tab), app, 1),
+        KeyCode::Up => pages::move_by(app, -1),
+        KeyCode::Down => pages::move_by(app, 1),
         _ => {
             if open_text(app).is_some_and(|field| field.press(key)) {
                 follow(app);
@@ -278,24 +277,17 @@ pub(crate) fn click(app: &mut App, target: Target) {
         return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
     }
     app.history.commit();
+    if let Some(pane) = target.pane() {
+        app.focus_on(pane);
+    }
+    let page = pages::of(app.tab);
     match target {
         Target::Tab(tab) => act::go_to(app, tab),
-        Target::Page(page) => pages::of(app.tab).turn_to(app, page),
-        Target::Pane(pane) => app.focus_on(pane),
-        Target::Row(pane, row) => {
-            app.focus_on(pane);
-            pages::of(app.tab).select(app, row);
-        }
-        Target::Cell(pane, cell) => {
-            app.focus_on(pane);
-            pages::of(app.tab).go_to_cell(app, cell);
-        }
-        Target::Value { pane, chart, value } => {
-            app.focus_on(pane);
-            pages::of(app.tab).go_to_value(app, chart, value);
-        }
-        // Without a dialog there is nothing of the kind.
-        Target::DialogRow(_) => {}
+        Target::Page(at) => page.turn_to(app, at),
+        Target::Row(_, row) => page.select(app, row),
+        Target::Cell(_, cell) => page.go_to_cell(app, cell),
+        Target::Value { chart, value, .. } => page.go_to_value(app, chart, value),
+        Target::Pane(_) | Target::DialogRow(_) => {}
     }
 }
 
@@ -304,18 +296,12 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     if app.typing.is_some() {
         return;
     }
-    if let Some(
-        Target::Row(pane, _)
-        | Target::Cell(pane, _)
-        | Target::Pane(pane)
-        | Target::Value { pane, .. },
-    ) = target
-    {
+    if let Some(pane) = target.and_then(Target::pane) {
         app.focus_on(pane);
     }
     if pages::of(app.tab).rows(app).is_some() {
         app.history.commit();
-        pages::move_by(pages::of(app.tab), app, if up { -1 } else { 1 });
+        pages::move_by(app, if up { -1 } else { 1 });
     } else {
         act::act(app, if up { Action::Up } else { Action::Down });
     }

@@ -72,13 +72,12 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return find(app, field, area, canvas);
     }
     let (entries, last) = match (&app.dialog, app.field()) {
-        (Some(dialog), _) => (keys_of(app, dialog.footer()), Vec::new()),
-        (None, Some(_)) if pages::of(app.tab).takes_unit(app) => {
-            (keys_of(app, QUANTITY), Vec::new())
-        }
-        (None, Some(_)) => (keys_of(app, WORD), Vec::new()),
-        (None, None) => (from_table(app), keys_of(app, LAST)),
+        (Some(dialog), _) => (keys_of(app, dialog.footer()), ""),
+        (None, Some(_)) if pages::of(app.tab).takes_unit(app) => (keys_of(app, QUANTITY), ""),
+        (None, Some(_)) => (keys_of(app, WORD), ""),
+        (None, None) => (from_table(app), LAST),
     };
+    let last = keys_of(app, last);
     let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + GAP + 1;
     // Nothing stands behind the last one.
     let mut room = (area.width + GAP - 1).saturating_sub(last.iter().map(size).sum());
@@ -93,7 +92,7 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         spans.push(Span::styled(key, app.settings.theme.style(Role::Key)));
         spans.push(Span::raw(format!(" {what}  ")));
     }
-    canvas.put_line(area, 0, &Line::from(spans));
+    canvas.put_line(area, &Line::from(spans));
 }
 
 fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
@@ -140,24 +139,16 @@ fn from_table(app: &App) -> Vec<(String, String)> {
     entries
 }
 
-/// The key to show, with its opposite where there is one: `h/l`.
+/// The key to show, with its opposite or its companion where there is one: `h/l`.
 fn pair(app: &App, action: Action) -> String {
-    let opposite = match action {
-        Action::Right => Some((Action::Left, false)),
-        Action::Down => Some((Action::Up, true)),
-        _ => None,
+    let pair = match action {
+        Action::Right => [Action::Left, Action::Right],
+        Action::Down => [Action::Down, Action::Up],
+        Action::Window if app.pane() == VARIABLES => [Action::Window, Action::FullPane],
+        _ => return app.keymap.label(action),
     };
-    let own = app.keymap.label(action);
-    if action == Action::Window && app.pane() == VARIABLES && !own.is_empty() {
-        return format!("{own}/{}", app.keymap.label(Action::FullPane));
-    }
-    let other = opposite.map(|(other, _)| app.keymap.label(other)).filter(|it| !it.is_empty());
-    match (other, opposite) {
-        (Some(other), _) if own.is_empty() => other,
-        (Some(other), Some((_, true))) => format!("{own}/{other}"),
-        (Some(other), _) => format!("{other}/{own}"),
-        (None, _) => own,
-    }
+    let keys = pair.map(|one| app.keymap.label(one)).into_iter().filter(|key| !key.is_empty());
+    keys.collect::<Vec<_>>().join("/")
 }
 
 /// Tabs at the left; preset and whether it is modified at the right.
@@ -249,7 +240,7 @@ pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         }
         spans.push(Span::styled(text, app.settings.theme.style(severity.role())));
     }
-    canvas.put_line(area, 0, &Line::from(spans));
+    canvas.put_line(area, &Line::from(spans));
 }
 
 /// The parts of a status row in so many columns. Where there is no room for all, the notes behind the last warning are dropped, then

@@ -15,8 +15,10 @@ use std::ops::{Deref, DerefMut};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 use ratatui::text::Line;
-use text::{columns, put};
+use ratatui::widgets::Widget;
+use text::columns;
 
 use crate::tui::chart::{Draw, Layout};
 use crate::tui::keymap::{Pane, Target};
@@ -55,7 +57,22 @@ impl<'a> Canvas<'a> {
 
     /// Write a text into a row of an area; gives the column after it. Rows and columns outside the area are left alone.
     pub(crate) fn put(&mut self, area: Rect, at: (u16, u16), text: &str, role: Role) -> u16 {
-        put(self.buffer, area, at, text, self.theme.style(role))
+        self.put_styled(area, at, text, self.theme.style(role))
+    }
+
+    pub(crate) fn put_styled(
+        &mut self,
+        area: Rect,
+        (column, row): (u16, u16),
+        text: &str,
+        style: Style,
+    ) -> u16 {
+        let area = area.intersection(self.buffer.area);
+        if row >= area.height || column >= area.width {
+            return column;
+        }
+        let room = usize::from(area.width - column);
+        self.buffer.set_stringn(area.x + column, area.y + row, text, room, style).0 - area.x
     }
 
     /// Write lines below each other from a row on, as many as have room.
@@ -84,20 +101,15 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    pub(crate) fn put_line(&mut self, area: Rect, row: u16, line: &Line<'_>) {
-        let area = area.intersection(self.buffer.area);
-        if row < area.height {
-            self.buffer.set_line(area.x, area.y + row, line, area.width);
-        }
+    pub(crate) fn put_line(&mut self, area: Rect, line: &Line<'_>) {
+        line.render(area.intersection(self.buffer.area), self.buffer);
     }
 
-    pub(crate) fn paint_row(&mut self, area: Rect, row: u16) {
-        if row < area.height {
-            let row = Rect::new(area.x, area.y + row, area.width, 1);
-            self.selected = Some((row.x, row.y));
-            let style = self.theme.style(Role::Selection);
-            self.buffer.set_style(row.intersection(self.buffer.area), style);
-        }
+    /// Show a row as the selected one.
+    pub(crate) fn paint_row(&mut self, row: Rect) {
+        self.selected = Some((row.x, row.y));
+        let style = self.theme.style(Role::Selection);
+        self.buffer.set_style(row.intersection(self.buffer.area), style);
     }
 
     /// Draw a chart or a map, and tell where everything lies.
@@ -209,7 +221,7 @@ impl RowList {
         for (row, index) in area.rows().zip(first..self.count) {
             draw(canvas, row, index);
             if self.painted && index == self.selected {
-                canvas.paint_row(row, 0);
+                canvas.paint_row(row);
             }
         }
         canvas.rows(area, (first, self.count), target);

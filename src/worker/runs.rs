@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::studies::Found;
-use super::study::{BETWEEN, Lane, Reporter, Study};
+use super::study::{BETWEEN, Reporter};
 use super::{JobProgress, ReportBody, Slot};
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
@@ -28,23 +28,16 @@ const STEPS_PER_LOOK: u32 = 8;
 /// Steps after which the plastic interface beside a fused one is given up: nobody waits for it.
 const PLASTIC_STEPS: u32 = 200_000;
 
-/// A run of the scene, for the screen or for a pin.
-#[derive(Debug)]
-pub struct SceneRun(pub Slot);
-
-impl Study for SceneRun {
-    fn lane(&self) -> Lane {
-        Lane::Runs
-    }
-
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let simulation =
-            |settings: &Settings, observer: simulate::Observer<'_>, window: &Window| {
-                simulate::simulate_openly(scene, settings, observer, window)
-                    .map_err(|error| error.to_string())
-            };
-        run(self.0, scene, reporter, simulation)
-    }
+/// Runs a scene, for the screen or for a pin.
+pub(super) fn of_scene(
+    slot: Slot,
+    scene: &Arc<Scene>,
+    reporter: &Reporter<'_>,
+) -> Result<Found, Box<dyn Error>> {
+    run(slot, scene, reporter, |settings, observer, window| {
+        let run = simulate::simulate_openly(scene, settings, observer, window);
+        run.map_err(|error| error.to_string())
+    })
 }
 
 /// Run a scene. The computation calls the observer after every step, which
@@ -60,11 +53,11 @@ pub(super) fn run(
         reporter.goes_on()?;
         if let Some(run) = window.take() {
             pulse.part_came(reporter.elapsed());
-            reporter.report(ReportBody::Part(run.into()));
+            (reporter.send)(ReportBody::Part(run.into()));
         }
         if let Some(t_s) = pulse.beat(t_s, || reporter.elapsed()) {
             let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());
-            reporter.report(ReportBody::Progress { progress, elapsed });
+            (reporter.send)(ReportBody::Progress { progress, elapsed });
         }
         if slot == Slot::Current && pulse.part_is_due() {
             window.ask();

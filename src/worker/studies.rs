@@ -5,9 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::clock;
-use super::runs::SceneRun;
-use super::study::{Lane, Reporter, RowsSoFar, Study, Tempo};
+use super::study::{BETWEEN, Lane, Reporter, RowsSoFar, Tempo};
+use super::{Slot, clock, runs};
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, ComparisonOptions};
@@ -92,24 +91,6 @@ one_of! {
     Search(SearchAnswer),
 }
 
-impl Asked {
-    pub(super) fn study(&self) -> &dyn Study {
-        match self {
-            Self::Run(it) => &**it,
-            Self::Picture(it) => &**it,
-            Self::Printed(it) => &**it,
-            Self::Limit(it) => &**it,
-            Self::Spread(it) => &**it,
-            Self::EqualMass(it) => &**it,
-            Self::Measurements(it) => &**it,
-            Self::StabilityMap(it) => &**it,
-            Self::StiffScenes(it) => &**it,
-            Self::Claims(it) => &**it,
-            Self::Search(it) => &**it,
-        }
-    }
-}
-
 /// A sweep that ends before this shows nothing on the way: no picture is drawn twice for it.
 const FIRST: Duration = Duration::from_millis(25);
 /// Least time between two pictures of passes.
@@ -125,6 +106,10 @@ pub enum Picture {
     Surface,
 }
 
+/// A run of the scene, for the screen or for a pin.
+#[derive(Debug)]
+pub struct SceneRun(pub Slot);
+
 /// Computes the points of a picture: coarse ones come first.
 #[derive(Debug)]
 pub struct PictureSweep {
@@ -132,17 +117,113 @@ pub struct PictureSweep {
     pub plan: Arc<Plan>,
 }
 
-impl Study for PictureSweep {
-    fn lane(&self) -> Lane {
-        Lane::Sweeps
+/// Computes the curves of a figure by the scheme that the thesis prints.
+#[derive(Debug)]
+pub struct PrintedSweep(pub Arc<Plan>);
+
+/// Finds the ballistic limit.
+#[derive(Debug, PartialEq)]
+pub struct LimitSearch;
+
+/// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
+#[derive(Debug, PartialEq)]
+pub struct Spread(pub monte_carlo::Request);
+
+/// Compares at equal areal mass, and maps the mass efficiency around the scene.
+#[derive(Debug)]
+pub struct EqualMass;
+
+/// Measures error and run time of every method.
+#[derive(Debug)]
+pub struct Measurements(pub ComparisonOptions);
+
+/// Computes where a fixed-step method is stable.
+#[derive(Debug, PartialEq)]
+pub struct StabilityMap(pub Wanted);
+
+/// Runs the battery of stiff and extreme scenes; the scene plays no part.
+#[derive(Debug)]
+pub struct StiffScenes;
+
+/// Checks every claim of the thesis; the scene plays no part.
+#[derive(Debug)]
+pub struct Claims;
+
+/// A comparison at equal areal mass with its map, where there is one.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    pub report: compare::Report,
+    /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
+    pub map: Option<EfficiencyMap>,
+}
+
+impl Asked {
+    pub(super) fn lane(&self) -> Lane {
+        match self {
+            Self::Run(_) => Lane::Runs,
+            Self::Picture(_) | Self::Printed(_) => Lane::Sweeps,
+            Self::Measurements(_) | Self::StiffScenes(_) | Self::Claims(_) => Lane::Studies,
+            _ => Lane::Searches,
+        }
     }
 
-    fn tempo(&self) -> Tempo {
-        Tempo { first: FIRST, between: BETWEEN_PASSES }
+    /// When it shows what it has so far.
+    pub(super) fn tempo(&self) -> Tempo {
+        match self {
+            Self::Picture(_) => Tempo { first: FIRST, between: BETWEEN_PASSES },
+            _ => Tempo { first: BETWEEN, between: BETWEEN },
+        }
     }
 
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        fill(&self.plan, reporter)
+    /// Computes the result; a study that is stopped gives its results so far.
+    pub(super) fn make(
+        &self,
+        scene: &Arc<Scene>,
+        reporter: &Reporter<'_>,
+    ) -> Result<Found, Box<dyn Error>> {
+        let threads = reporter.threads;
+        Ok(match self {
+            Self::Run(asked) => runs::of_scene(asked.0, scene, reporter)?,
+            Self::Picture(asked) => fill(&asked.plan, reporter)?,
+            Self::Printed(asked) => fill(&asked.0, reporter)?,
+            Self::Limit(_) => {
+                let watch = &mut reporter.progress();
+                limit::find(scene, &mut Context::new(threads, watch))?.into()
+            }
+            Self::Spread(asked) => {
+                let watch = &mut reporter.watch(monte_carlo::Report::clone);
+                monte_carlo::run(scene, &asked.0, &mut Context::new(threads, watch))?.into()
+            }
+            Self::EqualMass(_) => equal_mass(scene, reporter)?.into(),
+            Self::Measurements(asked) => {
+                let watch = &mut reporter.watch(accuracy::Report::clone);
+                let context = &mut Context::new(1, watch);
+                accuracy::compare(scene, asked.0, &mut clock::processor_s, context)?.into()
+            }
+            Self::StabilityMap(asked) => {
+                map::accepts(scene)?;
+                let watch = &mut reporter.watch(StabilityCells::clone);
+                map::map(scene, asked.0, &mut Context::new(1, watch)).into()
+            }
+            Self::StiffScenes(_) => {
+                let cases = stability::battery(false);
+                let watch = &mut reporter.watch(RowsSoFar::<stability::Row>::part);
+                // A run of an edited scene has its turn beside it.
+                let context = &mut Context::new(threads.min(2), watch);
+                let rows = stability::run(&cases, &reporter.clock(), context)?;
+                RowsSoFar::ended(rows, cases.len()).into()
+            }
+            Self::Claims(_) => {
+                let watch = &mut reporter.watch(RowsSoFar::<thesis::Row>::part);
+                let rows = thesis::reproduce(&mut Context::new(threads, watch));
+                RowsSoFar::ended(rows, thesis::claims().count()).into()
+            }
+            Self::Search(asked) => {
+                let tell =
+                    |progress, part: &dyn Fn() -> Option<Found>| reporter.tell(progress, part);
+                asked.run(scene, threads, &tell)?.into()
+            }
+        })
     }
 }
 
@@ -155,167 +236,31 @@ fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Erro
         let pass = pass.filter(|grid| !grid.is_complete());
         reporter.tell(progress, &|| pass.map(|grid| grid.clone().into()))
     };
-    let context = &mut Context::new(reporter.threads(), watch);
-    Ok(grid.fill(grid::PIECE, context).into())
+    Ok(grid.fill(grid::PIECE, &mut Context::new(reporter.threads, watch)).into())
 }
 
-/// Computes the curves of a figure by the scheme that the thesis prints.
-#[derive(Debug)]
-pub struct PrintedSweep(pub Arc<Plan>);
-
-impl Study for PrintedSweep {
-    fn lane(&self) -> Lane {
-        Lane::Sweeps
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        fill(&self.0, reporter)
-    }
-}
-
-/// Finds the ballistic limit.
-#[derive(Debug, PartialEq)]
-pub struct LimitSearch;
-
-impl Study for LimitSearch {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let watch = &mut reporter.progress();
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(limit::find(scene, context)?.into())
-    }
-}
-
-/// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
-#[derive(Debug, PartialEq)]
-pub struct Spread(pub monte_carlo::Request);
-
-impl Study for Spread {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let watch = &mut reporter.watch(monte_carlo::Report::clone);
-        let context = &mut Context::new(reporter.threads(), watch);
-        Ok(monte_carlo::run(scene, &self.0, context)?.into())
-    }
-}
-
-/// Compares at equal areal mass, and maps the mass efficiency around the scene.
-#[derive(Debug)]
-pub struct EqualMass;
-
-/// A comparison at equal areal mass with its map, where there is one.
-#[derive(Clone, Debug)]
-pub struct Comparison {
-    pub report: compare::Report,
-    /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
-    pub map: Option<EfficiencyMap>,
-}
-
-impl Study for EqualMass {
-    /// A scene without such a map has none.
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let axes = usual_axes(scene);
-        let points = axes.as_ref().map_or(0, |[x, y]| x.count() * y.count());
-        let points = usize::try_from(points)?;
-        let whole = points + compare::Candidate::ALL.len();
-        let of_all = |progress: Progress, before: usize| Progress {
-            done: before + progress.done,
-            total: whole,
-        };
-        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
-        let context = &mut Context::new(1, watch);
-        let report = compare::compare(scene, Hardware::default(), context)?;
-        let first = Comparison { report, map: None };
-        let Some(axes) = axes.filter(|_| first.report.is_complete) else {
-            return Ok(first.into());
-        };
-        let part = || Some(first.clone().into());
-        let done = whole - points;
-        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
-        let context = &mut Context::new(reporter.threads(), watch);
-        let map = EfficiencyMap::compute(scene, &axes, Hardware::default(), context).ok();
-        Ok(Comparison { map, ..first }.into())
-    }
-}
-
-/// Measures error and run time of every method.
-#[derive(Debug)]
-pub struct Measurements(pub ComparisonOptions);
-
-impl Study for Measurements {
-    fn lane(&self) -> Lane {
-        Lane::Studies
-    }
-
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let watch = &mut reporter.watch(accuracy::Report::clone);
-        let context = &mut Context::new(1, watch);
-        Ok(accuracy::compare(scene, self.0, &mut clock::processor_s, context)?.into())
-    }
-}
-
-/// Computes where a fixed-step method is stable.
-#[derive(Debug, PartialEq)]
-pub struct StabilityMap(pub Wanted);
-
-impl Study for StabilityMap {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        map::accepts(scene)?;
-        let watch = &mut reporter.watch(StabilityCells::clone);
-        Ok(map::map(scene, self.0, &mut Context::new(1, watch)).into())
-    }
-}
-
-/// Runs the battery of stiff and extreme scenes; the scene plays no part.
-#[derive(Debug)]
-pub struct StiffScenes;
-
-impl Study for StiffScenes {
-    fn lane(&self) -> Lane {
-        Lane::Studies
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let cases = stability::battery(false);
-        let watch = &mut reporter.watch(RowsSoFar::<stability::Row>::part);
-        // A run of an edited scene has its turn beside it.
-        let context = &mut Context::new(reporter.threads().min(2), watch);
-        let rows = stability::run(&cases, &reporter.clock(), context)?;
-        Ok(RowsSoFar::ended(rows, cases.len()).into())
-    }
-}
-
-/// Checks every claim of the thesis; the scene plays no part.
-#[derive(Debug)]
-pub struct Claims;
-
-impl Study for Claims {
-    fn lane(&self) -> Lane {
-        Lane::Studies
-    }
-
-    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let watch = &mut reporter.watch(RowsSoFar::<thesis::Row>::part);
-        let rows = thesis::reproduce(&mut Context::new(reporter.threads(), watch));
-        Ok(RowsSoFar::ended(rows, thesis::claims().count()).into())
-    }
+/// Compares, then maps; a scene without such a map has none.
+fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison, Box<dyn Error>> {
+    let axes = usual_axes(scene);
+    let points = axes.as_ref().map_or(0, |[x, y]| x.count() * y.count());
+    let points = usize::try_from(points)?;
+    let whole = points + compare::Candidate::ALL.len();
+    let of_all =
+        |progress: Progress, before: usize| Progress { done: before + progress.done, total: whole };
+    let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
+    let context = &mut Context::new(1, watch);
+    let report = compare::compare(scene, Hardware::default(), context)?;
+    let first = Comparison { report, map: None };
+    let Some(axes) = axes.filter(|_| first.report.is_complete) else { return Ok(first) };
+    let part = || Some(first.clone().into());
+    let done = whole - points;
+    let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
+    let context = &mut Context::new(reporter.threads, watch);
+    let map = EfficiencyMap::compute(scene, &axes, Hardware::default(), context).ok();
+    Ok(Comparison { map, ..first })
 }
 
 /// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.
-macro_rules! searches {
-    ($make:ident) => {
-        $make! {
-            /// Which values of a variable give a wanted result.
-            Seek seek,
-            /// The Pareto front: designs that no other one dominates.
-            Front front,
-            /// How strongly each variable acts on a quantity.
-            Sensitivity sensitivity,
-            /// How results scatter when inputs do.
-            MonteCarlo monte_carlo,
-        }
-    };
-}
-pub(crate) use searches;
-
 macro_rules! asked_and_found {
     ($($(#[$doc:meta])* $kind:ident $study:ident,)*) => {
         /// What is searched for.
@@ -357,14 +302,13 @@ macro_rules! asked_and_found {
         }
     };
 }
-searches!(asked_and_found);
-
-impl Study for SearchRequest {
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-        let tell = |progress, part: &dyn Fn() -> Option<Found>| reporter.tell(progress, part);
-        Ok(self.run(scene, reporter.threads(), &tell)?.into())
-    }
+asked_and_found! {
+    /// Which values of a variable give a wanted result.
+    Seek seek,
+    /// The Pareto front: designs that no other one dominates.
+    Front front,
+    /// How strongly each variable acts on a quantity.
+    Sensitivity sensitivity,
+    /// How results scatter when inputs do.
+    MonteCarlo monte_carlo,
 }
-
-#[cfg(test)]
-mod tests;

@@ -7,29 +7,12 @@ use std::error::Error;
 use std::ops::ControlFlow;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use super::clock::Clock;
 use super::studies::Found;
 use super::{JobProgress, ReportBody, Shared, Task};
-use crate::model::scene::Scene;
-use crate::study::context as study;
-
-/// Something to compute for a scene: a run, or a study of many.
-pub(super) trait Study {
-    fn lane(&self) -> Lane {
-        Lane::Searches
-    }
-
-    /// When it shows what it has so far.
-    fn tempo(&self) -> Tempo {
-        Tempo { first: BETWEEN, between: BETWEEN }
-    }
-
-    /// Computes the result; a study that is stopped gives its results so far.
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>>;
-}
+use crate::study::context::{CancelFlag, Progress};
 
 /// A thread that does one task at a time. Half a minute of measurements or of stiff scenes must not keep a limit waiting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,9 +65,11 @@ pub(super) const BETWEEN: Duration = Duration::from_millis(500);
 
 /// A running task, as its computation sees it.
 pub struct Reporter<'a> {
-    send: &'a dyn Fn(ReportBody),
-    cancel: &'a Arc<AtomicBool>,
-    threads: usize,
+    /// Reports.
+    pub(super) send: &'a dyn Fn(ReportBody),
+    cancel: &'a CancelFlag,
+    /// Threads to run on, where the work can be divided.
+    pub(super) threads: usize,
     tempo: Tempo,
     clock: &'a Clock,
     started: Duration,
@@ -101,24 +86,19 @@ impl<'a> Reporter<'a> {
         shared: &'a Shared,
         task: &Task,
         send: &'a dyn Fn(ReportBody),
-        cancel: &'a Arc<AtomicBool>,
+        cancel: &'a CancelFlag,
     ) -> Self {
         Self {
             send,
             cancel,
             threads: task.threads,
-            tempo: task.asked.study().tempo(),
+            tempo: task.asked.tempo(),
             clock: &shared.clock,
             started: (shared.clock)(),
             took: Cell::new(None),
             told: Cell::new(Duration::ZERO),
             shown: Cell::new(None),
         }
-    }
-
-    /// Threads to run on, where the work can be divided.
-    pub fn threads(&self) -> usize {
-        self.threads
     }
 
     /// How long it has been running.
@@ -133,23 +113,11 @@ impl<'a> Reporter<'a> {
     }
 
     pub(super) fn goes_on(&self) -> ControlFlow<()> {
-        if self.cancel.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }
-
-    pub(super) fn report(&self, body: ReportBody) {
-        (self.send)(body);
+        self.cancel.flow()
     }
 
     /// Report the progress and the results of now, unless the last report has just been made. Gives whether the study goes on.
-    pub fn tell(
-        &self,
-        progress: study::Progress,
-        part: &dyn Fn() -> Option<Found>,
-    ) -> ControlFlow<()> {
+    pub fn tell(&self, progress: Progress, part: &dyn Fn() -> Option<Found>) -> ControlFlow<()> {
         self.goes_on()?;
         let elapsed = self.elapsed();
         let since = |at: Duration| elapsed.saturating_sub(at);
@@ -161,17 +129,17 @@ impl<'a> Reporter<'a> {
         if part.is_some() || since(self.told.get()) >= BETWEEN {
             self.told.set(elapsed);
             let progress = JobProgress::Points(progress.done, progress.total);
-            self.report(ReportBody::Progress { progress, elapsed });
+            (self.send)(ReportBody::Progress { progress, elapsed });
         }
         if let Some(part) = part {
             self.shown.set(Some(elapsed));
-            self.report(ReportBody::Part(part));
+            (self.send)(ReportBody::Part(part));
         }
         ControlFlow::Continue(())
     }
 
     /// Watches a study that has no parts.
-    pub fn progress(&self) -> impl FnMut(study::Progress, Option<&()>) -> ControlFlow<()> {
+    pub fn progress(&self) -> impl FnMut(Progress, Option<&()>) -> ControlFlow<()> {
         |progress, _| self.tell(progress, &|| None)
     }
 
@@ -179,7 +147,7 @@ impl<'a> Reporter<'a> {
     pub fn watch<P: ?Sized, T: Into<Found>>(
         &self,
         part: impl Fn(&P) -> T,
-    ) -> impl FnMut(study::Progress, Option<&P>) -> ControlFlow<()> {
+    ) -> impl FnMut(Progress, Option<&P>) -> ControlFlow<()> {
         move |progress, so_far| self.tell(progress, &|| so_far.map(|so_far| part(so_far).into()))
     }
 

@@ -8,13 +8,15 @@ use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
 use super::runs::run;
-use super::studies::{Asked, Claims, Found, LimitSearch, StiffScenes};
+use super::studies::{Asked, Claims, Found, LimitSearch, Picture, PictureSweep, StiffScenes};
 use super::study::{Reporter, RowsSoFar};
 use super::{JobProgress, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
-use crate::model::scene::Scene;
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate;
 use crate::study::context::Context;
+use crate::study::sweep::grid::Grid;
+use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
 use crate::study::thesis::{Row, claims};
 
 /// A test that waits so long hangs.
@@ -29,7 +31,7 @@ static STEPS: AtomicUsize = AtomicUsize::new(0);
 /// Does a task as its title says: a run goes on until it is cancelled, or panics; a study counts its points.
 fn make(task: &Task, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
     match (&task.asked, task.scene.title.is_empty()) {
-        (Asked::Run(_), true) => task.asked.study().make(&task.scene, reporter),
+        (Asked::Run(_), true) | (Asked::Picture(_), _) => task.asked.make(&task.scene, reporter),
         (Asked::Run(slot), false) => slow_run(slot.0, &task.scene, reporter),
         (_, _) => Ok(count_points(task.scene.title == "endless", reporter).into()),
     }
@@ -62,7 +64,7 @@ fn slow_run(
 /// Shows its points as it counts them, and goes on until it is cancelled where it is endless.
 fn count_points(endless: bool, reporter: &Reporter<'_>) -> RowsSoFar<Row> {
     let watch = &mut reporter.watch(|done: &usize| rows(*done));
-    let context = &mut Context::new(reporter.threads(), watch);
+    let context = &mut Context::new(reporter.threads, watch);
     let mut done = 0;
     while context.show(&done) && (endless || done < 3) {
         done += 1;
@@ -302,6 +304,28 @@ fn a_cancelled_study_keeps_its_reported_part() {
     }
     worker.cancel(7);
     assert!(count(&next_last(&reports).body) >= shown);
+}
+
+/// With a plastic interface each of its 160 000 points takes long enough.
+#[test]
+fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
+    let mut scene = Scene::default();
+    scene.interface.law = InterfaceLaw::Plastic;
+    let axis = |name, from, to| Axis::new(name, (from, to), 400, Spacing::Linear).unwrap();
+    let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
+    let plan = Arc::new(Plan::new(&scene, axes, &USUAL_OUTPUTS).unwrap());
+    let (worker, reports) = start();
+    worker.submit(study(1, PictureSweep { picture: Picture::Surface, plan }, false));
+    let part = loop {
+        if let Some(part) = next(&reports).body.found::<Grid>() {
+            break part;
+        }
+    };
+    let done = part.progress().0;
+    assert!(done >= 25 * 25, "the coarsest pass at least: {done}");
+    worker.cancel(1);
+    let kept = next_last(&reports).body.found::<Grid>().expect("a grid");
+    assert!(!kept.is_complete() && kept.progress().0 >= done);
 }
 
 #[test]

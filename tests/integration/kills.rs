@@ -67,7 +67,7 @@ fn writes_until_it_is_killed() {
         for piece in rows.chunks(10_000) {
             growing.add(piece).unwrap();
         }
-        let beside = [(place.join("sweep.toml"), beside.as_slice())];
+        let beside = [(place.join("sweep.toml"), String::from_utf8(beside).unwrap())];
         growing.finish(&beside, Existing::Replace).unwrap();
     }
 }

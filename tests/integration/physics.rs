@@ -237,7 +237,7 @@ fn first_arrest_is_the_same_in_both_interface_laws() {
 #[test]
 fn energy_closes_to_1e_9_on_every_preset() {
     // But for the listing as printed: its steps are of first order.
-    let mut presets = files::preset::list(None).presets;
+    let mut presets = files::preset::list(None).0;
     presets.retain(|preset| preset.scene.contact.model != ContactModel::Appendix);
     let mut count = 0;
     for preset in presets {

@@ -18,9 +18,9 @@ use serde::Deserialize;
 use crate::support::{files_in, in_repository};
 
 fn all() -> Vec<Preset> {
-    let list = preset::list(None);
-    assert!(list.unreadable.is_empty(), "{:?}", list.unreadable);
-    list.presets
+    let (presets, unreadable) = preset::list(None);
+    assert!(unreadable.is_empty(), "{unreadable:?}");
+    presets
 }
 
 #[test]

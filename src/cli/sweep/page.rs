@@ -18,13 +18,6 @@ const TABLE_ROWS: u64 = 13;
 /// Points kept to be drawn; larger sweeps are only summed up.
 pub(in crate::cli) const KEPT_MAX: u64 = 250_000;
 
-/// The head of the page.
-pub(super) struct Head<'a> {
-    pub(super) name: &'a str,
-    pub(super) threads: usize,
-    pub(super) took_s: f64,
-}
-
 /// Whether a whole sweep can be drawn: a grid of one or two axes.
 pub(super) fn is_drawable(plan: &Plan) -> bool {
     plan.axes().len() <= 2 && plan.points() <= KEPT_MAX
@@ -39,25 +32,15 @@ pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
     (0..all.len()).filter(wanted).filter_map(|output| picture(grid, output)).collect()
 }
 
-/// Why a sweep cannot be drawn.
-pub(super) fn undrawable() -> String {
-    format!(
-        "--svg: a picture shows one or two axes and at most {KEPT_MAX} points; omit --svg \
-         or use fewer points"
-    )
-}
-
+/// The page of a sweep; `how` says in what time it was made, and on how many threads.
 pub(super) fn text(
+    name: &str,
     plan: &Plan,
-    head: &Head<'_>,
-    ended: OutcomeCounts,
+    (ended, how): (OutcomeCounts, &str),
     kept: Option<&Grid>,
 ) -> String {
     let axes: Vec<String> = plan.axes().iter().map(axis_words).collect();
-    let mut page = format!("{}: {}\n", head.name, axes.join("; "));
-    let (points, took, threads) = (ended.total(), duration(head.took_s), head.threads);
-    let plural = if threads == 1 { "" } else { "s" };
-    let _ = writeln!(page, "{points} points in {took} on {threads} thread{plural}\n");
+    let mut page = format!("{name}: {}\n{} points {how}\n\n", axes.join("; "), ended.total());
     if let Some(grid) = kept.filter(|grid| grid.is_complete()) {
         for output in 0..plan.outputs().len() {
             drawn(&mut page, grid, output);

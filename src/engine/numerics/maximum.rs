@@ -31,7 +31,7 @@ pub(crate) fn greatest(values: &[f64; CELLS + 1], known: f64, f: &dyn Fn(f64) ->
             _ => true,
         };
         if rises_inside {
-            best = larger(f(in_bracket(place(before), place(after), f)), best);
+            best = larger(f(in_bracket(place(before), place(after), &f)), best);
         }
     }
     best

@@ -37,39 +37,34 @@ pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
     let rows =
         |method: &'r MethodReport| method.points.iter().map(move |point| Row { method, point });
     let warnings = warnings(report).join("; ");
-    Table::of(report.methods.iter().flat_map(rows))
-        .with("scene", "scene", "", move |_| name)
-        .with("method", "method", "", |row| row.method.method.name())
-        .with("letter", "letter", "", |row| row.method.method.letter().to_string())
-        .with("time_step_s", "time step", "s", |row| match row.point.parameter {
+    let table = Table::of(report.methods.iter().flat_map(rows))
+        .field("scene", move |_| name)
+        .field("method", |row| row.method.method.name())
+        .field("letter", |row| row.method.method.letter().to_string())
+        .field("time_step_s", |row| match row.point.parameter {
             Parameter::Step(dt_s) => Some(dt_s),
             Parameter::Tolerance(_) => None,
         })
-        .with("tolerance", "tolerance", "", |row| match row.point.parameter {
+        .field("tolerance", |row| match row.point.parameter {
             Parameter::Tolerance(value) => Some(value),
             Parameter::Step(_) => None,
         })
-        .with("error", "error", "", |row| Some(row.measured()?.error()))
-        .with(RESULTS[0].0, "error of depth", "", |row| row.measured()?.errors[0])
-        .with(RESULTS[1].0, "of time", "", |row| row.measured()?.errors[1])
-        .with(RESULTS[2].0, "of displacement", "", |row| row.measured()?.errors[2])
-        .with(RESULTS[3].0, "of force", "", |row| row.measured()?.errors[3])
-        .with(RESULTS[4].0, "of last velocity", "", |row| row.measured()?.errors[4])
-        .with(RESULTS[5].0, "of last time", "", |row| row.measured()?.errors[5])
-        .with(RESULTS[6].0, "of mount force", "", |row| row.measured()?.errors[6])
-        .with("at_floor", "at floor", "", |row| Some(row.measured()?.is_at_floor()))
-        .with("penetration_m", "depth", "m", |row| row.answer()?.results[0])
-        .with("end_time_s", "end", "s", |row| row.answer()?.results[1])
-        .with("steps", "steps", "", |row| Some(row.answer()?.steps))
-        .with("rejected", "rejected", "", |row| Some(row.answer()?.rejected))
-        .with("rhs_evaluations", "evaluations", "", |row| Some(row.answer()?.evaluations))
-        .with("run_time_s_min", "run time", "s", |row| Some(row.measured()?.min_s))
-        .with("refused", "refused", "", |row| Some(row.point.result.err()?.words()))
-        .with("reference", "reference", "", |row| Some(row.method.reference?.basis.words()))
-        .with("reference_uncertainty", "its uncertainty", "", |row| {
-            row.method.reference?.uncertainty
-        })
-        .with(WARNINGS, WARNINGS, "", move |_| warnings.clone())
+        .field("error", |row| Some(row.measured()?.error()));
+    let table = RESULTS.into_iter().enumerate().fold(table, |table, (at, (key, _))| {
+        table.field(key, move |row| row.measured()?.errors[at])
+    });
+    table
+        .field("at_floor", |row| Some(row.measured()?.is_at_floor()))
+        .field("penetration_m", |row| row.answer()?.results[0])
+        .field("end_time_s", |row| row.answer()?.results[1])
+        .field("steps", |row| Some(row.answer()?.steps))
+        .field("rejected", |row| Some(row.answer()?.rejected))
+        .field("rhs_evaluations", |row| Some(row.answer()?.evaluations))
+        .field("run_time_s_min", |row| Some(row.measured()?.min_s))
+        .field("refused", |row| Some(row.point.result.err()?.words()))
+        .field("reference", |row| Some(row.method.reference?.basis.words()))
+        .field("reference_uncertainty", |row| row.method.reference?.uncertainty)
+        .field(WARNINGS, move |_| warnings.clone())
 }
 
 /// Less than this is within the spread of timings.
@@ -112,16 +107,15 @@ pub fn percent(part: f64) -> String {
 /// What to use for an error of 1e-6, and what it costs.
 pub fn advice(report: &Report) -> String {
     let target = TARGETS[0];
-    let with = report
-        .run_s
-        .map_or_else(String::new, |run_s| format!("; {} with series and estimate", seconds(run_s)));
-    match report.usable(target) {
-        Some(found) => format!("{target:.0e}: {} {}{with}", seconds(found.min_s), by(&found)),
-        None if report.is_measured(Method::Auto) => {
-            format!("{target:.0e}: auto does not reach it here")
-        }
-        None => format!("{target:.0e}: auto is not measured yet"),
-    }
+    let with = report.run_s.map(|run_s| format!("; {} with series and estimate", seconds(run_s)));
+    let with = with.unwrap_or_default();
+    let is_measured = |it: &MethodReport| it.method == Method::Auto && !it.points.is_empty();
+    let found = match report.usable(target) {
+        Some(found) => format!("{} {}{with}", seconds(found.min_s), by(&found)),
+        None if report.methods.iter().any(is_measured) => "auto does not reach it here".to_owned(),
+        None => "auto is not measured yet".to_owned(),
+    };
+    format!("{target:.0e}: {found}")
 }
 
 /// How far the printed scheme of the thesis is off, whatever its step.

@@ -5,7 +5,7 @@ use serde_json::{Map as Object, Value, json};
 
 use crate::model::library;
 use crate::model::mechanism::Mechanism;
-use crate::model::run::{Run, envelope};
+use crate::model::run::envelope;
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::units::{fixed_significant, velocity};
 use crate::report::chart::levels::Levels;
@@ -47,29 +47,26 @@ const LINES: [&str; 18] = [
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
     let own = |name| move |it: &&Entry| find(name)?.value(&it.run);
+    let preload_j = |it: &&Entry| {
+        (!Mechanism::of(&it.run.scene).is_absent()).then_some(it.run.ledger.initial_spring_j)
+    };
     let at_limit = |name| move |it: &&Entry| find(name)?.value(it.at_limit.as_ref()?);
     Table::of(&report.entries)
-        .with("scene", "scene", "", move |_| name)
+        .field("scene", move |_| name)
         .with("candidate", "", "", |it| it.candidate.word())
         .with("outcome", "at the design velocity", "", |it| it.run.shot_outcome().word())
         .shown(|it, word| Some(word.as_str()?.to_owned() + if it.is_held { "" } else { "*" }))
-        .with("governed_by", "governed by", "", |it| governed_by(it))
+        .field("governed_by", |it| governed_by(it))
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
         .shown(|it, value| {
             let value = value.as_f64().filter(|_| !it.is_held)?;
             Some(fixed_significant(value, 4) + "*")
         })
-        .with("sized_thickness_m", "thickness to just stop", "m", |it| {
-            Some(it.sized.as_ref().ok()?.scene.target.thickness_m)
-        })
-        .with("sized_areal_mass_kg_m2", "areal mass to just stop", "kg/m^2", |it| {
-            Some(it.sized.as_ref().ok()?.areal_kg_m2)
-        })
-        .with("solid_areal_mass_kg_m2", "areal mass of the solid", "kg/m^2", |it| {
-            Some(it.sized.as_ref().ok()?.solid_areal_kg_m2)
-        })
+        .field("sized_thickness_m", |it| Some(it.sized.as_ref().ok()?.scene.target.thickness_m))
+        .field("sized_areal_mass_kg_m2", |it| Some(it.sized.as_ref().ok()?.areal_kg_m2))
+        .field("solid_areal_mass_kg_m2", |it| Some(it.sized.as_ref().ok()?.solid_areal_kg_m2))
         .with("areal_mass_kg_m2", "areal mass", "kg/m^2", |it| it.areal_kg_m2)
-        .with("spring_mass_kg", "spring mass", "kg", |it| it.spring_kg)
+        .field("spring_mass_kg", |it| it.spring_kg)
         .with("limit_velocity_m_s", "ballistic limit", "m/s", |it| it.perforation.velocity_m_s())
         .shown(beyond)
         .with("limit_if_spring_survives_m_s", SURVIVES, "m/s", |it| it.limit_m_s)
@@ -78,21 +75,14 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .with("stored_energy_j", "stored energy", "J", own("stored_energy_j"))
         .with("peak_mount_force_n", "mount force", "N", own("peak_mount_force_n"))
         .with("mount_impulse_n_s", "impulse into mount", "N s", own("mount_impulse_n_s"))
-        .with("preload_energy_j", "preloaded energy", "J", |it| preload_j(&it.run))
+        .with("preload_energy_j", "preloaded energy", "J", preload_j)
         .with("stroke_at_limit_m", "  at the limit", "m", at_limit("stroke_m"))
         .with("stored_energy_at_limit_j", "  at the limit", "J", at_limit("stored_energy_j"))
         .with("peak_mount_force_at_limit_n", "  at the limit", "N", at_limit("peak_mount_force_n"))
         .with("max_plate_displacement_m", "back-face travel", "m", own("max_plate_displacement_m"))
         .with("thickness_m", "thickness", "m", |it| it.run.scene.target.thickness_m)
-        .with("residual_velocity_m_s", "residual velocity", "m/s", |it| {
-            it.run.residual_velocity_m_s
-        })
+        .with("residual_velocity_m_s", "residual velocity", "m/s", own("residual_velocity_m_s"))
         .with("penetration_m", "depth", "m", |it| it.depth_m())
-}
-
-/// The energy in the cocked spring, J.
-fn preload_j(run: &Run) -> Option<f64> {
-    (!Mechanism::of(&run.scene).is_absent()).then_some(run.ledger.initial_spring_j)
 }
 
 /// The candidates beside each other, a figure on each line, as on a page of this width.
@@ -159,12 +149,12 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
     let points = (0..x.count()).flat_map(|at| (0..y.count()).map(move |up| (at, up)));
     let cell = |at: &(u64, u64)| map.cell(at.0, at.1);
     Table::of(points.filter(|at| cell(at).is_some()))
-        .with("scene", "scene", "", move |_| name)
-        .with(x.symbol(), x.symbol(), "", |at| x.value(at.0))
-        .with(y.symbol(), y.symbol(), "", |at| y.value(at.1))
-        .with("mass_efficiency", "mass efficiency", "", move |at| cell(at)?.ok())
-        .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words))
-        .with("warnings", "warnings", "", move |at| {
+        .field("scene", move |_| name)
+        .field(x.symbol(), |at| x.value(at.0))
+        .field(y.symbol(), |at| y.value(at.1))
+        .field("mass_efficiency", move |at| cell(at)?.ok())
+        .field("no_mass_efficiency", move |at| Some(cell(at)?.err()?.words))
+        .field("warnings", move |at| {
             let breaches = envelope::of_scene(&map.placed(at.0, at.1));
             let breaches = breaches.iter().map(ToString::to_string);
             let of_entries = library::warnings(map.scene()).map(str::to_owned);

@@ -6,7 +6,7 @@ use crate::model::library;
 use crate::model::run::Outcome;
 use crate::model::units::significant;
 use crate::report::table::Table;
-use crate::study::search::front::{Design, Lack, Report};
+use crate::study::search::front::{Lack, Report};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 
@@ -56,35 +56,26 @@ pub fn lacks(front: &Report) -> Vec<String> {
     front.lacks.iter().map(say).chain(infeasible).collect()
 }
 
-/// What a plastic interface comes to for a design, in words; `None` where the interface holds.
-fn plastic(front: &Report, design: &Design) -> Option<String> {
-    Some(design.plastic?.words(front.request.objectives[0].measure))
-}
-
 /// The designs of a front.
 pub fn table<'c>(name: &'c str, front: &'c Report) -> Table<'c, usize> {
     let of = move |at: &usize| &front.designs[*at];
     let mut table = Table::of(0..front.designs.len())
-        .with("scene", "scene", "", move |_| name)
-        .with("interface", "interface", "", move |_| front.base.interface.law.word());
+        .field("scene", move |_| name)
+        .field("interface", move |_| front.base.interface.law.word());
     for (at, axis) in front.request.over.iter().enumerate() {
-        table = table.with(axis.symbol(), axis.symbol(), axis.variable().unit(), move |row| {
-            of(row).values.get(at).copied()
-        });
+        let (symbol, unit) = (axis.symbol(), axis.variable().unit());
+        table = table.with(symbol, symbol, unit, move |row| of(row).values.get(at).copied());
     }
     for (at, measure) in front.request.measures().into_iter().enumerate() {
-        table = table
-            .with(measure.name, measure.heading(), "", move |row| {
-                of(row).measures.get(at).copied().flatten()
-            })
-            .shown(|_, value| Some(measure.show(value.as_f64()?, 4)));
+        let value = move |row: &usize| *of(row).measures.get(at)?;
+        table = table.with(measure.name, measure.heading(), "", value);
+        table = table.shown(|_, value| Some(measure.show(value.as_f64()?, 4)));
     }
-    table.with("outcome", "outcome", "", move |row| of(row).outcome.word()).with(
-        "plastic",
-        "on a plastic interface",
-        "",
-        move |row| plastic(front, of(row)),
-    )
+    // Where the interface holds there is nothing to say.
+    let first = front.request.objectives[0].measure;
+    let plastic = move |row: &usize| Some(of(row).plastic?.words(first));
+    let table = table.field("outcome", move |row| of(row).outcome.word());
+    table.with("plastic", "on a plastic interface", "", plastic)
 }
 
 /// The columns that a page has of a front: numbers, and the plastic interface where a fused one does not hold.

@@ -156,17 +156,13 @@ fn closures(closures: &Closures) -> String {
 pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
     let limit_m_s = report.limit.velocity_m_s();
     Table::of(&report.shots)
-        .with("scene", "scene", "", move |_| name)
-        .with("impact_velocity_m_s", "impact velocity", "m/s", |shot| shot.impact_m_s)
-        .with("outcome", "outcome", "", |shot| shot.outcome.word())
-        .with("residual_velocity_m_s", "residual velocity", "m/s", |shot| shot.residual_m_s)
-        .with("recht_ipson_m_s", "Recht-Ipson", "m/s", |shot| {
-            report.recht_ipson.map(|law| law.residual_m_s(shot.impact_m_s))
-        })
-        .with("lambert_jonas_m_s", "Lambert-Jonas", "m/s", |shot| {
-            report.lambert_jonas.map(|law| law.residual_m_s(shot.impact_m_s))
-        })
-        .with("limit_velocity_m_s", "limit", "m/s", move |_| limit_m_s)
+        .field("scene", move |_| name)
+        .field("impact_velocity_m_s", |shot| shot.impact_m_s)
+        .field("outcome", |shot| shot.outcome.word())
+        .field("residual_velocity_m_s", |shot| shot.residual_m_s)
+        .field("recht_ipson_m_s", |it| Some(report.recht_ipson?.residual_m_s(it.impact_m_s)))
+        .field("lambert_jonas_m_s", |it| Some(report.lambert_jonas?.residual_m_s(it.impact_m_s)))
+        .field("limit_velocity_m_s", move |_| limit_m_s)
 }
 
 /// Everything, as one object; null for what does not exist.

@@ -61,17 +61,14 @@ pub fn v50(report: &Report) -> Option<String> {
         let show = |value: f64| it.measure.show_all_digits(value, DIGITS);
         let median = it.quantile(0.5)?;
         let [low, high] = [median.low_95, median.high_95].map(show);
-        Some(format!(
-            "{} (95 %: {low} to {high}), spread {}",
-            show(median.value),
-            show(it.deviation?)
-        ))
+        let [value, spread] = [median.value, it.deviation?].map(show);
+        Some(format!("{value} (95 %: {low} to {high}), spread {spread}"))
     };
     let first = shown(each.next()?)?;
-    let bare = each.next().and_then(shown);
-    Some(
-        bare.map_or_else(|| first.clone(), |bare| format!("{first}; model error excluded: {bare}")),
-    )
+    Some(match each.next().and_then(shown) {
+        Some(bare) => format!("{first}; model error excluded: {bare}"),
+        None => first,
+    })
 }
 
 /// Columns of the quantiles: key, heading, part of the values below it.
@@ -91,7 +88,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
     let in_unit =
         |it: &&Summary, value: &Value| Some(it.measure.show_all_digits(value.as_f64()?, DIGITS));
     let table = Table::of(&report.summaries)
-        .with("scene", "scene", "", move |_| name)
+        .field("scene", move |_| name)
         .with("output", "", "", |it| it.measure.name)
         .shown(|it, _| Some(title(report, it)))
         .with("nominal", "nominal", "", |it| it.nominal)
@@ -128,7 +125,7 @@ pub fn json(name: &str, report: &Report) -> Value {
     let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
         let Distribution(kind, (first, second)) = tolerance.distribution;
         json!({
-            "variable": tolerance.symbol(), "key": tolerance.variable().key,
+            "variable": tolerance.symbol(), "key": tolerance.variable.key,
             "distribution": kind.word(),
             "parameters": [first, second], "redrawn": redrawn,
         })

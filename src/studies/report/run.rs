@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::model::run::envelope::{fused_stop_hits, warnings};
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample, StackRun};
@@ -78,7 +78,7 @@ fn named<'c, R>(
     name: impl Fn(&R) -> &'c str + 'c,
 ) -> Table<'c, R> {
     let table = Table::of(rows);
-    if several { table.with("run", "run", "", name) } else { table }
+    if several { table.field("run", name) } else { table }
 }
 
 /// The moments of some runs: a run, and a row of it.
@@ -88,25 +88,23 @@ fn course<'c>(courses: &'c [Course<'c>], several: bool) -> Table<'c, (usize, usi
     let sample = |at: &(usize, usize)| &courses[at.0].samples[at.1];
     let mut table = named(rows, several, |at| courses[at.0].name);
     for (place, (key, get)) in NUMBERS.into_iter().enumerate() {
-        table = table.with(key, key, "", move |at| get(sample(at)));
+        table = table.field(key, move |at| get(sample(at)));
         if place == 0 {
-            table = table.with("mode", "mode", "", move |at| sample(at).mode.word());
+            table = table.field("mode", move |at| sample(at).mode.word());
         }
     }
-    table.with("event", "event", "", |at| courses[at.0].event(at.1))
+    table.field("event", |at| courses[at.0].event(at.1))
 }
 
 /// The results of some runs, a row each.
 pub fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
     let table = named(runs, true, |it: &&NamedRun| it.0.as_str())
-        .with("scene", "scene", "", |it| it.1.scene.title.as_str())
-        .with("outcome", "outcome", "", |it| it.1.shot_outcome().word())
-        .with("end", "end", "", |it| it.1.end.words())
-        .with("method", "method", "", |it| it.1.cost.method)
-        .with("run_time_s", "run time", "s", |it| it.1.cost.took_s);
-    of_runs().fold(table, |table, quantity| {
-        table.with(quantity.name, quantity.heading(), "", |it| quantity.value(&it.1))
-    })
+        .field("scene", |it| it.1.scene.title.as_str())
+        .field("outcome", |it| it.1.shot_outcome().word())
+        .field("end", |it| it.1.end.words())
+        .field("method", |it| it.1.cost.method)
+        .field("run_time_s", |it| it.1.cost.took_s);
+    of_runs().fold(table, |table, quantity| table.field(quantity.name, |it| quantity.value(&it.1)))
 }
 
 /// A run beside others.
@@ -171,71 +169,58 @@ fn plastic(run: &Arc<Run>) -> String {
     format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
 }
 
-/// Of a run beside another: its outcome and results.
-fn outcome_and_results(run: &Run) -> Value {
-    let outcome = [("outcome".to_owned(), Value::from(run.shot_outcome().word()))];
-    let results = of_runs().map(|column| (column.name.to_owned(), result(run, column)));
-    Value::Object(outcome.into_iter().chain(results).collect())
+/// An object with the results of a run.
+fn with_results(mut object: Value, run: &Run) -> Value {
+    for quantity in of_runs() {
+        object[quantity.name] = result(run, quantity);
+    }
+    object
 }
 
-/// A run of a scene of this name, computed in a given number of seconds, as one object with its keys in the order a reader expects.
-pub fn json(name: &str, run: &Run, took_s: f64) -> String {
+/// A run of a scene of this name as one object with its keys in the order a reader expects.
+pub fn json(name: &str, run: &Run) -> String {
     let scene = &run.scene;
-    let word = |name: &str| {
-        variables::find(name).map_or(Value::Null, |variable| Value::from(variable.show(scene)))
-    };
-    let mut entries = vec![
-        ("scene", Value::from(name)),
-        ("title", Value::from(scene.title.as_str())),
-        ("model", word("contact.model")),
-        ("interface", word("interface.law")),
-        ("outcome", Value::from(run.shot_outcome().word())),
-        ("criterion", word("target.criterion")),
-        ("closure", Value::from(run.scene.closure().word())),
-        ("end", Value::from(run.end.words())),
-        ("complete", Value::from(run.end.is_complete())),
-    ];
-    for column in of_runs() {
-        entries.push((column.name, result(run, column)));
-    }
-    let bounds = of_runs().filter(|column| column.lower_bound(run).is_some());
-    entries.push(("lower_bounds", bounds.map(|column| Value::from(column.name)).collect()));
-    entries.push(("penetration_at_most_m", run.penetration_at_most_m.into()));
-    entries.push(("nose_protrusion_m", run.protrusion_m().into()));
-    entries.extend([
-        (
-            "error_estimate_basis",
-            run.error_estimate.map_or(Value::Null, |estimate| {
-                Value::from(match estimate.basis {
-                    EstimateBasis::SecondComputation => "second computation",
-                    EstimateBasis::HalfStep => "half the step",
-                    EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
-                })
-            }),
-        ),
-        ("error_estimates", estimates(run)),
-        ("method", Value::from(run.cost.method)),
-        ("method_reason", Value::from(run.cost.reason)),
-        ("run_time_s", Value::from(took_s)),
-        ("omitted", Value::from(run.omitted.clone())),
-        ("warnings", Value::from(warnings(run))),
-        ("plastic", run.plastic.as_ref().map_or(Value::Null, |run| outcome_and_results(run))),
-        ("energy_j", energy(&run.ledger)),
-        (
-            "events",
-            run.events
-                .iter()
-                .map(|event| json!({ "time_s": event.t_s, "event": event.kind.words() }))
-                .collect(),
-        ),
-        ("variables", all_variables(scene)),
-        ("version", Value::from(env!("CARGO_PKG_VERSION"))),
-    ]);
+    let object = json!({
+        "scene": name,
+        "title": scene.title,
+        "model": scene.contact.model.word(),
+        "interface": scene.interface.law.word(),
+        "outcome": run.shot_outcome().word(),
+        "criterion": scene.target.criterion.word(),
+        "closure": scene.closure().word(),
+        "end": run.end.words(),
+        "complete": run.end.is_complete(),
+    });
+    let mut object = with_results(object, run);
+    let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());
+    object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
+    object["penetration_at_most_m"] = run.penetration_at_most_m.into();
+    object["nose_protrusion_m"] = run.protrusion_m().into();
+    let basis = run.error_estimate.map(|estimate| match estimate.basis {
+        EstimateBasis::SecondComputation => "second computation",
+        EstimateBasis::HalfStep => "half the step",
+        EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
+    });
+    object["error_estimate_basis"] = basis.into();
+    object["error_estimates"] = estimates(run);
+    object["method"] = run.cost.method.into();
+    object["method_reason"] = run.cost.reason.into();
+    object["run_time_s"] = run.cost.took_s.into();
+    object["omitted"] = run.omitted.clone().into();
+    object["warnings"] = warnings(run).into();
+    let beside =
+        |run: &Arc<Run>| with_results(json!({ "outcome": run.shot_outcome().word() }), run);
+    object["plastic"] = run.plastic.as_ref().map(beside).into();
+    let energy = ENERGY.iter().map(|(key, _, get)| ((*key).to_owned(), get(&run.ledger).into()));
+    object["energy_j"] = Value::Object(energy.collect());
+    let event = |it: &Event| json!({ "time_s": it.t_s, "event": it.kind.words() });
+    object["events"] = run.events.iter().map(event).collect();
+    object["variables"] = all_variables(scene);
+    object["version"] = env!("CARGO_PKG_VERSION").into();
     if let Some(stack) = &run.stack {
-        entries.push(("stack", stack_of(run, stack)));
+        object["stack"] = stack_of(run, stack);
     }
-    let entries = entries.into_iter().map(|(key, value)| (key.to_owned(), value));
-    pretty(&entries.collect::<Map<_, _>>())
+    pretty(&object)
 }
 
 /// The whole stack, and the results of every plate that was struck.
@@ -247,14 +232,12 @@ fn stack_of(whole: &Run, stack: &StackRun) -> Value {
     let rows: Vec<Value> = plates
         .enumerate()
         .map(|(plate, run)| {
-            let mut row = Map::new();
-            row.insert("plate".to_owned(), Value::from(stack.name(plate)));
-            let impact = run.scene.projectile.velocity_m_s;
-            row.insert("impact_velocity_m_s".to_owned(), impact.into());
-            row.insert("outcome".to_owned(), Value::from(run.outcome.word()));
-            let own = of_runs();
-            row.extend(own.map(|column| (column.name.to_owned(), result(run, column))));
-            Value::Object(row)
+            let row = json!({
+                "plate": stack.name(plate),
+                "impact_velocity_m_s": run.scene.projectile.velocity_m_s,
+                "outcome": run.outcome.word(),
+            });
+            with_results(row, run)
         })
         .collect();
     json!({
@@ -283,88 +266,40 @@ fn estimates(run: &Run) -> Value {
     Value::Object(names.map(|name| (name.to_owned(), run.error_of(name).into())).collect())
 }
 
-struct LedgerPart {
-    /// Its name in JSON.
-    key: &'static str,
-    /// Its label on pages and screens.
-    label: &'static str,
-    get: fn(&EnergyLedger) -> f64,
-}
-
-const fn part(key: &'static str, label: &'static str, get: fn(&EnergyLedger) -> f64) -> LedgerPart {
-    LedgerPart { key, label, get }
-}
+/// A part of the energy ledger: its name in JSON, its label on pages, and where it is found.
+type LedgerPart = (&'static str, &'static str, fn(&EnergyLedger) -> f64);
 
 const ENERGY: [LedgerPart; 11] = [
-    part("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
-    part("initial_plate", "plate", |it| it.initial_plate_j),
-    part("initial_spring", "cocked spring", |it| it.initial_spring_j),
-    part("projectile", "projectile", |it| it.projectile_j),
-    part("plate", "plate", |it| it.plate_j),
-    part("mechanism_inertia", "mechanism", |it| it.inertia_j),
-    part("spring", "spring", |it| it.spring_j),
-    part("crush", "crushed", |it| it.crush_j),
-    part("damper", "damper", |it| it.damper_j),
-    part("penetration", "penetration", |it| it.penetration_j),
-    part("stop", "stop", |it| it.stop_j),
+    ("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
+    ("initial_plate", "plate", |it| it.initial_plate_j),
+    ("initial_spring", "cocked spring", |it| it.initial_spring_j),
+    ("projectile", "projectile", |it| it.projectile_j),
+    ("plate", "plate", |it| it.plate_j),
+    ("mechanism_inertia", "mechanism", |it| it.inertia_j),
+    ("spring", "spring", |it| it.spring_j),
+    ("crush", "crushed", |it| it.crush_j),
+    ("damper", "damper", |it| it.damper_j),
+    ("penetration", "penetration", |it| it.penetration_j),
+    ("stop", "stop", |it| it.stop_j),
 ];
 /// How many of them were there at the start.
 const AT_START: usize = 3;
 
-/// A term of the energy ledger.
-pub struct EnergyTerm {
-    /// The holder of the energy.
-    pub label: &'static str,
-    /// The energy, J.
-    pub energy_j: f64,
-    /// The same in percent of the energy at the start.
-    pub percent: f64,
-}
-
-impl EnergyTerm {
-    /// With its share of the energy at the start.
-    pub fn of(label: &'static str, energy_j: f64, start_j: f64) -> Self {
-        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
-        Self { label, energy_j, percent }
-    }
-}
-
-/// The terms of a ledger at the start and at the end; what has no energy is not listed.
-pub fn energy_terms(ledger: &EnergyLedger) -> (Vec<EnergyTerm>, Vec<EnergyTerm>) {
-    let start_j = ledger.initial_j();
-    let term = |part: &LedgerPart| {
-        let energy_j = (part.get)(ledger);
-        (energy_j != 0.0).then(|| EnergyTerm::of(part.label, energy_j, start_j))
-    };
-    let (start, end) = ENERGY.split_at(AT_START);
-    (start.iter().filter_map(term).collect(), end.iter().filter_map(term).collect())
-}
-
-fn energy(ledger: &EnergyLedger) -> Value {
-    let entry = |part: &LedgerPart| (part.key.to_owned(), Value::from((part.get)(ledger)));
-    Value::Object(ENERGY.iter().map(entry).collect())
-}
-
 /// The input, by full key.
 fn all_variables(scene: &Scene) -> Value {
-    let mut map = Map::new();
     let listed = |variable: &&Variable| {
         !variable.key.starts_with("mechanism.") || variables::is_listed(variable, scene)
     };
-    for variable in VARIABLES.iter().filter(listed) {
-        map.insert(variable.key.to_owned(), of_variable(variable.value(scene)));
-    }
-    Value::Object(map)
-}
-
-/// A variable's value.
-pub fn of_variable(value: variables::Value) -> Value {
-    match value {
-        variables::Value::Number(number) => number.into(),
-        variables::Value::Absent => Value::Null,
-        variables::Value::Word(word) => word.into(),
-        variables::Value::Switch(on) => on.into(),
-    }
+    let entry = |variable: &Variable| {
+        let value = match variable.value(scene) {
+            variables::Value::Number(number) => number.into(),
+            variables::Value::Absent => Value::Null,
+            variables::Value::Word(word) => word.into(),
+            variables::Value::Switch(on) => on.into(),
+        };
+        (variable.key.to_owned(), value)
+    };
+    Value::Object(VARIABLES.iter().filter(listed).map(entry).collect())
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
     let total = |at: &usize| report.sobol.as_ref()?.inputs[*at].total;
     let unit = report.output.unit();
     Table::of(report.order())
-        .with("scene", "scene", "", move |_| name)
+        .field("scene", move |_| name)
         .with("output", "quantity", "", |_| report.output.name)
         .with("variable", "", "", move |at| axis(at).symbol())
         .with("key", "key", "", move |at| axis(at).variable().key)

@@ -174,20 +174,17 @@ pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
-    use std::sync::Arc;
-
     use super::*;
-    use crate::model::simulate::{Settings, simulate};
+    use crate::model::simulate::Settings;
+    use crate::study::run_with;
+    use crate::study::testing::scene;
 
     /// After the first arrest projectile and plate move as one on the spring: of equal masses the
     /// projectile needs half of the spring's force k x.
     #[test]
     fn valid_the_contact_force_falls_at_the_first_arrest() {
-        let mut scene = Scene::default();
-        scene.mechanism.spring.coefficient = 1e5;
-        let scene = Arc::new(scene);
-        let run = simulate(&scene, &Settings::SERIES, &mut |_| ControlFlow::Continue(())).unwrap();
+        let scene = scene("k=1e5");
+        let run = run_with(&scene, Settings::SERIES).unwrap();
         let arrest = run.first_arrest.unwrap();
         let points = Channel::ContactForce.points(&run, &run.series);
         let is_event = |point: &&(f64, f64)| point.0.to_bits() == arrest.t_s.to_bits();

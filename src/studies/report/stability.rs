@@ -70,12 +70,12 @@ pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> 
     let rows =
         (0..map.values.len()).flat_map(|row| columns.clone().map(move |column| (row, column)));
     Table::of(rows)
-        .with("scene", "scene", "", move |_| scene)
-        .with("method", "method", "", |_| map.method.name())
-        .with("variable", "variable", "", |_| map.axis.symbol())
-        .with("value", "value", "", |at| map.values[at.0])
-        .with("dt_s", "dt", "s", |at| map.dt_s[at.1])
-        .with("cell", "cell", "", |at| map.cell(at.0, at.1).word())
+        .field("scene", move |_| scene)
+        .field("method", |_| map.method.name())
+        .field("variable", |_| map.axis.symbol())
+        .field("value", |at| map.values[at.0])
+        .field("dt_s", |at| map.dt_s[at.1])
+        .field("cell", |at| map.cell(at.0, at.1).word())
 }
 
 /// The map; its cells as they are shaded, row by row.
@@ -109,20 +109,16 @@ pub fn picture(found: &Map) -> map::Map<'static> {
         map::Cell::Mark(cell.shade(), tone(cell))
     };
     let named = Cell::ALL.into_iter().filter(|cell| *cell != Cell::Waiting);
-    let mut marks: Vec<(char, String)> =
-        named.map(|cell| (cell.shade(), named_shade(cell))).collect();
+    // A blank is named.
+    let blank = |cell: Cell| if cell.shade() == ' ' { "blank: " } else { "" };
+    let mark = |cell: Cell| (cell.shade(), blank(cell).to_owned() + cell.words());
+    let mut marks: Vec<(char, String)> = named.map(mark).collect();
     marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
     map::Map {
         present: found.present_at().map(|at| (at, '+')),
         marks,
         ..map::Map::new(title(found), axes, counts, None, cell)
     }
-}
-
-/// What a shade means; a blank is named.
-pub fn named_shade(cell: Cell) -> String {
-    let blank = if cell.shade() == ' ' { "blank: " } else { "" };
-    format!("{blank}{}", cell.words())
 }
 
 /// The title of a map: of which scheme it speaks.

@@ -57,17 +57,13 @@ impl Svg for Picture {
 
 impl Svg for Chart<'_> {
     fn svg(&self) -> String {
-        let mut out = String::new();
-        draw_chart(&mut out, self);
-        out
+        draw_chart(self)
     }
 }
 
 impl Svg for Map<'_> {
     fn svg(&self) -> String {
-        let mut out = String::new();
-        bands::draw_map(&mut out, self);
-        out
+        bands::draw_map(self)
     }
 }
 
@@ -119,7 +115,12 @@ struct Plot<'a> {
     y: &'a Axis<'a>,
 }
 
-impl Plot<'_> {
+impl<'a> Plot<'a> {
+    /// The plot over these axes, from a height on, with this room at the right.
+    fn new(x: &'a Axis<'a>, y: &'a Axis<'a>, top: f64, room: f64) -> Self {
+        Self { left: LEFT, right: WIDTH - room, top, bottom: HEIGHT - BOTTOM, x, y }
+    }
+
     fn across(&self, value: f64) -> f64 {
         self.left + part(self.x, value) * (self.right - self.left)
     }
@@ -130,20 +131,17 @@ impl Plot<'_> {
 
     /// An upright line.
     fn upright(&self, x: f64) -> [Point; 2] {
-        [Point { x, y: self.top }, Point { x, y: self.bottom }]
+        [(x, self.top), (x, self.bottom)]
     }
 
     /// A level line.
     fn level(&self, y: f64) -> [Point; 2] {
-        [Point { x: self.left, y }, Point { x: self.right, y }]
+        [(self.left, y), (self.right, y)]
     }
 }
 
-#[derive(Clone, Copy)]
-struct Point {
-    x: f64,
-    y: f64,
-}
+/// A place in a picture: to the right, and down.
+type Point = (f64, f64);
 
 /// How far along an axis a value lies; a little beyond its ends at most.
 fn part(axis: &Axis<'_>, value: f64) -> f64 {
@@ -157,23 +155,14 @@ fn at(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-struct Text<'t> {
-    x: f64,
-    y: f64,
-    anchor: &'t str,
-    /// Further attributes.
-    rest: &'t str,
-}
-
-fn text(out: &mut String, place: &Text<'_>, text: &str) {
-    let (x, y) = (at(place.x), at(place.y));
-    let Text { anchor, rest, .. } = place;
-    let text = escaped(text);
+/// A text at a place that is its `anchor`; `rest` are further attributes.
+fn text(out: &mut String, (x, y): Point, anchor: &str, rest: &str, text: &str) {
+    let (x, y, text) = (at(x), at(y), escaped(text));
     let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{rest}>{text}</text>");
 }
 
 fn stroke(out: &mut String, [from, to]: [Point; 2], style: &str) {
-    let (x1, y1, x2, y2) = (at(from.x), at(from.y), at(to.x), at(to.y));
+    let (x1, y1, x2, y2) = (at(from.0), at(from.1), at(to.0), at(to.1));
     let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" {style}/>");
 }
 
@@ -181,7 +170,7 @@ fn stroke(out: &mut String, [from, to]: [Point; 2], style: &str) {
 fn draw_frame(out: &mut String, plot: Plot<'_>, title: &str) {
     let (x, y) = (plot.x, plot.y);
     let middle = f64::midpoint(plot.left, plot.right);
-    text(out, &Text { x: LEFT, y: 20.0, anchor: "start", rest: " font-weight=\"bold\"" }, title);
+    text(out, (LEFT, 20.0), "start", " font-weight=\"bold\"", title);
     let cells = |length: f64, cell: f64| format!("{:.0}", length / cell).parse().unwrap_or(0);
     let across = x.ticks(cells(plot.right - plot.left, CELL.0), Along::Row);
     let up = y.ticks(cells(plot.bottom - plot.top, CELL.1), Along::Column(HALF_ROWS));
@@ -189,25 +178,22 @@ fn draw_frame(out: &mut String, plot: Plot<'_>, title: &str) {
     for tick in &across.labelled {
         let place = plot.across(tick.value / x.unit.factor);
         stroke(out, plot.upright(place), grid);
-        let below = Text { x: place, y: plot.bottom + 17.0, anchor: "middle", rest: "" };
-        text(out, &below, &tick.label);
+        text(out, (place, plot.bottom + 17.0), "middle", "", &tick.label);
     }
     for tick in &up.labelled {
         let place = plot.up(tick.value / y.unit.factor);
         stroke(out, plot.level(place), grid);
-        let beside = Text { x: plot.left - 6.0, y: place + 4.5, anchor: "end", rest: "" };
-        text(out, &beside, &tick.label);
+        text(out, (plot.left - 6.0, place + 4.5), "end", "", &tick.label);
     }
-    let below = Text { x: middle, y: plot.bottom + 38.0, anchor: "middle", rest: "" };
-    text(out, &below, &x.text(across.exponent));
-    draw_upright(out, plot, 16.0, &y.text(up.exponent));
+    text(out, (middle, plot.bottom + 38.0), "middle", "", &x.text(across.exponent));
+    // The title of the vertical axis is turned.
+    let place = (16.0, f64::midpoint(plot.top, plot.bottom));
+    text(out, place, "middle", &turned(place), &y.text(up.exponent));
 }
 
-/// The title of a vertical axis.
-fn draw_upright(out: &mut String, plot: Plot<'_>, x: f64, title: &str) {
-    let y = f64::midpoint(plot.top, plot.bottom);
-    let turned = format!(" transform=\"rotate(-90 {} {})\"", at(x), at(y));
-    text(out, &Text { x, y, anchor: "middle", rest: &turned }, title);
+/// The attribute of a text that stands upright at a place.
+fn turned((x, y): Point) -> String {
+    format!(" transform=\"rotate(-90 {} {})\"", at(x), at(y))
 }
 
 fn frame(out: &mut String, plot: Plot<'_>) {
@@ -243,18 +229,12 @@ fn colour(number: usize) -> &'static str {
     COLOURS[number % COLOURS.len()]
 }
 
-fn draw_chart(out: &mut String, chart: &Chart<'_>) {
+fn draw_chart(chart: &Chart<'_>) -> String {
+    let mut out = String::new();
     let rows = legend_rows(&chart.curves);
     let top = TOP + LEGEND_LINE * rows.len() as f64;
-    let plot = Plot {
-        left: LEFT,
-        right: WIDTH - RIGHT,
-        top,
-        bottom: HEIGHT - BOTTOM,
-        x: &chart.x,
-        y: &chart.y,
-    };
-    draw_frame(out, plot, &chart.title);
+    let plot = Plot::new(&chart.x, &chart.y, top, RIGHT);
+    draw_frame(&mut out, plot, &chart.title);
     for (row, numbers) in rows.iter().enumerate() {
         let y = TOP + LEGEND_LINE * row as f64 + 4.0;
         let mut x = LEFT;
@@ -262,17 +242,16 @@ fn draw_chart(out: &mut String, chart: &Chart<'_>) {
             let curve = &chart.curves[*number];
             let ink = colour(curve.colour);
             if curve.is_dotted() {
-                dot(out, Point { x: x + 11.0, y: y - 4.0 }, ink);
+                dot(&mut out, (x + 11.0, y - 4.0), ink);
             } else {
                 let style = format!("stroke=\"{ink}\" stroke-width=\"2\"");
-                let y = y - 4.0;
-                stroke(out, [Point { x, y }, Point { x: x + 22.0, y }], &style);
+                stroke(&mut out, [(x, y - 4.0), (x + 22.0, y - 4.0)], &style);
             }
-            text(out, &Text { x: x + 28.0, y, anchor: "start", rest: "" }, &curve.label);
+            text(&mut out, (x + 28.0, y), "start", "", &curve.label);
             x += 40.0 + LETTER * curve.label.chars().count() as f64;
         }
     }
-    draw_lines(out, plot, chart);
+    draw_lines(&mut out, plot, chart);
     // What lies outside the plot is cut off.
     let (x, y) = (at(plot.left - EDGE), at(plot.top - EDGE));
     let width = at(plot.right - plot.left + 2.0 * EDGE);
@@ -282,39 +261,36 @@ fn draw_chart(out: &mut String, chart: &Chart<'_>) {
         "<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" viewBox=\"{x} {y} {width} {height}\">"
     );
     for curve in &chart.curves {
-        draw_curve(out, plot, curve, colour(curve.colour));
+        draw_curve(&mut out, plot, curve, colour(curve.colour));
     }
     out.push_str("</svg>\n");
-    frame(out, plot);
+    frame(&mut out, plot);
+    out
 }
 
-fn dot(out: &mut String, Point { x, y }: Point, ink: &str) {
+fn dot(out: &mut String, (x, y): Point, ink: &str) {
     let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"3\" fill=\"{ink}\"/>", at(x), at(y));
 }
 
 fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve<'_>, ink: &str) {
     let (x, y) = (plot.x, plot.y);
-    let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
-    for (at_x, at_y) in &thinned(curve.points.to_vec()) {
-        if x.scale.shows(*at_x) && y.scale.shows(*at_y) {
-            if let Some(piece) = pieces.last_mut() {
-                piece.push(Point { x: plot.across(*at_x), y: plot.up(*at_y) });
+    let place = |(at_x, at_y)| {
+        let is_shown = x.scale.shows(at_x) && y.scale.shows(at_y);
+        is_shown.then(|| (plot.across(at_x), plot.up(at_y)))
+    };
+    let places: Vec<Option<Point>> =
+        thinned(curve.points.to_vec()).into_iter().map(place).collect();
+    for piece in places.split(Option::is_none) {
+        match piece {
+            [] => {}
+            [place] => place.iter().for_each(|place| dot(out, *place, ink)),
+            _ => {
+                let points = piece.iter().flatten().map(|(x, y)| format!("{},{}", at(*x), at(*y)));
+                let points = points.collect::<Vec<_>>().join(" ");
+                let style = format!("stroke=\"{ink}\" stroke-width=\"2\"");
+                let _ = writeln!(out, "<polyline points=\"{points}\" fill=\"none\" {style}/>");
             }
-        } else if pieces.last().is_some_and(|piece| !piece.is_empty()) {
-            pieces.push(Vec::new());
         }
-    }
-    for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
-        if piece.len() == 1 {
-            for place in piece {
-                dot(out, *place, ink);
-            }
-            continue;
-        }
-        let points: Vec<String> =
-            piece.iter().map(|place| format!("{},{}", at(place.x), at(place.y))).collect();
-        let (points, style) = (points.join(" "), format!("stroke=\"{ink}\" stroke-width=\"2\""));
-        let _ = writeln!(out, "<polyline points=\"{points}\" fill=\"none\" {style}/>");
     }
 }
 
@@ -334,9 +310,8 @@ fn draw_lines(out: &mut String, plot: Plot<'_>, chart: &Chart<'_>) {
         let x = plot.across(group.first().map_or(0.0, |mark| mark.at));
         // At the right edge the name stands before its line.
         let x = if x > plot.right - MARKS_NEAR { x - 5.0 } else { x + 11.0 };
-        let turned = format!("{small} transform=\"rotate(-90 {} {})\"", at(x), at(plot.top + 6.0));
-        let place = Text { x, y: plot.top + 6.0, anchor: "end", rest: &turned };
-        text(out, &place, &names.join(", "));
+        let place = (x, plot.top + 6.0);
+        text(out, place, "end", &format!("{small}{}", turned(place)), &names.join(", "));
     }
     for level in &chart.levels {
         if !chart.y.scale.shows(level.at) || !(0.0..=1.0).contains(&part(&chart.y, level.at)) {
@@ -344,8 +319,7 @@ fn draw_lines(out: &mut String, plot: Plot<'_>, chart: &Chart<'_>) {
         }
         let y = plot.up(level.at);
         stroke(out, plot.level(y), dashed);
-        let place = Text { x: plot.right - 4.0, y: y - 4.0, anchor: "end", rest: small };
-        text(out, &place, &level.name);
+        text(out, (plot.right - 4.0, y - 4.0), "end", small, &level.name);
     }
 }
 
@@ -354,23 +328,15 @@ mod tests {
     use super::*;
     use crate::report::chart::Scale;
 
-    fn axis(low: f64, high: f64, scale: Scale) -> Axis<'static> {
-        Axis::over("x", "m", scale, [low, high]).unwrap()
-    }
-
     #[test]
     fn a_file_is_xml_whatever_the_texts_are() {
         let points =
             vec![(0.0, 0.0), (0.4, f64::NAN), (0.5, 0.5), (0.6, 0.7), (1.0, f64::INFINITY)];
+        let axis = || Axis::over("x", "m", Scale::Linear, [0.0, 1.0]).unwrap();
         let chart = Chart {
             marks: vec![Mark::new(0.5, "a < b & \"c\"\u{1b}[2J")],
             levels: vec![Mark::new(0.5, "'yield'")],
-            ..Chart::new(
-                "<b>title</b> & more",
-                axis(0.0, 1.0, Scale::Linear),
-                axis(0.0, 1.0, Scale::Linear),
-                vec![Curve::new('*', "", points)],
-            )
+            ..Chart::new("<b>title</b> & more", axis(), axis(), vec![Curve::new('*', "", points)])
         };
         let text = file(&[chart.svg()]);
         let read = roxmltree::Document::parse(&text).unwrap();

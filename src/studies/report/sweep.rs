@@ -92,32 +92,30 @@ impl Sheet<'_> {
         let mut table = Table::of(0..points.len());
         for (at, axis) in self.plan.axes().iter().enumerate() {
             let value = move |row: &usize| self.plan.coordinate(points[*row], at);
-            table = table.with(axis.symbol(), "", "", value);
+            table = table.field(axis.symbol(), value);
         }
         if is_all {
             let word = |key| word(self.plan.base(), key);
             table = table
-                .with("scene", "", "", |_| self.scene)
-                .with("model", "", "", move |_| word("contact.model"))
-                .with("interface", "", "", move |_| word("interface.law"));
+                .field("scene", |_| self.scene)
+                .field("model", move |_| word("contact.model"))
+                .field("interface", move |_| word("interface.law"));
         }
-        table = table.with("outcome", "", "", move |row| found[*row].outcome.word());
+        table = table.field("outcome", move |row| found[*row].outcome.word());
         if is_all {
-            table = table.with("end", "", "", move |row| Some(run(row)?.end.words()));
+            table = table.field("end", move |row| Some(run(row)?.end.words()));
         }
         for (at, output) in self.plan.outputs().iter().enumerate() {
             let value = move |row: &usize| found[*row].values[at];
-            table = table.with(output.name, "", "", value);
+            table = table.field(output.name, value);
         }
         if is_all {
             table = table
-                .with("method", "", "", move |row| Some(run(row)?.cost.method))
-                .with("omitted", "", "", move |row| Some(run(row)?.omitted.join("; ")))
-                .with("warnings", "", "", move |row| {
-                    Some(envelope::warnings(run(row)?).join("; "))
-                });
+                .field("method", move |row| Some(run(row)?.cost.method))
+                .field("omitted", move |row| Some(run(row)?.omitted.join("; ")))
+                .field("warnings", move |row| Some(envelope::warnings(run(row)?).join("; ")));
         }
-        table.with("error", "", "", move |row| found[*row].reason())
+        table.field("error", move |row| found[*row].reason())
     }
 
     /// The head of the JSON: the sweep itself, up to the rows.

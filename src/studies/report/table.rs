@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 
 use crate::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
 
-const DIGITS: i32 = 4;
+const DIGITS: usize = 4;
 /// Blanks between two columns of a page.
 const GAP: &str = "  ";
 
@@ -59,6 +59,11 @@ impl<'c, R> Table<'c, R> {
         let get = Box::new(move |row: &R| get(row).into());
         self.columns.push(Column { key, label: label.into(), unit, get, shown: None });
         self
+    }
+
+    /// With a further column that files alone have: no page shows it.
+    pub fn field<T: Into<Value>>(self, key: &'static str, get: impl Fn(&R) -> T + 'c) -> Self {
+        self.with(key, "", "", get)
     }
 
     /// With a text that a page shows in the last column instead of the value.
@@ -131,7 +136,7 @@ impl<'c, R> Table<'c, R> {
     /// With the warnings of the whole table in every row.
     pub fn with_warnings(self, warnings: &[String]) -> Self {
         let text = warnings.join("; ");
-        self.with("warnings", "warnings", "", move |_| text.clone())
+        self.field("warnings", move |_| text.clone())
     }
 
     /// As lines of a page, of the columns with these keys: a heading above its cells.
@@ -158,7 +163,9 @@ impl<'c, R> Table<'c, R> {
     /// The columns with these keys on a page, those of one unit with the same prefix.
     pub fn cells(&self, keys: &[&str]) -> Vec<Cells> {
         let named = |key: &&str| self.columns.iter().find(|column| column.key == *key);
-        let valued = |column| (column, self.values(column));
+        let values =
+            |column: &Column<'_, R>| self.rows.iter().map(|row| (column.get)(row)).collect();
+        let valued = |column| (column, values(column));
         let columns: Vec<(&Column<'_, R>, Vec<Value>)> =
             keys.iter().filter_map(named).map(valued).collect();
         let size = |unit: &str| {
@@ -178,10 +185,6 @@ impl<'c, R> Table<'c, R> {
             }
         };
         columns.iter().map(of).collect()
-    }
-
-    fn values(&self, column: &Column<'_, R>) -> Vec<Value> {
-        self.rows.iter().map(|row| (column.get)(row)).collect()
     }
 }
 
@@ -257,9 +260,8 @@ fn beside(columns: &[&Cells]) -> String {
 
 /// A number in a few digits, those before the point among them.
 fn rounded(value: f64) -> String {
-    let is_long = value.abs() >= 10_f64.powi(DIGITS);
-    let digits = DIGITS.unsigned_abs() as usize;
-    if is_long { significant(value, digits) } else { fixed_significant(value, digits) }
+    let is_long = value.abs() >= 1e4;
+    if is_long { significant(value, DIGITS) } else { fixed_significant(value, DIGITS) }
 }
 
 /// A text of JSON, with a line end.

@@ -5,7 +5,6 @@ use crate::report::table::Table;
 use crate::study::validation::{Bias, Case, NotChecked, Row, biases, measurements};
 
 /// A row of the table.
-#[derive(Default)]
 pub struct ValidationLine<'r> {
     row: Option<&'r Row>,
     /// A case that cannot be checked: what it says, where it comes from, and why not.
@@ -42,39 +41,33 @@ impl ValidationLine<'_> {
 
 /// All of them.
 pub fn table(report: &[Row]) -> Table<'_, ValidationLine<'_>> {
-    let cases =
-        report.iter().map(|row| ValidationLine { row: Some(row), ..ValidationLine::default() });
-    let others = measurements().not_checked.iter();
-    let others =
-        others.map(|it| ValidationLine { not_checked: Some(it), ..ValidationLine::default() });
-    let biases = biases(report).into_iter();
-    let biases = biases.map(|it| ValidationLine { bias: Some(it), ..ValidationLine::default() });
+    let line = |row, not_checked, bias| ValidationLine { row, not_checked, bias };
+    let cases = report.iter().map(|row| line(Some(row), None, None));
+    let others = measurements().not_checked.iter().map(|it| line(None, Some(it), None));
+    let biases = biases(report).into_iter().map(|it| line(None, None, Some(it)));
     Table::of(cases.chain(others).chain(biases))
-        .with("case", "case", "", ValidationLine::id)
-        .with("preset", "preset", "", |it| it.case().map(|case| case.preset))
-        .with("quantity", "quantity", "", ValidationLine::quantity)
-        .with("unit", "unit", "", |it| it.case().map(|case| case.quantity.unit()))
-        .with("measured", "measured", "", |it| it.case().map(|case| case.measured))
-        .with("resolution", "resolution", "", |it| it.case()?.resolution)
-        .with("closure", "closure", "", |it| it.row.map(|row| row.closure.word()))
-        .with("computed", "computed", "", |it| it.row?.computed)
-        .with("relative_error", "bias", "", ValidationLine::error)
-        .with("other_closure", "other closure", "", |it| it.row?.other)
-        .with("other_relative_error", "its error", "", |it| {
-            let row = it.row?;
-            Some(row.error(row.other?))
-        })
-        .with("thickness_over_diameter", "h/D", "", |it| it.row.map(|row| row.thickness_ratio))
-        .with("nose_pressure_pa", "nose pressure", "Pa", |it| it.row.map(|row| row.pressure_pa))
-        .with("nose", "nose", "", |it| it.case().map(|case| case.nose))
-        .with("projectile", "projectile", "", |it| it.case().map(|case| case.projectile))
-        .with("source", "source", "", |it| {
+        .field("case", ValidationLine::id)
+        .field("preset", |it| it.case().map(|case| case.preset))
+        .field("quantity", ValidationLine::quantity)
+        .field("unit", |it| it.case().map(|case| case.quantity.unit()))
+        .field("measured", |it| it.case().map(|case| case.measured))
+        .field("resolution", |it| it.case()?.resolution)
+        .field("closure", |it| it.row.map(|row| row.closure.word()))
+        .field("computed", |it| it.row?.computed)
+        .field("relative_error", ValidationLine::error)
+        .field("other_closure", |it| it.row?.other)
+        .field("other_relative_error", |it| Some(it.row?.error(it.row?.other?)))
+        .field("thickness_over_diameter", |it| it.row.map(|row| row.thickness_ratio))
+        .field("nose_pressure_pa", |it| it.row.map(|row| row.pressure_pa))
+        .field("nose", |it| it.case().map(|case| case.nose))
+        .field("projectile", |it| it.case().map(|case| case.projectile))
+        .field("source", |it| {
             it.case().map(|case| case.source).or_else(|| Some(it.not_checked?.source))
         })
-        .with("caution", "caution", "", |it| it.case().map(|case| case.caution))
-        .with("beyond_closure", "beyond closure", "", |it| it.row?.beyond.clone())
-        .with("not_checked_because", "why not", "", |it| it.not_checked.map(|it| it.why))
-        .with("class", "class", "", ValidationLine::class)
-        .with("points", "points", "", |it| it.bias.as_ref().map(|bias| bias.points))
-        .with("relative_error_deviation", "std dev", "", |it| it.bias.as_ref()?.deviation)
+        .field("caution", |it| it.case().map(|case| case.caution))
+        .field("beyond_closure", |it| it.row?.beyond.clone())
+        .field("not_checked_because", |it| it.not_checked.map(|it| it.why))
+        .field("class", ValidationLine::class)
+        .field("points", |it| it.bias.as_ref().map(|bias| bias.points))
+        .field("relative_error_deviation", |it| it.bias.as_ref()?.deviation)
 }

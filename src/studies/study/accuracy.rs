@@ -301,11 +301,6 @@ impl MethodReport {
 }
 
 impl Report {
-    /// Whether a method has been run.
-    pub fn is_measured(&self, method: Method) -> bool {
-        self.methods.iter().any(|it| it.method == method && !it.points.is_empty())
-    }
-
     /// The cheapest way to an accuracy that a scene can be run by: that of `auto`.
     pub fn usable(&self, target: f64) -> Option<Cheapest> {
         self.methods.iter().find(|it| it.method == Method::Auto)?.cheapest(target)

@@ -105,12 +105,9 @@ impl Entry {
     }
 }
 
-/// Mass efficiencies this near to 1 are 1: a mechanism that does not move has no other.
-pub const EQUAL: f64 = 1e-4;
-
-/// Whether an armour of this mass efficiency weighs what the solid plate does.
+/// Whether an armour of this mass efficiency weighs what the solid plate does: a mechanism that does not move has no other.
 pub fn is_equal(mass_efficiency: f64) -> bool {
-    (mass_efficiency - 1.0).abs() <= EQUAL
+    (mass_efficiency - 1.0).abs() <= 1e-4
 }
 
 /// Whether the mechanism pays.

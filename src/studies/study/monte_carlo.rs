@@ -13,6 +13,7 @@ use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
+use crate::study::option;
 use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities::{self, Needs, Quantity, find};
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
@@ -51,41 +52,22 @@ pub struct Request {
 
 impl Default for Request {
     fn default() -> Self {
-        let (model_bias, model_spread) = (None, None);
-        Self {
-            vary: Vec::new(),
-            outputs: Vec::new(),
-            samples: None,
-            seed: 1,
-            model_bias,
-            model_spread,
-        }
+        let (vary, outputs, samples) = (Vec::new(), Vec::new(), None);
+        Self { vary, outputs, samples, seed: 1, model_bias: None, model_spread: None }
     }
 }
 
 /// The command's name and options.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("montecarlo")?;
-        for tolerance in &self.vary {
-            write!(f, " --vary {tolerance}")?;
-        }
-        if !self.outputs.is_empty() {
-            let names: Vec<&str> = self.outputs.iter().map(|it| it.name).collect();
-            write!(f, " --outputs {}", names.join(","))?;
-        }
-        if let Some(samples) = self.samples {
-            write!(f, " --samples {samples}")?;
-        }
-        for (option, value) in [("bias", self.model_bias), ("spread", self.model_spread)] {
-            if let Some(value) = value {
-                write!(f, " --model-{option} {value}")?;
-            }
-        }
-        if self.seed != Self::default().seed {
-            write!(f, " --seed {}", self.seed)?;
-        }
-        Ok(())
+        let vary: String = self.vary.iter().map(|it| option("vary", Some(it))).collect();
+        let names: Vec<&str> = self.outputs.iter().map(|it| it.name).collect();
+        let outputs = option("outputs", (!names.is_empty()).then(|| names.join(",")));
+        let samples = option("samples", self.samples);
+        let bias = option("model-bias", self.model_bias);
+        let spread = option("model-spread", self.model_spread);
+        let seed = option("seed", Some(self.seed).filter(|seed| *seed != Self::default().seed));
+        write!(f, "montecarlo{vary}{outputs}{samples}{bias}{spread}{seed}")
     }
 }
 
@@ -253,7 +235,9 @@ pub fn run(
     let (tolerances, model) = (request.tolerances(scene), request.model(scene));
     let (wanted, seed) = (request.count(), request.seed);
     let space = space(scene, request, &tolerances)?;
-    let mut draw = Draw::new(scene, &tolerances, seed);
+    let (mut random, mut redrawn) = (Random::new(seed), vec![0; tolerances.len()]);
+    let mut drawn_scene = scene.clone();
+    let mut sample = || sample(&tolerances, &mut drawn_scene, &mut random, &mut redrawn);
     let mut report = Report { tolerances: tolerances.clone(), seed, model, ..Report::default() };
     let limit = space.outputs().iter().position(|it| it.name == LIMIT);
     let limit = limit.filter(|_| model != ModelError::default());
@@ -264,7 +248,7 @@ pub fn run(
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.outputs().len()];
     let mut drawn = 0;
     while drawn < wanted && !context.is_stopped() {
-        let batch = (drawn..wanted).take(BATCH).map(|_| draw.sample());
+        let batch = (drawn..wanted).take(BATCH).map(|_| sample());
         let designs = batch.collect::<Result<Vec<_>, _>>()?;
         drawn += designs.len();
         let found = space.evaluate(&designs, context);
@@ -279,7 +263,7 @@ pub fn run(
         }
     }
     report.is_complete = !context.is_stopped();
-    report.redrawn = draw.redrawn;
+    report.redrawn = redrawn;
     report.perforated = perforated(report.outcomes);
     report.nominal = nominal.as_ref().map(|found| found.outcome);
     let summary = |(at, values)| {
@@ -320,50 +304,36 @@ fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<P
     Plan::for_designs(scene, axes, &request.measures())
 }
 
-/// The stream of samples, and how often each input was drawn again.
-struct Draw<'t> {
-    tolerances: &'t [Tolerance],
-    scene: Scene,
-    random: Random,
-    redrawn: Vec<usize>,
-}
-
-impl<'t> Draw<'t> {
-    fn new(scene: &Scene, tolerances: &'t [Tolerance], seed: u64) -> Self {
-        Self {
-            tolerances,
-            scene: scene.clone(),
-            random: Random::new(seed),
-            redrawn: vec![0; tolerances.len()],
-        }
-    }
-
-    /// A value for every input, which together make physical sense.
-    fn sample(&mut self) -> Result<Vec<f64>, SweepError> {
-        let mut last = String::new();
-        for _ in 0..DRAWS_MAX {
-            let mut values = Vec::with_capacity(self.tolerances.len());
-            for (tolerance, redrawn) in self.tolerances.iter().zip(&mut self.redrawn) {
-                let mut value = tolerance.distribution.draw(&mut self.random);
-                for _ in 0..DRAWS_MAX {
-                    if tolerance.number().allowed.contains(value) {
-                        break;
-                    }
-                    *redrawn += 1;
-                    value = tolerance.distribution.draw(&mut self.random);
+/// A value for every input, which together make physical sense in the scene; counts how often each input is drawn again.
+fn sample(
+    tolerances: &[Tolerance],
+    scene: &mut Scene,
+    random: &mut Random,
+    redrawn: &mut [usize],
+) -> Result<Vec<f64>, SweepError> {
+    let mut last = String::new();
+    for _ in 0..DRAWS_MAX {
+        let mut values = Vec::with_capacity(tolerances.len());
+        for (tolerance, redrawn) in tolerances.iter().zip(&mut *redrawn) {
+            let mut value = tolerance.distribution.draw(random);
+            for _ in 0..DRAWS_MAX {
+                if tolerance.number.allowed.contains(value) {
+                    break;
                 }
-                (tolerance.number().set)(&mut self.scene, Some(value));
-                values.push(value);
+                *redrawn += 1;
+                value = tolerance.distribution.draw(random);
             }
-            match variables::validate(&self.scene) {
-                Ok(()) => return Ok(values),
-                Err(error) => last = error.to_string(),
-            }
+            (tolerance.number.set)(scene, Some(value));
+            values.push(value);
         }
-        Err(SweepError(format!(
-            "none of {DRAWS_MAX} draws makes physical sense, the last because {last}"
-        )))
+        match variables::validate(scene) {
+            Ok(()) => return Ok(values),
+            Err(error) => last = error.to_string(),
+        }
     }
+    Err(SweepError(format!(
+        "none of {DRAWS_MAX} draws makes physical sense, the last because {last}"
+    )))
 }
 
 /// The part that perforates, of all that came to an end.

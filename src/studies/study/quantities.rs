@@ -90,10 +90,8 @@ pub(in crate::study) enum FromContact {
     No,
     /// From its end.
     End(fn(&FirstContact) -> Option<f64>),
-    /// From its end and the greatest displacement.
-    Displacement(fn(&FirstContact) -> Option<f64>),
-    /// The same, and from the scene.
-    WithScene(fn(&FirstContact, &Scene) -> Option<f64>),
+    /// From its end, the greatest displacement and the scene.
+    Displacement(fn(&FirstContact, &Scene) -> Option<f64>),
     Scene,
 }
 
@@ -173,7 +171,7 @@ impl Quantity {
 }
 
 use Dimension::{ArealMass, Energy, Force, Impulse, Length, Mass, Number, Time, Velocity};
-use FromContact::{Displacement, End, WithScene};
+use FromContact::{Displacement, End};
 use Trait::{
     CountsSprings, Estimate, OfComputation, OfHole, OfPerforation, OfStack, Percent, Whole,
 };
@@ -207,10 +205,10 @@ pub static QUANTITIES: &[Quantity] = &[
         .by_contact(End(|it| it.baseline_m)).titled("depth on a rigid mount").absent(NO_BASELINE),
     quantity("peak_contact_force_n", Force, "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
     quantity("max_plate_displacement_m", Length, "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
-        .by_contact(Displacement(|it| it.max_displacement_m))
+        .by_contact(Displacement(|it, _| it.max_displacement_m))
         .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
     quantity("stroke_m", Length, "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral", Source::Run(Run::stroke_m))
-        .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
+        .by_contact(Displacement(|it, _| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),
     quantity("residual_velocity_m_s", Velocity, "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).is(&[OfPerforation, OfStack]),
     quantity("exit_time_s", Time, "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).is(&[OfPerforation]),
@@ -226,17 +224,17 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("spring_mass_kg", Mass, "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
     quantity("rotational_energy_j", Energy, "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
     quantity("peak_mount_force_n", Force, "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Course(mount::peak_force_n, mount::needs_course))
-        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force"),
+        .by_contact(Displacement(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force"),
     quantity("mount_impulse_n_s", Impulse, "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)),
     quantity("travel_margin", Number, "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
     quantity("fused_stop_hits", Number, "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
     quantity("plate_mass_kg", Mass, "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
     quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
-        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))).is(&[CountsSprings]),
+        .by_contact(Displacement(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))).is(&[CountsSprings]),
     quantity("system_mass_kg", Mass, "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacement_m(run))))
-        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").is(&[CountsSprings]),
+        .by_contact(Displacement(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").is(&[CountsSprings]),
     quantity("areal_mass_kg_m2", ArealMass, "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacement_m(run))))
-        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).is(&[CountsSprings]),
+        .by_contact(Displacement(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).is(&[CountsSprings]),
     quantity("plate_face_m", Length, "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| sprung(scene).then(|| scene.plate_face_m()))),
     quantity("face_over_diameter", Number, "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", Number, "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
@@ -352,8 +350,8 @@ impl Quantity {
     /// Its value for a shot that the first contact decides.
     pub(in crate::study) fn of_contact(&self, answer: &FirstContact, scene: &Scene) -> Option<f64> {
         match (self.from_contact, self.source) {
-            (End(get) | Displacement(get), _) => get(answer),
-            (WithScene(get), _) => get(answer, scene),
+            (End(get), _) => get(answer),
+            (Displacement(get), _) => get(answer, scene),
             (FromContact::Scene, Source::Scene(get)) => get(scene),
             (FromContact::Scene | FromContact::No, _) => None,
         }
@@ -367,11 +365,6 @@ impl Quantity {
     /// Whether a run of a scene has to keep its course in time for it.
     pub(in crate::study) fn needs_course(&self, scene: &Scene) -> bool {
         matches!(self.source, Source::Course(_, is_needed) if is_needed(scene))
-    }
-
-    /// Whether it has a value where the plate is perforated: the depth is the plate's thickness there.
-    pub(in crate::study) fn exists_in_perforation(&self) -> bool {
-        !self.has(OfHole)
     }
 
     /// Whether designs that are perforated may be compared by it.

@@ -11,6 +11,7 @@ use crate::model::scene::Scene;
 use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
+use crate::study::option;
 use crate::study::quantities::{Quantity, usual_of};
 use crate::study::sweep::usual::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, Plan, Point, Spacing, SweepError};
@@ -55,21 +56,11 @@ impl Request {
 /// The command's name and options.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("sensitivity")?;
-        for axis in &self.over {
-            write!(f, " --over {axis}")?;
-        }
-        if let Some(output) = self.output {
-            write!(f, " --output {}", output.name)?;
-        }
-        let usual = Self::default();
-        if self.samples != usual.samples {
-            write!(f, " --samples {}", self.samples)?;
-        }
-        if self.seed != usual.seed {
-            write!(f, " --seed {}", self.seed)?;
-        }
-        Ok(())
+        let over: String = self.over.iter().map(|it| option("over", Some(it))).collect();
+        let (output, usual) = (option("output", self.output.map(|it| it.name)), Self::default());
+        let samples = option("samples", Some(self.samples).filter(|it| *it != usual.samples));
+        let seed = option("seed", Some(self.seed).filter(|it| *it != usual.seed));
+        write!(f, "sensitivity{over}{output}{samples}{seed}")
     }
 }
 

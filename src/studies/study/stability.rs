@@ -2,11 +2,8 @@
 //!
 //! The requirements on `auto` are the constants below. Must not know files, threads, screens or the clock itself.
 
-use std::sync::Arc;
-
 use crate::model::run::Run;
-use crate::model::scene::Scene;
-use crate::model::simulate::{Observer, Settings, simulate};
+use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::study::accuracy::method::answer_of;
 use crate::study::accuracy::reference::{Reference, ReferenceSource, References};
@@ -84,7 +81,7 @@ fn examine(
 ) -> Option<Row> {
     let scene = case.scene().ok()?;
     let start_s = now_s();
-    let run = bare(&scene, false, &mut |_| stop.flow()).ok()?;
+    let run = simulate(&scene, &Settings::BARE, &mut |_| stop.flow()).ok()?;
     let took_s = now_s() - start_s;
     let references = References::of(&scene);
     let reference = references.other.or(references.engine);
@@ -93,10 +90,6 @@ fn examine(
     let shortfall = shortfall(&run, error);
     let row = Row { case, run, took_s, error, basis, shortfall };
     (!stop.is_set()).then_some(row)
-}
-
-fn bare(scene: &Arc<Scene>, estimate: bool, observer: Observer<'_>) -> Result<Run, VariableError> {
-    simulate(scene, &Settings { series: false, estimate }, observer)
 }
 
 /// The greatest error of a run's results; nothing while undecided.

@@ -16,8 +16,7 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
         "plate", "impact m/s", "outcome", "depth mm", "leaves m/s", "travel mm", "mount kN"
     ));
     let mut greatest: Option<(f64, usize)> = None;
-    let plates = std::iter::once(first).chain(stack.behind.iter().map(|run| &**run));
-    for (plate, run) in plates.enumerate() {
+    for (plate, run) in first.plates().enumerate() {
         let force_n = peak_n(run);
         if let Some(force_n) = force_n.filter(|n| greatest.is_none_or(|(most, _)| *n > most)) {
             greatest = Some((force_n, plate));
@@ -36,7 +35,7 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
             number(force_n.map(|n| n * 1e-3)),
         ));
     }
-    let left = stack.elements + 1 - (stack.behind.len() + 1);
+    let left = stack.elements - stack.behind.len();
     if left > 0 {
         lines.push(format!("{left} more behind, not reached"));
     }

@@ -73,6 +73,13 @@ struct Check {
     holds: bool,
 }
 
+impl Check {
+    /// Values, what they are of, and whether they bear out the verdict.
+    fn of(what: &str, values: &[f64], unit: &str, holds: bool) -> Self {
+        Self { text: format!("{what} {}", list(values, unit)), holds }
+    }
+}
+
 /// A claim with its results.
 #[derive(Clone, Debug)]
 pub struct Row {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::model::run::envelope;
 use crate::model::scene::{Scene, SpringKind, Table};
 use crate::model::units::Bare;
-use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
+use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::history::{Edit, Snapshot};
 use crate::tui::app::jobs;
 use crate::tui::app::pins::Pin;
@@ -213,54 +213,41 @@ pub(crate) fn reset_all(app: &mut App) {
 pub(crate) fn step(app: &mut App, press: Press) {
     let index = app.pages.run.editor.selected;
     let variable = &VARIABLES[index];
-    let Kind::Number(number) = &variable.kind else {
-        if let Some(value) = neighbour(app, index, press.by()) {
-            return finish(app, index, value, None);
+    let (symbol, scene) = (variable.symbol, &app.scene);
+    let number = match &variable.kind {
+        Kind::Switch { get, .. } => return finish(app, index, Value::Switch(!get(scene)), None),
+        Kind::Choice(choice) if choice.words.len() > 1 => {
+            let next = cycled((choice.get)(scene), press.by(), choice.words.len());
+            return finish(app, index, Value::Word(choice.words[next]), None);
         }
-        let only = format!("{} has only one value: {}", variable.symbol, variable.show(&app.scene));
-        return app.tell(only);
+        Kind::Choice(_) => {
+            let only = format!("{symbol} has only one value: {}", variable.show(scene));
+            return app.tell(only);
+        }
+        Kind::Number(number) => number,
     };
-    let value = match (number.get)(&app.scene) {
-        Some(value) => step_number(app, index, number, value, press),
-        None => press.up.then(|| steps::first_value(variable, number, &app.scene)),
+    let value = match (number.get)(scene) {
+        Some(value) => {
+            // While the arrows go on, the step stays as it is.
+            let plain = match app.pages.run.editor.stepped {
+                Some((same, decade)) if same == index => decade,
+                _ => steps::decade(number, value),
+            };
+            app.pages.run.editor.stepped = Some((index, plain));
+            steps::stepped(number, value, press, plain)
+        }
+        None => press.up.then(|| steps::first_value(variable, number, scene)),
     };
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(index));
     }
     let way = if press.up { "more" } else { "less" };
-    let (symbol, allowed) = (variable.symbol, variable.allowed());
+    let allowed = variable.allowed();
     app.tell(format!("{symbol} cannot be stepped to {way}: it must be {allowed}"));
-}
-
-fn step_number(
-    app: &mut App,
-    index: usize,
-    number: &Number,
-    value: f64,
-    press: Press,
-) -> Option<f64> {
-    let plain = match app.pages.run.editor.stepped {
-        Some((same, decade)) if same == index => decade,
-        _ => steps::decade(number, value),
-    };
-    app.pages.run.editor.stepped = Some((index, plain));
-    steps::stepped(number, value, press, plain)
 }
 
 fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) {
     if let Err(error) = set(app, index, value, stepping) {
         app.refuse(error);
-    }
-}
-
-/// The neighbour of a choice or switch; `None` where there is only one value, or the variable is a number.
-fn neighbour(app: &App, index: usize, by: isize) -> Option<Value> {
-    match &VARIABLES[index].kind {
-        Kind::Switch { get, .. } => Some(Value::Switch(!get(&app.scene))),
-        Kind::Choice(choice) if choice.words.len() > 1 => {
-            let next = cycled((choice.get)(&app.scene), by, choice.words.len());
-            Some(Value::Word(choice.words[next]))
-        }
-        Kind::Choice(_) | Kind::Number(_) => None,
     }
 }

@@ -1,5 +1,6 @@
 //! The tasks of the background threads: what is asked, and what their reports do.
 
+use std::mem::discriminant;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -60,17 +61,14 @@ pub(crate) fn submit_pins(app: &mut App) {
     }
 }
 
-/// Submit a study of the scene for a tab; an older one of its type is replaced.
-pub(crate) fn study<S: AskedFor + Into<Asked>>(app: &mut App, tab: Tab, study: S) {
-    study_of(app, tab, &Arc::clone(&app.scene), study);
+/// Submit a study of the scene for the tab shown; an older one of its type is replaced.
+pub(crate) fn study<S: AskedFor + Into<Asked>>(app: &mut App, study: S) {
+    study_of(app, &Arc::clone(&app.scene), study);
 }
 
-pub(crate) fn study_of<S>(app: &mut App, tab: Tab, scene: &Arc<Scene>, study: S)
-where
-    S: AskedFor + Into<Asked>,
-{
+pub(crate) fn study_of<S: AskedFor + Into<Asked>>(app: &mut App, scene: &Arc<Scene>, study: S) {
     app.jobs.take::<S>();
-    let running = task(app, tab, scene, study.into());
+    let running = task(app, app.tab, scene, study.into());
     app.request(Effect::After(LONG, Message::LongJob(running.id)));
     app.jobs.studies.push(running);
 }
@@ -141,13 +139,11 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             }
             return;
         }
-        ReportBody::Progress { .. } => return,
-        ReportBody::Part(found) => {
-            if let Found::Run(run) = found {
-                app.shown = Some(Shown { run, took: None });
-            }
+        ReportBody::Part(Found::Run(run)) => {
+            app.shown = Some(Shown { run, took: None });
             return;
         }
+        ReportBody::Progress { .. } | ReportBody::Part(_) => return,
         ReportBody::Failed(text) => {
             app.jobs.failure = Some(text.clone());
             app.refuse(text);
@@ -157,7 +153,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             if took.is_none() {
                 app.tell(CANCELLED);
             }
-            show(app, run, took);
+            show(app, &run, took);
         }
         ReportBody::Ended { .. } => app.tell("cancelled: <run> runs again"),
     }
@@ -168,25 +164,16 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
     }
 }
 
-fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
-    let before = app.shown.take();
-    let known: Vec<Warning> = before.map_or_else(Vec::new, |shown| shown.run.warnings.clone());
-    let same_kind =
-        |a: &Warning, b: &Warning| std::mem::discriminant(a) == std::mem::discriminant(b);
-    let new: Vec<String> = run
-        .warnings
-        .iter()
-        // What comes after the run is for the status row and the Log tab: it would take the place of the answer.
-        .filter(|warning| !matches!(warning, Warning::InterfaceRebound { .. }))
-        .filter(|warning| !known.iter().any(|old| same_kind(old, warning)))
-        .map(ToString::to_string)
-        .collect();
-    // The status row has them in a few words: their sentences are for the Log tab.
-    for text in new {
-        let text = app.keymap.shown(&text);
+fn show(app: &mut App, run: &Arc<Run>, took: Option<Duration>) {
+    let before = app.shown.replace(Shown { run: Arc::clone(run), took });
+    let known = before.as_ref().map_or(&[][..], |shown| &shown.run.warnings);
+    let is_known = |it: &&Warning| known.iter().any(|old| discriminant(old) == discriminant(*it));
+    // The status row has the new ones in a few words: their sentences are for the Log tab. What comes after the run stands there anyway.
+    let is_later = |it: &&Warning| matches!(it, Warning::InterfaceRebound { .. });
+    for warning in run.warnings.iter().filter(|it| !is_later(it) && !is_known(it)) {
+        let text = app.keymap.shown(&warning.to_string());
         app.keep(Notice { severity: Severity::Warning, text });
     }
-    app.shown = Some(Shown { run, took });
 }
 
 fn pin(app: &mut App, at: usize, body: ReportBody) {

@@ -20,10 +20,13 @@ pub(super) fn role(curve: &Curve<'_>) -> Role {
     }
 }
 
+/// A place in dots.
+type Place = (f64, f64);
+
 pub(super) struct Canvas {
     glyphs: GlyphSet,
     /// Cells across and down.
-    cells: (usize, usize),
+    cells: (u16, u16),
     /// Dots of each cell, as bits: those of a braille character, or one for each row of dots from the top.
     dots: Vec<u8>,
     /// Who drew last in each cell; meaningless where there are no dots.
@@ -32,14 +35,15 @@ pub(super) struct Canvas {
 
 impl Canvas {
     pub(super) fn new(glyphs: GlyphSet, width: u16, height: u16) -> Self {
-        let cells = (usize::from(width), usize::from(height));
-        Self { glyphs, cells, dots: vec![0; cells.0 * cells.1], owners: vec![0; cells.0 * cells.1] }
+        let count = usize::from(width) * usize::from(height);
+        Self { glyphs, cells: (width, height), dots: vec![0; count], owners: vec![0; count] }
     }
 
     /// Dots across and upward.
     pub(super) fn size(&self) -> (usize, usize) {
         let (across, down) = self.glyphs.dots();
-        (self.cells.0 * usize::from(across), self.cells.1 * usize::from(down))
+        let size = |cells: u16, dots: u16| usize::from(cells) * usize::from(dots);
+        (size(self.cells.0, across), size(self.cells.1, down))
     }
 
     /// A position in cells from the middle of the first one, in dots.
@@ -49,16 +53,16 @@ impl Canvas {
     }
 
     /// The middle of what the owner who drew last has in a column of cells: a row of cells from the top.
-    pub(super) fn middle(&self, column: usize, owner: usize) -> Option<usize> {
-        let is_own = |row: &usize| self.cell(column, *row).is_some_and(|cell| cell.0 == owner);
+    pub(super) fn middle(&self, column: u16, owner: usize) -> Option<u16> {
+        let is_own = |row: &u16| self.cell(column, *row).is_some_and(|cell| cell.0 == owner);
         let mut rows = (0..self.cells.1).filter(is_own);
         let top = rows.next()?;
-        Some(usize::midpoint(top, rows.next_back().unwrap_or(top)))
+        Some(u16::midpoint(top, rows.next_back().unwrap_or(top)))
     }
 
     /// The owner of a cell (from the top) and its dots, if it has any.
-    pub(super) fn cell(&self, column: usize, row: usize) -> Option<(usize, char)> {
-        let index = row * self.cells.0 + column;
+    pub(super) fn cell(&self, column: u16, row: u16) -> Option<(usize, char)> {
+        let index = usize::from(row) * usize::from(self.cells.0) + usize::from(column);
         let dots = *self.dots.get(index)?;
         (dots != 0).then(|| (self.owners[index], self.character(dots)))
     }
@@ -84,26 +88,11 @@ impl Canvas {
         let (across, down) = self.glyphs.dots();
         let (across, down) = (usize::from(across), usize::from(down));
         let from_top = height - 1 - y;
-        let index = from_top / down * self.cells.0 + x / across;
+        let index = from_top / down * usize::from(self.cells.0) + x / across;
         let place = from_top % down * across + x % across;
         self.dots[index] |=
             if self.glyphs == GlyphSet::Braille { BRAILLE[place] } else { 1 << place };
         self.owners[index] = owner;
-    }
-
-    /// Fills a column of dots from one height to another, as far as it lies in the grid.
-    pub(super) fn span(&mut self, x: usize, low: f64, high: f64, owner: usize) {
-        let height = self.size().1;
-        let top = height as f64 - 0.5;
-        if low >= height as f64 || high < 0.0 {
-            return;
-        }
-        let ends = (whole_below(low.max(0.0), height), whole_below(high.min(top), height));
-        if let (Some(low), Some(high)) = ends {
-            for y in low..=high {
-                self.dot(x, y, owner);
-            }
-        }
     }
 
     /// A straight line, as far as it lies in the grid.
@@ -117,13 +106,8 @@ impl Canvas {
             let y = whole_below(y.clamp(0.0, height as f64 - 0.5), height)?;
             Some((x, y))
         };
-        if let (Some(from), Some(to)) = (place(from), place(to)) {
-            self.walk(from, to, owner);
-        }
-    }
-
-    /// Bresenham's line between two dots, both drawn: one dot a column where it is flat, one a row where it is steep.
-    fn walk(&mut self, from: (usize, usize), to: (usize, usize), owner: usize) {
+        let Some((from, to)) = place(from).zip(place(to)) else { return };
+        // Bresenham's line, both ends drawn: one dot a column where it is flat, one a row where it is steep.
         let (dx, dy) = (from.0.abs_diff(to.0), from.1.abs_diff(to.1));
         let steps = dx.max(dy);
         for step in 0..=steps {
@@ -161,44 +145,6 @@ fn clip(from: (f64, f64), to: (f64, f64), size: (f64, f64)) -> Option<((f64, f64
     (enter <= leave).then(|| (point(enter), point(leave)))
 }
 
-/// The points of one column of dots.
-#[derive(Clone, Copy)]
-struct Column {
-    index: usize,
-    first: (f64, f64),
-    last: (f64, f64),
-    lowest: f64,
-    highest: f64,
-}
-
-impl Column {
-    fn new(index: usize, point: (f64, f64)) -> Self {
-        Self { index, first: point, last: point, lowest: point.1, highest: point.1 }
-    }
-
-    fn add(&mut self, point: (f64, f64)) {
-        self.last = point;
-        self.lowest = self.lowest.min(point.1);
-        self.highest = self.highest.max(point.1);
-    }
-
-    /// Where the curve enters and leaves the column. A curve that only passes from one row of dots to the next gets one dot,
-    /// or every step of a gentle slope would be two dots thick.
-    fn ends(&self) -> ((f64, f64), (f64, f64)) {
-        let (low, high) = (self.first.1.min(self.last.1), self.first.1.max(self.last.1));
-        let passes = self.lowest >= low && self.highest <= high;
-        if passes && (high.floor() - low.floor()) <= 1.0 {
-            let middle = (
-                f64::midpoint(self.first.0, self.last.0),
-                f64::midpoint(self.first.1, self.last.1),
-            );
-            (middle, middle)
-        } else {
-            (self.first, self.last)
-        }
-    }
-}
-
 /// Draws a curve; its line breaks at points that have no place on the axes.
 pub(super) fn trace(
     curve: &Curve<'_>,
@@ -206,66 +152,42 @@ pub(super) fn trace(
     maps: (Mapping, Mapping),
     canvas: &mut Canvas,
 ) {
-    let mut pen = Pen { canvas, owner, previous: None, column: None };
-    let width = pen.canvas.size().0;
-    for (x, y) in curve.points.iter().copied() {
-        if let (Some(x), Some(y)) = (maps.0.position(x), maps.1.position(y)) {
-            let point = pen.canvas.in_dots(x, y);
-            pen.point(point, whole_below(point.0, width));
-        } else {
-            pen.lift();
+    let place = |(x, y): &(f64, f64)| {
+        let (x, y) = maps.0.position(*x).zip(maps.1.position(*y))?;
+        Some(canvas.in_dots(x, y))
+    };
+    let places: Vec<Option<Place>> = curve.points.iter().map(place).collect();
+    let width = canvas.size().0;
+    let column = |place: &Place| whole_below(place.0, width);
+    for line in places.split(Option::is_none) {
+        let line: Vec<Place> = line.iter().flatten().copied().collect();
+        let mut previous = None;
+        for points in line.chunk_by(|a, b| column(a).is_some() && column(a) == column(b)) {
+            let (enter, leave, (low, high)) = through(points);
+            if let Some(previous) = previous {
+                canvas.line(previous, enter, owner);
+            }
+            if let Some(column) = column(&enter) {
+                let middle = column as f64 + 0.5;
+                canvas.line((middle, low), (middle, high), owner);
+            }
+            previous = Some(leave);
         }
     }
-    pen.lift();
 }
 
-struct Pen<'a> {
-    canvas: &'a mut Canvas,
-    owner: usize,
-    /// Where the line has come to.
-    previous: Option<(f64, f64)>,
-    /// The column being gathered.
-    column: Option<Column>,
-}
-
-impl Pen<'_> {
-    fn point(&mut self, point: (f64, f64), column: Option<usize>) {
-        match (&mut self.column, column) {
-            (Some(gathered), Some(index)) if gathered.index == index => gathered.add(point),
-            (_, Some(index)) => {
-                self.flush();
-                self.column = Some(Column::new(index, point));
-            }
-            (_, None) => {
-                self.flush();
-                self.line_to(point);
-            }
-        }
+/// Where a curve enters and leaves a column of dots in which it has these points, and from where to where it reaches in it. A curve
+/// that only passes from one row of dots to the next gets one dot, or every step of a gentle slope would be two dots thick.
+fn through(points: &[Place]) -> (Place, Place, (f64, f64)) {
+    let (first, last) = (points[0], points[points.len() - 1]);
+    let low = points.iter().map(|point| point.1).fold(f64::INFINITY, f64::min);
+    let high = points.iter().map(|point| point.1).fold(f64::NEG_INFINITY, f64::max);
+    let passes = low >= first.1.min(last.1) && high <= first.1.max(last.1);
+    if passes && high.floor() - low.floor() <= 1.0 {
+        let middle = (f64::midpoint(first.0, last.0), f64::midpoint(first.1, last.1));
+        return (middle, middle, (middle.1, middle.1));
     }
-
-    /// Ends the line: the next point begins a new one.
-    fn lift(&mut self) {
-        self.flush();
-        self.previous = None;
-    }
-
-    fn flush(&mut self) {
-        if let Some(column) = self.column.take() {
-            let (enter, leave) = column.ends();
-            self.line_to(enter);
-            let (low, high) =
-                if enter == leave { (enter.1, enter.1) } else { (column.lowest, column.highest) };
-            self.canvas.span(column.index, low, high, self.owner);
-            self.previous = Some(leave);
-        }
-    }
-
-    fn line_to(&mut self, point: (f64, f64)) {
-        if let Some(previous) = self.previous {
-            self.canvas.line(previous, point, self.owner);
-        }
-        self.previous = Some(point);
-    }
+    (first, last, (low, high))
 }
 
 #[cfg(test)]

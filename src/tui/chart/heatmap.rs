@@ -17,11 +17,8 @@
 //! Colour is never the only channel: bands differ in their characters wherever there are fewer than 256 colours, and the scale is
 //! written below the map. Frame, axes and ticks are the chart's own.
 
-/// Values nearer to each other, relative to the contour's, are the same.
-const NOISE: f64 = 1e-9;
-
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Offset, Position, Rect};
 use ratatui::style::{Color, Modifier, Style};
 
 use super::{Chart, Draw, Layout};
@@ -29,6 +26,9 @@ use crate::report::chart::levels::BANDS_MAX;
 use crate::report::map::{Cell, Map, Tone};
 use crate::tui::theme::colours::ink_on;
 use crate::tui::theme::{GlyphSet, Role, Theme};
+
+/// Values nearer to each other, relative to the contour's, are the same.
+const NOISE: f64 = 1e-9;
 
 /// The bands in characters, least first.
 const RAMP: [char; BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
@@ -40,110 +40,91 @@ impl Draw for Map<'_> {
             ..Chart::new(&*self.title, self.x.clone(), self.y.clone(), Vec::new())
         };
         let layout = chart.render(area, buffer, theme);
-        if layout.plot.is_empty() {
+        let plot = layout.plot;
+        if plot.is_empty() {
             return layout;
         }
-        draw_bands(self, layout.plot, buffer, theme);
-        draw_contour(self, layout.plot, buffer);
-        draw_present(self, layout.plot, buffer, theme);
-        draw_cursor(self, layout.plot, buffer);
+        draw_bands(self, plot, buffer, theme);
+        draw_contour(self, plot, buffer);
+        if let Some((point, letter)) = self.present {
+            put(buffer, place(plot, point, self.counts), letter, theme.style(Role::Title));
+        }
+        draw_cursor(self, plot, buffer);
         layout
     }
 }
 
+/// What a cell of the screen shows.
+fn shown(map: &Map<'_>, plot: Rect, at: Position) -> Cell {
+    let x = spread(at.x - plot.x, plot.width, map.counts.0);
+    map.cell(x, spread(plot.bottom() - 1 - at.y, plot.height, map.counts.1))
+}
+
 fn draw_bands(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-    for row in 0..plot.height {
-        for column in 0..plot.width {
-            let x = spread(column, plot.width, map.counts.0);
-            let cell = map.cell(x, spread_up(row, plot, map.counts.1));
-            let (symbol, style) = match (cell, &map.levels) {
-                (Cell::Value(value), Some(levels)) => {
-                    swatch(levels.index(value), levels.bands(), theme)
-                }
-                (Cell::Mark(letter, tone), _) => (letter, theme.style(role(tone))),
-                (Cell::Value(_) | Cell::Empty, _) => (' ', Style::new()),
-            };
-            put(buffer, (plot.x + column, plot.y + row), symbol, style);
-        }
+    for at in plot.positions() {
+        let (symbol, style) = match (shown(map, plot, at), &map.levels) {
+            (Cell::Value(value), Some(levels)) => {
+                swatch(levels.index(value), levels.bands(), theme)
+            }
+            (Cell::Mark(letter, tone), _) => (letter, theme.style(role(tone))),
+            (Cell::Value(_) | Cell::Empty, _) => (' ', Style::new()),
+        };
+        put(buffer, at, symbol, style);
     }
 }
 
 /// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
 fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
     let Some(level) = map.contour.as_ref().map(|contour| contour.0) else { return };
-    // Where all values are the same but for rounding there is no line between them.
-    let noise = NOISE * level.abs();
-    let value = |column: u16, row: u16| {
-        let x = spread(column, plot.width, map.counts.0);
-        match map.cell(x, spread_up(row, plot, map.counts.1)) {
-            Cell::Value(value) => Some(value - level),
-            Cell::Mark(..) | Cell::Empty => None,
-        }
+    let value = |at: Position| match shown(map, plot, at) {
+        Cell::Value(value) => Some(value - level),
+        Cell::Mark(..) | Cell::Empty => None,
     };
-    for row in 0..plot.height {
-        for column in 0..plot.width {
-            let Some(here) = value(column, row) else { continue };
-            let crossed = |other: Option<f64>| {
-                other.is_some_and(|other| {
-                    (here < 0.0) != (other < 0.0)
-                        && here.abs() <= other.abs()
-                        && (here - other).abs() > noise
-                })
-            };
-            let beside = [
-                column.checked_sub(1).map(|column| (column, row)),
-                (column + 1 < plot.width).then_some((column + 1, row)),
-                row.checked_sub(1).map(|row| (column, row)),
-                (row + 1 < plot.height).then_some((column, row + 1)),
-            ];
-            if beside.into_iter().flatten().any(|(column, row)| crossed(value(column, row))) {
-                over(buffer, (plot.x + column, plot.y + row), 'O');
-            }
+    for at in plot.positions() {
+        let Some(here) = value(at) else { continue };
+        let is_crossed = |other: f64| {
+            let changes = (here < 0.0) != (other < 0.0);
+            // Where all values are the same but for rounding there is no line between them.
+            changes && here.abs() <= other.abs() && (here - other).abs() > NOISE * level.abs()
+        };
+        let beside = [(-1, 0), (1, 0), (0, -1), (0, 1)].map(|(x, y)| at + Offset::new(x, y));
+        let beside = beside.into_iter().filter(|at| plot.contains(*at));
+        if beside.filter_map(value).any(is_crossed) {
+            over(buffer, at, 'O');
         }
-    }
-}
-
-/// The point to be seen.
-fn draw_present(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-    if let Some((point, letter)) = map.present {
-        let (column, row) = place(plot, point, map.counts);
-        put(buffer, (plot.x + column, plot.y + row), letter, theme.style(Role::Title));
     }
 }
 
 /// Its row and column, every other cell, and a cross.
 fn draw_cursor(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
-    let Some((x, y)) = map.cursor else { return };
-    let (column, row) = place(plot, (x, y), map.counts);
-    for other in (0..plot.width).filter(|other| (other % 2 == column % 2) && *other != column) {
-        over(buffer, (plot.x + other, plot.y + row), '─');
+    let Some(point) = map.cursor else { return };
+    let cross = place(plot, point, map.counts);
+    let row = (plot.left()..plot.right()).map(|x| Position { x, ..cross });
+    for at in row.filter(|at| at.x % 2 == cross.x % 2 && *at != cross) {
+        over(buffer, at, '─');
     }
-    for other in (0..plot.height).filter(|other| *other != row) {
-        over(buffer, (plot.x + column, plot.y + other), '│');
+    let column = (plot.top()..plot.bottom()).map(|y| Position { y, ..cross });
+    for at in column.filter(|at| *at != cross) {
+        over(buffer, at, '│');
     }
-    let cross = (plot.x + column, plot.y + row);
     put(buffer, cross, 'X', Style::new().add_modifier(Modifier::REVERSED | Modifier::BOLD));
 }
 
-/// The point a row of a plot shows, of `count` spread upward over its rows.
-fn spread_up(row: u16, plot: Rect, count: usize) -> usize {
-    spread(plot.height.saturating_sub(1).saturating_sub(row), plot.height, count)
+/// The point that a cell shows along an axis of so many cells.
+fn spread(cell: u16, cells: u16, count: usize) -> usize {
+    let last = usize::from(cells.max(1)) - 1;
+    rounded(usize::from(cell) * (count - 1), last).min(count - 1)
 }
 
-/// The point a column shows.
-fn spread(column: u16, columns: u16, count: usize) -> usize {
-    let last = usize::from(columns.max(1)) - 1;
-    rounded(usize::from(column) * (count - 1), last).min(count - 1)
-}
-
-/// A point's column and row, from the top.
-fn place(plot: Rect, (x, y): (usize, usize), counts: (usize, usize)) -> (u16, u16) {
+/// The cell of a point.
+fn place(plot: Rect, (x, y): (usize, usize), counts: (usize, usize)) -> Position {
     let along = |at: usize, count: usize, cells: u16| {
         let last = usize::from(cells.max(1)) - 1;
         u16::try_from(rounded(at * last, count - 1)).unwrap_or(u16::MAX)
     };
     let up = along(y, counts.1, plot.height);
-    (along(x, counts.0, plot.width), plot.height.saturating_sub(1).saturating_sub(up))
+    let row = (plot.bottom() - 1).saturating_sub(up);
+    Position::new(plot.x + along(x, counts.0, plot.width), row)
 }
 
 fn rounded(numerator: usize, denominator: usize) -> usize {
@@ -175,7 +156,7 @@ fn shade(band: usize, bands: usize) -> usize {
     if bands < 2 { last / 2 } else { rounded(band.min(bands - 1) * last, bands - 1) }
 }
 
-fn put(buffer: &mut Buffer, at: (u16, u16), symbol: char, style: Style) {
+fn put(buffer: &mut Buffer, at: Position, symbol: char, style: Style) {
     if let Some(cell) = buffer.cell_mut(at) {
         cell.reset();
         cell.set_char(symbol).set_style(style);
@@ -183,7 +164,7 @@ fn put(buffer: &mut Buffer, at: (u16, u16), symbol: char, style: Style) {
 }
 
 /// A character over the map: the colour below stays, the ink is what can be read on it.
-fn over(buffer: &mut Buffer, at: (u16, u16), symbol: char) {
+fn over(buffer: &mut Buffer, at: Position, symbol: char) {
     let Some(cell) = buffer.cell_mut(at) else { return };
     let below = cell.bg;
     let mut style = Style::new().add_modifier(Modifier::BOLD);
@@ -217,10 +198,10 @@ mod tests {
         for (cells, count) in [(2, 2), (7, 3), (41, 101), (101, 41), (60, 60), (1, 5)] {
             let plot = Rect::new(0, 0, cells, cells);
             for index in 0..count {
-                let (column, row) = place(plot, (index, index), (count, count));
+                let at = place(plot, (index, index), (count, count));
                 if usize::from(cells) >= count {
-                    assert_eq!(spread(column, cells, count), index);
-                    assert_eq!(spread_up(row, plot, count), index);
+                    assert_eq!(spread(at.x, cells, count), index);
+                    assert_eq!(spread(cells - 1 - at.y, cells, count), index);
                 }
             }
             assert_eq!(spread(0, cells, count), 0);

@@ -41,20 +41,8 @@ pub struct Layout {
     pub(super) y_ticks: Ticks,
 }
 
-impl Layout {
-    /// Column and row, within the plot, of a point by the left axis; `None` outside the view.
-    pub(crate) fn place(&self, x: f64, y: f64) -> Option<(u16, u16)> {
-        let (column, up) = self.x.cell(x).zip(self.y.cell(y))?;
-        Some((column, self.plot.height.saturating_sub(up + 1)))
-    }
-}
-
 pub(super) fn frame_of(chart: &Chart<'_>, title: String) -> PaneFrame<'static> {
-    let frame = PaneFrame::new(title).focused(chart.focused);
-    match chart.frame {
-        Frame::Boxed => frame,
-        Frame::Stacked { begins, below } => frame.stacked(begins, below),
-    }
+    PaneFrame::new(title).focused(chart.focused).frame(chart.frame)
 }
 
 /// Lays a chart out inside its frame; `legend_row` requests a row of its own for the legend.
@@ -121,11 +109,11 @@ const LOW: u16 = 6;
 fn ends(chart: &Chart<'_>, rows: Mapping) -> Ticks {
     let tick = |cell: u16| {
         let value = rows.value(cell) * chart.y.unit.factor;
-        let value = if value.abs() < 1e-9 * rows.view().span() { 0.0 } else { value };
+        let value = if value.abs() < 1e-9 * rows.view.span() { 0.0 } else { value };
         let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
         Tick { cell, value, label: short.to_string() }
     };
-    let top = rows.cells().saturating_sub(1);
+    let top = rows.cells.saturating_sub(1);
     let zero = rows.cell(0.0).filter(|cell| (1..top).contains(cell));
     let zero = zero.map(|cell| Tick { cell, value: 0.0, label: "0".to_owned() });
     let labelled = [Some(tick(0)), zero, Some(tick(top))];
@@ -241,30 +229,23 @@ fn line<'a>(entries: impl IntoIterator<Item = [Span<'a>; 2]>) -> Line<'a> {
 }
 
 fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {
-    if !axis.is_empty() {
-        if legend.width() > 0 {
-            legend.spans.push(Span::raw("   "));
-        }
-        legend.spans.push(Span::raw(axis));
+    if legend.width() > 0 && !axis.is_empty() {
+        legend.push_span("   ");
     }
+    legend.push_span(axis);
     legend
 }
 
 /// As many whole entries of a legend as fit, and `..` where there are more: a number must not be cut.
-fn whole(entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
+fn whole(mut entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
     let all = line(entries.clone());
     if all.width() <= room {
         return all;
     }
-    let mut used = 0;
-    let kept = entries.into_iter().take_while(|entry| {
-        used += entry.iter().map(Span::width).sum::<usize>() + 2;
-        used + 2 <= room
-    });
-    let mut short = line(kept);
-    if !short.spans.is_empty() {
-        short.push_span("  ");
+    // Two blanks and two points.
+    while !entries.is_empty() && line(entries.clone()).width() + 4 > room {
+        entries.pop();
     }
-    short.push_span("..");
-    short
+    entries.push(["..".into(), Span::default()]);
+    line(entries)
 }

@@ -6,7 +6,7 @@ use ratatui::text::Span;
 
 use super::canvas::{Canvas, role, trace};
 use super::layout::Layout;
-use crate::report::chart::ticks::{Tick, label_start};
+use crate::report::chart::ticks::label_start;
 use crate::report::chart::{Chart, Curve, Emphasis, Frame, Mark, Scale};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 
@@ -61,9 +61,7 @@ impl Painter<'_> {
     }
 
     fn vertical_axis(&mut self) {
-        let Some(x) = self.layout.axis_left else {
-            return;
-        };
+        let Some(x) = self.layout.axis_left else { return };
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Border);
         for y in plot.top()..plot.bottom() {
@@ -80,9 +78,7 @@ impl Painter<'_> {
     }
 
     fn horizontal_axis(&mut self) {
-        let Some(y) = self.layout.axis_below else {
-            return;
-        };
+        let Some(y) = self.layout.axis_below else { return };
         if self.chart.frame != Frame::Boxed {
             return self.axis_in_line(y);
         }
@@ -94,11 +90,10 @@ impl Painter<'_> {
         if let Some(x) = self.layout.axis_left {
             self.put(x, y, '└', style);
         }
-        let mut free_from = i32::from(self.layout.inner.left());
         for tick in &self.layout.x_ticks.labelled {
             self.put(plot.x + tick.cell, y, '┬', style);
-            free_from = self.label_below(tick, free_from, 0);
         }
+        self.labels_below(self.layout.inner.left(), 0);
     }
 
     /// The line below a stacked chart: numbers stand in it where the ticks of an axis would, and the unit at its right end.
@@ -115,33 +110,25 @@ impl Painter<'_> {
         if taken > 2 && taken < inner.width {
             self.buffer.set_string(inner.right() - taken, y, &unit, text);
         }
-        let mut free_from =
-            i32::from(self.layout.axis_left.map_or_else(|| inner.left(), |x| x + 1));
-        for tick in &self.layout.x_ticks.labelled {
-            free_from = self.label_below(tick, free_from, taken);
-        }
+        self.labels_below(self.layout.axis_left.map_or_else(|| inner.left(), |x| x + 1), taken);
     }
 
-    /// Writes a label centred under its tick, moved only as far as the frame, and what is taken at its right, demand, and gives the first cell after it.
-    /// Without room it is omitted; the tick stays.
-    fn label_below(&mut self, tick: &Tick, free_from: i32, taken: u16) -> i32 {
-        let Some(y) = self.layout.labels_below else {
-            return free_from;
-        };
-        let inner = self.layout.inner;
-        let length = i32::try_from(tick.label.len()).unwrap_or(i32::MAX / 2);
-        let centre = i32::from(self.layout.plot.x + tick.cell);
-        let latest = i32::from(inner.right()) - i32::from(taken) - length;
-        let earliest = i32::from(inner.left());
-        let start = label_start(centre, length).min(latest).max(earliest);
-        let room = start >= free_from && start <= centre && start <= latest;
-        match u16::try_from(start) {
-            Ok(x) if room => {
-                let style = self.theme.style(Role::Text);
+    /// Writes labels from a column on, each centred under its tick, moved only as far as the frame, and what is taken at its right,
+    /// demand. Without room it is omitted; the tick stays.
+    fn labels_below(&mut self, from: u16, taken: u16) {
+        let Some(y) = self.layout.labels_below else { return };
+        let (inner, style) = (self.layout.inner, self.theme.style(Role::Text));
+        let (earliest, mut free_from) = (i32::from(inner.left()), i32::from(from));
+        for tick in &self.layout.x_ticks.labelled {
+            let length = i32::try_from(tick.label.len()).unwrap_or(i32::MAX / 2);
+            let centre = i32::from(self.layout.plot.x + tick.cell);
+            let latest = i32::from(inner.right()) - i32::from(taken) - length;
+            let start = label_start(centre, length).min(latest).max(earliest);
+            let has_room = start >= free_from && start <= centre && start <= latest;
+            if let Some(x) = u16::try_from(start).ok().filter(|_| has_room) {
                 self.buffer.set_string(x, y, &tick.label, style);
-                start + length + 1
+                free_from = start + length + 1;
             }
-            _ => free_from,
         }
     }
 
@@ -149,9 +136,7 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         for level in &self.chart.levels {
-            let Some(cell) = self.layout.y.cell(level.at) else {
-                continue;
-            };
+            let Some(cell) = self.layout.y.cell(level.at) else { continue };
             let y = self.row(cell);
             // A label of the axis in this row may have another value: the level's own takes its place.
             let labelled = self.layout.y_ticks.labelled.iter().any(|tick| tick.cell == cell);
@@ -188,9 +173,7 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         for level in self.chart.levels.iter().filter(|level| !level.tag.is_empty()) {
-            let Some(cell) = self.layout.y.cell(level.at) else {
-                continue;
-            };
+            let Some(cell) = self.layout.y.cell(level.at) else { continue };
             let y = self.row(cell);
             let is_free = |x: u16| self.is_free((x, y), LEVEL);
             // A blank keeps the tag clear of the dots.
@@ -210,9 +193,7 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         for event in &self.chart.marks {
-            let Some(cell) = self.layout.x.cell(event.at) else {
-                continue;
-            };
+            let Some(cell) = self.layout.x.cell(event.at) else { continue };
             for y in plot.top()..plot.bottom() {
                 self.put(plot.x + cell, y, EVENT, style);
             }
@@ -257,29 +238,20 @@ impl Painter<'_> {
             }
             trace(curve, owner, (self.layout.x, self.layout.y), &mut canvas);
             if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
-                place_markers(&canvas, owner, usize::from(plot.width), &mut markers);
+                place_markers(&canvas, owner, plot.width, &mut markers);
             }
         }
-        for row in 0..plot.height {
-            for column in 0..plot.width {
-                if let Some((owner, dots)) = canvas.cell(usize::from(column), usize::from(row)) {
-                    let curve = &self.chart.curves[owner];
-                    let character = match self.theme.glyphs {
-                        GlyphSet::Ascii => curve.marker,
-                        GlyphSet::Block | GlyphSet::Braille => dots,
-                    };
-                    let style = self.curve_style(curve);
-                    self.put(plot.x + column, plot.y + row, character, style);
-                }
+        for at in plot.positions() {
+            if let Some((owner, dots)) = canvas.cell(at.x - plot.x, at.y - plot.y) {
+                let curve = &self.chart.curves[owner];
+                let is_ascii = self.theme.glyphs == GlyphSet::Ascii;
+                let character = if is_ascii { curve.marker } else { dots };
+                self.put(at.x, at.y, character, self.curve_style(curve));
             }
         }
         for (column, row, owner) in markers {
-            let place = (u16::try_from(column), u16::try_from(row));
-            if let (Ok(column), Ok(row)) = place {
-                let curve = &self.chart.curves[owner];
-                let style = self.curve_style(curve);
-                self.put(plot.x + column, plot.y + row, curve.marker, style);
-            }
+            let curve = &self.chart.curves[owner];
+            self.put(plot.x + column, plot.y + row, curve.marker, self.curve_style(curve));
         }
         self.crosshair(&canvas);
         self.letters();
@@ -292,21 +264,20 @@ impl Painter<'_> {
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
             for (x, y) in curve.points.iter().filter(|_| curve.is_dotted()) {
-                let Some((column, row)) = self.layout.place(*x, *y) else { continue };
+                let cell = self.layout.x.cell(*x).zip(self.layout.y.cell(*y));
+                let Some((column, up)) = cell else { continue };
                 let style = self.curve_style(curve);
                 let under = crosshair == Some(column);
                 let style = if under { style.add_modifier(Modifier::BOLD) } else { style };
-                self.put(plot.x + column, plot.y + row, curve.marker, style);
+                self.put(plot.x + column, self.row(up), curve.marker, style);
             }
         }
     }
 
     fn curve_style(&self, curve: &Curve<'_>) -> Style {
         let style = self.theme.style(role(curve));
-        match curve.emphasis {
-            Emphasis::Selected => style.add_modifier(Modifier::BOLD),
-            Emphasis::Normal | Emphasis::Faint | Emphasis::Stale => style,
-        }
+        let is_selected = curve.emphasis == Emphasis::Selected;
+        if is_selected { style.add_modifier(Modifier::BOLD) } else { style }
     }
 
     /// A line over everything; where it meets a curve, the curve's marker stands on it.
@@ -316,8 +287,7 @@ impl Painter<'_> {
             return;
         };
         for row in 0..plot.height {
-            let met = canvas.cell(usize::from(column), usize::from(row));
-            let (character, style) = match met {
+            let (character, style) = match canvas.cell(column, row) {
                 Some((owner, _)) => {
                     let curve = &self.chart.curves[owner];
                     let style = self.curve_style(curve).add_modifier(Modifier::BOLD);
@@ -338,18 +308,12 @@ fn drawing_order(curves: &[Curve<'_>]) -> Vec<usize> {
 }
 
 /// Chooses the cells (column, row, owner) that show a curve's marker, so that colour is never the only difference.
-fn place_markers(
-    canvas: &Canvas,
-    owner: usize,
-    width: usize,
-    markers: &mut Vec<(usize, usize, usize)>,
-) {
+fn place_markers(canvas: &Canvas, owner: usize, width: u16, markers: &mut Vec<(u16, u16, usize)>) {
     let middle = |column| Some((column, canvas.middle(column, owner)?, owner));
-    let first = (owner * MARKER_SHIFT + 3) % MARKER_EVERY;
+    let first = owner * MARKER_SHIFT + 3;
     let before = markers.len();
-    for column in (first..width).step_by(MARKER_EVERY) {
-        markers.extend(middle(column));
-    }
+    let columns = (0..width).skip(first % MARKER_EVERY).step_by(MARKER_EVERY);
+    markers.extend(columns.filter_map(middle));
     if markers.len() == before {
         let drawn: Vec<_> = (0..width).filter_map(middle).collect();
         markers.extend(drawn.get(drawn.len() / 2));

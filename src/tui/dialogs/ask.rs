@@ -1,149 +1,142 @@
-//! Dialogs that ask for a text: a preset's name, or a path.
+//! Dialogs that ask for a name or a path: to save the scene, and to export what a page shows.
 
-use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 
 use crossterm::event::{KeyCode, KeyEvent};
 
+use crate::files::atomic::Existing;
+use crate::files::export::Destination;
+use crate::files::preset;
+use crate::files::report::is_report;
+use crate::report::run::NamedRun;
+use crate::report::svg;
 use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::dialogs::list::{frame, is_text};
-use crate::tui::message::{EffectReport, ExportOutcome, FileTask};
+use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask};
+use crate::tui::pages;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{TextLine, wrapped};
 
-/// The field of a text, and what was found of it.
-#[derive(Debug, Default)]
-pub(super) struct Ask {
-    text: TextField,
-    /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
-    pub question: bool,
-}
-
 /// What a text is asked for.
-pub(super) trait Purpose: Debug + 'static {
-    const FOOTER: &'static str;
-
-    /// Do what the text was typed for; a file or preset of this name may be replaced. None: something comes first.
-    fn accept(&self, app: &App, ask: &mut Ask, overwrite: bool)
-    -> Result<Option<FileTask>, String>;
-
-    /// How an effect ended, where it is the one that was asked for.
-    fn ended(&self, ask: &Ask, directory: &Path, report: &EffectReport) -> Option<ExportOutcome>;
-
-    /// The title, and the word before the field.
-    fn title(&self) -> (&'static str, &'static str);
-
-    /// What stands below the field.
-    fn hint(&self, app: &App, ask: &Ask) -> String;
-
-    /// What stands in the way where it exists already.
-    fn there(&self, app: &App, ask: &Ask) -> String {
-        app.files.directory.join(ask.value()).display().to_string()
-    }
+#[derive(Clone, Copy, Debug)]
+enum Purpose {
+    /// Saving the scene: as a preset of one's own by its name, or as a file by its path.
+    Save,
+    /// The export of what a page shows, its table or its runs as CSV or its charts as SVG; with the title of the dialog.
+    Export(&'static str),
 }
 
 /// A dialog that asks for a text.
 #[derive(Debug)]
-pub(super) struct Asking<P> {
-    ask: Ask,
-    purpose: P,
+struct Ask {
+    purpose: Purpose,
+    text: TextField,
+    /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
+    question: bool,
 }
 
-impl<P: Purpose> Asking<P> {
-    pub(super) fn open(purpose: P, text: TextField) -> Box<dyn Dialog> {
-        Box::new(Self { ask: Ask { text, ..Ask::default() }, purpose })
-    }
+/// Ask for the name to save the scene under.
+pub(super) fn save(app: &mut App) -> Box<dyn Dialog> {
+    app.list_presets();
+    let text = TextField::selected(proposed_name(app));
+    Box::new(Ask { purpose: Purpose::Save, text, question: false })
+}
 
-    /// Do it; why it cannot be done stands in the dialog.
-    fn accept(&mut self, app: &mut App, overwrite: bool) {
-        self.ask.text.error = None;
-        match self.purpose.accept(app, &mut self.ask, overwrite) {
-            Ok(task) => app.effects.extend(task.map(Effect::Files)),
-            Err(error) => self.ask.text.error = Some(error),
+/// Ask for the file to write what is shown to, if there is anything in it.
+pub(super) fn export(app: &mut App) -> Option<Box<dyn Dialog>> {
+    let (title, file) = match content(app) {
+        None => {
+            app.refuse(pages::nothing_yet(app, "export"));
+            return None;
         }
-    }
+        Some(Content::Page(table)) => (table.title, table.file),
+        Some(_) => ("Export the runs to CSV", format!("{}.csv", app.base_stem())),
+    };
+    let text = TextField::new(file);
+    Some(Box::new(Ask { purpose: Purpose::Export(title), text, question: false }))
 }
 
-impl<P: Purpose> Dialog for Asking<P> {
+impl Dialog for Ask {
     fn footer(&self) -> &'static str {
-        if self.ask.question { "o overwrite  <back> back" } else { P::FOOTER }
+        match self.purpose {
+            _ if self.question => "o overwrite  <back> back",
+            Purpose::Save => "<enter> save  <back> do not save",
+            Purpose::Export(_) => "<enter> write  <back> close",
+        }
     }
 
     fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
         let action = app.keymap.action(key).filter(|_| !is_text(key));
-        match (action, self.ask.question) {
+        match (action, self.question) {
             (Some(Action::Back), false) => return Outcome::Closes,
-            (Some(Action::Back), true) => self.ask.question = false,
+            (Some(Action::Back), true) => self.question = false,
             (Some(Action::Enter), false) => {
-                self.ask.text.all_selected = false;
+                self.text.all_selected = false;
                 self.accept(app, false);
             }
             (_, true) if matches!(key.code, KeyCode::Char('y' | 'o')) => self.accept(app, true),
             (Some(Action::Enter), true) => {}
-            _ if self.ask.text.press(key) => self.pasted(),
+            _ if self.text.press(key) => self.pasted(),
             _ => {}
         }
         Outcome::Stays
     }
 
     fn field_mut(&mut self) -> Option<&mut TextField> {
-        Some(&mut self.ask.text)
+        Some(&mut self.text)
     }
 
     /// Another text: what was said about the old one is removed.
     fn pasted(&mut self) {
-        self.ask.question = false;
-        self.ask.text.error = None;
+        self.question = false;
+        self.text.error = None;
     }
 
     /// It has ended: the dialog closes, or what stands in the way stands in it.
     fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
-        match self.purpose.ended(&self.ask, directory, report)? {
+        let outcome = match (self.purpose, report) {
+            (Purpose::Save, EffectReport::Saved(name, outcome)) if self.value() == name => outcome,
+            (Purpose::Export(_), EffectReport::Exported(path, outcome))
+                if directory.join(self.value()) == *path =>
+            {
+                outcome
+            }
+            _ => return None,
+        };
+        match outcome {
             ExportOutcome::Written(_) => return Some(Outcome::Closes),
-            ExportOutcome::Exists(_) => self.ask.question = true,
+            ExportOutcome::Exists(_) => self.question = true,
             ExportOutcome::Failed(text) => {
-                self.ask.question = false;
-                self.ask.text.error = Some(text);
+                self.question = false;
+                self.text.error = Some(text.clone());
             }
         }
         Some(Outcome::Stays)
     }
 
     fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
-        let (title, label) = self.purpose.title();
+        let (title, label) = match self.purpose {
+            Purpose::Save => ("Save the scene", "name  "),
+            Purpose::Export(title) => (title, "file  "),
+        };
         let inner = frame(screen, (76, 9), PaneFrame::new(title), canvas);
         let start = canvas.put(inner, (0, 1), label, Role::Title);
         let width = inner.width.saturating_sub(start + 1);
         // Why its text is refused stands below.
-        let field = TextField { error: None, ..self.ask.text.clone() };
+        let field = TextField { error: None, ..self.text.clone() };
         field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
         canvas.put_lines(inner, 3, self.below(app, inner.width));
     }
 }
 
-impl<P: Purpose> Asking<P> {
-    /// The question, the error or the hint.
-    fn below(&self, app: &App, width: u16) -> Vec<TextLine> {
-        let (text, role) = if self.ask.question {
-            let there = self.purpose.there(app, &self.ask);
-            (format!("! {there} exists: o overwrite, Esc back"), Role::Warning)
-        } else if let Some(error) = &self.ask.text.error {
-            (app.keymap.shown(&format!("error: {error}")), Role::Error)
-        } else {
-            (self.purpose.hint(app, &self.ask), Role::Dim)
-        };
-        wrapped(&text, width, role).collect()
-    }
-}
-
 impl Ask {
-    pub(super) fn value(&self) -> &str {
+    fn value(&self) -> &str {
         self.text.value().trim()
     }
 
     /// The path that was typed.
-    pub(super) fn path(&self, app: &App, example: &str) -> Result<PathBuf, String> {
+    fn path(&self, app: &App, example: &str) -> Result<PathBuf, String> {
         let text = self.value();
         if text.is_empty() || text.ends_with('/') {
             return Err(format!("the path needs a file name, for example `{example}`"));
@@ -151,8 +144,116 @@ impl Ask {
         Ok(app.files.directory.join(text))
     }
 
-    /// Whether it asks for this path.
-    pub(super) fn is_of(&self, directory: &Path, path: &Path) -> bool {
-        directory.join(self.value()) == path
+    /// Do what the text was typed for; why it cannot be done stands in the dialog.
+    fn accept(&mut self, app: &mut App, overwrite: bool) {
+        self.text.error = None;
+        let task = match self.purpose {
+            Purpose::Save => self.saving(app, overwrite),
+            Purpose::Export(_) => self.exporting(app, overwrite).map(Some),
+        };
+        match task {
+            Ok(task) => app.effects.extend(task.map(Effect::Files)),
+            Err(error) => self.text.error = Some(error),
+        }
     }
+
+    /// A file or one of the person's own presets is replaced only when asked: `None` where that comes first.
+    fn saving(&mut self, app: &App, overwrite: bool) -> Result<Option<FileTask>, String> {
+        let name = self.value().to_owned();
+        if name.is_empty() {
+            return Err("a preset needs a name: letters, digits, - and _".to_owned());
+        }
+        let path = if preset::is_path(&name) { Some(self.path(app, "scene.toml")?) } else { None };
+        let same = app.files.presets.iter().filter(|it| it.part.is_none() && it.name == name);
+        let origins: Vec<&str> = same.map(|entry| entry.origin).collect();
+        if path.is_none() && origins.contains(&"bundled") {
+            return Err(format!(
+                "`{name}` is a built-in preset and stays as it is: choose another name"
+            ));
+        }
+        if path.is_none() && origins.contains(&"mine") && !overwrite {
+            self.question = true;
+            return Ok(None);
+        }
+        let scene = Box::new((*app.scene).clone());
+        Ok(Some(FileTask::SaveScene { name, path, scene, overwrite }))
+    }
+
+    fn exporting(&self, app: &App, overwrite: bool) -> Result<FileTask, String> {
+        let path = self.path(app, "table.csv")?;
+        if is_report(&path) {
+            return Err(format!(
+                "{}: the ending is a report's, and here a .csv table or .svg charts are written: name it so, or save the scene and run \
+                 `cmra report FILE.toml -o FILE.html`",
+                path.display()
+            ));
+        }
+        let content = if is_svg(&path) {
+            let drawn = pages::pictures(app);
+            let none = "no chart on the screen can be drawn as SVG: write the table to a .csv file";
+            (!drawn.is_empty()).then(|| Content::Text(svg::file(&drawn))).ok_or(none)?
+        } else {
+            content(app).ok_or("the result to write no longer exists")?
+        };
+        let existing = Existing::replaced(overwrite);
+        Ok(FileTask::Export(Destination { path, existing }, content))
+    }
+
+    /// What stands below the field: the question, the error or a hint.
+    fn below(&self, app: &App, width: u16) -> Vec<TextLine> {
+        let path = app.files.directory.join(self.value());
+        let is_name = matches!(self.purpose, Purpose::Save) && !preset::is_path(self.value());
+        let (text, role) = if self.question {
+            let there = if is_name {
+                format!("your preset `{}`", self.value())
+            } else {
+                path.display().to_string()
+            };
+            (format!("! {there} exists: o overwrite, Esc back"), Role::Warning)
+        } else if let Some(error) = &self.text.error {
+            (app.keymap.shown(&format!("error: {error}")), Role::Error)
+        } else {
+            let what = match self.purpose {
+                Purpose::Save => "",
+                Purpose::Export(_) if is_svg(&path) => "\nthe charts on the screen, as SVG",
+                Purpose::Export(_) => "\na name that ends in .svg writes the charts on the screen",
+            };
+            let preset = "kept with your own presets; a path (./my.toml) writes a file".to_owned();
+            (if is_name { preset } else { format!("to {}{what}", path.display()) }, Role::Dim)
+        };
+        wrapped(&text, width, role).collect()
+    }
+}
+
+/// What the page shows as a table: of runs the current one and the pins, those with a result.
+fn content(app: &App) -> Option<Content> {
+    if !app.shows_runs() {
+        return pages::of(app.tab).table(app).map(Content::Page);
+    }
+    let now = app.shown.iter().map(|shown| ("now".to_owned(), shown.run.clone()));
+    let pins = app.pins.iter().filter_map(|pin| Some((pin.letter.to_string(), pin.run.clone()?)));
+    let runs: Vec<NamedRun> = now.chain(pins).collect();
+    (!runs.is_empty()).then_some(Content::Runs(runs))
+}
+
+fn is_svg(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
+}
+
+/// The present name for one's own preset or file, else that name with the first number that is free.
+fn proposed_name(app: &App) -> String {
+    let name = &app.base.name;
+    // Scenes that the program kept by itself are files, too, but nobody opened them by their path.
+    let files = &app.files;
+    let is_file = preset::is_path(name) && files.recent.contains(&files.directory.join(name));
+    if app.base.is_mine || is_file {
+        return name.clone();
+    }
+    let taken =
+        |name: &str| files.presets.iter().any(|entry| entry.part.is_none() && entry.name == name);
+    let stem = app.base_stem();
+    (2..100)
+        .map(|number| format!("{stem}-{number}"))
+        .find(|name| !taken(name))
+        .unwrap_or_else(|| "my-scene".to_owned())
 }

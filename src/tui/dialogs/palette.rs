@@ -1,8 +1,8 @@
 //! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym.
 
 use crate::model::variables::{VARIABLES, Variable, is_offered};
-use crate::tui::app::dialog::{Dialog, Outcome};
-use crate::tui::dialogs::list::{List, Picker, frame, listed};
+use crate::tui::app::dialog::Outcome;
+use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::dialogs::{presets, words};
 use crate::tui::keymap::Command;
 use crate::tui::pages::{commands, run};
@@ -12,12 +12,8 @@ use crate::tui::widgets::find::{rank, rank_variable, ranked};
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::clip;
 
-pub(super) fn open(_: &mut App) -> Box<dyn Dialog> {
-    listed(Palette, 0)
-}
-
 #[derive(Debug)]
-struct Palette;
+pub(super) struct Palette;
 
 impl List for Palette {
     const OPENED_BY: Action = Action::Palette;
@@ -101,10 +97,8 @@ impl Item<'_> {
             Self::Command(_) => "action",
             Self::Variable(_) => "variable",
             Self::Preset(entry) if entry.problem.is_some() => "broken",
-            Self::Preset(entry) => match (&entry.part, entry.origin) {
-                (Some(_), origin) => origin,
-                (None, _) => "preset",
-            },
+            Self::Preset(entry) if entry.part.is_some() => entry.origin,
+            Self::Preset(_) => "preset",
         }
     }
 
@@ -131,10 +125,4 @@ impl App {
         let presets = self.files.presets.iter().map(Item::Preset);
         ranked(commands.chain(variables).chain(presets), |item| item.rank(typed))
     }
-}
-
-/// The tab that shows what a preset is about: a sweep in Explore, else its run.
-pub fn shown_in(entry: &PresetEntry) -> Tab {
-    let swept = entry.scene.sweep.as_ref().is_some_and(|sweep| !sweep.axes.is_empty());
-    if swept && entry.part.is_none() { Tab::Explore } else { Tab::Run }
 }

@@ -6,7 +6,7 @@ use crate::tui::app::notice::Notice;
 use crate::tui::app::pins::Shown;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::table::filtered;
-use crate::tui::widgets::text::broken;
+use crate::tui::widgets::text::{broken, counted};
 
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
@@ -56,12 +56,7 @@ impl Page for LogTab {
         let lines = app.log_lines(usize::from(area.width));
         let height = usize::from(area.height.saturating_sub(2));
         let first = app.pages.log.scroll.min(lines.len().saturating_sub(height));
-        let end = (first + height).min(lines.len());
-        let counter = if lines.len() > height {
-            format!("{}-{}/{}", first + 1, end, lines.len())
-        } else {
-            String::new()
-        };
+        let counter = counted(first, height, lines.len());
         let title = filtered("Log of this run and this session", &app.pages.log.find);
         let pane = PaneFrame::new(title).right(counter).focused(app.dialog.is_none());
         let inner = pane.draw(area, canvas);
@@ -78,16 +73,6 @@ const NEWEST: usize = 5;
 impl App {
     /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
     pub fn log_lines(&self, columns: usize) -> Vec<TextLine> {
-        // Two borders, and three columns of indent with one of air.
-        let room = columns.saturating_sub(6).max(10);
-        let wanted = self.pages.log.find.trim().to_lowercase();
-        let matches = |line: &TextLine| line.0.to_lowercase().contains(&wanted);
-        let mut lines = self.whole_lines();
-        lines.retain(|line| wanted.is_empty() || matches(line));
-        broken(lines, room)
-    }
-
-    fn whole_lines(&self) -> Vec<TextLine> {
         let message = |notice: &Notice| {
             let word = notice.severity.word();
             (format!("{word:<8} {}", notice.text), notice.severity.role())
@@ -114,7 +99,10 @@ impl App {
         if !older.is_empty() {
             section(&mut lines, "Older messages", older);
         }
-        lines
+        let wanted = self.pages.log.find.trim().to_lowercase();
+        lines.retain(|line| line.0.to_lowercase().contains(&wanted));
+        // Two borders, and three columns of indent with one of air.
+        broken(lines, columns.saturating_sub(6).max(10))
     }
 }
 
@@ -147,5 +135,6 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
     section(lines, &heading, plain(energy(&run.ledger)));
     let results = plain([vec![sentence(run)], results(run)].concat());
     section(lines, &format!("Results{first}"), results);
-    section(lines, &format!("Computation{first}"), plain(computation(run, shown.took)));
+    let took_s = shown.took.map(|took| took.as_secs_f64());
+    section(lines, &format!("Computation{first}"), plain(computation(run, took_s)));
 }

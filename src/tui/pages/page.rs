@@ -4,8 +4,8 @@
 pub(crate) mod prelude {
     pub(crate) use std::sync::Arc;
 
-    pub(crate) use super::{About, Page, PageSpec, Progress};
-    pub(crate) use super::{BEING_COMPUTED, note, nothing, progress};
+    pub(crate) use super::{About, Page, PageSpec};
+    pub(crate) use super::{BEING_COMPUTED, cut, note, nothing, progress, under_way};
     pub(crate) use crate::model::scene::Scene;
     pub(crate) use crate::model::units::significant;
     pub(crate) use crate::tui::app::notice::{StatusPart, old, part};
@@ -27,8 +27,10 @@ use ratatui::buffer::Buffer;
 
 use crate::tui::app::Typing;
 use crate::tui::app::running::Kept;
+use crate::tui::pages;
 use crate::tui::widgets::form::Form;
-use crate::tui::widgets::input::Field;
+use crate::tui::widgets::input::TextField;
+use crate::tui::widgets::layout::{Layout, layout};
 use crate::tui::widgets::steps::Input;
 
 /// The refusal of what needs results that are under way.
@@ -44,29 +46,14 @@ pub(crate) fn nothing<S: AskedFor>(
     app.keymap.shown(if waits { running } else { why.unwrap_or(NO_RESULTS) })
 }
 
-/// How what a page computes stands: its words in the status row are the same on every page.
-pub(crate) enum Progress<'a> {
-    /// Under way; what is done, and how much of it.
-    Running(String),
-    Nothing,
-    /// The display belongs to another object.
-    Old(&'a str),
-    /// Stopped before its end; how far it came.
-    Cut(String),
-    Done(String),
+/// The words for what is under way, the same in the status row of every page: what is done, and how much of it.
+pub(crate) fn under_way(what: &str) -> StatusPart {
+    part(Severity::Note, format!("{what} (<back> cancels)"))
 }
 
-impl Progress<'_> {
-    pub(crate) fn part(self) -> StatusPart {
-        let (severity, text) = match self {
-            Self::Running(what) => (Severity::Note, format!("{what} (<back> cancels)")),
-            Self::Nothing => (Severity::Note, NO_RESULTS.to_owned()),
-            Self::Old(whose) => (Severity::Warning, old(whose)),
-            Self::Cut(after) => (Severity::Warning, format!("cancelled{after}: press <run>")),
-            Self::Done(text) => (Severity::Note, text),
-        };
-        part(severity, text)
-    }
+/// The words for what was stopped before its end; how far it came.
+pub(crate) fn cut(after: &str) -> StatusPart {
+    part(Severity::Warning, format!("cancelled{after}: press <run>"))
 }
 
 /// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
@@ -75,12 +62,13 @@ pub(crate) fn progress<S: AskedFor, T>(
     kept: &Kept<T>,
     scene: &Scene,
     words: impl FnOnce(&Running) -> String,
-) -> Option<Progress<'static>> {
+    after: &str,
+) -> Option<StatusPart> {
     match app.jobs.running::<S>() {
-        Some(running) => Some(Progress::Running(words(running))),
-        None if kept.is_old(scene) => Some(Progress::Old("scene")),
-        None if kept.found.is_none() => Some(Progress::Nothing),
-        None => (!kept.is_complete).then(|| Progress::Cut(String::new())),
+        Some(running) => Some(under_way(&words(running))),
+        None if kept.is_old(scene) => Some(part(Severity::Warning, old("scene"))),
+        None if kept.found.is_none() => Some(part(Severity::Note, NO_RESULTS)),
+        None => (!kept.is_complete).then(|| cut(after)),
     }
 }
 
@@ -139,11 +127,6 @@ pub(crate) trait Page: Sync {
         false
     }
 
-    /// Select the variable of the row that has the keys, where that has a list of words; whether it has.
-    fn lists_words(&self, _app: &mut App) -> bool {
-        false
-    }
-
     /// What stands under the cursor, or what the selected row means.
     fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
         None
@@ -175,9 +158,9 @@ pub(crate) trait Page: Sync {
         None
     }
 
-    /// The text that the field of a row opens with.
-    fn text(&self, app: &App, row: usize) -> String {
-        let text = || self.form(app)?.row(row)?.text.clone();
+    /// The text that the field of the selected row opens with.
+    fn text(&self, app: &App) -> String {
+        let text = || self.form(app)?.line()?.text.clone();
         text().unwrap_or_default()
     }
 
@@ -187,14 +170,14 @@ pub(crate) trait Page: Sync {
     }
 
     /// Whether a text differs from that of the row; a dim value has no effect at present, and gets one when it is typed again.
-    fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
+    fn is_new(&self, app: &App, text: &str) -> bool {
         let form = self.form(app);
-        let is_dim = form.is_some_and(|form| form.row(row).is_some_and(|it| it.role == Role::Dim));
-        is_dim || text != self.text(app, row)
+        let is_dim = form.is_some_and(|form| form.line().is_some_and(|it| it.role == Role::Dim));
+        is_dim || text != self.text(app)
     }
 
-    /// Change the value of a row of the pane.
-    fn change(&self, _app: &mut App, _row: usize, _input: Input<'_>) -> Result<(), String> {
+    /// Change the value of the selected row.
+    fn change(&self, _app: &mut App, _input: Input<'_>) -> Result<(), String> {
         Ok(())
     }
 
@@ -206,6 +189,19 @@ pub(crate) trait Page: Sync {
 
     /// Draw its panes into the body of the screen.
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>);
+}
+
+impl App {
+    pub fn layout(&self) -> Layout {
+        // A pinned run takes the row that says how to pin one.
+        let has_hint = self.tab != Tab::Run || self.pins.is_empty();
+        layout(self.size, pages::of(self.tab).about().pages.len() > 1, has_hint)
+    }
+
+    /// Rows of a list that fills the body.
+    pub(crate) fn list_rows(&self) -> usize {
+        self.layout().body.map_or(10, |body| usize::from(body.height.saturating_sub(2)))
+    }
 }
 
 /// Draw the setup of a study.
@@ -230,14 +226,15 @@ pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     runs.map(|id| (Tab::Run, id)).chain(studies)
 }
 
-/// Open the field of a row of the pane that has the keys, its old text selected.
-pub(crate) fn open_field(page: &dyn Page, app: &mut App, row: usize) {
-    let text = page.text(app, row);
-    app.typing = Some(Typing::Field(Field::new(row, text)));
+/// Open the field of the selected row of the pane that has the keys, its old text selected.
+pub(crate) fn open_field(app: &mut App) {
+    let text = pages::of(app.tab).text(app);
+    app.typing = Some(Typing::Field(TextField::selected(text)));
 }
 
 /// Move the selection of the pane by rows, stopping at the ends.
-pub(crate) fn move_by(page: &dyn Page, app: &mut App, by: isize) {
+pub(crate) fn move_by(app: &mut App, by: isize) {
+    let page = pages::of(app.tab);
     if let Some(rows) = page.rows(app)
         && let Some(last) = rows.count.checked_sub(1)
     {
@@ -255,12 +252,12 @@ pub(crate) fn nothing_yet(app: &App, what: &str) -> String {
 }
 
 /// The charts and maps on the screen, as SVG; none where the page shows none.
-pub(crate) fn pictures(page: &dyn Page, app: &App) -> Vec<String> {
+pub(crate) fn pictures(app: &App) -> Vec<String> {
     let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let mut canvas = Canvas::new(&mut buffer, app.settings.theme);
     canvas.pictures = Some(Vec::new());
     if let Some(body) = app.layout().body {
-        page.draw(app, body, &mut canvas);
+        pages::of(app.tab).draw(app, body, &mut canvas);
     }
     canvas.pictures.unwrap_or_default()
 }

@@ -89,10 +89,6 @@ impl Page for RunTab {
         true
     }
 
-    fn lists_words(&self, app: &mut App) -> bool {
-        app.pane() == VARIABLES && app.pages.run.editor.shows(&app.scene) && is_list(app)
-    }
-
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         match app.pane() {
             CHARTS if app.pages.run.charts.cursor_s.is_some() => note(Some(app.readout())),
@@ -152,13 +148,13 @@ impl Page for RunTab {
     }
 
     /// The number in the unit that stands behind it.
-    fn text(&self, app: &App, _row: usize) -> String {
+    fn text(&self, app: &App) -> String {
         let editor = &app.pages.run.editor;
         let unit = editor.unit(editor.selected);
         editor::number_in(editor.variable(), &app.scene, unit, editor::FIELD_DIGITS)
     }
 
-    fn change(&self, app: &mut App, _row: usize, input: Input<'_>) -> Result<(), String> {
+    fn change(&self, app: &mut App, input: Input<'_>) -> Result<(), String> {
         let index = app.pages.run.editor.selected;
         match input {
             Input::Text(text) => edit::read(app, index, text),
@@ -184,6 +180,11 @@ impl Page for RunTab {
     }
 }
 
+/// Whether the row that has the keys is a variable with a list of words.
+pub(crate) fn lists_words(app: &App) -> bool {
+    app.pane() == VARIABLES && app.pages.run.editor.shows(&app.scene) && is_list(app)
+}
+
 /// Words from which on a list is clearer than going to the next one.
 const WORDS_LISTED: usize = 3;
 
@@ -204,8 +205,7 @@ pub(crate) fn open(app: &mut App) {
     match &app.pages.run.editor.variable().kind {
         Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, Press::NEXT),
         Kind::Number(_) => {
-            let row = RunTab.rows(app).map_or(0, |rows| rows.selected);
-            open_field(&RunTab, app, row);
+            open_field(app);
         }
     }
 }

@@ -5,7 +5,6 @@
 //! workbench the hook that was there before does its work.
 
 use std::backtrace::Backtrace;
-use std::fmt::Write as _;
 use std::fs;
 use std::io::Write as _;
 use std::panic::{self, PanicHookInfo};
@@ -50,23 +49,17 @@ fn written(report: &str, directory: Option<&Path>) -> Option<PathBuf> {
 
 /// Leave the report in a file and say so on the main screen; without a file, print all of it.
 fn tell(report: &str, directory: Option<&Path>) {
-    let written = written(report, directory);
-    let mut text = String::from("cmra: internal error; the terminal has been restored\n");
-    // Writing to a string does not fail.
-    let _ = match written {
+    let text = match written(report, directory) {
         Some(path) => {
             let first: Vec<&str> = report.lines().take(3).collect();
-            writeln!(
-                text,
-                "{}\nthe details are in {}: please report them",
-                first.join("\n"),
-                path.display()
-            )
+            let (first, path) = (first.join("\n"), path.display());
+            format!("{first}\nthe details are in {path}: please report them")
         }
-        None => writeln!(text, "{report}"),
+        None => report.to_owned(),
     };
+    let head = "cmra: internal error; the terminal has been restored";
     // If standard error is gone, the message cannot be shown.
-    let _ = std::io::stderr().write_all(text.as_bytes());
+    let _ = writeln!(std::io::stderr(), "{head}\n{text}");
 }
 
 #[cfg(test)]

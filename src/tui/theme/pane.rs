@@ -2,50 +2,43 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Style;
 use ratatui::symbols::border;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Widget};
 
-use super::{Role, Theme};
-use crate::report::chart::Below;
+use super::{Role, Theme, columns};
+use crate::report::chart::{Below, Frame};
 
+#[must_use]
 #[derive(Clone, Debug, Default)]
 pub struct PaneFrame<'a> {
-    title: Line<'a>,
+    title: String,
     right: Line<'a>,
     focused: bool,
-    /// It continues a box above it, and what its lower line is.
-    stacked: Option<(bool, Below)>,
+    frame: Frame,
 }
 
 impl<'a> PaneFrame<'a> {
-    pub fn new(title: impl Into<Line<'a>>) -> Self {
+    pub fn new(title: impl Into<String>) -> Self {
         Self { title: title.into(), ..Self::default() }
     }
 
     /// With this at the right of the top line; where it has no room there, in the lower line of a frame of its own.
-    #[must_use]
-    pub fn right(mut self, right: impl Into<Line<'a>>) -> Self {
-        self.right = right.into();
-        self
+    pub fn right(self, right: impl Into<Line<'a>>) -> Self {
+        Self { right: right.into(), ..self }
     }
 
-    #[must_use]
-    pub fn focused(mut self, focused: bool) -> Self {
-        self.focused = focused;
-        self
+    pub fn focused(self, focused: bool) -> Self {
+        Self { focused, ..self }
     }
 
-    /// As one of several panes in a box: whether the box begins with it, and its lower line.
-    #[must_use]
-    pub fn stacked(mut self, begins: bool, below: Below) -> Self {
-        self.stacked = Some((!begins, below));
-        self
+    /// As one of several panes in a box.
+    pub fn frame(self, frame: Frame) -> Self {
+        Self { frame, ..self }
     }
 
     fn block(&self) -> Block<'_> {
-        let is_open = self.stacked.is_some_and(|(_, below)| below == Below::Nothing);
+        let is_open = matches!(self.frame, Frame::Stacked { below: Below::Nothing, .. });
         let without = if is_open { Borders::BOTTOM } else { Borders::NONE };
         Block::new().borders(Borders::ALL.difference(without))
     }
@@ -58,8 +51,8 @@ impl<'a> PaneFrame<'a> {
         let area = area.intersection(buffer.area);
         let border = theme.style(if self.focused { Role::Focus } else { Role::Border });
         let mut set = border::PLAIN;
-        if let Some((continues, below)) = self.stacked {
-            if continues {
+        if let Frame::Stacked { begins, below } = self.frame {
+            if !begins {
                 (set.top_left, set.top_right) = ("├", "┤");
             }
             if below == Below::Across {
@@ -67,24 +60,19 @@ impl<'a> PaneFrame<'a> {
             }
         }
         // corner, line, blank, title, blank ... blank, right, blank, corner
-        let line = Span::styled(set.horizontal_top, border);
-        let styled = |text: &Line<'a>, style: Style| -> Vec<Span<'a>> {
-            let spans = text.spans.iter().cloned();
-            spans.map(|span| span.patch_style(text.style).patch_style(style)).collect()
-        };
         let mut block = self.block().border_set(set).border_style(border);
-        if self.title.width() > 0 {
-            let title = styled(&self.title, theme.title(self.focused));
-            block = block
-                .title_top(Line::from([vec![line, " ".into()], title, vec![" ".into()]].concat()));
+        let title = columns(&self.title);
+        if title > 0 {
+            let line = Span::styled(set.horizontal_top, border);
+            let text = Span::styled(&*self.title, theme.title(self.focused));
+            block = block.title_top(Line::from(vec![line, " ".into(), text, " ".into()]));
         }
-        let right = Line::from(
-            [vec![" ".into()], styled(&self.right, Style::new()), vec![" ".into()]].concat(),
-        );
+        let mut right = Line::from(" ");
+        right.extend(self.right.spans.iter().cloned().chain([" ".into()]));
         let room = usize::from(area.width).saturating_sub(6);
-        if right.width() > 2 && self.title.width() + right.width() <= room {
+        if right.width() > 2 && title + right.width() <= room {
             block = block.title_top(right.right_aligned());
-        } else if right.width() > 2 && self.stacked.is_none() && right.width() <= room {
+        } else if right.width() > 2 && self.frame == Frame::Boxed && right.width() <= room {
             block = block.title_bottom(right.right_aligned());
         }
         let inner = block.inner(area);
@@ -97,17 +85,14 @@ impl<'a> PaneFrame<'a> {
 mod tests {
     use super::super::{ColourDepth, ascii_pass};
     use super::*;
+    use crate::tui::chart::buffer_lines;
 
     fn lines(pane: &PaneFrame<'_>, width: u16, height: u16) -> Vec<String> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
         pane.render(area, &mut buffer, Theme::PLAIN);
         ascii_pass(&mut buffer);
-        buffer
-            .content
-            .chunks(usize::from(width.max(1)))
-            .map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect())
-            .collect()
+        buffer_lines(&buffer)
     }
 
     #[test]

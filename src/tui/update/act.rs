@@ -4,7 +4,7 @@ use crate::tui::app::{Settings, edit};
 use crate::tui::dialogs;
 use crate::tui::keymap::Call;
 use crate::tui::message::Content;
-use crate::tui::pages::run::{VARIABLES, runs};
+use crate::tui::pages::run::{self, VARIABLES, runs};
 use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
 use crate::tui::update;
@@ -28,7 +28,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if acts_on_rows && update::matches_nothing(app) {
         return app.tell(NO_MATCH);
     }
-    if action == Action::Enter && page.lists_words(app) {
+    if action == Action::Enter && run::lists_words(app) {
         return dialogs::list_words(app);
     }
     if page.act(app, action) || in_form(app, action) {
@@ -37,7 +37,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if let Some(rows) = page.rows(app)
         && let Some(by) = rows_moved(action, rows.shown)
     {
-        return move_by(page, app, by);
+        return move_by(app, by);
     }
     anywhere(app, action);
 }
@@ -51,8 +51,8 @@ fn in_form(app: &mut App, action: Action) -> bool {
     let row = form.rows(0).selected;
     page.select(app, row);
     if enters && form.line().is_some_and(|line| line.text.is_some()) {
-        pages::open_field(page, app, row);
-    } else if let Err(why) = page.change(app, row, Input::Step(press)) {
+        pages::open_field(app);
+    } else if let Err(why) = page.change(app, Input::Step(press)) {
         app.refuse(why);
     }
     true
@@ -127,7 +127,7 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
 /// The next or previous page of the tab, in a circle; nothing where it has one.
 fn next_page(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
-    let count = app.tab.pages();
+    let count = page.about().pages.len();
     if count > 1 {
         page.turn_to(app, cycled(page.shown(app), by, count));
     }
@@ -148,7 +148,7 @@ fn focus(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
-        if app.tab.pages() < 2 {
+        if page.about().pages.is_empty() {
             app.tell("this tab has one pane; <tab-run>, <tab-explore> and so on change tabs");
         }
         return next_page(app, by);
@@ -203,17 +203,15 @@ fn leave(app: &mut App, action: Action) {
 fn back(app: &mut App) {
     if app.is_full() {
         app.pages.run.is_full = false;
-    } else {
-        let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
-        let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
-        let text = elsewhere.map_or_else(
-            || format!("nothing to close: <quit> quits (the session {kept})"),
-            |tab| {
-                format!("nothing to stop here: <back> in {} stops its job", tab.title(&app.keymap))
-            },
-        );
-        app.tell(text);
+        return;
     }
+    let text = if let Some((tab, _)) = pages::all_jobs(app).next() {
+        format!("nothing to stop here: <back> in {} stops its job", tab.title(&app.keymap))
+    } else {
+        let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
+        format!("nothing to close: <quit> quits (the session {kept})")
+    };
+    app.tell(text);
 }
 
 /// Copy the table that the page shows.

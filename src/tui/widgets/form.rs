@@ -6,13 +6,13 @@ use crate::study::quantities::{QUANTITIES, Quantity, named};
 use crate::tui::keymap::{Pane, Target};
 use crate::tui::theme::Role;
 use crate::tui::widgets::find::quantity_called;
-use crate::tui::widgets::input::Field;
+use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::steps::Input;
 use crate::tui::widgets::text::clip;
 use crate::tui::widgets::text::columns;
 use crate::tui::widgets::{Canvas, RowList, Rows, cycled};
 
-/// Columns within a row: cursor, `*`, label, value, unit.
+/// Columns within a row: cursor, label, value, unit.
 const LABEL: u16 = 2;
 const VALUE: u16 = 10;
 /// Columns of a number.
@@ -20,7 +20,7 @@ pub(crate) const VALUE_WIDTH: u16 = 7;
 const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
 /// A row of a form: its label, its value, what its field opens with, and what it means.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(crate) struct FormRow {
     pub label: String,
     /// At the right; empty where the label is the value.
@@ -33,7 +33,6 @@ pub(crate) struct FormRow {
     pub meaning: String,
     /// Its field takes a number with a unit.
     pub takes_unit: bool,
-    pub is_changed: bool,
     /// Headings are titles; a value that has no effect at present is dim.
     pub role: Role,
 }
@@ -45,16 +44,7 @@ impl FormRow {
 
     /// A row whose values are gone through.
     pub(crate) fn word(label: &str, value: impl Into<String>) -> Self {
-        Self {
-            label: label.to_owned(),
-            value: value.into(),
-            unit: "",
-            text: None,
-            meaning: String::new(),
-            takes_unit: false,
-            is_changed: false,
-            role: Role::Text,
-        }
+        Self { label: label.to_owned(), value: value.into(), ..Self::default() }
     }
 
     pub(crate) fn switch(label: &str, on: bool) -> Self {
@@ -89,9 +79,6 @@ impl FormRow {
         if self.is_heading() {
             canvas.put(area, (0, 0), &self.label, self.role);
             return;
-        }
-        if self.is_changed {
-            canvas.put(area, (1, 0), "*", Role::Note);
         }
         let room = |start: u16| usize::from(area.width.saturating_sub(start));
         let label = canvas.put(area, (LABEL, 0), &clip(&self.label, room(LABEL)), self.role);
@@ -143,35 +130,26 @@ impl Form {
         Self { lines: rows.iter().map(|row| line(*row)).collect(), selected: at }
     }
 
-    /// The rows that can be selected.
-    fn choices(&self) -> impl Iterator<Item = &FormRow> {
-        self.lines.iter().filter(|line| !line.is_heading())
-    }
-
     pub(crate) fn line(&self) -> Option<&FormRow> {
         self.lines.get(self.selected)
     }
 
-    /// A row of those that can be selected.
-    pub(crate) fn row(&self, row: usize) -> Option<&FormRow> {
-        self.choices().nth(row)
-    }
-
-    /// Of a line, its place among those that can be selected.
+    /// Of a line, its place among those that can be selected: how many of these stand above it.
     fn place(&self, line: usize) -> usize {
         self.lines[..line].iter().filter(|line| !line.is_heading()).count()
     }
 
     /// Those that can be selected, where this many are shown.
     pub(crate) fn rows(&self, shown: usize) -> Rows {
-        Rows { count: self.choices().count(), selected: self.place(self.selected), shown }
+        let (count, selected) = (self.place(self.lines.len()), self.place(self.selected));
+        Rows { count, selected, shown }
     }
 
     /// Draw it into a frame. Where its pane has the keys (`on`) it keeps the selected row in sight, with the field that is open.
     pub(crate) fn render(
         &self,
         (pane, on): (Pane, bool),
-        field: Option<&Field>,
+        field: Option<&TextField>,
         inner: Rect,
         canvas: &mut Canvas<'_>,
     ) {

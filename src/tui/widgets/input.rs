@@ -80,6 +80,19 @@ impl TextField {
         canvas.cursor = Some((area.x + at, area.y));
     }
 
+    /// Draw the field over its row as `[ 1.25_  ]`, from a column on, with room for a given number of characters.
+    pub(crate) fn draw_boxed(&self, canvas: &mut Canvas<'_>, row: Rect, start: u16, room: u16) {
+        let blank = " ".repeat(usize::from(room));
+        canvas.put(row, (start, 0), &blank, Role::Text);
+        canvas.put(row, (start - 1, 0), "[", Role::Focus);
+        let area = Rect { x: row.x + start, width: room, ..row };
+        self.draw(canvas, area.intersection(row));
+        canvas.put(row, (start + room, 0), "]", Role::Focus);
+        if self.error.is_some() {
+            canvas.put(row, (0, 0), "x", Role::Error);
+        }
+    }
+
     /// Write the part of the text around the cursor; gives the column of the cursor.
     pub(crate) fn put(&self, canvas: &mut Canvas<'_>, area: Rect, role: Role) -> u16 {
         let scroll = self.input.visual_scroll(usize::from(area.width.saturating_sub(1)));
@@ -88,32 +101,6 @@ impl TextField {
         let text = Paragraph::new(text).scroll((0, columns(scroll)));
         text.render(area.intersection(canvas.area), canvas);
         columns(self.input.visual_cursor().saturating_sub(scroll)).min(area.width)
-    }
-}
-
-#[derive(Clone, Debug)]
-pub struct Field {
-    pub row: usize,
-    pub text: TextField,
-}
-
-impl Field {
-    /// The field of a row, its old text selected.
-    pub fn new(row: usize, text: impl Into<String>) -> Self {
-        Self { row, text: TextField::selected(text) }
-    }
-
-    /// Draw the field over its row as `[ 1.25_  ]`, from a column on, with room for a given number of characters.
-    pub(crate) fn draw_boxed(&self, canvas: &mut Canvas<'_>, row: Rect, start: u16, room: u16) {
-        let blank = " ".repeat(usize::from(room));
-        canvas.put(row, (start, 0), &blank, Role::Text);
-        canvas.put(row, (start - 1, 0), "[", Role::Focus);
-        let area = Rect { x: row.x + start, width: room, ..row };
-        self.text.draw(canvas, area.intersection(row));
-        canvas.put(row, (start + room, 0), "]", Role::Focus);
-        if self.text.error.is_some() {
-            canvas.put(row, (0, 0), "x", Role::Error);
-        }
     }
 }
 

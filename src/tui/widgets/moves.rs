@@ -17,28 +17,26 @@ pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
     }
 }
 
-/// How far along an action moves a cursor; far is this many.
-pub(crate) fn along(action: Action, far: i16) -> Option<i16> {
-    match action {
-        Action::Left => Some(-1),
-        Action::Right => Some(1),
-        Action::FarLeft => Some(-far),
-        Action::FarRight => Some(far),
-        _ => None,
-    }
+/// Far, and a page: so many points or columns.
+const FAR: isize = 10;
+
+/// How far along an action moves a cursor.
+pub(crate) fn along(action: Action) -> Option<isize> {
+    let Press { up, is_far } = step_of(action)?;
+    let by = if is_far { FAR } else { 1 };
+    Some(if up { by } else { -by })
 }
 
-/// How far along and upward an action moves a cursor; far is this many.
-pub(crate) fn cursor_moved(action: Action, far: i16) -> Option<(isize, isize)> {
-    let up = isize::from(far);
+/// How far along and upward an action moves a cursor.
+pub(crate) fn cursor_moved(action: Action) -> Option<(isize, isize)> {
     match action {
         Action::Up => Some((0, 1)),
         Action::Down => Some((0, -1)),
-        Action::PageUp => Some((0, up)),
-        Action::PageDown => Some((0, -up)),
+        Action::PageUp => Some((0, FAR)),
+        Action::PageDown => Some((0, -FAR)),
         Action::First => Some((isize::MIN / 2, 0)),
         Action::Last => Some((isize::MAX / 2, 0)),
-        _ => along(action, far).map(|by| (by.into(), 0)),
+        _ => along(action).map(|by| (by, 0)),
     }
 }
 
@@ -71,9 +69,7 @@ pub(crate) fn around<T: Copy + PartialEq>(all: &[T], one: T, by: isize) -> T {
     all[cycled(at, by, all.len())]
 }
 
-/// `at` moved by `by` within `0..count`, round and round.
+/// `at` moved by a few places within `0..count`, round and round.
 pub(crate) fn cycled(at: usize, by: isize, count: usize) -> usize {
-    let count = isize::try_from(count.max(1)).unwrap_or(1);
-    let at = isize::try_from(at).unwrap_or(0);
-    usize::try_from((at + by).rem_euclid(count)).unwrap_or(0)
+    (at + count).saturating_add_signed(by) % count.max(1)
 }

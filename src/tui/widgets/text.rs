@@ -1,31 +1,9 @@
-//! Text in cells: how wide it is, how it is cut, wrapped and written.
-
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-use ratatui::style::Style;
+//! Text in cells: how wide it is, how it is cut and wrapped.
 
 use crate::tui::theme::{self, Role};
 
 pub(crate) fn columns(text: &str) -> u16 {
     u16::try_from(theme::columns(text)).unwrap_or(u16::MAX)
-}
-
-/// Write a text into a row of an area; gives the column after it. Rows and columns outside the area are left alone.
-pub(crate) fn put(
-    buffer: &mut Buffer,
-    area: Rect,
-    at: (u16, u16),
-    text: &str,
-    style: Style,
-) -> u16 {
-    let (column, row) = at;
-    let area = area.intersection(buffer.area);
-    if row >= area.height || column >= area.width {
-        return column;
-    }
-    let room = usize::from(area.width - column);
-    let end = buffer.set_stringn(area.x + column, area.y + row, text, room, style).0;
-    end - area.x
 }
 
 /// A line of text, and how it is drawn.
@@ -54,6 +32,12 @@ pub(crate) fn wrapped(
 pub(crate) fn first_row(selected: usize, height: usize, count: usize) -> usize {
     let most = count.saturating_sub(height);
     selected.saturating_sub(height.saturating_sub(1) * 2 / 3).min(most)
+}
+
+/// Which of some rows are shown: `3-12/40`; empty where all are.
+pub(crate) fn counted(first: usize, shown: usize, count: usize) -> String {
+    let last = (first + shown).min(count);
+    if count > shown { format!("{}-{last}/{count}", first + 1) } else { String::new() }
 }
 
 /// At most `width` characters; what is cut ends in `..`.

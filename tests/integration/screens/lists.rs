@@ -94,7 +94,7 @@ fn quantities_are_named_as_the_screen_names_them() {
     assert!(!bench.message().contains('_'), "{}", bench.message());
     let mut bench = Bench::ascii(120, 36);
     bench.press("4k<Enter>");
-    let typed = bench.app.field().expect("a field").text.value().to_owned();
+    let typed = bench.app.field().expect("a field").value().to_owned();
     assert_eq!(typed, "% of rigid-mount depth");
     bench.press("penetration<Enter>");
     assert!(bench.message().contains("final depth"), "{}", bench.message());

@@ -282,7 +282,7 @@ fn a_refused_text_stays_with_its_reason() {
         let before = Arc::clone(&bench.app.scene);
         keys(&mut bench, &format!("<Enter>{text}<Enter>"));
         let field = bench.app.field().cloned().expect("the field is still open");
-        assert_eq!(field.text.value(), text);
+        assert_eq!(field.value(), text);
         for fragment in fragments {
             assert!(bench.message().contains(fragment), "{}: {fragment}", bench.message());
         }

@@ -141,27 +141,13 @@ impl ViewRange {
         }
     }
 
-    /// Grown by a fraction of its span at both ends.
+    /// Grown by a fraction of its span at both ends, in the space of the scale. Where the result would be too narrow to show it is as it
+    /// was.
     pub fn padded(self, scale: Scale, fraction: f64) -> Self {
-        self.mapped(scale, |lo, hi| {
-            let more = (hi - lo) * fraction;
-            (lo - more, hi + more)
-        })
-    }
-
-    /// Grown to whole decades, so that small changes of the data do not move a logarithmic axis.
-    pub fn in_decades(self) -> Self {
-        let view = self.on(Scale::Log10);
-        let top = decade(view.hi);
-        let above = if power(top) < view.hi { top + 1 } else { top };
-        Self::new(power(decade(view.lo)), power(above)).on(Scale::Log10)
-    }
-
-    /// Changes the bounds in the space of the scale. A result too narrow to show leaves the range as it is.
-    fn mapped(self, scale: Scale, change: impl Fn(f64, f64) -> (f64, f64)) -> Self {
         let view = self.on(scale);
-        let (lo, hi) = change(scale.place(view.lo), scale.place(view.hi));
-        let (lo, hi) = (scale.back(lo), scale.back(hi));
+        let (lo, hi) = (scale.place(view.lo), scale.place(view.hi));
+        let more = (hi - lo) * fraction;
+        let (lo, hi) = (scale.back(lo - more), scale.back(hi + more));
         let greatest = lo.abs().max(hi.abs());
         let sane = lo.is_finite() && hi.is_finite() && greatest <= GREATEST;
         let positive = scale == Scale::Linear || lo > 1e-300;
@@ -171,14 +157,25 @@ impl ViewRange {
             view
         }
     }
+
+    /// Grown to whole decades, so that small changes of the data do not move a logarithmic axis.
+    pub fn in_decades(self) -> Self {
+        let view = self.on(Scale::Log10);
+        let top = decade(view.hi);
+        let above = if power(top) < view.hi { top + 1 } else { top };
+        Self::new(power(decade(view.lo)), power(above)).on(Scale::Log10)
+    }
 }
 
 /// Values to cells along one axis and back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mapping {
-    scale: Scale,
-    view: ViewRange,
-    cells: u16,
+    /// The scale.
+    pub scale: Scale,
+    /// The range as shown.
+    pub view: ViewRange,
+    /// How many cells there are.
+    pub cells: u16,
     /// The view's lower bound and span in the space of the scale.
     from: f64,
     span: f64,
@@ -190,21 +187,6 @@ impl Mapping {
         let view = view.on(scale);
         let from = scale.place(view.lo);
         Self { scale, view, cells, from, span: scale.place(view.hi) - from }
-    }
-
-    /// The range as shown.
-    pub fn view(self) -> ViewRange {
-        self.view
-    }
-
-    /// The scale.
-    pub fn scale(self) -> Scale {
-        self.scale
-    }
-
-    /// How many cells there are.
-    pub fn cells(self) -> u16 {
-        self.cells
     }
 
     /// Where a value lies, in cells from the middle of the first one; `None` where the scale has no place for it. Values far

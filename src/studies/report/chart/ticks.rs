@@ -72,10 +72,10 @@ impl Along {
 
 /// The ticks of an axis, as many as fit.
 pub fn ticks(map: Mapping, along: Along) -> Ticks {
-    if map.cells() == 0 {
+    if map.cells == 0 {
         return Ticks::default();
     }
-    match map.scale() {
+    match map.scale {
         Scale::Linear => linear(map, along),
         Scale::Log10 => decades(map, along).unwrap_or_else(|| linear(map, along)),
     }
@@ -87,7 +87,7 @@ pub fn label_start(cell: i32, length: i32) -> i32 {
 }
 
 fn linear(map: Mapping, along: Along) -> Ticks {
-    let view = map.view();
+    let view = map.view;
     let greatest = view.lo().abs().max(view.hi().abs());
     let exponent = common_exponent(greatest);
     // No two labels next to each other are nearer than two cells, whatever they say.
@@ -95,7 +95,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
         Along::Row => 2.0,
         Along::Column(_) | Along::Rows(_) => 1.0,
     };
-    let most = (f64::from(map.cells()) / nearest).max(2.0);
+    let most = (f64::from(map.cells) / nearest).max(2.0);
     let mut step = Step::at_least(view.span() / most);
     let mut best = Ticks::default();
     for _ in 0..STEPS_TRIED {
@@ -120,9 +120,9 @@ fn linear(map: Mapping, along: Along) -> Ticks {
 
 /// The ends of an axis, in as few digits as keep their labels in their rows.
 fn ends(map: Mapping) -> Ticks {
-    let view = map.view();
-    let exponent = if map.scale() == Scale::Log10 { 0 } else { common_exponent(view.size()) };
-    let last = map.cells().saturating_sub(1);
+    let view = map.view;
+    let exponent = if map.scale == Scale::Log10 { 0 } else { common_exponent(view.size()) };
+    let last = map.cells.saturating_sub(1);
     let tick = |cell: u16| {
         let value = map.value(cell);
         let near = |text: &String| {
@@ -167,7 +167,7 @@ fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
 
 /// The multiples of a step in view. Counting whole steps keeps labels and places free of accumulated error.
 fn multiples(map: Mapping, step: Step, exponent: i32) -> Vec<Tick> {
-    let view = map.view();
+    let view = map.view;
     let size = step.size();
     let mut count = (view.lo() / size - 1e-9).ceil();
     let last = (view.hi() / size + 1e-9).floor();
@@ -197,34 +197,21 @@ fn label(units: f64, exponent: i32) -> String {
 /// Decade ticks, with 2 and 5 between them where there is room; `None` where fewer than three would be seen: a linear axis
 /// tells more inside a decade.
 fn decades(map: Mapping, along: Along) -> Option<Ticks> {
-    let first = decade(map.view().lo());
-    let last = decade(map.view().hi());
+    let first = decade(map.view.lo());
+    let last = decade(map.view.hi());
+    let (low, high) = (map.view.lo() * (1.0 - 1e-9), map.view.hi() * (1.0 + 1e-9));
     let list = |mantissas: &[u8], stride: i32| -> Vec<Tick> {
-        let start = first.div_euclid(stride) * stride;
-        let mut values = Vec::new();
-        let mut exponent = start;
-        while exponent <= last {
-            values.extend(mantissas.iter().map(|mantissa| (*mantissa, exponent)));
-            exponent += stride;
-        }
-        let spelled = values
-            .iter()
-            .filter(|(mantissa, exponent)| in_view(map, *mantissa, *exponent))
-            .any(|(_, exponent)| !(-3..=4).contains(exponent));
-        let tick = |(mantissa, exponent): (u8, i32)| {
-            let value = f64::from(mantissa) * power(exponent);
-            let cell = map.cell(value)?;
-            in_view(map, mantissa, exponent).then(|| Tick {
-                cell,
-                value,
-                label: if spelled {
-                    format!("{mantissa}e{exponent}")
-                } else {
-                    label(f64::from(mantissa), exponent)
-                },
-            })
+        let exponents = (first..=last).filter(|exponent| exponent % stride == 0);
+        let all = exponents.flat_map(|exponent| mantissas.iter().map(move |it| (*it, exponent)));
+        let all = all.map(|it| (it, f64::from(it.0) * power(it.1)));
+        let seen: Vec<_> = all.filter(|(_, value)| low <= *value && *value <= high).collect();
+        let spelled = seen.iter().any(|((_, exponent), _)| !(-3..=4).contains(exponent));
+        let tick = |((mantissa, exponent), value): ((u8, i32), f64)| {
+            let plain = || label(f64::from(mantissa), exponent);
+            let label = if spelled { format!("{mantissa}e{exponent}") } else { plain() };
+            Some(Tick { cell: map.cell(value)?, value, label })
         };
-        values.into_iter().filter_map(tick).collect()
+        seen.into_iter().filter_map(tick).collect()
     };
     let dense = list(&[1, 2, 5], 1);
     if dense.len() < 3 {
@@ -239,17 +226,11 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     Some(Ticks { labelled, exponent: 0 })
 }
 
-fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {
-    let value = f64::from(mantissa) * power(exponent);
-    let view = map.view();
-    view.lo() * (1.0 - 1e-9) <= value && value <= view.hi() * (1.0 + 1e-9)
-}
-
 /// Whether all labels stand clear of each other, each on a cell of its own. Of rows there are at least two, each at the middle of
 /// its row.
 fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
     let (least, most) = LABEL_GAP;
-    let gap = (i32::from(map.cells()) / 12).clamp(least, most);
+    let gap = (i32::from(map.cells) / 12).clamp(least, most);
     let apart = |pair: &[Tick]| match (pair, along.half_rows()) {
         ([a, b], Some(halves)) => b.cell >= a.cell + (halves / 2).max(1),
         ([a, b], None) => {

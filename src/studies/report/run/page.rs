@@ -1,14 +1,12 @@
 //! A run in words: its outcome in a sentence, and its results, events, energy and computation a line each. Pages and screens show
 //! the same lines.
 
-use std::time::Duration;
-
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Mount;
 use crate::model::units::{self, engineering, fixed_significant};
 use crate::report::figures::run::event_letter;
-use crate::report::run::{EnergyTerm, energy_terms};
+use crate::report::run::{AT_START, ENERGY, LedgerPart};
 use crate::study::quantities;
 
 /// Columns of a label before its value.
@@ -140,8 +138,16 @@ pub fn results(run: &Run) -> Vec<String> {
     let stroke_so_far = so_far.plate_displacement_m.map(|so_far_m| so_far_m - start_m);
     let displacement = known(run.max_plate_displacement_m, "m");
     let is_known = displacement.is_some() || so_far.plate_displacement_m.is_some();
-    let displacement =
-        displacement.or_else(|| (!is_known).then(|| no_displacement(&run.scene).to_owned()));
+    let scene = &run.scene;
+    // Why there is none.
+    let nothing_stops_it =
+        Mechanism::of(scene).is_absent() && scene.mechanism.stop.position_m.is_none();
+    let none = if nothing_stops_it {
+        "none: nothing stops the plate"
+    } else {
+        "not reached within the run"
+    };
+    let displacement = displacement.or_else(|| (!is_known).then(|| none.to_owned()));
     let push = if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
         Some("unbounded at the rigid stop".to_owned())
     } else {
@@ -202,13 +208,6 @@ fn if_it_yields(plastic: &Run) -> String {
     format!("{word}{} (interface = plastic)", result.unwrap_or_default())
 }
 
-/// The reason why there is no greatest displacement.
-fn no_displacement(scene: &Scene) -> &'static str {
-    let mechanism = &scene.mechanism;
-    let nothing_stops_it = Mechanism::of(scene).is_absent() && mechanism.stop.position_m.is_none();
-    if nothing_stops_it { "none: nothing stops the plate" } else { "not reached within the run" }
-}
-
 /// The events with their letters in the charts.
 pub fn events(run: &Run) -> Vec<String> {
     let line = |(index, event): (usize, &Event)| {
@@ -234,19 +233,24 @@ pub fn events_in_brief(run: &Run) -> Vec<String> {
 
 /// The energy ledger, a term a line, with its part of the energy at the start.
 pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
-    let line = |term: &EnergyTerm| {
-        let percent = units::decimals(term.percent, 2);
-        // Without a prefix: terms below each other are to be compared.
-        format!("{:<13}{:>8} J  {percent:>6} %", term.label, fixed_significant(term.energy_j, 6))
-    };
-    let (start, end) = energy_terms(ledger);
     let start_j = ledger.initial_j();
-    let total = |label, energy_j| line(&EnergyTerm::of(label, energy_j, start_j));
-    let mut lines = vec![total("at the start", start_j)];
+    let line = |label: &str, energy_j: f64| {
+        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
+        let (energy, percent) = (fixed_significant(energy_j, 6), units::decimals(percent, 2));
+        // Without a prefix: terms below each other are to be compared.
+        format!("{label:<13}{energy:>8} J  {percent:>6} %")
+    };
+    let terms = |parts: &[LedgerPart]| -> Vec<String> {
+        let terms = parts.iter().map(|(_, label, get)| (*label, get(ledger)));
+        terms.filter(|term| term.1 != 0.0).map(|(label, energy_j)| line(label, energy_j)).collect()
+    };
+    let (start, end) = ENERGY.split_at(AT_START);
+    let start = terms(start);
+    let mut lines = vec![line("at the start", start_j)];
     // One term alone is the whole.
-    lines.extend(start.iter().filter(|_| start.len() > 1).map(line));
-    lines.push(total("at the end", ledger.final_j()));
-    lines.extend(end.iter().map(line));
+    lines.extend(if start.len() > 1 { start } else { Vec::new() });
+    lines.push(line("at the end", ledger.final_j()));
+    lines.extend(terms(end));
     let residual = match ledger.residual() {
         0.0 => "0".to_owned(),
         other => units::scientific(other, 1),
@@ -256,7 +260,7 @@ pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
 }
 
 /// How the run was computed, in which time where that is known, and how wrong it may be.
-pub fn computation(run: &Run, took: Option<Duration>) -> Vec<String> {
+pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<String> {
     let cost = &run.cost;
     let steps = format!(
         "{} accepted, {} rejected, {} evaluations",
@@ -266,7 +270,7 @@ pub fn computation(run: &Run, took: Option<Duration>) -> Vec<String> {
         if run.omitted.is_empty() { "nothing".to_owned() } else { run.omitted.join(", ") };
     let facts = [
         ("method", Some(format!("{}: {}", cost.method, cost.reason))),
-        ("run time", took.map(|took| short(took.as_secs_f64(), "s"))),
+        ("run time", took_s.map(|took_s| short(took_s, "s"))),
         ("steps", Some(steps)),
         ("end", Some(run.end.words().to_owned())),
         ("error", Some(error(run).unwrap_or_else(|| "not estimated".to_owned()))),
@@ -301,25 +305,18 @@ fn largest_error(run: &Run) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
-    use std::sync::Arc;
-
     use super::*;
+    use crate::study::plain_run;
+    use crate::study::testing::scene;
 
-    use crate::model::simulate::{Settings, simulate};
-
-    fn run_of(change: impl Fn(&mut Scene)) -> Run {
-        let mut scene = Scene::default();
-        change(&mut scene);
-        let settings = Settings { series: false, estimate: true };
-        simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(()))
-            .expect("a valid scene")
+    fn run_of(pairs: &str) -> Run {
+        plain_run(&scene(pairs)).unwrap()
     }
 
     /// Without a spring both bodies, of equal mass, share the momentum: half the velocity, half the energy.
     #[test]
     fn valid_a_free_plate_of_equal_mass_takes_half_of_everything() {
-        let run = run_of(|scene| scene.mechanism.spring.coefficient = 0.0);
+        let run = run_of("k=0");
         let results = results(&run).join("\n");
         assert!(results.contains("  common velocity       50.0000 m/s"), "{results}");
         assert!(
@@ -334,10 +331,10 @@ mod tests {
 
     #[test]
     fn a_likely_ricochet_is_in_the_outcome() {
-        let at = |theta: f64| {
-            let run = run_of(|scene| scene.projectile.obliquity_deg = theta);
+        let at = |theta: &str| {
+            let run = run_of(theta);
             [outcome(&run), sentence(&run)].map(|text| text.contains("ricochet is likely"))
         };
-        assert_eq!((at(20.0), at(85.0)), ([false; 2], [true; 2]));
+        assert_eq!((at("theta=20deg"), at("theta=85deg")), ([false; 2], [true; 2]));
     }
 }

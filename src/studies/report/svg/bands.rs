@@ -2,12 +2,11 @@
 
 use std::fmt::Write as _;
 
-use super::{BOTTOM, HEIGHT, LEFT, Plot, RIGHT, TOP, Text, WIDTH, at, draw_frame, frame, text};
+use super::{Plot, RIGHT, TOP, at, draw_frame, frame, text};
 use crate::model::units;
-use crate::report::chart::Axis;
 use crate::report::chart::levels::Levels;
+use crate::report::chart::{Axis, Unit};
 use crate::report::map::{Cell, Map};
-use crate::report::unit::Unit;
 
 /// Room of the legend of a map, at its right.
 const SCALE_WIDTH: f64 = 92.0;
@@ -32,21 +31,21 @@ fn widened<'a>(axis: &Axis<'a>, count: usize) -> Axis<'a> {
     axis.clone().padded(0.5 / (count.max(2) - 1) as f64)
 }
 
-pub(super) fn draw_map(out: &mut String, map: &Map<'_>) {
-    let plot = Plot {
-        left: LEFT,
-        right: WIDTH - RIGHT - SCALE_WIDTH,
-        top: TOP,
-        bottom: HEIGHT - BOTTOM,
-        x: &widened(&map.x, map.counts.0),
-        y: &widened(&map.y, map.counts.1),
-    };
-    draw_frame(out, plot, &map.title);
+/// Width and height of a point of a map.
+fn size_of_point(plot: Plot<'_>, map: &Map<'_>) -> (f64, f64) {
+    let [columns, rows] = [map.counts.0, map.counts.1].map(|count| count.max(1) as f64);
+    ((plot.right - plot.left) / columns, (plot.bottom - plot.top) / rows)
+}
+
+pub(super) fn draw_map(map: &Map<'_>) -> String {
+    let mut out = String::new();
+    let (columns, rows) = map.counts;
+    let (x, y) = (widened(&map.x, columns), widened(&map.y, rows));
+    let plot = Plot::new(&x, &y, TOP, RIGHT + SCALE_WIDTH);
+    draw_frame(&mut out, plot, &map.title);
     let levels = map.levels.as_ref();
     let count = levels.map_or(0, Levels::bands);
-    let (columns, rows) = map.counts;
-    let width = (plot.right - plot.left) / columns.max(1) as f64;
-    let height = (plot.bottom - plot.top) / rows.max(1) as f64;
+    let (width, height) = size_of_point(plot, map);
     out.push_str("<g shape-rendering=\"crispEdges\">\n");
     for row in 0..rows {
         let bottom = plot.bottom - height * row as f64;
@@ -71,7 +70,7 @@ pub(super) fn draw_map(out: &mut String, map: &Map<'_>) {
         }
     }
     out.push_str("</g>\n");
-    draw_letters(out, plot, map);
+    draw_letters(&mut out, plot, map);
     if let Some((value, _)) = &map.contour {
         let path = contour(plot, map, *value);
         // White below black: seen on every colour.
@@ -81,30 +80,23 @@ pub(super) fn draw_map(out: &mut String, map: &Map<'_>) {
             let _ = writeln!(out, "<path d=\"{path}\" fill=\"none\" {ink}/>");
         }
     }
-    frame(out, plot);
-    draw_key(out, plot, map, levels);
+    frame(&mut out, plot);
+    draw_key(&mut out, plot, map, levels);
+    out
 }
 
 /// Letters of points without a value, so many that they can be read.
 fn draw_letters(out: &mut String, plot: Plot<'_>, map: &Map<'_>) {
-    let (columns, rows) = map.counts;
-    let width = (plot.right - plot.left) / columns.max(1) as f64;
-    let height = (plot.bottom - plot.top) / rows.max(1) as f64;
-    let every = |size: f64| {
-        let sizes = (1..100_usize).find(|number| size * *number as f64 >= 16.0);
-        sizes.unwrap_or(100)
-    };
+    let ((columns, rows), (width, height)) = (map.counts, size_of_point(plot, map));
+    let every =
+        |size: f64| (1..100_usize).find(|number| size * *number as f64 >= 16.0).unwrap_or(100);
     let grey = " font-size=\"10\" fill=\"#777777\"";
     for row in (0..rows).step_by(every(height)) {
         for column in (0..columns).step_by(every(width)) {
             let Cell::Mark(letter, _) = map.cell(column, row) else { continue };
-            let place = Text {
-                x: plot.left + width * (column as f64 + 0.5),
-                y: plot.bottom - height * (row as f64 + 0.5) + 3.5,
-                anchor: "middle",
-                rest: grey,
-            };
-            text(out, &place, &letter.to_string());
+            let x = plot.left + width * (column as f64 + 0.5);
+            let y = plot.bottom - height * (row as f64 + 0.5) + 3.5;
+            text(out, (x, y), "middle", grey, &letter.to_string());
         }
     }
 }
@@ -119,21 +111,17 @@ fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map<'_>, levels: Option<&Lev
     let Unit { factor, name: unit } = Unit::with_prefix(size, map.unit);
     let mut y = plot.top + 8.0;
     if !unit.is_empty() {
-        text(out, &Text { x: left, y, anchor: "start", rest: "" }, &format!("[{unit}]"));
+        text(out, (left, y), "start", "", &format!("[{unit}]"));
         y += 8.0;
     }
     let number = |out: &mut String, y: f64, bound: f64| {
-        let place = Text { x: left + 21.0, y: y + 4.0, anchor: "start", rest: " font-size=\"11\"" };
-        text(out, &place, &units::significant(bound * factor, 4));
+        let (place, shown) = ((left + 21.0, y + 4.0), units::significant(bound * factor, 4));
+        text(out, place, "start", " font-size=\"11\"", &shown);
     };
     for (band, (_, bound)) in bands.iter().enumerate().rev() {
-        let ink = band_colour(band, count);
-        let _ = writeln!(
-            out,
-            "<rect x=\"{}\" y=\"{}\" width=\"16\" height=\"{room}\" fill=\"{ink}\"/>",
-            at(left),
-            at(y)
-        );
+        let (x, top, ink) = (at(left), at(y), band_colour(band, count));
+        let size = format!("width=\"16\" height=\"{room}\"");
+        let _ = writeln!(out, "<rect x=\"{x}\" y=\"{top}\" {size} fill=\"{ink}\"/>");
         number(out, y, *bound);
         y += room;
     }
@@ -147,16 +135,14 @@ fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map<'_>, levels: Option<&Lev
     for note in notes {
         for line in textwrap::wrap(&note, NOTE_COLUMNS) {
             y += 13.0;
-            text(out, &Text { x: left, y, anchor: "start", rest: " font-size=\"10\"" }, &line);
+            text(out, (left, y), "start", " font-size=\"10\"", &line);
         }
     }
 }
 
 /// The line on which a map has a value: in each square of four points straight from side to side.
 fn contour(plot: Plot<'_>, map: &Map<'_>, value: f64) -> String {
-    let (columns, rows) = map.counts;
-    let width = (plot.right - plot.left) / columns.max(1) as f64;
-    let height = (plot.bottom - plot.top) / rows.max(1) as f64;
+    let ((columns, rows), (width, height)) = (map.counts, size_of_point(plot, map));
     let mut path = String::new();
     for row in 0..rows.saturating_sub(1) {
         for column in 0..columns.saturating_sub(1) {
@@ -193,11 +179,7 @@ mod tests {
     use super::*;
     use crate::report::chart::Scale;
     use crate::report::map::Tone;
-    use crate::report::svg::{Svg, file};
-
-    fn axis(low: f64, high: f64, scale: Scale) -> Axis<'static> {
-        Axis::over("x", "m", scale, [low, high]).unwrap()
-    }
+    use crate::report::svg::{LEFT, Svg, WIDTH, file};
 
     #[test]
     fn a_map_has_its_bands_its_letters_and_its_contour() {
@@ -206,7 +188,8 @@ mod tests {
             (3, 2) => Cell::Mark('P', Tone::Error),
             _ => Cell::Value(column as f64),
         };
-        let axes = (axis(0.0, 3.0, Scale::Linear), axis(0.0, 2.0, Scale::Linear));
+        let axis = |high| Axis::over("x", "m", Scale::Linear, [0.0, high]).unwrap();
+        let axes = (axis(3.0), axis(2.0));
         let map = Map {
             contour: Some((1.5, "line".into())),
             marks: vec![('P', "perforated".to_owned())],

@@ -129,8 +129,8 @@ pub enum Ladder {
 pub enum ParameterRange {
     /// Time steps that make a given number of steps per contact at most, and how many of a decade are taken.
     Steps(f64, i32),
-    /// Tolerances down to this power of ten, every power or every second.
-    Tolerances(i32, i32),
+    /// Tolerances down to this power of a tenth, every power or every second.
+    Tolerances(u32, usize),
 }
 
 /// The parameters of those who choose their steps.
@@ -207,7 +207,14 @@ impl Method {
     pub fn parameters(self, end_s: f64, ladder: Ladder) -> Vec<Parameter> {
         match self.ranges()[ladder as usize] {
             ParameterRange::Steps(most, per_decade) => steps(end_s, most, per_decade),
-            ParameterRange::Tolerances(tightest, every) => tolerances(tightest, every),
+            // From 1e-3 down.
+            ParameterRange::Tolerances(tightest, every) => {
+                let tolerance = |power| format!("1e-{power}").parse().unwrap_or(f64::NAN);
+                (3..=tightest)
+                    .step_by(every)
+                    .map(|it| Parameter::Tolerance(tolerance(it)))
+                    .collect()
+            }
         }
     }
 }
@@ -225,14 +232,6 @@ fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Parameter> {
         }
     }
     list
-}
-
-/// Tolerances from 1e-3 down, every power of ten or every second.
-fn tolerances(tightest: i32, every: i32) -> Vec<Parameter> {
-    let powers = (3..=tightest).filter(|power| (power - 3) % every == 0);
-    powers
-        .map(|power| Parameter::Tolerance(format!("1e-{power}").parse().unwrap_or(f64::NAN)))
-        .collect()
 }
 
 /// One computation, ready to be repeated.

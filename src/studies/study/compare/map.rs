@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::model::scene::Scene;
 use crate::model::variables;
+use crate::numerics::larger;
 use crate::study::compare::hardware::Hardware;
 use crate::study::compare::hold_spring_mass;
 use crate::study::compare::sized::{Absence, mass_efficiency};
@@ -46,9 +47,7 @@ impl Map {
         }
         let mut own = scene.clone();
         own.sweep = None;
-        if own.run.tolerance < TOLERANCE {
-            own.run.tolerance = TOLERANCE;
-        }
+        own.run.tolerance = larger(own.run.tolerance, TOLERANCE);
         let plan = Plan::new(&own, axes.to_vec(), &["final_penetration_m"])?;
         let worker = || {
             let mut placed = plan.base().clone();
@@ -115,7 +114,6 @@ pub fn usual_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, SweepEr
     let (low, high) = if variable.symbol == "v_i" { AROUND_VELOCITY } else { AROUND };
     match ((number.get)(scene).filter(|own| *own > 0.0), number.thesis_range) {
         (Some(own), _) => Axis::new(name, (low * own, high * own), count, Spacing::Log),
-        (None, Some(ends)) => Axis::new(name, ends, count, Spacing::Linear),
-        (None, None) => Axis::new(name, (0.0, 0.0), count, Spacing::Linear),
+        (None, ends) => Axis::new(name, ends.unwrap_or_default(), count, Spacing::Linear),
     }
 }

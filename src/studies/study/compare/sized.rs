@@ -13,7 +13,7 @@ use crate::study::limit::verdict::{ShotOutcome, decide, edge};
 /// Relative width to which the thickness is closed in.
 pub const WIDTH: f64 = 1e-9;
 /// How often a bracket is widened by a factor of two before the search is given up.
-const WIDENED_MAX: usize = 20;
+const WIDENED_MAX: usize = 19;
 /// The least thickness of the numerical envelope, m.
 pub const THINNEST_M: f64 = 5e-4;
 
@@ -121,9 +121,7 @@ fn shoot(scene: Scene) -> Option<Shot> {
     let tolerance = first_contact::TOLERANCE_FRACTION * scene.run.tolerance;
     if let Some(end) = first_contact::contact(&scene, Wanted::Displacement, tolerance) {
         let demand = Demand::of(&scene, first_contact::max_displacement_m(&scene, &end));
-        let is_through = first_contact::is_through(&scene, &end);
-        let verdict = if is_through { ShotOutcome::Perforated } else { ShotOutcome::Stopped };
-        return Some(Shot { verdict, demand });
+        return Some(Shot { verdict: ShotOutcome::of_contact(&scene, &end), demand });
     }
     let go_on = &mut |_: f64| ControlFlow::Continue(());
     let (run, verdict) = decide(&Arc::new(scene), go_on)?;
@@ -140,20 +138,16 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
         .filter(|_| scene.plate.mount == Mount::Sprung)
         .map_or(solid, |free_m| free_m / thickness_m);
     let (mut thin, mut thick) = (free * (1.0 - width), solid * (1.0 + width));
-    let mut is_enough = false;
-    for _ in 0..WIDENED_MAX {
+    let mut widened = 0;
+    loop {
         match try_out(thick)?.verdict {
-            ShotOutcome::Stopped => is_enough = true,
+            ShotOutcome::Stopped => break,
+            _ if widened == WIDENED_MAX => return Err(Absence::NO_THICKNESS),
             ShotOutcome::Perforated => thin = thick,
             ShotOutcome::Undecided => {}
         }
-        if is_enough {
-            break;
-        }
+        widened += 1;
         thick *= 2.0;
-    }
-    if !is_enough {
-        return Err(Absence::NO_THICKNESS);
     }
     // Slow shots are stopped by thinner plates than the envelope has: for these the least is a free plate.
     let thinnest = smaller(thin, THINNEST_M / thickness_m);

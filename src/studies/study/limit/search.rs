@@ -1,6 +1,5 @@
 //! Shots at a scene with other velocities, and the search for the limit between those that are stopped and those that perforate.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::envelope::{self, Check};
@@ -48,17 +47,24 @@ impl ShotRunner<'_, '_, '_> {
         if !self.goes_on() {
             return None;
         }
-        let shot = shoot(self.scene, impact_m_s, &mut self.context.observer());
-        (!self.context.is_stopped()).then_some(shot)
+        let shot = |outcome, residual_m_s| Shot { impact_m_s, outcome, residual_m_s };
+        let aimed = aimed(self.scene, impact_m_s);
+        if aimed.closing_velocity_m_s() <= 0.0 {
+            return Some((shot(Outcome::Separated, None), ShotOutcome::Stopped));
+        }
+        // The scene has been found valid, and so is any velocity that reaches the plate.
+        let found = match decide(&aimed, &mut self.context.observer()) {
+            Some((run, verdict)) => (shot(run.shot_outcome(), run.shot_residual_m_s()), verdict),
+            None => (shot(Outcome::Moving, None), ShotOutcome::Undecided),
+        };
+        (!self.context.is_stopped()).then_some(found)
     }
 
     /// Whether a shot goes through; `None` when stopped.
     fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
         if let Some(end) = first_contact::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
-            let is_through = first_contact::is_through(&aimed, &end);
-            let verdict = if is_through { ShotOutcome::Perforated } else { ShotOutcome::Stopped };
-            return self.goes_on().then_some(verdict);
+            return self.goes_on().then_some(ShotOutcome::of_contact(&aimed, &end));
         }
         Some(self.shoot(impact_m_s)?.1)
     }
@@ -238,25 +244,4 @@ pub(super) fn aimed(scene: &Scene, impact_m_s: f64) -> Arc<Scene> {
     own.projectile.velocity_m_s = impact_m_s;
     own.run.tolerance = smaller(own.run.tolerance, TOLERANCE);
     Arc::new(own)
-}
-
-/// A shot at a scene with another impact velocity.
-fn shoot(
-    scene: &Scene,
-    impact_m_s: f64,
-    observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> (Shot, ShotOutcome) {
-    let aimed = aimed(scene, impact_m_s);
-    if aimed.closing_velocity_m_s() <= 0.0 {
-        let shot = Shot { impact_m_s, outcome: Outcome::Separated, residual_m_s: None };
-        return (shot, ShotOutcome::Stopped);
-    }
-    // The scene has been found valid, and so is any velocity that reaches the plate.
-    decide(&aimed, observer).map_or(
-        (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, ShotOutcome::Undecided),
-        |(run, verdict)| {
-            let (outcome, residual_m_s) = (run.shot_outcome(), run.shot_residual_m_s());
-            (Shot { impact_m_s, outcome, residual_m_s }, verdict)
-        },
-    )
 }

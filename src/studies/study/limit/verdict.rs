@@ -3,10 +3,12 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::contact_kernel::ContactEnd;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Criterion, Scene};
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::numerics::smaller;
+use crate::study::first_contact::is_through;
 
 /// Relative width up to which undecided shots are one limit for any purpose.
 const ONE_POINT: f64 = 1e-6;
@@ -23,6 +25,11 @@ pub(in crate::study) enum ShotOutcome {
 }
 
 impl ShotOutcome {
+    /// Of a shot that its first contact decides.
+    pub(in crate::study) fn of_contact(scene: &Scene, end: &ContactEnd) -> Self {
+        if is_through(scene, end) { Self::Perforated } else { Self::Stopped }
+    }
+
     /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
     pub(in crate::study) fn of(run: &Run) -> Self {
         match run.shot_outcome() {

@@ -38,8 +38,9 @@ impl Distribution {
 /// An input and how it scatters.
 #[derive(Clone, Copy)]
 pub struct Tolerance {
-    variable: &'static Variable,
-    number: &'static Number,
+    /// Which variable.
+    pub variable: &'static Variable,
+    pub(in crate::study) number: &'static Number,
     /// How.
     pub distribution: Distribution,
 }
@@ -121,15 +122,6 @@ impl Tolerance {
     /// The variable's symbol.
     pub fn symbol(&self) -> &'static str {
         self.variable.symbol
-    }
-
-    /// The variable.
-    pub fn variable(&self) -> &'static Variable {
-        self.variable
-    }
-
-    pub(in crate::study) fn number(&self) -> &'static Number {
-        self.number
     }
 
     /// An axis for the evaluation alone: its ends are the scene's own value and the nearest allowed one, since the samples are

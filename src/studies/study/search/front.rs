@@ -9,6 +9,7 @@ use crate::model::run::{EndReason, Outcome};
 use crate::model::scene::Scene;
 use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
+use crate::study::option;
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::sampling::{self, Judged, Sample};
 use crate::study::sweep::axis::scene_with;
@@ -88,31 +89,24 @@ pub fn usual_bounds(objectives: &[Objective]) -> Vec<Constraint> {
 /// The command's name and options.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("optimise")?;
-        for axis in &self.over {
-            write!(f, " --over {axis}")?;
-        }
-        for (option, maximise) in [("minimise", false), ("maximise", true)] {
-            let those = self.objectives.iter().filter(|it| it.maximise == maximise);
-            let names: Vec<&str> = those.map(|it| it.measure.name).collect();
-            if !names.is_empty() && self.objectives != Objective::usual() {
-                write!(f, " --{option} {}", names.join(","))?;
-            }
-        }
-        if self.subject_to != usual_bounds(&self.objectives) {
-            let bounds: Vec<String> = self.subject_to.iter().map(ToString::to_string).collect();
-            match &bounds[..] {
-                [] => f.write_str(" --subject-to none")?,
-                bounds => write!(f, " --subject-to '{}'", bounds.join(","))?,
-            }
-        }
-        if !self.is_feasible {
-            f.write_str(" --no-feasibility")?;
-        }
-        if self.samples != SAMPLES_USUAL {
-            write!(f, " --samples {}", self.samples)?;
-        }
-        Ok(())
+        let over: String = self.over.iter().map(|it| option("over", Some(it))).collect();
+        let is_named = self.objectives != Objective::usual();
+        let [minimise, maximise] =
+            [("minimise", false), ("maximise", true)].map(|(name, great)| {
+                let those = self.objectives.iter().filter(|it| it.maximise == great);
+                let names: Vec<&str> = those.map(|it| it.measure.name).collect();
+                option(name, (is_named && !names.is_empty()).then(|| names.join(",")))
+            });
+        let bounds: Vec<String> = self.subject_to.iter().map(ToString::to_string).collect();
+        let bounds = match &bounds[..] {
+            [] => "none".to_owned(),
+            bounds => format!("'{}'", bounds.join(",")),
+        };
+        let is_bound = self.subject_to != usual_bounds(&self.objectives);
+        let bounds = option("subject-to", is_bound.then_some(bounds));
+        let feasible = if self.is_feasible { "" } else { " --no-feasibility" };
+        let samples = option("samples", Some(self.samples).filter(|it| *it != SAMPLES_USUAL));
+        write!(f, "optimise{over}{minimise}{maximise}{bounds}{feasible}{samples}")
     }
 }
 

@@ -1,16 +1,15 @@
 //! Where a fixed-step method is stable: a map over its step and one variable of the scene.
 
 use std::fmt;
-use std::ops::ControlFlow;
-use std::sync::Arc;
 
 use crate::model::appendix::{Refusal, Scheme};
 use crate::model::run::Outcome;
 use crate::model::scene::{Listing, Reading, Scene};
-use crate::model::simulate::{Settings, simulate};
+use crate::model::simulate::Settings;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
 use crate::study::context::Context;
+use crate::study::run_with;
 
 /// Relative error up to which a cell is accurate.
 pub const ACCURATE: f64 = 1e-2;
@@ -262,8 +261,7 @@ impl ContactEnd {
 
 impl Target {
     fn of(scene: &Scene) -> Option<Self> {
-        let go_on = &mut |_| ControlFlow::Continue(());
-        let run = simulate(&Arc::new(scene.clone()), &Settings::SERIES, go_on).ok()?;
+        let run = run_with(scene, Settings::SERIES)?;
         let (contact_s, end) = match run.first_arrest {
             Some(arrest) => (arrest.t_s, ContactEnd::Arrest(arrest.penetration_m)),
             None => (run.exit_time_s?, ContactEnd::Perforation(run.exit_time_s?)),

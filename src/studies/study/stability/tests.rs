@@ -1,10 +1,9 @@
 //! The references for the rows of the stiff scenes.
 
-use std::ops::ControlFlow;
-
 use super::*;
 use crate::model::run::Outcome;
 use crate::study::context::CancelFlag;
+use crate::study::plain_run;
 
 #[test]
 fn a_row_that_is_decided_is_compared_with_other_steps() {
@@ -28,7 +27,7 @@ fn a_row_that_is_decided_is_compared_with_other_steps() {
 fn every_result_of_a_row_is_judged() {
     let case = cases::CASES.iter().find(|case| case.name == "gamma 0.8, plastic").unwrap();
     let scene = case.scene().unwrap();
-    let run = bare(&scene, false, &mut |_| ControlFlow::Continue(())).unwrap();
+    let run = plain_run(&scene).unwrap();
     let right = References::of(&scene).other.unwrap();
     assert_eq!(shortfall(&run, error_of(&run, &right)), None);
     for at in 0..right.results.len() {

@@ -8,6 +8,7 @@ use std::ops::Range;
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
 use crate::study::context::{Context, Work};
+use crate::study::sweep::kernel::Kernel;
 use crate::study::sweep::{Evaluator, Plan, Point};
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
@@ -51,22 +52,20 @@ impl Plan {
             axis.set(&mut far, larger(axis.ends().0, axis.ends().1));
         }
         let forced = self.outputs.iter().any(|it| it.needs_course(&far));
-        self.base.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::has_kernel(self)
+        self.base.interface.law == InterfaceLaw::Plastic || forced || Kernel::of(self).is_none()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
-    use std::sync::Arc;
-
     use super::*;
     use crate::model::mechanism::Mechanism;
     use crate::model::run::{EndReason, Outcome};
     use crate::model::scene::Scene;
-    use crate::model::simulate::{Settings, simulate};
+    use crate::model::simulate::Settings;
     use crate::study::context::to_its_end;
     use crate::study::quantities::named;
+    use crate::study::run_with;
     use crate::study::sweep::{Failure, PointOutcome};
     use crate::study::testing::axes;
 
@@ -90,9 +89,8 @@ mod tests {
         let (found, space) = with(1);
         assert_eq!(found, with(3).0);
         for (design, found) in designs.iter().zip(&found) {
-            let scene = Arc::new(space.scene_of(design));
-            let run =
-                simulate(&scene, &Settings::SERIES, &mut |_| ControlFlow::Continue(())).unwrap();
+            let scene = space.scene_of(design);
+            let run = run_with(&scene, Settings::SERIES).unwrap();
             let close = |value: Option<f64>, exact: Option<f64>| {
                 let (value, exact) = (value.unwrap(), exact.unwrap());
                 assert!((value - exact).abs() <= 1e-7 * exact, "{design:?}: {value} {exact}");

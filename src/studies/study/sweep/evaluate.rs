@@ -65,11 +65,6 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// Whether a plan's outputs may follow from the first contact.
-    pub(in crate::study) fn has_kernel(plan: &Plan) -> bool {
-        Kernel::of(plan).is_some()
-    }
-
     /// The results at some points; at fewer when it was stopped.
     pub fn points(&mut self, points: &[u64]) -> Vec<Point> {
         let mut point = |index: &u64| {

@@ -37,8 +37,7 @@ impl Kernel {
         if ways().any(|way| matches!(way, FromContact::No)) {
             return None;
         }
-        let displaces =
-            |way| matches!(way, FromContact::Displacement(_) | FromContact::WithScene(_));
+        let displaces = |way| matches!(way, FromContact::Displacement(_));
         let changes = |group: Group| plan.axes().iter().any(|axis| axis.variable().group == group);
         let fixed = !(changes(Group::Projectile) || changes(Group::Target));
         Some(Self {

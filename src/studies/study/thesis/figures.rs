@@ -41,10 +41,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let curve = shots.travels("", &COCKING);
             let slope = curve.slope() / 1e3;
-            Check {
-                text: format!("slope {} m/m", four(slope)),
-                holds: curve.rises() && (slope - 1.0).abs() < 0.1,
-            }
+            Check::of("slope", &[slope], "m/m", curve.rises() && (slope - 1.0).abs() < 0.1)
         },
     ),
     claim(
@@ -52,18 +49,12 @@ pub(super) const CLAIMS: &[Claim] = &[
         "depth grows with damping and levels off near 1000 N s/m",
         "it grows all along; only the printed coupling makes it level off there",
         |shots| {
-            let levels = |curve: &Curve| {
-                let [none, middle, most] = [0.0, 1000.0, 2000.0].map(|b| curve.at(b));
-                most - middle < (middle - none) / 3.0
-            };
+            let at = |curve: &Curve| [0.0, 1000.0, 2000.0].map(|b| curve.at(b));
+            let levels = |[none, middle, most]: [f64; 3]| most - middle < (middle - none) / 3.0;
             let curve = shots.depths("k=0", &DAMPING);
-            let [none, middle, most] = [0.0, 1000.0, 2000.0].map(|b| curve.at(b));
-            Check {
-                text: format!("b = 0, 1000, 2000: {}", list(&[none, middle, most], "%")),
-                holds: curve.rises()
-                    && !levels(&curve)
-                    && levels(&shots.printed().depths("k=0", &DAMPING)),
-            }
+            let printed = at(&shots.printed().depths("k=0", &DAMPING));
+            let holds = curve.rises() && !levels(at(&curve)) && levels(printed);
+            Check::of("b = 0, 1000, 2000:", &at(&curve), "%", holds)
         },
     ),
     claim(
@@ -95,10 +86,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let edges = ["k=1e5", "k=1e6"].map(|k| shots.depths(k, &LOW_EXPONENT).edge());
             let [low, high] = edges.map(four);
-            Check {
-                text: format!("half way down at n = {low} with k = 1e5, at {high} with 1e6"),
-                holds: edges[0] < 0.4 && edges[1] > 0.5,
-            }
+            let text = format!("half way down at n = {low} with k = 1e5, at {high} with 1e6");
+            Check { text, holds: edges[0] < 0.4 && edges[1] > 0.5 }
         },
     ),
     claim(
@@ -110,13 +99,9 @@ pub(super) const CLAIMS: &[Claim] = &[
             // The greatest step of a continuous curve shrinks with the spacing; a jump's does not.
             let step = |count| shots.depths("k=1e6", &range("n", 0.4, 0.9, count)).step();
             let steps = [26, 101, 401].map(step);
-            Check {
-                text: format!(
-                    "k = 1e6: greatest step {} with dn = 0.02, 0.005, 0.00125",
-                    list(&steps, "%")
-                ),
-                holds: steps[1] < 0.5 * steps[0] && steps[2] < 0.5 * steps[1],
-            }
+            let unit = "% with dn = 0.02, 0.005, 0.00125";
+            let holds = steps[1] < 0.5 * steps[0] && steps[2] < 0.5 * steps[1];
+            Check::of("k = 1e6: greatest step", &steps, unit, holds)
         },
     ),
     claim(
@@ -127,11 +112,9 @@ pub(super) const CLAIMS: &[Claim] = &[
             let curve = shots.depths("k=1e6", &EXPONENT);
             let values = [0.1, 1.0, 1.5, 3.0].map(|n| curve.at(n));
             let [_, one, more, most] = values;
-            Check {
-                text: format!("k = 1e6, n = 0.1, 1, 1.5, 3: {}", list(&values, "%")),
-                holds: one - more < 0.15 * curve.span()
-                    && (more - most).abs() < 0.01 * curve.span(),
-            }
+            let holds =
+                one - more < 0.15 * curve.span() && (more - most).abs() < 0.01 * curve.span();
+            Check::of("k = 1e6, n = 0.1, 1, 1.5, 3:", &values, "%", holds)
         },
     ),
     claim(
@@ -147,13 +130,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let mass = shots.depths("", &FEW_GAMMAS).span();
             let stiffness = shots.depths("", &FEW_STIFFNESSES).span();
-            Check {
-                text: format!(
-                    "change over all gamma, over all k: {}",
-                    list(&[mass, stiffness], "%")
-                ),
-                holds: mass > stiffness,
-            }
+            let spans = [mass, stiffness];
+            Check::of("change over all gamma, over all k:", &spans, "%", mass > stiffness)
         },
     ),
     claim(
@@ -161,17 +139,16 @@ pub(super) const CLAIMS: &[Claim] = &[
         "penetration is about equally sensitive to mass ratio and stiffness",
         "the figure shows displacement, which is meant",
         |shots| {
-            let depth =
-                shots.depths("", &FEW_GAMMAS).span() / shots.depths("", &FEW_STIFFNESSES).span();
-            let travel =
-                shots.travels("", &FEW_GAMMAS).span() / shots.travels("", &FEW_STIFFNESSES).span();
-            let [depth_text, travel_text] = [depth, travel].map(four);
-            Check {
-                text: format!(
-                    "change over gamma by that over k: depth {depth_text}, displacement {travel_text}"
-                ),
-                holds: depth > 2.0 && (0.5..2.0).contains(&travel),
-            }
+            let over = [FEW_GAMMAS, FEW_STIFFNESSES];
+            let [gamma, k] = over.each_ref().map(|range| shots.depths("", range).span());
+            let depth = gamma / k;
+            let [gamma, k] = over.each_ref().map(|range| shots.travels("", range).span());
+            let travel = gamma / k;
+            let holds = depth > 2.0 && (0.5..2.0).contains(&travel);
+            let [depth, travel] = [depth, travel].map(four);
+            let text =
+                format!("change over gamma by that over k: depth {depth}, displacement {travel}");
+            Check { text, holds }
         },
     ),
     claim(
@@ -181,10 +158,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let depths =
                 ["k=1e5", "k=1e6"].map(|k| shots.percent(&format!("gamma=0.8 n=0.45 {k}")));
-            Check {
-                text: format!("gamma = 0.8, n = 0.45, k = 1e5, 1e6: {}", list(&depths, "%")),
-                holds: depths[0] < 90.0 && depths[1] > 90.0,
-            }
+            let holds = depths[0] < 90.0 && depths[1] > 90.0;
+            Check::of("gamma = 0.8, n = 0.45, k = 1e5, 1e6:", &depths, "%", holds)
         },
     ),
     claim(
@@ -194,10 +169,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let spans =
                 [0.5, 1.0, 2.0, 3.0].map(|n| shots.travels(&format!("n={n}"), &FEW_GAMMAS).span());
-            Check {
-                text: format!("change over gamma at n = 0.5, 1, 2, 3: {}", list(&spans, "mm")),
-                holds: spans.is_sorted(),
-            }
+            Check::of("change over gamma at n = 0.5, 1, 2, 3:", &spans, "mm", spans.is_sorted())
         },
     ),
     claim(
@@ -207,10 +179,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let plateau = range("n", 0.1, 1.5, 57);
             let edges = ["k=1e5", "k=1e6", "k=7.5e6"].map(|k| shots.depths(k, &plateau).edge());
-            Check {
-                text: format!("half way down with k = 1e5, 1e6, 7.5e6 at n = {}", list(&edges, "")),
-                holds: edges.is_sorted(),
-            }
+            let what = "half way down with k = 1e5, 1e6, 7.5e6 at n =";
+            Check::of(what, &edges, "", edges.is_sorted())
         },
     ),
     claim(
@@ -220,13 +190,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let corners = ["k=1e5 n=0.3", "k=1e5 n=3", "k=7.5e6 n=0.3", "k=7.5e6 n=3"]
                 .map(|it| shots.travel_mm(it));
-            Check {
-                text: format!(
-                    "low k at n = 0.3, 3, high k at n = 0.3, 3: {}",
-                    list(&corners, "mm")
-                ),
-                holds: [0, 2, 3].iter().all(|other| corners[1] > corners[*other]),
-            }
+            let holds = [0, 2, 3].iter().all(|other| corners[1] > corners[*other]);
+            Check::of("low k at n = 0.3, 3, high k at n = 0.3, 3:", &corners, "mm", holds)
         },
     ),
     claim(
@@ -237,10 +202,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             let curves =
                 [0.8, 2.0, 7.0].map(|gamma| shots.depths(&format!("gamma={gamma}"), &COCKING));
             let spans: Vec<f64> = curves.iter().map(Curve::span).collect();
-            Check {
-                text: format!("change over d at gamma = 0.8, 2, 7: {}", list(&spans, "%")),
-                holds: curves.iter().all(Curve::falls) && spans.is_sorted_by(|a, b| a > b),
-            }
+            let holds = curves.iter().all(Curve::falls) && spans.is_sorted_by(|a, b| a > b);
+            Check::of("change over d at gamma = 0.8, 2, 7:", &spans, "%", holds)
         },
     ),
     claim(
@@ -254,14 +217,9 @@ pub(super) const CLAIMS: &[Claim] = &[
             };
             let ratios = [0.8, 1.0, 7.0].map(ratio);
             let spans = [0.0, 0.5].map(|d| shots.travels(&format!("d={d}"), &FEW_GAMMAS).span());
-            Check {
-                text: format!(
-                    "d = 0.5 m against uncocked at gamma = 0.8, 1, 7: {}; change over gamma {}",
-                    list(&ratios, "times"),
-                    list(&spans, "mm")
-                ),
-                holds: ratios.iter().all(|ratio| *ratio < 100.0) && spans[1] < spans[0],
-            }
+            let change = format!("times; change over gamma {}", list(&spans, "mm"));
+            let holds = ratios.iter().all(|ratio| *ratio < 100.0) && spans[1] < spans[0];
+            Check::of("d = 0.5 m against uncocked at gamma = 0.8, 1, 7:", &ratios, &change, holds)
         },
     ),
     claim(
@@ -270,10 +228,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the preload k d pulls the plate away from the shot",
         |shots| {
             let [uncocked, cocked] = ["d=0", "d=0.05"].map(|d| shots.depths(d, &STIFFNESS));
-            Check {
-                text: format!("d = 0: {}; d = 0.05 m: {}", uncocked.ends(), cocked.ends()),
-                holds: uncocked.span() < 15.0 && cocked.falls(),
-            }
+            let text = format!("d = 0: {}; d = 0.05 m: {}", uncocked.ends(), cocked.ends());
+            Check { text, holds: uncocked.span() < 15.0 && cocked.falls() }
         },
     ),
     claim(
@@ -283,10 +239,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let slopes =
                 ["k=1e5", "k=1e6", "k=7.5e6"].map(|k| shots.travels(k, &COCKING).slope() / 1e3);
-            Check {
-                text: format!("slope at k = 1e5, 1e6, 7.5e6: {}", list(&slopes, "m/m")),
-                holds: slopes.iter().all(|slope| (slope - 1.0).abs() < 0.1),
-            }
+            let holds = slopes.iter().all(|slope| (slope - 1.0).abs() < 0.1);
+            Check::of("slope at k = 1e5, 1e6, 7.5e6:", &slopes, "m/m", holds)
         },
     ),
     claim(
@@ -295,10 +249,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         "below a metre the lower power is the stronger spring; the plateau ends at n near 0.3 here",
         |shots| {
             let [uncocked, cocked] = ["d=0", "d=0.25"].map(|d| shots.depths(d, &EXPONENT));
-            Check {
-                text: format!("d = 0: {}; d = 0.25 m: {}", uncocked.ends(), cocked.ends()),
-                holds: uncocked.at(0.1) > 99.0 && cocked.rises(),
-            }
+            let text = format!("d = 0: {}; d = 0.25 m: {}", uncocked.ends(), cocked.ends());
+            Check { text, holds: uncocked.at(0.1) > 99.0 && cocked.rises() }
         },
     ),
     claim(
@@ -312,14 +264,11 @@ pub(super) const CLAIMS: &[Claim] = &[
                     .map(|n| shots.travels(&format!("n={n}"), &cocking).slope() / 1e3)
             };
             let (whole, later) = (slopes(0.0), slopes(0.1));
-            Check {
-                text: format!(
-                    "slope at n = 0.5, 1, 2, 3: {} over all d, {} from 0.1 m on",
-                    list(&whole, "m/m"),
-                    list(&later, "m/m")
-                ),
-                holds: whole[3] < 0.7 && later.iter().all(|slope| (0.7..1.3).contains(slope)),
-            }
+            let holds = whole[3] < 0.7 && later.iter().all(|slope| (0.7..1.3).contains(slope));
+            let [whole, later] = [whole, later].map(|slopes| list(&slopes, "m/m"));
+            let text =
+                format!("slope at n = 0.5, 1, 2, 3: {whole} over all d, {later} from 0.1 m on");
+            Check { text, holds }
         },
     ),
     claim(
@@ -338,15 +287,10 @@ pub(super) const CLAIMS: &[Claim] = &[
             let fifth = depth.points.iter().find(|point| point.1 <= 0.8 * depth.at(0.0));
             let text = fifth.map_or_else(
                 || "a fifth less depth is not reached by d = 0.1 m".to_owned(),
-                |fifth| {
-                    let d_m = fifth.0;
+                |(d_m, _)| {
                     let stroke = shots.travel_mm(&format!("d={d_m}")) + 1e3 * d_m;
-                    let times = stroke / shots.travel_mm("");
-                    format!(
-                        "a fifth less depth at d = {} m, for {} times the stroke",
-                        four(d_m),
-                        four(times)
-                    )
+                    let [d, times] = [*d_m, stroke / shots.travel_mm("")].map(four);
+                    format!("a fifth less depth at d = {d} m, for {times} times the stroke")
                 },
             );
             Check { text, holds: depth.falls() }
@@ -364,10 +308,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         "cocked by 0.1 m here; x is in metres, so that uncocked such a spring hardly acts",
         |shots| {
             let [cocked, uncocked] = ["d=0.1", "k=1e6"].map(|it| shots.depths(it, &EXPONENT));
-            Check {
-                text: format!("cocked {}; k = 1e6, uncocked {}", cocked.ends(), uncocked.ends()),
-                holds: cocked.rises() && uncocked.at(1.4) - uncocked.at(3.0) < 1.0,
-            }
+            let text = format!("cocked {}; k = 1e6, uncocked {}", cocked.ends(), uncocked.ends());
+            Check { text, holds: cocked.rises() && uncocked.at(1.4) - uncocked.at(3.0) < 1.0 }
         },
     ),
     claim(

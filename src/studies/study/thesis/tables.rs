@@ -29,12 +29,9 @@ pub(super) const CLAIMS: &[Claim] = &[
             let functions: HashSet<_> = PRINCIPLES.iter().flat_map(|it| it.functions).collect();
             let counts = [families.len(), PRINCIPLES.len(), functions.len()];
             let [families, principles, functions] = counts;
-            Check {
-                text: format!(
-                    "{families} families, {principles} principles, {functions} functions"
-                ),
-                holds: counts == [3, 7, 4],
-            }
+            let text =
+                format!("{families} families, {principles} principles, {functions} functions");
+            Check { text, holds: counts == [3, 7, 4] }
         },
     ),
     claim(
@@ -48,10 +45,8 @@ pub(super) const CLAIMS: &[Claim] = &[
                 (total - it.total).abs() < 5e-3 && rank(total) == it.rank
             };
             let whole: f64 = CRITERIA.iter().map(|(_, weight)| weight).sum();
-            Check {
-                text: list(&totals, "in the table's order"),
-                holds: near(whole, 100.0, 1e-12) && CONCEPTS.iter().zip(totals).all(as_printed),
-            }
+            let holds = near(whole, 100.0, 1e-12) && CONCEPTS.iter().zip(totals).all(as_printed);
+            Check { text: list(&totals, "in the table's order"), holds }
         },
     ),
     claim(
@@ -65,12 +60,10 @@ pub(super) const CLAIMS: &[Claim] = &[
             let (common_s, rest_s) = (contact_s(&sprung), turns_at_s(&sprung));
             let [rigid, common, rest] =
                 [rigid_s, common_s, rest_s].map(|t_s| engineering(t_s, "s", 4));
-            Check {
-                text: format!(
-                    "rigid mount: at rest after {rigid}; k = 1e5: common velocity after {common}, at rest after {rest}"
-                ),
-                holds: rest_s > rigid_s && common_s < rigid_s,
-            }
+            let text = format!(
+                "rigid mount: at rest after {rigid}; k = 1e5: common velocity after {common}, at rest after {rest}"
+            );
+            Check { text, holds: rest_s > rigid_s && common_s < rigid_s }
         },
     ),
     claim(
@@ -79,7 +72,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "density times base, width and length",
         |_| {
             let mass_kg = 2600.0 * 0.025 * 0.01 * 0.3;
-            Check { text: format!("{} kg", four(mass_kg)), holds: near(mass_kg, 0.195, 1e-3) }
+            Check { text: list(&[mass_kg], "kg"), holds: near(mass_kg, 0.195, 1e-3) }
         },
     ),
     claim(
@@ -92,11 +85,8 @@ pub(super) const CLAIMS: &[Claim] = &[
                 1e3 * run.series.last().map_or(f64::NAN, |row| row.plate_displacement_m)
             };
             let (stated, stronger) = (moved(""), moved("S_y=3e8"));
-            let values = list(&[stated, stronger], "mm");
-            Check {
-                text: format!("{values} with S_y = 152 and 300 MPa"),
-                holds: near(stated, 46.2, 0.02) && near(stronger, 46.2, 2e-3),
-            }
+            let text = list(&[stated, stronger], "mm with S_y = 152 and 300 MPa");
+            Check { text, holds: near(stated, 46.2, 0.02) && near(stronger, 46.2, 2e-3) }
         },
     ),
     claim(
@@ -108,13 +98,10 @@ pub(super) const CLAIMS: &[Claim] = &[
                 ["1.52e7", "1.52e8"].map(|it| shots.depth_m(&format!("mount=rigid S_y={it}")));
             let limit = limit::closed_form(&shots.scene("mount=rigid S_y=1.52e7"));
             let limit = limit.map_or(String::new(), |it| format!(" (limit {} m/s)", four(it)));
-            let [printed_text, meant_text] = [printed, meant].map(millimetres);
-            Check {
-                text: format!(
-                    "rigid mount: {printed_text} at 1.52e7 Pa{limit}, {meant_text} at 1.52e8"
-                ),
-                holds: printed.is_infinite() && near(meant, 7.129e-3, 5e-3),
-            }
+            let holds = printed.is_infinite() && near(meant, 7.129e-3, 5e-3);
+            let [printed, meant] = [printed, meant].map(millimetres);
+            let text = format!("rigid mount: {printed} at 1.52e7 Pa{limit}, {meant} at 1.52e8");
+            Check { text, holds }
         },
     ),
     claim(
@@ -124,11 +111,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let depths = [2710, 2780]
                 .map(|rho| shots.depth_m(&format!("mount=rigid S_y=151.6e6 rho={rho}")));
-            let [table, appendix] = depths.map(millimetres);
-            Check {
-                text: format!("{table} and {appendix}"),
-                holds: depths.iter().all(|depth| near(*depth, 7.129e-3, 5e-3)),
-            }
+            let text = depths.map(millimetres).join(" and ");
+            Check { text, holds: depths.iter().all(|depth| near(*depth, 7.129e-3, 5e-3)) }
         },
     ),
     claim(
@@ -137,10 +121,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         "text and table disagree; depth differs by 3 % of that on a rigid mount",
         |shots| {
             let depths = ["7.5e6", "1e7"].map(|k| shots.percent(&format!("k={k}")));
-            Check {
-                text: format!("{} of the depth on a rigid mount", list(&depths, "%")),
-                holds: near(depths[0], depths[1], 0.05),
-            }
+            let text = list(&depths, "% of the depth on a rigid mount");
+            Check { text, holds: near(depths[0], depths[1], 0.05) }
         },
     ),
     claim(
@@ -151,17 +133,15 @@ pub(super) const CLAIMS: &[Claim] = &[
             let listed = format!("{LISTED} mount=rigid");
             let step = |step_s| shots.by(Listing { step_s, ..Listing::default() }).depth_m(&listed);
             let (fine, exact) = (step(2e-7), shots.depth_m("mount=rigid S_y=151.6e6"));
+            let holds = near(exact, 7.126e-3, 1e-5) && near(fine, 7.129e-3, 5e-5);
+            let [exact, fine] = [exact, fine].map(millimetres);
             let text = if shots.listing.is_some() {
-                format!(
-                    "{} with dt = 1e-6 s, {} with 2e-7 s",
-                    millimetres(exact),
-                    millimetres(fine)
-                )
+                format!("{exact} with dt = 1e-6 s, {fine} with 2e-7 s")
             } else {
                 let table = millimetres(shots.depth_m("mount=rigid"));
-                format!("{} (1.516e8 Pa), {table} (1.52e8 Pa)", millimetres(exact))
+                format!("{exact} (1.516e8 Pa), {table} (1.52e8 Pa)")
             };
-            Check { text, holds: near(exact, 7.126e-3, 1e-5) && near(fine, 7.129e-3, 5e-5) }
+            Check { text, holds }
         },
     ),
     claim(
@@ -177,12 +157,10 @@ pub(super) const CLAIMS: &[Claim] = &[
             };
             let (uncocked, cocked) = (coils(0.0), coils(0.5));
             let [low, high] = [uncocked, cocked].map(four);
-            Check {
-                text: format!(
-                    "gamma = 1: at least {low} projectiles uncocked, {high} at d = 0.5 m with k = 1e5"
-                ),
-                holds: uncocked < 25.0 && cocked > 25.0,
-            }
+            let text = format!(
+                "gamma = 1: at least {low} projectiles uncocked, {high} at d = 0.5 m with k = 1e5"
+            );
+            Check { text, holds: uncocked < 25.0 && cocked > 25.0 }
         },
     ),
     claim(
@@ -198,10 +176,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             let last = run.final_penetration_m.unwrap_or(f64::NAN);
             let rigid = shots.depth_m("mount=rigid");
             let [first, last] = [first, last].map(|depth| 100.0 * depth / rigid);
-            Check {
-                text: format!("{} % at the first stop, {} % in the end", four(first), four(last)),
-                holds: last > first + 10.0,
-            }
+            let text = format!("{} % at the first stop, {} % in the end", four(first), four(last));
+            Check { text, holds: last > first + 10.0 }
         },
     ),
     claim(
@@ -210,10 +186,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "gamma K_Theta E I/l, in N m/rad",
         |_| {
             let stiffness = Beam::default().torsional_n_m();
-            Check {
-                text: format!("{} N m/rad", four(stiffness)),
-                holds: near(stiffness, 7200.0, 2e-3),
-            }
+            Check { text: list(&[stiffness], "N m/rad"), holds: near(stiffness, 7200.0, 2e-3) }
         },
     ),
     claim(
@@ -224,10 +197,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             let spring = Mechanism::of(&shots.scene("spring=prbm-cantilever")).spring;
             let (rest, at_yield) = (spring.tangent(0.0), spring.tangent(0.03));
             let [low, high] = [rest, at_yield].map(|it| engineering(it, "N/m", 4));
-            Check {
-                text: format!("{low} at rest, {high} at 0.03 m"),
-                holds: near(rest, 0.111e6, 5e-3) && at_yield > 1.02 * rest,
-            }
+            let text = format!("{low} at rest, {high} at 0.03 m");
+            Check { text, holds: near(rest, 0.111e6, 5e-3) && at_yield > 1.02 * rest }
         },
     ),
     claim(
@@ -247,10 +218,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let side_m = (0.1_f64 / (2710.0 * 0.0254)).sqrt();
             let (depth, side) = (millimetres(shots.depth_m(CASE)), four(1e3 * side_m));
-            Check {
-                text: format!("{depth}; 0.1 kg of Table 9.1's plate is a square of {side} mm"),
-                holds: near(side_m, 1.5 * 0.0254, 1e-3),
-            }
+            let text = format!("{depth}; 0.1 kg of Table 9.1's plate is a square of {side} mm");
+            Check { text, holds: near(side_m, 1.5 * 0.0254, 1e-3) }
         },
     ),
     claim(
@@ -353,12 +322,10 @@ pub(super) const CLAIMS: &[Claim] = &[
         "without a sign it acts the same way whichever way the plate moves: it adds energy on the rebound",
         |shots| {
             let fixed = Listing { damper: Reading::Corrected, ..Listing::default() };
-            fault(
-                shots,
-                [Listing::default(), fixed],
-                "% of the energy left after the rebound",
-                |shots| 100.0 * energy_after_return(&shots.run_with_series("b=50 horizon=8e-3")),
-            )
+            let unit = "% of the energy left after the rebound";
+            fault(shots, [Listing::default(), fixed], unit, |shots| {
+                100.0 * energy_after_return(&shots.run_with_series("b=50 horizon=8e-3"))
+            })
         },
     ),
 ];

@@ -40,7 +40,7 @@ impl App {
     }
 
     /// The selected row; the first of the axes where the selection is not there any more.
-    fn setup_row(&self) -> SetupRow {
+    pub(super) fn setup_row(&self) -> SetupRow {
         let row = self.pages.explore.row;
         if self.setup_rows().contains(&row) { row } else { SetupRow::default() }
     }

@@ -1,12 +1,11 @@
 //! What the Numerics tab keeps.
 
-use crate::report::accuracy::{TARGETS, error_over_time};
+use crate::report::accuracy::TARGETS;
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::{Measured, MethodReport, Report};
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, FixedStep, Map};
 use crate::tui::app::running::Kept;
-use crate::tui::chart::Chart;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
 use crate::worker::study::RowsSoFar;
@@ -33,28 +32,20 @@ pub struct Accuracy {
 
 impl Accuracy {
     pub fn selected_row(&self) -> usize {
-        let cheapest = || {
-            // What a scene is run by, where it reaches the target.
-            self.tolerance_for(Method::Auto, TARGETS[0])?;
-            Method::ALL.iter().position(|one| *one == Method::Auto)
-        };
-        self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
-    }
-
-    /// Points measured so far.
-    pub(crate) fn points(&self) -> usize {
-        let methods = self.report.found.iter().flat_map(|report| &report.methods);
-        methods.map(|one| one.points.len()).sum()
+        // What a scene is run by, where it reaches the target.
+        let is_reached = self.tolerance().is_some();
+        let auto = || Method::ALL.iter().position(|one| is_reached && *one == Method::Auto);
+        self.selected.or_else(auto).unwrap_or(0).min(Method::ALL.len() - 1)
     }
 
     pub fn method(&self) -> Method {
         Method::ALL[self.selected_row()]
     }
 
-    /// The loosest tolerance at which a method keeps an error.
-    pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
-        let report = self.of(method)?;
-        let good = report.measured().filter(|(_, it)| it.error() <= error);
+    /// The loosest tolerance at which what a scene is run by reaches the first target.
+    pub fn tolerance(&self) -> Option<f64> {
+        let report = self.of(Method::Auto)?;
+        let good = report.measured().filter(|(_, it)| it.error() <= TARGETS[0]);
         good.filter_map(|(parameter, _)| match parameter {
             Parameter::Tolerance(tolerance) => Some(tolerance),
             Parameter::Step(_) => None,
@@ -64,10 +55,6 @@ impl Accuracy {
 
     pub fn of(&self, method: Method) -> Option<&MethodReport> {
         self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
-    }
-
-    pub(crate) fn chart(&self) -> Option<Chart<'static>> {
-        error_over_time(self.report.found.as_ref()?)
     }
 
     /// The most accurate point of the selected method.

@@ -2,10 +2,8 @@
 
 pub(crate) mod draw;
 
-use std::ops::Range;
-
 use crate::model::run::Run;
-use crate::numerics::{larger, smaller};
+use crate::numerics::larger;
 use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
 use crate::tui::app::pins::RunView;
@@ -49,86 +47,47 @@ pub(crate) fn is_free(run: &Run) -> bool {
 }
 
 impl App {
-    /// The time range that a chart shows, s.
-    pub fn time_range_s(&self, chart: usize) -> (f64, f64) {
+    /// The end of the time that a chart shows, s: it begins with the contact.
+    pub fn end_s(&self, chart: usize) -> f64 {
         let of = |run: &Run| match self.pages.run.charts.windows[chart] {
             Window::Contact => contact_window_s(run),
             Window::Whole => whole_s(run),
         };
-        let runs = self.visible_runs().into_iter().map(|view| of(view.run));
-        let end = runs.filter(|end| end.is_finite() && *end > 0.0).fold(0.0, larger);
-        (0.0, if end > 0.0 { end } else { 1e-3 })
+        let ends = self.visible_runs().into_iter().map(|view| of(view.run));
+        let end_s = ends.filter(|end_s| end_s.is_finite()).fold(0.0, larger);
+        if end_s > 0.0 { end_s } else { 1e-3 }
     }
 
-    /// The curves of a chart.
+    /// The curves of a chart: of each run the points in view, and the one behind them.
     pub fn curves(&self, chart: usize) -> Vec<Curve<'_>> {
-        let runs = self.visible_runs().into_iter();
-        runs.map(|view| self.curve(view, chart)).collect()
-    }
-
-    /// The points of a run that are in view, and one on either side of it.
-    fn curve<'a>(&self, view: RunView<'a>, chart: usize) -> Curve<'a> {
-        let (run, quantity) = (view.run, self.pages.run.charts.quantities[chart]);
-        let over_time = quantity.is_over_time();
-        // Over the displacement the whole way is drawn.
-        let range = self.time_range_s(chart);
-        let seen = if over_time { Self::samples_seen(run, range) } else { 0..run.series.len() };
-        let samples = &run.series[seen];
-        let mut points = quantity.points(run, samples);
-        if quantity == Channel::ContactForce && is_held(run) {
-            // After the arrest it is that of a vibration which nobody sees.
-            points.retain(|point| point.0 <= run.contact_end_s());
-        }
-        if quantity == Channel::PlateDisplacement && is_free(run) {
-            points.extend(run.series.last().map(|last| {
-                let t_s = whole_s(run);
-                (t_s, last.plate_displacement_m + last.plate_velocity_m_s * (t_s - last.t_s))
-            }));
-        }
-        if over_time {
-            points = thinned(points);
-        }
-        Curve { view, points }
-    }
-
-    fn samples_seen(run: &Run, (from, to): (f64, f64)) -> Range<usize> {
-        let before = run.series.partition_point(|sample| sample.t_s < from);
-        let within = run.series.partition_point(|sample| sample.t_s <= to);
-        before.saturating_sub(1)..run.series.len().min(within + 1)
-    }
-
-    /// The range of values to show, over the curves; a little room is left to the chart itself.
-    pub fn value_range(&self, curves: &[Curve<'_>], chart: usize) -> (f64, f64) {
-        let (from, to) = self.time_range_s(chart);
-        let seen = |t: f64| (from..=to).contains(&t);
-        let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
-        // What a curve passes at the ends of the range counts, too: there may be no point between them.
-        let at_end = |curve: &Curve<'_>, t: f64| {
-            let after = curve.points.partition_point(|point| point.0 < t);
-            let (t0, a) = *curve.points.get(after.checked_sub(1)?)?;
-            let (t1, b) = *curve.points.get(after)?;
-            (t < t1).then(|| (t, a + (b - a) * (t - t0) / (t1 - t0)))
+        let (quantity, end_s) = (self.pages.run.charts.quantities[chart], self.end_s(chart));
+        let points = |run: &Run| {
+            let seen = run.series.partition_point(|sample| sample.t_s <= end_s) + 1;
+            // Over the displacement the whole way is drawn.
+            let samples = run.series.get(..seen).filter(|_| quantity.is_over_time());
+            let mut points = quantity.points(run, samples.unwrap_or(&run.series));
+            if quantity == Channel::ContactForce && is_held(run) {
+                // After the arrest it is that of a vibration which nobody sees.
+                points.retain(|point| point.0 <= run.contact_end_s());
+            }
+            if quantity == Channel::PlateDisplacement && is_free(run) {
+                points.extend(run.series.last().map(|last| {
+                    let t_s = whole_s(run);
+                    (t_s, last.plate_displacement_m + last.plate_velocity_m_s * (t_s - last.t_s))
+                }));
+            }
+            if quantity.is_over_time() { thinned(points) } else { points }
         };
-        let at_ends = curves.iter().flat_map(|curve| [from, to].map(|t| at_end(curve, t)));
-        let (low, high) = points
-            .chain(at_ends.flatten())
-            .filter(|(t, value)| seen(*t) && value.is_finite())
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, value)| {
-                (smaller(low, value), larger(high, value))
-            });
-        match (low < high, low.is_finite()) {
-            (true, _) => (low, high),
-            (false, true) if low != 0.0 => (low - 0.1 * low.abs(), high + 0.1 * high.abs()),
-            (false, _) => (0.0, 1.0),
-        }
+        let runs = self.visible_runs().into_iter();
+        runs.map(|view| Curve { view, points: points(view.run) }).collect()
     }
 
     /// Move the crosshair by hundredths of the range in view; it starts in the middle.
-    pub fn move_cursor(&mut self, by: i16) {
-        let (from, to) = self.time_range_s(self.pages.run.charts.selected);
-        let middle = f64::midpoint(from, to);
-        let moved = |here: f64| (here + f64::from(by) * STEP * (to - from)).clamp(from, to);
-        self.pages.run.charts.cursor_s = Some(self.pages.run.charts.cursor_s.map_or(middle, moved));
+    pub fn move_cursor(&mut self, by: isize) {
+        let end_s = self.end_s(self.pages.run.charts.selected);
+        let moved = |here: f64| (here + by as f64 * STEP * end_s).clamp(0.0, end_s);
+        let cursor_s = &mut self.pages.run.charts.cursor_s;
+        *cursor_s = Some(cursor_s.map_or(0.5 * end_s, moved));
     }
 }
 
@@ -146,7 +105,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             }
             app.pages.run.charts.quantities[selected] = next;
         }
-        _ => match along(action, 10) {
+        _ => match along(action) {
             Some(by) => app.move_cursor(by),
             None => return false,
         },

@@ -161,14 +161,12 @@ fn shown_in(variable: &Variable, scene: &Scene, unit: &str, digits: usize) -> St
 
 /// The number alone; what is none as it is.
 pub(crate) fn number_in(variable: &Variable, scene: &Scene, unit: &str, digits: usize) -> String {
-    let number = variable.number().zip(variable.number().and_then(|it| (it.get)(scene)));
-    number.map_or_else(
-        || variable.show(scene),
-        |(number, value)| {
-            let shown = units::in_unit(value, unit, number.quantity).unwrap_or(value);
-            significant(shown, digits)
-        },
-    )
+    let shown = || {
+        let number = variable.number()?;
+        let value = (number.get)(scene)?;
+        Some(significant(units::in_unit(value, unit, number.quantity).unwrap_or(value), digits))
+    };
+    shown().unwrap_or_else(|| variable.show(scene))
 }
 
 /// Digits of a field: as many as a number that was typed may have.

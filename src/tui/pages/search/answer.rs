@@ -7,7 +7,7 @@ use crate::study::sweep;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::state::Searching;
 use crate::tui::widgets::table::{Grid, NAME_LEAST};
-use crate::worker::studies::{SearchAnswer, searches};
+use crate::worker::studies::SearchAnswer;
 
 /// The result of a study of the tab, as its page shows it.
 pub(crate) trait Answer {
@@ -62,20 +62,16 @@ pub(crate) trait Answer {
     fn draw(&self, _app: &App, _area: Rect, _canvas: &mut Canvas<'_>) {}
 }
 
-macro_rules! answers {
-    ($($(#[$_doc:meta])* $kind:ident $page:ident,)*) => {
-        impl SearchAnswer {
-            pub(crate) fn answer(&self) -> &dyn Answer {
-                match self {
-                    $(Self::$kind(report) => &**report,)*
-                }
-            }
-        }
-    };
-}
-searches!(answers);
-
 impl SearchAnswer {
+    pub(crate) fn answer(&self) -> &dyn Answer {
+        match self {
+            Self::Seek(report) => &**report,
+            Self::Front(report) => &**report,
+            Self::Sensitivity(report) => &**report,
+            Self::MonteCarlo(report) => &**report,
+        }
+    }
+
     /// The results of a scene of this name as a table.
     pub fn csv(&self, scene: &Scene, name: &str) -> String {
         self.answer().csv(scene, name)

@@ -1,13 +1,11 @@
 //! Fronts of scenes whose answer is known.
 
-use std::ops::ControlFlow;
-use std::sync::Arc;
-
 use super::*;
 use crate::model::run::Warning;
 use crate::model::run::envelope::{self, Direction};
-use crate::model::simulate::{Settings, simulate};
+use crate::model::simulate::Settings;
 use crate::study::context::to_its_end;
+use crate::study::run_with;
 use crate::study::testing::{axes, scene};
 
 fn request(list: &[(&str, f64, f64)], minimise: &[&str]) -> Request {
@@ -41,10 +39,8 @@ fn valid_front_of_a_free_plate() {
         let exact = 100.0 / (1.0 + design.values[0]);
         assert!((design.measures[1].unwrap() - exact).abs() < 1e-6 * exact);
     }
-    let gammas: Vec<f64> = front.designs.iter().map(|design| design.values[0]).collect();
-    let (least, most) =
-        (gammas.iter().copied().fold(9.0, f64::min), gammas.iter().copied().fold(0.0, f64::max));
-    assert_eq!((least, most), (0.8, 7.0));
+    let gammas = || front.designs.iter().map(|design| design.values[0]);
+    assert_eq!((gammas().fold(9.0, f64::min), gammas().fold(0.0, f64::max)), (0.8, 7.0));
     let light = ["final_penetration_m", "plate_mass_kg"];
     let front = solve(&scene, &request(&[("gamma", 0.8, 7.0)], &light));
     assert!(matches!(&front.designs[..], [only] if only.values == [0.8]), "{:?}", front.designs);
@@ -74,8 +70,7 @@ fn feasible_designs_have_no_warning_on_the_unsafe_side() {
         let front = solve(&scene, asked);
         assert!(!front.designs.is_empty());
         let fails = |design: &&Design| {
-            let (scene, settings) = (Arc::new(front.scene(design)), Settings::default());
-            let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+            let run = run_with(&front.scene(design), Settings::default()).unwrap();
             let is_overloaded = run.warnings.iter().any(|warning| {
                 matches!(warning, Warning::InterfacePush { .. } | Warning::InterfacePull { .. })
             });

@@ -93,6 +93,10 @@ impl<'f> RootScan<'f> {
         Ok(value.map(|value| SamplePoint { at, value }))
     }
 
+    fn off(&self, point: SamplePoint) -> f64 {
+        point.value - self.target
+    }
+
     fn near(&self) -> f64 {
         let scale = self.target.abs();
         NEAR * if scale > self.spread { scale } else { self.spread }
@@ -142,11 +146,11 @@ impl<'f> RootScan<'f> {
 
     /// Every crossing along points that all have values.
     fn along(&mut self, points: &[SamplePoint]) -> Result<(), Stopped> {
-        let off = |point: &SamplePoint| point.value - self.target;
-        let hits = points.iter().filter(|point| off(point) == 0.0);
-        let kind = Kind::Solution;
-        self.crossings.extend(hits.map(|it| Crossing { kind, from: *it, to: *it }));
-        let crosses = |pair: &&[SamplePoint]| off(&pair[0]) * off(&pair[1]) < 0.0;
+        let hits = points.iter().filter(|point| self.off(**point) == 0.0);
+        let hits = hits.map(|it| Crossing { kind: Kind::Solution, from: *it, to: *it });
+        let hits: Vec<Crossing> = hits.collect();
+        self.crossings.extend(hits);
+        let crosses = |pair: &&[SamplePoint]| self.off(pair[0]) * self.off(pair[1]) < 0.0;
         let brackets: Vec<&[SamplePoint]> = points.windows(2).filter(crosses).collect();
         for pair in brackets {
             self.close(pair[0], pair[1])?;
@@ -155,22 +159,20 @@ impl<'f> RootScan<'f> {
     }
 
     /// Close a bracket; where the function has no value inside, both sides up to the hole.
-    fn close(&mut self, a: SamplePoint, b: SamplePoint) -> Result<(), Stopped> {
-        let (mut a, mut b) = (a, b);
-        let off = |point: SamplePoint, target: f64| point.value - target;
+    fn close(&mut self, mut a: SamplePoint, mut b: SamplePoint) -> Result<(), Stopped> {
         let (mut weight_a, mut weight_b) = (1.0, 1.0);
         for round in 0..ROUNDS {
             if (b.at - a.at).abs() <= WIDTH {
                 break;
             }
-            let (fa, fb) = (weight_a * off(a, self.target), weight_b * off(b, self.target));
+            let (fa, fb) = (weight_a * self.off(a), weight_b * self.off(b));
             let secant = (a.at * fb - b.at * fa) / (fb - fa);
             let inside = (secant - a.at) * (secant - b.at) < 0.0;
             let share = if inside && round % 3 != 2 { secant } else { 0.5 * (a.at + b.at) };
             let Some(point) = self.look(share)? else {
                 return self.around(a, b, share);
             };
-            let f = off(point, self.target);
+            let f = self.off(point);
             if f == 0.0 {
                 self.crossings.push(Crossing { kind: Kind::Solution, from: point, to: point });
                 return Ok(());
@@ -181,10 +183,8 @@ impl<'f> RootScan<'f> {
                 (a, weight_a, weight_b) = (point, 1.0, 0.5 * weight_b);
             }
         }
-        let (near, far) =
-            if off(a, self.target).abs() <= off(b, self.target).abs() { (a, b) } else { (b, a) };
-        let kind =
-            if off(near, self.target).abs() <= self.near() { Kind::Solution } else { Kind::Jump };
+        let (near, far) = if self.off(a).abs() <= self.off(b).abs() { (a, b) } else { (b, a) };
+        let kind = if self.off(near).abs() <= self.near() { Kind::Solution } else { Kind::Jump };
         let (from, to) = if kind == Kind::Solution { (near, far) } else { (a, b) };
         self.crossings.push(Crossing { kind, from, to });
         Ok(())
@@ -194,9 +194,7 @@ impl<'f> RootScan<'f> {
     fn around(&mut self, a: SamplePoint, b: SamplePoint, hole: f64) -> Result<(), Stopped> {
         for known in [a, b] {
             let edge = self.edge(known, hole)?;
-            if let Some(edge) =
-                edge.filter(|edge| (edge.value - self.target) * (known.value - self.target) < 0.0)
-            {
+            if let Some(edge) = edge.filter(|edge| self.off(*edge) * self.off(known) < 0.0) {
                 self.close(known, edge)?;
             }
         }

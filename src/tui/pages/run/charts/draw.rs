@@ -9,11 +9,11 @@ use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
+    Axis, Chart, Curve, Frame, Legend, MARKERS, Mark, Unit, align_gutters, emphasis,
 };
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::{Curve as Data, is_free, is_held};
-use crate::tui::pages::run::state::{CHARTS, Window};
+use crate::tui::pages::run::state::{CHARTS, Charts, Window};
 use crate::tui::widgets::steps::engineering;
 use crate::tui::widgets::text::fitting;
 
@@ -64,8 +64,8 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 /// The title of a chart without rows: a line across the box, or the last one.
 fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canvas<'_>) {
     let title = format!("{}: {why}", app.pages.run.charts.quantities[place.chart].title());
-    let pane = PaneFrame::new(title).focused(focused).stacked(place.begins, Below::Nothing);
-    pane.draw(place.area, canvas);
+    let frame = Frame::Stacked { begins: place.begins, below: Below::Nothing };
+    PaneFrame::new(title).focused(focused).frame(frame).draw(place.area, canvas);
     if place.below == Below::End {
         let role = if focused { Role::Focus } else { Role::Border };
         canvas.put(place.area, (0, 0), "└", role);
@@ -89,11 +89,14 @@ fn places(app: &App, area: Rect) -> Vec<Place> {
 fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
     let absent: Vec<Option<String>> = charts.iter().map(|chart| absence(app, *chart)).collect();
     let drawn = u16::try_from(absent.iter().filter(|it| it.is_none()).count()).ok()?;
+    let Charts { quantities, windows, .. } = &app.pages.run.charts;
+    let has_same_axis = |one: usize, other: usize| {
+        let are_over_time = [one, other].iter().all(|at| quantities[*at].is_over_time());
+        are_over_time && windows[one] == windows[other]
+    };
     let below = |at: usize| match charts.get(at + 1) {
         None => Below::End,
-        Some(next)
-            if absent[at + 1].is_none() && app.pages.run.charts.shares_axis(charts[at], *next) =>
-        {
+        Some(next) if absent[at + 1].is_none() && has_same_axis(charts[at], *next) => {
             Below::Nothing
         }
         Some(_) => Below::Across,
@@ -155,11 +158,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     let curves = data.iter().map(|Data { view, points }| {
         Curve::new(MARKERS[view.index % MARKERS.len()], label(view), points)
             .colour(view.index)
-            .emphasis(match (view.old, view.letter) {
-                (true, _) => Emphasis::Stale,
-                (false, None) => Emphasis::Selected,
-                (false, Some(_)) => Emphasis::Normal,
-            })
+            .emphasis(emphasis(view.old, view.letter.is_none()))
     });
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.
@@ -170,13 +169,13 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     if !quantity.is_over_time() {
         return Chart { frame, ..over_displacement(app, index, title, data, curves.collect()) };
     }
-    let range @ (from, to) = app.time_range_s(index);
-    let time = ViewRange::new(from, to);
+    let end_s = app.end_s(index);
+    let time = ViewRange::new(0.0, end_s);
     let x = Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s"));
-    let marks = app.shown.iter().flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
+    let marks = app.shown.iter().flat_map(|shown| event_marks(&shown.run, (0.0, end_s)));
     let left = room.saturating_sub(title.chars().count() + 4);
     Chart {
-        marks: marks.collect(),
+        marks: marks.take(EVENT_LINES).collect(),
         levels: levels(app, quantity),
         crosshair: app.pages.run.charts.cursor_s,
         frame,
@@ -202,11 +201,11 @@ fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
 /// The pins that coincide with the current run in a chart: `A = now`.
 fn alike(app: &App, chart: usize, data: &[Data<'_>]) -> String {
     let quantity = app.pages.run.charts.quantities[chart];
-    let range = app.time_range_s(chart);
+    let end_s = app.end_s(chart);
     let now = data.iter().find(|curve| curve.view.letter.is_none()).map(|curve| curve.view.run);
     let alike = data.iter().filter_map(|curve| {
         let letter = curve.view.letter?;
-        coincide(quantity, now?, curve.view.run, range).then(|| format!("{letter} = now"))
+        coincide(quantity, now?, curve.view.run, end_s).then(|| format!("{letter} = now"))
     });
     alike.collect::<Vec<_>>().join(", ")
 }
@@ -223,9 +222,9 @@ fn note(app: &App, chart: usize, alike: String, room: usize) -> String {
 /// Parts of a range that nobody sees apart.
 const APART: f64 = 0.01;
 
-/// Whether a quantity of two runs is one curve on the screen over a range of times.
-fn coincide(quantity: Channel, one: &Run, other: &Run, (from, to): (f64, f64)) -> bool {
-    let times = (0..=100).map(|step| from + (to - from) * f64::from(step) / 100.0);
+/// Whether a quantity of two runs is one curve on the screen up to a time.
+fn coincide(quantity: Channel, one: &Run, other: &Run, end_s: f64) -> bool {
+    let times = (0..=100).map(|step| end_s * f64::from(step) / 100.0);
     let at = |t_s| (quantity.at(one, t_s), quantity.at(other, t_s));
     let pairs: Vec<(Option<f64>, Option<f64>)> = times.map(at).collect();
     let values = pairs.iter().flat_map(|pair| [pair.0, pair.1]).flatten();
@@ -266,12 +265,16 @@ fn over_displacement<'a>(
 
 /// A vertical axis that shows all of some curves.
 fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
-    let (low, high) = app.value_range(data, chart);
+    let (quantity, end_s) = (app.pages.run.charts.quantities[chart], app.end_s(chart));
+    let points = data.iter().flat_map(|curve| &curve.points).filter(|point| point.0 <= end_s);
+    // What a curve passes at the end of the time counts, too: there may be no point just before it.
+    let at_end = data.iter().filter_map(|curve| quantity.at(curve.view.run, end_s));
+    let values = points.map(|point| point.1).chain(at_end);
+    let none = || Axis::new("", ViewRange::default()).unit(Unit::new(quantity.unit()));
+    let axis = Axis::over("", quantity.unit(), Scale::Linear, values).unwrap_or_else(none);
     // Rates at or above zero begin at zero: the eye takes the axis for it.
-    let from = if low >= 0.0 && low < 0.5 * high { 0.0 } else { low };
-    let values = ViewRange::new(from, high);
-    let unit = app.pages.run.charts.quantities[chart].unit();
-    Axis::new("", values).unit(Unit::with_prefix(values.size(), unit))
+    let is_rate = axis.view.lo() >= 0.0 && axis.view.lo() < 0.5 * axis.view.hi();
+    if is_rate { axis.with_zero() } else { axis }
 }
 
 /// `now`, or letter and name of a pin, kept short.
@@ -408,11 +411,11 @@ fn travel(run: &Run) -> String {
 
 /// What the letters of a chart's event lines mean.
 pub(crate) fn event_words(app: &App, chart: usize) -> String {
-    let (from, to) = app.time_range_s(chart);
+    let end_s = app.end_s(chart);
     let run = app.shown.as_ref().map(|shown| &shown.run);
     let events = run.into_iter().flat_map(|run| run.events.iter().enumerate());
     let words: Vec<String> = events
-        .filter(|(_, event)| (from..=to).contains(&event.t_s))
+        .filter(|(_, event)| event.t_s <= end_s)
         .take(EVENT_LINES)
         .map(|(index, event)| format!("{} {}", event_letter(index), event.kind.words()))
         .collect();
