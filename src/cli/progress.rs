@@ -34,8 +34,8 @@ const UPDATED_EVERY: Duration = Duration::from_millis(200);
 /// The line on the terminal that says how far a computation is.
 pub(super) struct ProgressLine {
     start: Duration,
-    last_shown: Duration,
-    shown: bool,
+    /// When it was shown last.
+    shown: Option<Duration>,
     wanted: bool,
     stop: CancelFlag,
 }
@@ -43,20 +43,18 @@ pub(super) struct ProgressLine {
 impl ProgressLine {
     /// Starts now; an interrupt is noted from now on.
     pub(super) fn begin() -> Self {
-        let now = now();
         let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
         let wanted = io::stderr().is_terminal() && !dumb;
-        Self { start: now, last_shown: now, shown: false, wanted, stop: interruptible() }
+        Self { start: now(), shown: None, wanted, stop: interruptible() }
     }
 
     /// Shows the progress regularly, by a text made from the elapsed seconds; `Break` after an interrupt.
     pub(super) fn update(&mut self, text: impl FnOnce(f64) -> String) -> ControlFlow<()> {
         if self.wanted
             && self.elapsed() > SHOWN_AFTER
-            && now().saturating_sub(self.last_shown) > UPDATED_EVERY
+            && self.shown.is_none_or(|at| now().saturating_sub(at) > UPDATED_EVERY)
         {
-            self.last_shown = now();
-            self.shown = true;
+            self.shown = Some(now());
             output::progress(&text(self.elapsed().as_secs_f64()));
         }
         self.stop.flow()
@@ -69,7 +67,7 @@ impl ProgressLine {
 
     /// Removes the line.
     pub(super) fn clear(&self) {
-        if self.shown {
+        if self.shown.is_some() {
             output::progress("");
         }
     }
