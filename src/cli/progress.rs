@@ -34,8 +34,8 @@ const UPDATED_EVERY: Duration = Duration::from_millis(200);
 /// The line on the terminal that says how far a computation is.
 pub(super) struct ProgressLine {
     start: Duration,
-    /// When it was shown last.
-    shown: Option<Duration>,
+    last_shown: Duration,
+    shown: bool,
     wanted: bool,
     stop: CancelFlag,
 }
@@ -43,18 +43,20 @@ pub(super) struct ProgressLine {
 impl ProgressLine {
     /// Starts now; an interrupt is noted from now on.
     pub(super) fn begin() -> Self {
+        let now = now();
         let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
         let wanted = io::stderr().is_terminal() && !dumb;
-        Self { start: now(), shown: None, wanted, stop: interruptible() }
+        Self { start: now, last_shown: now, shown: false, wanted, stop: interruptible() }
     }
 
     /// Shows the progress regularly, by a text made from the elapsed seconds; `Break` after an interrupt.
     pub(super) fn update(&mut self, text: impl FnOnce(f64) -> String) -> ControlFlow<()> {
         if self.wanted
             && self.elapsed() > SHOWN_AFTER
-            && self.shown.is_none_or(|at| now().saturating_sub(at) > UPDATED_EVERY)
+            && now().saturating_sub(self.last_shown) > UPDATED_EVERY
         {
-            self.shown = Some(now());
+            self.last_shown = now();
+            self.shown = true;
             output::progress(&text(self.elapsed().as_secs_f64()));
         }
         self.stop.flow()
@@ -67,7 +69,7 @@ impl ProgressLine {
 
     /// Removes the line.
     pub(super) fn clear(&self) {
-        if self.shown.is_some() {
+        if self.shown {
             output::progress("");
         }
     }
