@@ -39,8 +39,6 @@ mod prelude {
 
 use std::io::{self, Write};
 
-use thiserror::Error;
-
 use crate::files::paths::Paths;
 use crate::files::preset::Preset;
 use shell::{Ending, Shell};
@@ -55,17 +53,9 @@ pub struct Options {
     pub glyphs: Option<theme::GlyphSet>,
 }
 
-/// Why the workbench could not start or go on.
-#[derive(Debug, Error)]
-pub enum TuiError {
-    /// The terminal cannot be used.
-    #[error("the terminal cannot be used: {0}; `cmra run --plain` needs none")]
-    Terminal(#[from] io::Error),
-}
-
 /// Run the workbench on the terminal of standard output until the person leaves. Returns the exit status: 0, or 128 + the
 /// signal that ended it.
-pub fn run(options: Options) -> Result<u8, TuiError> {
+pub fn run(options: Options) -> io::Result<u8> {
     let paths = Paths::of_user().ok();
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
     let mut shell = Shell::start(options, paths)?;
@@ -77,6 +67,6 @@ pub fn run(options: Options) -> Result<u8, TuiError> {
     match ending {
         Ending::Quit => Ok(0),
         Ending::Signal(status) => Ok(status),
-        Ending::Broken(error) => Err(error.into()),
+        Ending::Broken(error) => Err(error),
     }
 }

@@ -8,7 +8,6 @@ use thiserror::Error;
 use crate::files::error::FileError;
 use crate::model::variables::VariableError;
 use crate::study::sweep::SweepError;
-use crate::tui::TuiError;
 
 /// The error of a command.
 #[derive(Debug, Error)]
@@ -26,8 +25,8 @@ pub enum CliError {
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
     /// The workbench could not start or had to stop.
-    #[error(transparent)]
-    Workbench(#[from] TuiError),
+    #[error("the terminal cannot be used: {0}; `cmra run --plain` needs none")]
+    Workbench(io::Error),
 }
 
 impl From<FileError> for CliError {

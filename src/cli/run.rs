@@ -246,20 +246,15 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     variables::require_single(&preset.scene)?;
     let (mut runs, mut remarks) = (Vec::new(), Vec::new());
-    let mut models = ContactModel::ALL;
-    models.sort_by_key(|model| model.about().place);
-    for model in models {
+    for model in ContactModel::IN_TABLE_8_1 {
         let mut scene = preset.scene.clone();
         scene.contact.model = model;
-        let (word, about) = (model.word(), model.about());
-        let parameters = (about.parameters)(&scene);
+        let (word, parameters) = (model.word(), model.parameters(&scene));
         match compute(&Arc::new(scene)) {
             Ok(run) => {
                 runs.push((word.to_owned(), Arc::new(run)));
-                let parts = [about.strength, about.limit, &parameters];
-                remarks.push(
-                    parts.into_iter().filter(|it| !it.is_empty()).collect::<Vec<_>>().join("; "),
-                );
+                let lead = if parameters.is_empty() { "" } else { "; " };
+                remarks.push(format!("{}{lead}{parameters}", model.about()));
             }
             // Without the first there is nothing to compare with.
             Err(problem) if runs.is_empty() => return Err(problem.into()),

@@ -39,7 +39,8 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
         scene: preset,
         fresh: arguments.fresh,
         glyphs: arguments.glyphs.chosen(),
-    })?;
+    })
+    .map_err(CliError::Workbench)?;
     Ok(ExitCode::from(status))
 }
 

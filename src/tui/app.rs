@@ -9,8 +9,6 @@ pub mod jobs;
 pub mod notice;
 pub mod pins;
 pub mod running;
-pub(crate) mod setups;
-mod validity;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -32,7 +30,6 @@ use crate::tui::prelude::*;
 use crate::tui::preset::{Base, PresetEntry};
 use crate::tui::theme::Theme;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::layout::{Layout, layout};
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
@@ -146,17 +143,6 @@ impl App {
             picture: self.pages.explore.picture,
             pins: self.pins.iter().map(|pin| Pin { run: None, job: None, ..pin.clone() }).collect(),
         }
-    }
-
-    pub fn layout(&self) -> Layout {
-        // A pinned run takes the row that says how to pin one.
-        let has_hint = self.tab != Tab::Run || self.pins.is_empty();
-        layout(self.size, self.tab.pages() > 1, has_hint)
-    }
-
-    /// Rows of a list that fills the body.
-    pub fn list_rows(&self) -> usize {
-        self.layout().body.map_or(10, |body| usize::from(body.height.saturating_sub(2)))
     }
 
     /// Whether the pane that has the keys fills the body.

@@ -24,10 +24,9 @@ mod paint;
 use layout::{frame_of, plan};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::text::Span;
 
 use crate::report::svg::Svg;
-use crate::tui::theme::{GlyphSet, Theme, ascii_pass};
+use crate::tui::theme::{GlyphSet, Theme, ascii_pass, columns};
 
 pub use crate::report::chart::levels::Levels;
 pub use crate::report::chart::{
@@ -67,6 +66,15 @@ impl Draw for Chart<'_> {
     }
 }
 
+/// How a curve stands among others: one of another scene, the selected one, or any other.
+pub(crate) fn emphasis(is_old: bool, is_selected: bool) -> Emphasis {
+    match (is_old, is_selected) {
+        (true, _) => Emphasis::Stale,
+        (false, true) => Emphasis::Selected,
+        (false, false) => Emphasis::Normal,
+    }
+}
+
 /// Where everything of a chart would lie in an area, without drawing.
 pub fn layout_of(chart: &Chart<'_>, area: Rect) -> Layout {
     plan(chart, area, Theme::PLAIN).layout
@@ -94,7 +102,7 @@ pub fn buffer_lines(buffer: &Buffer) -> Vec<String> {
                 continue;
             }
             text.push_str(cell.symbol());
-            hidden = Span::raw(cell.symbol()).width().saturating_sub(1);
+            hidden = columns(cell.symbol()).saturating_sub(1);
         }
         text.truncate(text.trim_end().len());
         text

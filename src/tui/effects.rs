@@ -255,8 +255,8 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     // A recent file that is gone or broken is omitted: loading it says why.
     let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
     let recent = unsaved.iter().chain(opened).filter_map(|path| preset::from_file(path).ok());
-    let entry = |found: Preset, origin| PresetEntry {
-        origin,
+    let entry = |found: Preset| PresetEntry {
+        origin: found.origin.word(),
         name: found.name,
         scene: found.scene,
         comment: found.comment,
@@ -264,11 +264,8 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     };
     presets
         .into_iter()
-        .map(|found| {
-            let origin = found.origin.word();
-            entry(found, origin)
-        })
-        .chain(recent.map(|found| entry(found, "recent")))
+        .map(entry)
+        .chain(recent.map(|found| PresetEntry { origin: "recent", ..entry(found) }))
         .chain(parts.into_iter().map(PresetEntry::of_part))
         .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.0, it.1.to_string())))
         .chain(wrong_parts)
@@ -284,11 +281,7 @@ mod tests {
     /// A test that waits so long hangs.
     const HANG: Duration = Duration::from_secs(120);
 
-    fn start() -> (tempfile::TempDir, Paths, IoThread, Receiver<Incoming>) {
-        start_with(Duration::ZERO)
-    }
-
-    fn start_with(delay: Duration) -> (tempfile::TempDir, Paths, IoThread, Receiver<Incoming>) {
+    fn start(delay: Duration) -> (tempfile::TempDir, Paths, IoThread, Receiver<Incoming>) {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         let (send, receive) = mpsc::channel();
@@ -314,7 +307,7 @@ mod tests {
 
     #[test]
     fn a_session_that_cannot_be_kept_is_reported_once() {
-        let (place, paths, io_thread, inbox) = start();
+        let (place, paths, io_thread, inbox) = start(Duration::ZERO);
         // Where the folder should be there is a file.
         let state = paths.state.clone();
         fs::create_dir_all(state.parent().unwrap()).unwrap();
@@ -338,7 +331,7 @@ mod tests {
 
     #[test]
     fn a_session_that_changes_often_is_saved_once() {
-        let (_place, paths, io_thread, inbox) = start_with(Duration::from_secs(1_000_000));
+        let (_place, paths, io_thread, inbox) = start(Duration::from_secs(1_000_000));
         io_thread.session_changed(session_of(2.0));
         // The answer comes when the change has been dealt with.
         io_thread.ask(Task::ListPresets(Vec::new()));
@@ -351,7 +344,7 @@ mod tests {
 
     #[test]
     fn a_preset_is_not_replaced_without_consent() {
-        let (_place, paths, io_thread, inbox) = start();
+        let (_place, paths, io_thread, inbox) = start(Duration::ZERO);
         let ask = |overwrite| {
             io_thread.ask(Task::SaveScene {
                 name: "mine".to_owned(),

@@ -104,17 +104,13 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_later_than_the_hold_is_another_key() {
+    fn an_escape_is_a_key_once_nothing_follows_within_the_hold() {
         use KeyCode as K;
         assert_eq!(keys(HOLD, &[(0, b"\x1b"), (20, b"[H")]), [K::Home]);
         assert_eq!(keys(HOLD, &[(0, b"\x1b"), (60, b"j")]), [K::Esc, K::Char('j')]);
         assert_eq!(keys(HOLD_OVER_SSH, &[(0, b"\x1b"), (60, b"[D")]), [K::Left]);
-    }
-
-    #[test]
-    fn a_lone_escape_is_a_key_once_nothing_follows() {
-        assert_eq!(keys(HOLD, &[(0, b"\x1b")]), [KeyCode::Esc]);
-        assert_eq!(keys(HOLD, &[(0, b"\x1b\x1b")]), [KeyCode::Esc; 2]);
+        assert_eq!(keys(HOLD, &[(0, b"\x1b")]), [K::Esc]);
+        assert_eq!(keys(HOLD, &[(0, b"\x1b\x1b")]), [K::Esc; 2]);
     }
 
     #[test]

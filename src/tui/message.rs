@@ -152,10 +152,11 @@ impl PageTable {
         Self { title, file, is_complete, csv, scene: None, notes, command }
     }
 
-    /// The same as a table of a scene, which a command makes again.
-    pub(crate) fn of(self, scene: &Arc<Scene>, command: impl Into<String>) -> Self {
+    /// The same as a table of a scene, which a command makes again; the file is called by the preset, too.
+    pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: impl Into<String>) -> Self {
+        let file = format!("{}-{}", app.base_stem(), self.file);
         let notes = if self.is_complete { "" } else { "# not complete\n" }.to_owned();
-        Self { scene: Some(Arc::clone(scene)), notes, command: command.into(), ..self }
+        Self { file, scene: Some(Arc::clone(scene)), notes, command: command.into(), ..self }
     }
 
     /// The same with other comment lines above the scene.

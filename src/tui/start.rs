@@ -16,6 +16,8 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::app::{App, Settings};
 use crate::tui::keymap::Keymap;
+use crate::tui::pages::explore::state::{Picture, sweep_of};
+use crate::tui::pages::search::state::Setup;
 use crate::tui::pages::thesis;
 use crate::tui::preset::Base;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -159,6 +161,31 @@ pub(super) fn session(app: &App) -> Session {
     }
 }
 
+impl App {
+    /// The setups of Explore and Search as a session keeps them.
+    pub fn setups(&self) -> session::Setup {
+        let (explore, mut sweep) = (&self.pages.explore, sweep_of(&self.scene));
+        let picture = session::Explore {
+            is_map: explore.picture == Picture::Surface,
+            output: sweep.outputs.swap_remove(explore.output_of(&sweep)),
+        };
+        session::Setup { explore: Some(picture), search: Some(self.pages.search.setup.kept()) }
+    }
+
+    /// Take over what was kept, as far as it still means something.
+    pub fn restore_setups(&mut self, kept: session::Setup) {
+        let picture = kept.explore.unwrap_or_default();
+        let explore = &mut self.pages.explore;
+        explore.picture = if picture.is_map { Picture::Surface } else { Picture::Line };
+        let outputs = sweep_of(&self.scene).outputs;
+        explore.output = outputs.iter().position(|it| *it == picture.output).unwrap_or(0);
+        let search = kept.search.map_or_else(Setup::default, |kept| Setup::of(&kept));
+        self.pages.search.setup = Arc::new(search);
+        // Restoring is no edit.
+        (self.history, self.effects) = Default::default();
+    }
+}
+
 /// The last edits of the scene that can be undone, oldest first.
 fn undo_steps(app: &App) -> Vec<UndoStep> {
     let edits = app.history.edits[..app.history.done].iter().rev();
@@ -255,14 +282,10 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     }
     app.restore_setups(last.setup);
     app.history = undoable(app, last.undo, paths);
-    app.tell(greeting(app));
-}
-
-/// One line on what has been restored.
-fn greeting(app: &App) -> String {
     let modified = if app.is_modified() { ", modified" } else { "" };
     let pins = counted_pins(app.pins.len());
-    format!("session restored: {}{modified}{pins} (or: cmra --fresh)", app.base.name)
+    let name = &app.base.name;
+    app.tell(format!("session restored: {name}{modified}{pins} (or: cmra --fresh)"));
 }
 
 /// `, 2 pinned runs`; empty where there is none.
@@ -284,14 +307,13 @@ mod tests {
     use crate::tui::app::edit;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
-    use crate::tui::pages::explore::state::Picture;
     use crate::tui::update;
     use crate::worker::studies::Asked;
 
+    const FRESH: Options = Options { scene: None, fresh: true, glyphs: None };
+
     fn state() -> App {
-        let base = baseline();
-        let theme = Theme::detect(environment);
-        App::new(base, theme, PathBuf::new())
+        App::new(baseline(), Theme::detect(environment), PathBuf::new())
     }
 
     /// Press keys; a line break is Enter.
@@ -315,8 +337,7 @@ mod tests {
             ("thesis-baseline", Tab::Run),
         ] {
             let scene = preset::resolve(name, None).unwrap();
-            let options = Options { scene: Some(scene), fresh: false, glyphs: None };
-            let (mut state, _) = app(options, None);
+            let (mut state, _) = app(Options { scene: Some(scene), ..FRESH }, None);
             assert_eq!(state.tab, tab, "{name}");
             assert!(state.history.edits.is_empty(), "nothing to undo yet");
             let effects = update::start(&mut state);
@@ -401,8 +422,7 @@ mod tests {
 
     #[test]
     fn without_a_home_it_does_not_claim_to_keep_the_session() {
-        let options = || Options { scene: None, fresh: true, glyphs: None };
-        let (mut state, ..) = app(options(), None);
+        let (mut state, ..) = app(FRESH, None);
         let text = state.notice.clone().expect("it is said").text;
         assert!(text.contains("cannot be kept") && text.contains("HOME"), "{text}");
         let escape = KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE);
@@ -415,20 +435,19 @@ mod tests {
     fn another_start_keeps_a_session_that_would_be_lost() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let options = || Options { scene: None, fresh: true, glyphs: None };
         let mut last = Session { preset: Some("thesis-baseline".to_owned()), ..Session::default() };
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));
         // Nothing in it that a preset does not have: nothing to keep.
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, _) = app(options(), Some(&paths));
+        let (state, _) = app(FRESH, Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(state.files.recent, last.recent);
         assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, _) = app(options(), Some(&paths));
+        let (state, _) = app(FRESH, Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let text = state.pages.log.messages.last().unwrap().text.clone();
         assert!(text.contains("1 pinned run") && text.contains("as recent"), "{text}");

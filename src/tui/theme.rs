@@ -21,8 +21,9 @@ pub fn columns(text: &str) -> usize {
 }
 
 /// The role of a piece of the screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Role {
+    #[default]
     Text,
     /// Less important than text: units, what is old, what is off.
     Dim,
@@ -70,7 +71,9 @@ impl Theme {
             Role::Text => plain,
             Role::Title | Role::Key | Role::Crosshair => bold,
             Role::Selection => plain.add_modifier(Modifier::REVERSED),
-            Role::Dim | Role::Border | Role::Event => self.faint(),
+            // `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.
+            Role::Dim | Role::Border | Role::Event if self.is_plain() => plain,
+            Role::Dim | Role::Border | Role::Event => plain.add_modifier(Modifier::DIM),
             Role::Focus => coloured(bold, colours::FOCUS.at(self.depth)),
             Role::Error if self.is_plain() => bold.add_modifier(Modifier::REVERSED),
             Role::Error => coloured(bold, colours::ERROR.at(self.depth)),
@@ -92,15 +95,7 @@ impl Theme {
     /// The colour of a heat map's shade, 0 the least of ten, and the ink that can be read on it; `None` where there are fewer
     /// than 256 colours.
     pub fn heat(self, shade: usize) -> Option<(Color, Color)> {
-        match self.depth {
-            ColourDepth::None | ColourDepth::Sixteen => None,
-            ColourDepth::Ansi256 => Some(colours::heat(shade)),
-        }
-    }
-
-    /// Faint where colours are on. `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.
-    fn faint(self) -> Style {
-        if self.is_plain() { Style::new() } else { Style::new().add_modifier(Modifier::DIM) }
+        (self.depth == ColourDepth::Ansi256).then(|| colours::heat(shade))
     }
 
     fn is_plain(self) -> bool {
@@ -132,6 +127,37 @@ mod tests {
         Role::Border,
         Role::Key,
     ];
+
+    /// Of the variables of the locale the first one that is set decides about characters; `TERM` promises colours, never more than
+    /// the terminal surely has.
+    #[test]
+    fn the_environment_says_what_a_terminal_shows() {
+        use {ColourDepth as D, GlyphSet as G};
+        const UTF: (&str, &str) = ("LANG", "en_GB.UTF-8");
+        const TRUE: (&str, &str) = ("COLORTERM", "truecolor");
+        for (pairs, glyphs, depth) in [
+            (&[][..], G::Ascii, D::None),
+            (&[("LANG", "C")], G::Ascii, D::None),
+            (&[("LANG", "de_DE.utf8")], G::Braille, D::None),
+            (&[("LC_ALL", "C"), UTF, ("TERM", "xterm-256color")], G::Ascii, D::Ansi256),
+            (&[("LC_ALL", ""), UTF, ("TERM", "xterm-256color"), TRUE], G::Braille, D::Ansi256),
+            (&[("LC_CTYPE", "C.UTF-8"), ("LANG", "C"), ("TERM", "xterm")], G::Braille, D::Ansi256),
+            (&[("LC_ALL", "C.UTF-8"), ("LC_CTYPE", "C")], G::Braille, D::None),
+            (&[UTF, ("TERM", "vte-256color")], G::Braille, D::Ansi256),
+            (&[UTF, ("TERM", "xterm-16color")], G::Braille, D::Sixteen),
+            (&[UTF, ("TERM", "linux"), TRUE], G::Block, D::Sixteen),
+            (&[("LANG", "C"), ("TERM", "linux")], G::Ascii, D::Sixteen),
+            (&[UTF, ("TERM", "vt220")], G::Ascii, D::Sixteen),
+            (&[UTF, ("TERM", "dumb"), TRUE], G::Ascii, D::None),
+            (&[("TERM", "xterm-mono")], G::Ascii, D::None),
+            (&[("TERM", "linux-m")], G::Ascii, D::None),
+            (&[("TERM", "xterm"), ("NO_COLOR", "1")], G::Ascii, D::None),
+            (&[("TERM", "xterm"), ("NO_COLOR", "")], G::Ascii, D::Ansi256),
+        ] {
+            let value = |name: &str| pairs.iter().find(|it| it.0 == name).map(|it| it.1.to_owned());
+            assert_eq!(Theme::detect(value), Theme { glyphs, depth }, "{pairs:?}");
+        }
+    }
 
     #[test]
     fn without_colour_only_bold_reverse_and_underline_are_used() {

@@ -277,24 +277,17 @@ pub(crate) fn click(app: &mut App, target: Target) {
         return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
     }
     app.history.commit();
+    if let Some(pane) = target.pane() {
+        app.focus_on(pane);
+    }
+    let page = pages::of(app.tab);
     match target {
         Target::Tab(tab) => act::go_to(app, tab),
-        Target::Page(page) => pages::of(app.tab).turn_to(app, page),
-        Target::Pane(pane) => app.focus_on(pane),
-        Target::Row(pane, row) => {
-            app.focus_on(pane);
-            pages::of(app.tab).select(app, row);
-        }
-        Target::Cell(pane, cell) => {
-            app.focus_on(pane);
-            pages::of(app.tab).go_to_cell(app, cell);
-        }
-        Target::Value { pane, chart, value } => {
-            app.focus_on(pane);
-            pages::of(app.tab).go_to_value(app, chart, value);
-        }
-        // Without a dialog there is nothing of the kind.
-        Target::DialogRow(_) => {}
+        Target::Page(at) => page.turn_to(app, at),
+        Target::Row(_, row) => page.select(app, row),
+        Target::Cell(_, cell) => page.go_to_cell(app, cell),
+        Target::Value { chart, value, .. } => page.go_to_value(app, chart, value),
+        Target::Pane(_) | Target::DialogRow(_) => {}
     }
 }
 
@@ -303,13 +296,7 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     if app.typing.is_some() {
         return;
     }
-    if let Some(
-        Target::Row(pane, _)
-        | Target::Cell(pane, _)
-        | Target::Pane(pane)
-        | Target::Value { pane, .. },
-    ) = target
-    {
+    if let Some(pane) = target.and_then(Target::pane) {
         app.focus_on(pane);
     }
     if pages::of(app.tab).rows(app).is_some() {

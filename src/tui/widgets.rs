@@ -89,13 +89,11 @@ impl<'a> Canvas<'a> {
         line.render(area.intersection(self.buffer.area), self.buffer);
     }
 
-    pub(crate) fn paint_row(&mut self, area: Rect, row: u16) {
-        if row < area.height {
-            let row = Rect::new(area.x, area.y + row, area.width, 1);
-            self.selected = Some((row.x, row.y));
-            let style = self.theme.style(Role::Selection);
-            self.buffer.set_style(row.intersection(self.buffer.area), style);
-        }
+    /// Show a row as the selected one.
+    pub(crate) fn paint_row(&mut self, row: Rect) {
+        self.selected = Some((row.x, row.y));
+        let style = self.theme.style(Role::Selection);
+        self.buffer.set_style(row.intersection(self.buffer.area), style);
     }
 
     /// Draw a chart or a map, and tell where everything lies.
@@ -207,7 +205,7 @@ impl RowList {
         for (row, index) in area.rows().zip(first..self.count) {
             draw(canvas, row, index);
             if self.painted && index == self.selected {
-                canvas.paint_row(row, 0);
+                canvas.paint_row(row);
             }
         }
         canvas.rows(area, (first, self.count), target);

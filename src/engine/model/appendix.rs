@@ -44,7 +44,7 @@ pub struct ContactEnd {
 }
 
 /// Where the scheme is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct State {
     /// The projectile's own travel, the listing's `Pen`, m.
     pub pen_m: f64,
@@ -94,12 +94,6 @@ pub struct Plate {
 }
 
 impl Plate {
-    /// The same with the mass of `other_kg` joined to it.
-    #[must_use]
-    pub fn joined(self, other_kg: f64) -> Self {
-        Self { mass_kg: self.mass_kg + other_kg, ..self }
-    }
-
     /// Spring and damper force at a state, N, with the signs the listing gives them.
     pub fn forces_n(&self, [x, w]: [f64; 2]) -> (f64, f64) {
         (self.spring.force(x), self.damper.force(if self.signed { w } else { w.abs() }))
@@ -157,6 +151,10 @@ impl Scheme {
         }
     }
 
+    fn spring(&self) -> PowerLaw {
+        self.plate.map_or(PowerLaw::NONE, |plate| plate.spring)
+    }
+
     /// First contact. As printed, the relative velocity of the first step is the projectile's own.
     pub fn start(&self) -> State {
         let plate_m_s = match self.listing.coupling {
@@ -164,16 +162,11 @@ impl Scheme {
             Reading::Corrected => self.cos * self.start[1],
         };
         State {
-            pen_m: 0.0,
-            travel_m: 0.0,
             velocity_m_s: self.velocity_m_s,
             plate: self.start,
             plate_before: self.start,
             slip_m_s: self.velocity_m_s - plate_m_s,
-            depth_m: 0.0,
-            area_m2: 0.0,
-            force_n: 0.0,
-            force_before_n: 0.0,
+            ..State::default()
         }
     }
 

@@ -28,21 +28,6 @@ pub struct Passage<'a> {
     pub velocity_m_s: f64,
 }
 
-/// Where and how the relative motion ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Ending {
-    /// At rest at this travel, m.
-    Arrest {
-        /// Travel, m.
-        travel_m: f64,
-    },
-    /// Clear of the rear face with this relative residual velocity.
-    Exit {
-        /// Relative velocity, m/s.
-        velocity_m_s: f64,
-    },
-}
-
 impl<'a> Passage<'a> {
     /// A scene's shot on a rigid mount.
     pub fn rigid(scene: &Scene, geometry: &'a Geometry) -> Self {
@@ -78,13 +63,9 @@ impl<'a> Passage<'a> {
         Some(0.5 / (c * self.mobility_per_kg) * (c * v * v / s).ln_1p())
     }
 
-    /// Where it ends.
-    pub fn ending(&self) -> Ending {
-        let stop = self.stopping_volume_m3().and_then(|v| self.geometry.travel_at_volume_m(v));
-        stop.map_or_else(
-            || Ending::Exit { velocity_m_s: self.slip_squared(self.geometry.exit_m).sqrt() },
-            |travel_m| Ending::Arrest { travel_m },
-        )
+    /// Travel at which the shot comes to rest, m; `None` where it perforates.
+    pub fn arrest_m(&self) -> Option<f64> {
+        self.stopping_volume_m3().and_then(|volume| self.geometry.travel_at_volume_m(volume))
     }
 
     /// 2 c V/mu of a swept volume: what the drag takes.
@@ -132,12 +113,12 @@ impl<'a> Passage<'a> {
         left + (s / c + left) * self.exponent(volume).exp_m1()
     }
 
-    /// How long it takes to this end, to rounding, s: with q = end (1 - s²) the integrand 2 end s/u is smooth up to an arrest.
-    pub fn time_s(&self, ending: Ending) -> f64 {
-        let (end_m, left) = match ending {
-            Ending::Arrest { travel_m } => (travel_m, 0.0),
-            Ending::Exit { velocity_m_s } => (self.geometry.exit_m, velocity_m_s * velocity_m_s),
-        };
+    /// How long it takes to the arrest at this travel, or to the exit, to rounding, s: with q = end (1 - s²) the integrand 2 end s/u is
+    /// smooth up to an arrest.
+    pub fn time_s(&self, arrest_m: Option<f64>) -> f64 {
+        let end_m = arrest_m.unwrap_or(self.geometry.exit_m);
+        let left_m_s = if arrest_m.is_some() { 0.0 } else { self.slip_squared(end_m).sqrt() };
+        let left = left_m_s * left_m_s;
         let slip = |s: f64| self.slip_squared_before(end_m * s * s, end_m, left).sqrt();
         let joints = self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m);
         let joints = joints.map(|piece| ((end_m - piece.to_m) / end_m).sqrt());
@@ -151,49 +132,15 @@ impl<'a> Passage<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn passage(geometry: &Geometry, gamma: f64) -> Passage<'_> {
-        let mass = 0.0295;
-        Passage {
-            geometry,
-            mobility_per_kg: (1.0 + 1.0 / gamma) / mass,
-            strength_pa: 1.52e8,
-            drag_kg_m3: 0.5 * 0.5 * 2710.0,
-            velocity_m_s: 100.0,
-        }
-    }
-
-    fn depth(passage: &Passage<'_>) -> f64 {
-        match passage.ending() {
-            Ending::Arrest { travel_m } => passage.geometry.depth_m(travel_m),
-            Ending::Exit { .. } => panic!("perforated"),
-        }
-    }
-
-    #[test]
-    fn valid_depths_and_times_of_rigid_and_free_plates() {
-        let geometry = Geometry::of(&Scene::default());
-        let rigid = passage(&geometry, f64::INFINITY);
-        assert!((depth(&rigid) - 7.113_055e-3).abs() < 5e-10);
-        let free = passage(&geometry, 1.0);
-        assert!((depth(&free) / 4.568_088_344_391_97e-3 - 1.0).abs() < 1e-13);
-        let end_s = free.time_s(free.ending());
-        assert!((end_s / 113.407_312_427_867_64e-6 - 1.0).abs() < 1e-12, "{end_s}");
-        let Ending::Arrest { travel_m } = free.ending() else { panic!("perforated") };
-        assert_eq!(free.slip_squared_before(0.0, travel_m, 0.0).to_bits(), 0);
-        // The same closed form in 30-digit arithmetic.
-        let end_s = rigid.time_s(rigid.ending());
-        assert!((end_s / 1.850_116_460_604_822e-4 - 1.0).abs() < 1e-14, "{end_s}");
-        assert!((depth(&rigid) / 7.113_054_853_423_409e-3 - 1.0).abs() < 1e-14);
-    }
+    use crate::model::variables::scene_with;
 
     #[test]
     fn no_drag_is_the_limit_of_little_drag() {
-        let geometry = Geometry::of(&Scene::default());
-        let mut shot = passage(&geometry, 1.0);
-        shot.drag_kg_m3 = 0.0;
-        let without = depth(&shot);
-        shot.drag_kg_m3 = 1e-6;
-        assert!((depth(&shot) / without - 1.0).abs() < 1e-9);
+        let depth = |drag: &str| {
+            let scene = scene_with(drag);
+            let geometry = Geometry::of(&scene);
+            geometry.depth_m(Passage::unsprung(&scene, &geometry, true).arrest_m().unwrap())
+        };
+        assert!((depth("C_d=1e-9") / depth("C_d=0") - 1.0).abs() < 1e-9);
     }
 }

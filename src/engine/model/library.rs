@@ -87,7 +87,7 @@ impl Entry {
         let (start, warns) = (format!("{}: ", self.library.word()), self.library.warning_start());
         let mut notes: Vec<&str> = scene.notes.lines().collect();
         notes.retain(|line| !line.starts_with(&start) && !line.starts_with(&warns));
-        let own = format!("{} {}", self.note_start(), self.evidence());
+        let own = format!("{start}{}. {}", self.title, self.evidence());
         notes.push(&own);
         let warning: Vec<&str> = self.warning.split_whitespace().collect();
         let warning = format!("{warns}{}: {}", self.name, warning.join(" "));
@@ -96,11 +96,6 @@ impl Entry {
         }
         scene.notes = notes.join("\n");
         Ok(())
-    }
-
-    /// The start of its line in the notes of a scene.
-    pub fn note_start(&self) -> String {
-        format!("{}: {}.", self.library.word(), self.title)
     }
 
     /// Where its values come from, and what else is to be known.

@@ -167,26 +167,4 @@ impl Mechanism {
 }
 
 #[cfg(test)]
-mod power {
-    use super::*;
-
-    #[test]
-    fn force_is_the_derivative_of_the_integral_and_tangent_that_of_force() {
-        for exponent in [0.3, 0.5, 1.0, 1.4, 2.0, 3.0] {
-            let law = PowerLaw { coefficient: 7.0, exponent };
-            for z in [-0.8, -0.1, 0.2, 1.7] {
-                let h = 1e-6;
-                let force = (law.integral(z + h) - law.integral(z - h)) / (2.0 * h);
-                let tangent = (law.force(z + h) - law.force(z - h)) / (2.0 * h);
-                assert!((force - law.force(z)).abs() < 1e-6 * (1.0 + force.abs()));
-                assert!((tangent - law.tangent(z)).abs() < 1e-5 * (1.0 + tangent.abs()));
-                assert_eq!(law.force(-z).to_bits(), (-law.force(z)).to_bits());
-            }
-            assert!((law.force(law.at_force(3.0)) - 3.0).abs() < 1e-13);
-            assert!((law.integral(law.at_integral(3.0)) - 3.0).abs() < 1e-13);
-        }
-    }
-}
-
-#[cfg(test)]
 mod tests;

@@ -52,7 +52,7 @@ pub struct Scene {
 parts! {
     /// How a run is computed.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct RunSettings {
+    pub struct RunSettings at (run) {
         pub tolerance: f64 = 1e-9 => "tol", "tolerance", "relative error tolerance of depth and time",
             number(Number, Between(1e-14, 1e-2)).also(&["tolerance"]).log().from("default of this program");
         pub horizon_s: Option<f64> = None => "horizon", "end of the run", "the time the run goes on to",
@@ -61,7 +61,7 @@ parts! {
 
     /// The elements behind the scene's own plate.
     #[derive(Clone, Debug, PartialEq)]
-    pub struct Stack {
+    pub struct Stack at (stack) {
         pub base_thickness_m: Option<f64> = None => "h_base", "base thickness",
             "thickness of a base plate behind the elements, on a rigid mount",
             optional(Length, Positive, "none").also(&["base"]).seldom()

@@ -98,14 +98,10 @@ fn warn_of_gaps(scene: &Scene, first: &mut Run, behind: &[Arc<Run>], elements: u
     let Some(gap_m) = scene.stack.gap_m else {
         return;
     };
-    let runs = std::iter::once(first.max_plate_displacement_m)
-        .chain(behind.iter().map(|run| run.max_plate_displacement_m));
-    let far: Vec<(usize, f64)> = runs
-        .take(elements)
-        .enumerate()
-        .filter_map(|(plate, travel)| Some((plate, travel.filter(|travel| *travel > gap_m)?)))
-        .collect();
-    for (plate, travel_m) in far {
-        first.warnings.push(Warning::PlateMeetsNext { plate, travel_m, gap_m });
-    }
+    let behind = behind.iter().map(|run| run.max_plate_displacement_m);
+    let travels = std::iter::once(first.max_plate_displacement_m).chain(behind).take(elements);
+    first.warnings.extend(travels.enumerate().filter_map(|(plate, travel)| {
+        let travel_m = travel.filter(|travel_m| *travel_m > gap_m)?;
+        Some(Warning::PlateMeetsNext { plate, travel_m, gap_m })
+    }));
 }

@@ -151,22 +151,18 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, Quantit
             "`{shown}` is an angle without a unit: write `{shown} deg` or `{shown} rad`"
         )));
     }
-    let factor = if unit.is_empty() {
-        table::STORED
-    } else {
-        find_unit(unit, quantity).ok_or_else(|| {
-            let (column, accepted) = (column(unit), quantity.accepted());
-            let bare = match quantity.unit() {
-                _ if needs_unit => String::new(),
-                "" => ", or no unit".to_owned(),
-                stored => format!(", or no unit for {stored}"),
-            };
-            let unit = quoted(unit);
-            QuantityError(format!(
-                "`{unit}` is not a unit of this quantity (column {column}): use {accepted}{bare}"
-            ))
-        })?
-    };
+    let factor = find_unit(unit, quantity).ok_or_else(|| {
+        let (column, accepted) = (column(unit), quantity.accepted());
+        let bare = match quantity.unit() {
+            _ if needs_unit => String::new(),
+            "" => ", or no unit".to_owned(),
+            stored => format!(", or no unit for {stored}"),
+        };
+        let unit = quoted(unit);
+        QuantityError(format!(
+            "`{unit}` is not a unit of this quantity (column {column}): use {accepted}{bare}"
+        ))
+    })?;
     let scaled = value * factor.times / factor.over;
     if scaled.is_finite() { Ok(scaled) } else { Err(QuantityError::not_finite(trimmed, quantity)) }
 }
@@ -234,7 +230,7 @@ pub fn parse_relative(
 
 /// A value in the stored unit as a number of another one; `None` where that is none of this kind.
 pub fn in_unit(value: f64, unit: &str, quantity: Dimension) -> Option<f64> {
-    let unit = if unit.is_empty() { table::STORED } else { find_unit(unit, quantity)? };
+    let unit = find_unit(unit, quantity)?;
     Some(value * unit.over / unit.times)
 }
 
@@ -248,6 +244,7 @@ pub fn written_unit(text: &str) -> Option<&str> {
     expression(text.trim()).map(|(_, rest)| rest.trim())
 }
 
+/// The unit with this name, the stored one where there is none.
 fn find_unit(unit: &str, quantity: Dimension) -> Option<Unit> {
     let squeezed: String = unit
         .chars()
@@ -263,7 +260,7 @@ fn find_unit(unit: &str, quantity: Dimension) -> Option<Unit> {
         Dimension::Density => "kg/m³",
         _ => "",
     };
-    if squeezed == quantity.unit() || squeezed == other {
+    if [other, quantity.unit(), ""].contains(&&*squeezed) {
         return Some(table::STORED);
     }
     let is = |name: &str, text: &str| {

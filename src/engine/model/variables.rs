@@ -116,7 +116,7 @@ pub struct Choice {
     pub words: &'static [&'static str],
     /// Index into `words`.
     pub get: fn(&Scene) -> usize,
-    /// Set by index into `words`; an index past the end sets the last.
+    /// Set by index into `words`.
     pub set: fn(&mut Scene, usize),
 }
 
@@ -241,7 +241,8 @@ impl Variable {
         Ok(())
     }
 
-    /// Read a text as a value of this variable; numbers may be relative to the scene's present value.
+    /// Read a text as a value of this variable; numbers may be relative to the scene's present value. Whether a number makes sense
+    /// is found when it is set.
     ///
     /// # Errors
     /// [`VariableError`] that names variable, text, what is allowed and the cure.
@@ -253,15 +254,10 @@ impl Variable {
                     return Ok(Value::Absent);
                 }
                 let old = (number.get)(scene).unwrap_or(0.0);
-                let value =
-                    units::parse_relative(text, old, number.quantity, bare).map_err(|problem| {
-                        VariableError(format!("{} ({}): {problem}", self.symbol, self.key))
-                    })?;
-                if number.allowed.contains(value) {
-                    Ok(Value::Number(value))
-                } else {
-                    Err(self.impossible(number, value))
-                }
+                let value = units::parse_relative(text, old, number.quantity, bare);
+                value.map(Value::Number).map_err(|problem| {
+                    VariableError(format!("{} ({}): {problem}", self.symbol, self.key))
+                })
             }
             Kind::Choice(choice) => {
                 let index = choice.position(word).ok_or_else(|| self.not_a_choice(word))?;
@@ -284,7 +280,7 @@ impl Variable {
     pub fn show(&self, scene: &Scene) -> String {
         match self.value(scene) {
             Value::Absent => {
-                self.number().map_or("", |number| number.absent.unwrap_or("none")).to_owned()
+                self.number().and_then(|number| number.absent).unwrap_or("none").to_owned()
             }
             value => show_value(value),
         }
@@ -320,12 +316,9 @@ impl Variable {
                 let rule = number.allowed.describe(number.quantity);
                 number.absent.map_or_else(|| rule.clone(), |word| format!("{rule}, or `{word}`"))
             }
-            Kind::Choice(choice) => match choice.words {
-                [first @ .., last] if !first.is_empty() => {
-                    format!("{} or {last}", first.join(", "))
-                }
-                words => words.concat(),
-            },
+            Kind::Choice(Choice { words, .. }) => {
+                format!("{} or {}", words[..words.len() - 1].join(", "), words[words.len() - 1])
+            }
             Kind::Switch { .. } => "true or false".to_owned(),
         }
     }

@@ -17,11 +17,6 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// The greatest value of `f` between `from` and `to`, where it has no more than one maximum in each of eight cells. Maxima are
 /// located only if they may exceed `known`.
 pub(crate) fn greatest(from: f64, to: f64, known: f64, f: impl Fn(f64) -> f64) -> f64 {
-    greatest_of(from, to, known, &f)
-}
-
-/// Compiled once for all functions.
-fn greatest_of(from: f64, to: f64, known: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     let cell = (to - from) / CELLS as f64;
     let place = |i: usize| if i == CELLS { to } else { from + cell * i as f64 };
     let values: [f64; CELLS + 1] = std::array::from_fn(|i| f(place(i)));
@@ -38,7 +33,7 @@ fn greatest_of(from: f64, to: f64, known: f64, f: &dyn Fn(f64) -> f64) -> f64 {
             _ => true,
         };
         if rises_inside {
-            best = larger(f(in_bracket(place(before), place(after), f)), best);
+            best = larger(f(in_bracket(place(before), place(after), &f)), best);
         }
     }
     best

@@ -107,7 +107,7 @@ pub(crate) const fn legendre<const N: usize>(x: f64) -> [f64; N] {
 
 #[cfg(test)]
 mod tests {
-    use super::{GAUSS_16, gauss, resolved};
+    use super::{gauss, resolved};
 
     /// The integral of 1/sqrt(a² + y²) from 0 to 1 is asinh(1/a): for a small `a` the integrand has a singularity close by.
     #[test]
@@ -126,25 +126,11 @@ mod tests {
     }
 
     #[test]
-    fn sixteen_points_are_exact_up_to_degree_31_and_know_their_polynomials() {
+    fn sixteen_points_are_exact_up_to_degree_31() {
         for degree in 0..32 {
             let integral = gauss(0.0, 2.0, 1, |x| x.powi(degree));
             let exact = 2f64.powi(degree + 1) / f64::from(degree + 1);
             assert!((integral / exact - 1.0).abs() < 4e-15, "degree {degree}: {integral}");
-        }
-        // Orthogonal, with the norm 2/(2 n + 1).
-        for n in 14..16 {
-            for m in 14..16 {
-                let sum: f64 = GAUSS_16
-                    .iter()
-                    .map(|node| {
-                        let sign = if (n + m) % 2 == 0 { 2.0 } else { 0.0 };
-                        sign * node.weight * node.last[n - 14] * node.last[m - 14]
-                    })
-                    .sum();
-                let exact = if n == m { 2.0 / (2 * n + 1) as f64 } else { 0.0 };
-                assert!((sum - exact).abs() < 1e-14, "{n} {m}: {sum}");
-            }
         }
     }
 

@@ -4,12 +4,7 @@
 /// Illinois form, with a bisection where three rounds have not halved the bracket, to full precision of x.
 ///
 /// Returns the end with the smaller absolute value when the signs are equal.
-pub fn in_bracket(a: f64, b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
-    bracketed_root(a, b, &mut f)
-}
-
-/// The same, compiled once for all functions.
-fn bracketed_root(mut a: f64, mut b: f64, f: &mut dyn FnMut(f64) -> f64) -> f64 {
+pub fn in_bracket(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
         return a;

@@ -3,6 +3,8 @@
 //! Direction numbers: S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM J.
 //! Sci. Comput. 30 (2008), file new-joe-kuo-6.21201.
 
+use std::sync::LazyLock;
+
 use crate::numerics::random::Random;
 
 /// Dimensions the table is good for.
@@ -38,36 +40,24 @@ const TABLE: [(usize, u32, &[u32]); DIMENSIONS - 1] = [
 const DIGITS: usize = 32;
 
 /// Each digit's direction, dimension by dimension.
-const DIRECTIONS: [[u32; DIGITS]; DIMENSIONS] = directions();
+static DIRECTIONS: LazyLock<[[u32; DIGITS]; DIMENSIONS]> =
+    LazyLock::new(|| std::array::from_fn(directions));
 
-const fn directions() -> [[u32; DIGITS]; DIMENSIONS] {
-    let mut all = [[0; DIGITS]; DIMENSIONS];
-    let mut digit = 0;
-    while digit < DIGITS {
-        all[0][digit] = 1 << (DIGITS - 1 - digit);
-        digit += 1;
+fn directions(dimension: usize) -> [u32; DIGITS] {
+    let mut directions = std::array::from_fn(|digit| 1 << (DIGITS - 1 - digit));
+    if dimension == 0 {
+        return directions;
     }
-    let mut dimension = 1;
-    while dimension < DIMENSIONS {
-        let (s, a, m) = TABLE[dimension - 1];
-        let mut digit = 0;
-        while digit < DIGITS {
-            all[dimension][digit] = if digit < s {
-                m[digit] << (DIGITS - 1 - digit)
-            } else {
-                let mut v = all[dimension][digit - s] ^ (all[dimension][digit - s] >> s);
-                let mut k = 1;
-                while k < s {
-                    v ^= ((a >> (s - 1 - k)) & 1) * all[dimension][digit - k];
-                    k += 1;
-                }
-                v
-            };
-            digit += 1;
-        }
-        dimension += 1;
+    let (s, a, m) = TABLE[dimension - 1];
+    for digit in 0..DIGITS {
+        directions[digit] = if digit < s {
+            m[digit] << (DIGITS - 1 - digit)
+        } else {
+            let first = directions[digit - s] ^ (directions[digit - s] >> s);
+            (1..s).fold(first, |v, k| v ^ (((a >> (s - 1 - k)) & 1) * directions[digit - k]))
+        };
     }
-    all
+    directions
 }
 
 /// Where point `index` lies in a dimension (from 0, below [`DIMENSIONS`]), in [0, 1); the sequence repeats after 2^32 points. A seed

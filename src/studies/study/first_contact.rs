@@ -6,7 +6,7 @@
 //! The answers agree with those of the simulation within the scene's tolerance, not to the last digit: the contact is integrated
 //! by other steps.
 
-use crate::model::closed_form::{Ending, Passage};
+use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
@@ -84,11 +84,7 @@ pub(in crate::study) fn decides(scene: &Scene, wanted: Wanted) -> bool {
 
 /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
 pub(in crate::study) fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
-    let rigid = Passage::rigid(scene, geometry);
-    match rigid.ending() {
-        Ending::Arrest { travel_m } => Some(geometry.depth_m(travel_m)),
-        Ending::Exit { .. } => None,
-    }
+    Passage::rigid(scene, geometry).arrest_m().map(|q_m| geometry.depth_m(q_m))
 }
 
 /// The maximum displacement without a damper: within the contact, or where all energy is in the spring; `None` where nothing

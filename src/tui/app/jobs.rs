@@ -139,13 +139,11 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             }
             return;
         }
-        ReportBody::Progress { .. } => return,
-        ReportBody::Part(found) => {
-            if let Found::Run(run) = found {
-                app.shown = Some(Shown { run, took: None });
-            }
+        ReportBody::Part(Found::Run(run)) => {
+            app.shown = Some(Shown { run, took: None });
             return;
         }
+        ReportBody::Progress { .. } | ReportBody::Part(_) => return,
         ReportBody::Failed(text) => {
             app.jobs.failure = Some(text.clone());
             app.refuse(text);

@@ -2,9 +2,10 @@
 
 use cmra_studies::enumeration;
 
-use crate::model::run::envelope::Check;
+use crate::model::run::envelope::{self, Breach, Check};
 use crate::model::run::{Run, Warning};
 use crate::model::units::{fixed_significant, scientific};
+use crate::tui::app::App;
 use crate::tui::theme::Role;
 
 enumeration! {
@@ -13,23 +14,14 @@ enumeration! {
         mark: &'static str,
         /// The word in the Log tab.
         word: &'static str,
+        role: Role,
     }
     /// Good to know.
-    Note { mark: " ", word: "note" }
+    Note { mark: " ", word: "note", role: Role::Text }
     /// Legal, yet worth a second look.
-    Warning { mark: "!", word: "warning" }
+    Warning { mark: "!", word: "warning", role: Role::Warning }
     /// It did not work.
-    Error { mark: "error:", word: "error" }
-}
-
-impl Severity {
-    pub(crate) fn role(self) -> Role {
-        match self {
-            Self::Note => Role::Text,
-            Self::Warning => Role::Warning,
-            Self::Error => Role::Error,
-        }
-    }
+    Error { mark: "error:", word: "error", role: Role::Error }
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -65,9 +57,22 @@ pub(crate) fn outside(checks: impl Iterator<Item = Check>, place: &str) -> Optio
     (!labels.is_empty()).then_some((Severity::Warning, text))
 }
 
-/// How many times too much, to three digits.
-pub(crate) fn times(ratio: f64) -> String {
-    fixed_significant(ratio, 3)
+impl App {
+    /// The rules of the model's validity that the scene does not keep: by its run where that is there, with every plate struck.
+    pub(crate) fn breaches(&self) -> Vec<Breach> {
+        let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.shows_old());
+        run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run))
+    }
+
+    /// The same for the status row.
+    pub(crate) fn validity_part(&self) -> Option<StatusPart> {
+        let found = self.breaches();
+        // The status row of a run has the load of the interface already, with its number.
+        let of_run = self.shows_runs();
+        let is_shown = |check: &Check| *check == Check::Interface && of_run;
+        let checks = found.iter().map(|breach| breach.check);
+        outside(checks.filter(|check| !is_shown(check)), "")
+    }
 }
 
 /// The first warning of a run in a few words, for the status row.
@@ -77,13 +82,13 @@ pub(crate) fn demand(run: &Run) -> Option<String> {
             Some("! interface force unbounded".to_owned())
         }
         Warning::InterfacePush { ratio, .. } => {
-            Some(format!("! interface {} x A S_y", times(*ratio)))
+            Some(format!("! interface {} x A S_y", fixed_significant(*ratio, 3)))
         }
         Warning::InterfacePull { ratio, .. } if !ratio.is_finite() => {
             Some("! pulls without a grip".to_owned())
         }
         Warning::InterfacePull { ratio, .. } => {
-            Some(format!("! interface {} x g A S_y", times(*ratio)))
+            Some(format!("! interface {} x g A S_y", fixed_significant(*ratio, 3)))
         }
         Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
         Warning::EnergyDrift { residual } => {

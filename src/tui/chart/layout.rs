@@ -50,11 +50,7 @@ impl Layout {
 }
 
 pub(super) fn frame_of(chart: &Chart<'_>, title: String) -> PaneFrame<'static> {
-    let frame = PaneFrame::new(title).focused(chart.focused);
-    match chart.frame {
-        Frame::Boxed => frame,
-        Frame::Stacked { begins, below } => frame.stacked(begins, below),
-    }
+    PaneFrame::new(title).focused(chart.focused).frame(chart.frame)
 }
 
 /// Lays a chart out inside its frame; `legend_row` requests a row of its own for the legend.
@@ -241,30 +237,23 @@ fn line<'a>(entries: impl IntoIterator<Item = [Span<'a>; 2]>) -> Line<'a> {
 }
 
 fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {
-    if !axis.is_empty() {
-        if legend.width() > 0 {
-            legend.spans.push(Span::raw("   "));
-        }
-        legend.spans.push(Span::raw(axis));
+    if legend.width() > 0 && !axis.is_empty() {
+        legend.push_span("   ");
     }
+    legend.push_span(axis);
     legend
 }
 
 /// As many whole entries of a legend as fit, and `..` where there are more: a number must not be cut.
-fn whole(entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
+fn whole(mut entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
     let all = line(entries.clone());
     if all.width() <= room {
         return all;
     }
-    let mut used = 0;
-    let kept = entries.into_iter().take_while(|entry| {
-        used += entry.iter().map(Span::width).sum::<usize>() + 2;
-        used + 2 <= room
-    });
-    let mut short = line(kept);
-    if !short.spans.is_empty() {
-        short.push_span("  ");
+    // Two blanks and two points.
+    while !entries.is_empty() && line(entries.clone()).width() + 4 > room {
+        entries.pop();
     }
-    short.push_span("..");
-    short
+    entries.push(["..".into(), Span::default()]);
+    line(entries)
 }

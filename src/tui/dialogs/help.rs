@@ -1,6 +1,6 @@
 //! Help: what the selected variable or the pane means, then the keys of the pane, then those that work everywhere.
 
-use crate::model::variables::Kind;
+use crate::model::units::shortest;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::keymap::EVERYWHERE;
@@ -24,7 +24,7 @@ impl List for Help {
     const FOOTER: &'static str = "<back> close  <down>/<up> move";
 
     fn count(&self, app: &App, _: &str) -> usize {
-        rows(app).len()
+        rows(app).count()
     }
 
     fn chosen(&mut self, _: &mut App, _: &Picker) -> Outcome {
@@ -37,38 +37,23 @@ impl List for Help {
         let about = about(app, inner);
         let (_, area) = split_top(inner, u16::try_from(about.len()).unwrap_or(u16::MAX));
         canvas.put_lines(inner, 0, about);
-        let rows = rows(app);
+        let rows: Vec<_> = rows(app).collect();
         let room = usize::from(area.width.saturating_sub(SENTENCE));
         picker.draw_rows(rows.len(), area, canvas, |canvas, row, index| {
-            let line = &rows[index];
-            canvas.put(row, (0, 0), &clip(&line.keys, usize::from(SENTENCE) - 2), Role::Key);
-            let role = if line.is_own { Role::Text } else { Role::Dim };
-            canvas.put(row, (SENTENCE, 0), &clip(&line.help, room), role);
+            let (keys, help, role) = &rows[index];
+            canvas.put(row, (0, 0), &clip(keys, usize::from(SENTENCE) - 2), Role::Key);
+            let help = app.keymap.shown(help);
+            canvas.put(row, (SENTENCE, 0), &clip(&help, room), *role);
         });
     }
 }
 
-struct HelpRow {
-    keys: String,
-    /// It is of the focused pane.
-    is_own: bool,
-    help: String,
-}
-
-/// The keys of the focused pane first, with what they do there, then those that work everywhere.
-fn rows(app: &App) -> Vec<HelpRow> {
-    let pane = pages::spec(app.pane());
-    let own = pane.keys.iter().map(|row| HelpRow {
-        keys: app.keymap.label(row.action),
-        is_own: true,
-        help: app.keymap.shown(row.help),
-    });
-    own.chain(EVERYWHERE.iter().map(|line| HelpRow {
-        keys: app.keymap.line_label(line),
-        is_own: false,
-        help: app.keymap.shown(line.meaning),
-    }))
-    .collect()
+/// Keys, what they do, and how that is written: those of the focused pane first, then those that work everywhere.
+fn rows(app: &App) -> impl Iterator<Item = (String, &'static str, Role)> {
+    let own = pages::spec(app.pane()).keys.iter();
+    let own = own.map(|row| (app.keymap.label(row.action), row.help, Role::Text));
+    let everywhere = EVERYWHERE.iter();
+    own.chain(everywhere.map(|line| (app.keymap.line_label(line), line.meaning, Role::Dim)))
 }
 
 /// The words and signs of the Run tab.
@@ -107,13 +92,11 @@ fn variable(app: &App, width: u16) -> Vec<TextLine> {
         lines.extend(indented.map(|(line, role)| (format!("  {line}"), role)));
     };
     text(variable.meaning.to_owned());
-    let range = match &variable.kind {
-        Kind::Number(number) => number.thesis_range.map_or_else(String::new, |(low, high)| {
-            let show = crate::model::units::shortest;
-            format!("; the thesis searched {} to {} (Table 9.2, T9.2)", show(low), show(high))
-        }),
-        Kind::Choice(_) | Kind::Switch { .. } => String::new(),
-    };
+    let range = variable.number().and_then(|number| number.thesis_range);
+    let range = range.map_or_else(String::new, |(low, high)| {
+        let (low, high) = (shortest(low), shortest(high));
+        format!("; the thesis searched {low} to {high} (Table 9.2, T9.2)")
+    });
     text(format!("now {}; allowed: {}{range}", variable.show(&app.scene), variable.allowed()));
     text(format!("default: {}", variable.source));
     lines.push((String::new(), Role::Text));

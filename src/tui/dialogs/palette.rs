@@ -128,9 +128,3 @@ impl App {
         ranked(commands.chain(variables).chain(presets), |item| item.rank(typed))
     }
 }
-
-/// The tab that shows what a preset is about: a sweep in Explore, else its run.
-pub fn shown_in(entry: &PresetEntry) -> Tab {
-    let swept = entry.scene.sweep.as_ref().is_some_and(|sweep| !sweep.axes.is_empty());
-    if swept && entry.part.is_none() { Tab::Explore } else { Tab::Run }
-}

@@ -7,7 +7,6 @@ use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
 use crate::tui::dialogs::list::{List, Picker, frame};
-use crate::tui::dialogs::palette::shown_in;
 use crate::tui::message::FileTask;
 use crate::tui::pages::run;
 use crate::tui::pages::run::editor::{index_of, shown_value};
@@ -42,23 +41,17 @@ impl List for Presets {
             return Outcome::Stays;
         }
         let rows = rows(&app.files.presets, picker.filter.value());
-        match rows.get(picker.selected).map(|entry| (*entry).clone()) {
-            Some(entry) => {
-                if let Err(why) = take(app, entry) {
-                    app.refuse(why);
-                    return Outcome::Stays;
-                }
-            }
-            None if is_path => app.request(Effect::Files(FileTask::Load(typed.into()))),
-            None => {
-                let typed = clip(typed, 24);
-                app.tell(format!(
-                    "no preset matches; a file is opened by its path: ./{typed}.toml"
-                ));
-                return Outcome::Stays;
-            }
+        if let Some(entry) = rows.get(picker.selected).map(|entry| (*entry).clone()) {
+            let Err(why) = take(app, entry) else { return Outcome::Closes };
+            app.refuse(why);
+        } else if is_path {
+            app.request(Effect::Files(FileTask::Load(typed.into())));
+            return Outcome::Closes;
+        } else {
+            let path = format!("./{}.toml", clip(typed, 24));
+            app.tell(format!("no preset matches; a file is opened by its path: {path}"));
         }
-        Outcome::Closes
+        Outcome::Stays
     }
 
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
@@ -109,7 +102,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
     lines.extend(wrapped(title, width, Role::Title));
     if entry.part.is_none() {
-        let tab = shown_in(entry);
+        let tab = if thesis::axes(&entry.scene) > 0 { Tab::Explore } else { Tab::Run };
         let text = format!("shows on {}", tab.title(&app.keymap));
         lines.push((text, Role::Dim));
     }

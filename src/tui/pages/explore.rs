@@ -101,23 +101,24 @@ impl Page for ExploreTab {
         let computing = app.jobs.running::<PictureSweep>();
         let progress = match (computing, found) {
             (Some(computing), _) => {
-                Progress::Running(format!("sweeping{}", computing.counted("of", " points")))
+                under_way(&format!("sweeping{}", computing.counted("of", " points")))
             }
-            _ if app.sweep_is_old() => Progress::Old("scene"),
-            (None, None) => Progress::Nothing,
+            _ if app.sweep_is_old() => part(Severity::Warning, old("scene")),
+            (None, None) => part(Severity::Note, NO_RESULTS),
             (None, Some(grid)) => {
                 let (done, total) = grid.progress();
                 match app.pages.explore.result.took.filter(|_| grid.is_complete()) {
                     Some(took) => {
-                        Progress::Done(format!("{total} points in {}", show_duration(took)))
+                        let took = show_duration(took);
+                        part(Severity::Note, format!("{total} points in {took}"))
                     }
-                    None => Progress::Cut(format!(" after {done} of {total} points")),
+                    None => cut(&format!(" after {done} of {total} points")),
                 }
             }
         };
         let problem = app.pages.explore.problem.clone().filter(|_| computing.is_none());
-        let mut parts =
-            vec![problem.map_or_else(|| progress.part(), |text| part(Severity::Error, text))];
+        let problem = problem.map(|text| part(Severity::Error, text));
+        let mut parts = vec![problem.unwrap_or(progress)];
         if let Some(grid) = found {
             let others = grid.outcomes().each();
             for (word, count) in others.filter(|(word, count)| *count > 0 && *word != "arrested") {
@@ -147,7 +148,15 @@ impl Page for ExploreTab {
         if PictureSweep::of(&running.asked).is_none() {
             return;
         }
-        app.pages.explore.keep(running, news);
+        let tab = &mut app.pages.explore;
+        let before = tab.found().map(|grid| Arc::clone(grid.plan()));
+        if tab.result.keep(running, news, Grid::is_complete)
+            && let Some(grid) = &tab.result.found
+            && before.is_none_or(|plan| plan.axes() != grid.plan().axes())
+        {
+            // Over other axes the cursor begins again.
+            tab.cursor = None;
+        }
         match news {
             ReportBody::Failed(_) => {
                 app.pages.explore.problem =
@@ -164,7 +173,7 @@ impl Page for ExploreTab {
         let (grid, kept) = (app.pages.explore.found()?, &app.pages.explore.result);
         let plan = grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
-        let file = format!("{}-{}.csv", app.base_stem(), names.join("-"));
+        let file = format!("{}.csv", names.join("-"));
         let sweep = Some(Columns::Chosen.sweep(plan));
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&kept.scene) });
         let (is_complete, (done, total)) = (kept.is_complete, grid.progress());
@@ -173,7 +182,7 @@ impl Page for ExploreTab {
         let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
         let csv = move || sweep::grid_csv(&name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
-        Some(table.of(&scene, "sweep").noted(notes))
+        Some(table.of(app, &scene, "sweep").noted(notes))
     }
 
     fn form(&self, app: &App) -> Option<Form> {

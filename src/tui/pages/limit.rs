@@ -6,14 +6,14 @@ pub mod state;
 
 use crate::model::run::envelope;
 use crate::report::{self, limit};
-use crate::study::compare;
+use crate::study::compare::{self, map::Map};
 use crate::study::limit::COMMAND;
 use crate::study::monte_carlo;
 use crate::study::validity;
 use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
-use crate::worker::studies::{EqualMass, LimitSearch, Spread};
+use crate::worker::studies::{Comparison, EqualMass, LimitSearch, Spread};
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 
@@ -66,25 +66,22 @@ impl Page for LimitTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.limit;
-        let done = || Progress::Done("done".to_owned());
+        let done = || part(Severity::Note, "done");
         let words = |it: &Running| format!("comparing{}", it.counted("of", ""));
         if app.pane() != RESIDUAL {
-            let comparing = progress::<EqualMass, _>(app, &tab.comparison, &app.scene, words);
-            let first = comparing.unwrap_or_else(done).part();
+            let comparing = progress::<EqualMass, _>(app, &tab.comparison, &app.scene, words, "");
+            let first = comparing.unwrap_or_else(done);
             return std::iter::once(first).chain(app.validity_part()).collect();
         }
-        let finding = progress::<LimitSearch, _>(
-            app,
-            &tab.report,
-            &app.limit_scene(&tab.report.scene),
-            |it| format!("finding the limit{}", it.counted("of about", " shots")),
-        );
-        let mut parts = vec![finding.unwrap_or_else(done).part()];
+        let scene = app.limit_scene(&tab.report.scene);
+        let shots = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
+        let finding = progress::<LimitSearch, _>(app, &tab.report, &scene, shots, "");
+        let mut parts = vec![finding.unwrap_or_else(done)];
         let sampling = |it: &Running| format!("V50{}", it.counted("of", " samples"));
-        parts.extend(app.jobs.running::<Spread>().map(|it| Progress::Running(sampling(it)).part()));
+        parts.extend(app.jobs.running::<Spread>().map(|it| under_way(&sampling(it))));
         if let Some(report) = &tab.report.found {
             let comparing = app.jobs.running::<EqualMass>();
-            parts.extend(comparing.map(|it| Progress::Running(words(it)).part()));
+            parts.extend(comparing.map(|it| under_way(&words(it))));
             let at_limit = report.at_limit.as_ref();
             parts.extend(at_limit.map_or_else(
                 || app.validity_part(),
@@ -98,47 +95,44 @@ impl Page for LimitTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        app.pages.limit.keep(running, news);
+        let tab = &mut app.pages.limit;
+        tab.report.keep(running, news, |report| report.is_complete);
+        tab.spread.keep(running, news, |spread| spread.is_complete);
+        let is_whole =
+            |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
+        tab.comparison.keep(running, news, is_whole);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let (limit, comparison) = (&app.pages.limit.report, &app.pages.limit.comparison);
-        let scene = if app.pane() == RESIDUAL { &limit.scene } else { &comparison.scene };
-        let (name, stem) = (app.name_of(scene), app.base_stem());
-        let found = comparison.found.clone();
-        let (table, command) = match app.pane() {
-            RESIDUAL => {
-                let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
-                let csv = move || {
-                    let warnings = limit::warnings(&report);
-                    limit::shots(&name, &report).with_warnings(&warnings).csv()
-                };
-                let (title, file) = ("Export the shots to CSV", format!("{stem}-limit.csv"));
-                (PageTable::new(title, file, limit.is_complete, csv), COMMAND.to_owned())
-            }
-            COMPARISON => {
-                let found = found?;
-                let (title, file) = ("Export the comparison to CSV", format!("{stem}-compare.csv"));
-                let is_complete = found.report.is_complete;
-                let csv = move || {
-                    let warnings = validity::of_scene(&found.report.scene);
-                    report::compare::table(&name, &found.report).with_warnings(&warnings).csv()
-                };
-                let command = compare::Request::default().to_string();
-                (PageTable::new(title, file, is_complete, csv), command)
-            }
-            _ => {
-                let map = found?.map.clone()?;
-                let (title, file) =
-                    ("Export the map to CSV", format!("{stem}-mass-efficiency.csv"));
-                let axes = Some([map.x().clone(), map.y().clone()]);
-                let request = compare::Request { map: axes, ..compare::Request::default() };
-                let is_complete = map.is_complete();
-                let csv = move || report::compare::map_table(&name, &map).csv();
-                (PageTable::new(title, file, is_complete, csv), request.to_string())
-            }
+        if app.pane() == RESIDUAL {
+            let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
+            let name = app.name_of(&limit.scene);
+            let csv = move || {
+                let warnings = limit::warnings(&report);
+                limit::shots(&name, &report).with_warnings(&warnings).csv()
+            };
+            let title = "Export the shots to CSV";
+            let table = PageTable::new(title, "limit.csv", limit.is_complete, csv);
+            return Some(table.of(app, &limit.scene, COMMAND));
+        }
+        let (found, name) = (comparison.found.clone()?, app.name_of(&comparison.scene));
+        let mut request = compare::Request::default();
+        let table = if app.pane() == COMPARISON {
+            let is_complete = found.report.is_complete;
+            let csv = move || {
+                let warnings = validity::of_scene(&found.report.scene);
+                report::compare::table(&name, &found.report).with_warnings(&warnings).csv()
+            };
+            PageTable::new("Export the comparison to CSV", "compare.csv", is_complete, csv)
+        } else {
+            let map = found.map.clone()?;
+            request.map = Some([map.x().clone(), map.y().clone()]);
+            let is_complete = map.is_complete();
+            let csv = move || report::compare::map_table(&name, &map).csv();
+            PageTable::new("Export the map to CSV", "mass-efficiency.csv", is_complete, csv)
         };
-        Some(table.of(scene, &command))
+        Some(table.of(app, &comparison.scene, request.to_string()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -148,7 +142,9 @@ impl Page for LimitTab {
                 Some(Rows { count: count + 1, selected: app.pages.limit.word, shown })
             }
             COMPARISON => {
-                let (lines, shown) = comparison_text(app)?;
+                let area = area(app, app.layout().body?, COMPARISON)?;
+                let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
+                let shown = usize::from(area.height.saturating_sub(2));
                 let count = lines.len().saturating_sub(shown) + 1;
                 Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
             }
@@ -175,11 +171,4 @@ impl Page for LimitTab {
             }
         }
     }
-}
-
-/// The lines of the comparison, and how many of them are shown at once.
-fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
-    let area = area(app, app.layout().body?, COMPARISON)?;
-    let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
-    Some((lines, usize::from(area.height.saturating_sub(2))))
 }

@@ -6,7 +6,7 @@ use crate::tui::app::notice::Notice;
 use crate::tui::app::pins::Shown;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::table::filtered;
-use crate::tui::widgets::text::broken;
+use crate::tui::widgets::text::{broken, counted};
 
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
@@ -56,12 +56,7 @@ impl Page for LogTab {
         let lines = app.log_lines(usize::from(area.width));
         let height = usize::from(area.height.saturating_sub(2));
         let first = app.pages.log.scroll.min(lines.len().saturating_sub(height));
-        let end = (first + height).min(lines.len());
-        let counter = if lines.len() > height {
-            format!("{}-{}/{}", first + 1, end, lines.len())
-        } else {
-            String::new()
-        };
+        let counter = counted(first, height, lines.len());
         let title = filtered("Log of this run and this session", &app.pages.log.find);
         let pane = PaneFrame::new(title).right(counter).focused(app.dialog.is_none());
         let inner = pane.draw(area, canvas);

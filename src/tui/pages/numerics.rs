@@ -85,37 +85,35 @@ impl Page for NumericsTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
+        let tab = &app.pages.numerics;
         Some(match app.pane() {
             ACCURACY => {
-                let kept = &app.pages.numerics.accuracy.report;
-                let (report, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
-                let file = format!("{}-accuracy.csv", app.base_stem());
-                let name = app.name_of(&kept.scene);
+                let kept = &tab.accuracy.report;
+                let (report, name) = (kept.found.clone()?, app.name_of(&kept.scene));
                 let csv = move || accuracy_table::table(&name, &report).csv();
-                PageTable::new("Export the measurements to CSV", file, is_complete, csv)
-                    .of(&kept.scene, "accuracy")
+                let title = "Export the measurements to CSV";
+                let table = PageTable::new(title, "accuracy.csv", kept.is_complete, csv);
+                table.of(app, &kept.scene, "accuracy")
             }
             STIFF_SCENES => {
-                let kept = &app.pages.numerics.stability.battery;
+                let kept = &tab.stability.battery;
                 let found = kept.found.clone().filter(|found| !found.rows.is_empty())?;
-                let is_complete = kept.is_complete;
                 let csv = move || stability_table::table(&found.rows).csv();
-                PageTable::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
+                let title = "Export the stiff scenes to CSV";
+                PageTable::new(title, "battery.csv", kept.is_complete, csv)
             }
             _ => {
-                let kept = &app.pages.numerics.stability.map;
-                let (map, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
-                let file = format!("{}-map.csv", app.base_stem());
+                let kept = &tab.stability.map;
+                let (map, name) = (kept.found.clone()?, app.name_of(&kept.scene));
                 let command =
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
-                let (name, scene) = (app.name_of(&kept.scene), Arc::clone(&kept.scene));
-                let csv = move || {
-                    let warnings: Vec<String> =
-                        library::warnings(&scene).map(str::to_owned).collect();
-                    stability_table::map_table(&name, &map).with_warnings(&warnings).csv()
-                };
-                PageTable::new("Export the map to CSV", file, is_complete, csv)
-                    .of(&kept.scene, &command)
+                let warnings = library::warnings(&kept.scene).map(str::to_owned);
+                let warnings: Vec<String> = warnings.collect();
+                let csv =
+                    move || stability_table::map_table(&name, &map).with_warnings(&warnings).csv();
+                let table =
+                    PageTable::new("Export the map to CSV", "map.csv", kept.is_complete, csv);
+                table.of(app, &kept.scene, command)
             }
         })
     }
@@ -149,7 +147,7 @@ impl Page for NumericsTab {
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         match app.pane() {
-            ACCURACY => accuracy::draw::render(app, body, canvas),
+            ACCURACY => accuracy::draw(app, body, canvas),
             STABILITY => stability::draw_map(app, body, canvas),
             _ => stability::draw_battery(app, body, canvas),
         }

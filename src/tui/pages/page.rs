@@ -4,8 +4,8 @@
 pub(crate) mod prelude {
     pub(crate) use std::sync::Arc;
 
-    pub(crate) use super::{About, Page, PageSpec, Progress};
-    pub(crate) use super::{BEING_COMPUTED, note, nothing, progress};
+    pub(crate) use super::{About, Page, PageSpec};
+    pub(crate) use super::{BEING_COMPUTED, cut, note, nothing, progress, under_way};
     pub(crate) use crate::model::scene::Scene;
     pub(crate) use crate::model::units::significant;
     pub(crate) use crate::tui::app::notice::{StatusPart, old, part};
@@ -30,6 +30,7 @@ use crate::tui::app::running::Kept;
 use crate::tui::pages;
 use crate::tui::widgets::form::Form;
 use crate::tui::widgets::input::TextField;
+use crate::tui::widgets::layout::{Layout, layout};
 use crate::tui::widgets::steps::Input;
 
 /// The refusal of what needs results that are under way.
@@ -45,29 +46,14 @@ pub(crate) fn nothing<S: AskedFor>(
     app.keymap.shown(if waits { running } else { why.unwrap_or(NO_RESULTS) })
 }
 
-/// How what a page computes stands: its words in the status row are the same on every page.
-pub(crate) enum Progress<'a> {
-    /// Under way; what is done, and how much of it.
-    Running(String),
-    Nothing,
-    /// The display belongs to another object.
-    Old(&'a str),
-    /// Stopped before its end; how far it came.
-    Cut(String),
-    Done(String),
+/// The words for what is under way, the same in the status row of every page: what is done, and how much of it.
+pub(crate) fn under_way(what: &str) -> StatusPart {
+    part(Severity::Note, format!("{what} (<back> cancels)"))
 }
 
-impl Progress<'_> {
-    pub(crate) fn part(self) -> StatusPart {
-        let (severity, text) = match self {
-            Self::Running(what) => (Severity::Note, format!("{what} (<back> cancels)")),
-            Self::Nothing => (Severity::Note, NO_RESULTS.to_owned()),
-            Self::Old(whose) => (Severity::Warning, old(whose)),
-            Self::Cut(after) => (Severity::Warning, format!("cancelled{after}: press <run>")),
-            Self::Done(text) => (Severity::Note, text),
-        };
-        part(severity, text)
-    }
+/// The words for what was stopped before its end; how far it came.
+pub(crate) fn cut(after: &str) -> StatusPart {
+    part(Severity::Warning, format!("cancelled{after}: press <run>"))
 }
 
 /// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
@@ -76,12 +62,13 @@ pub(crate) fn progress<S: AskedFor, T>(
     kept: &Kept<T>,
     scene: &Scene,
     words: impl FnOnce(&Running) -> String,
-) -> Option<Progress<'static>> {
+    after: &str,
+) -> Option<StatusPart> {
     match app.jobs.running::<S>() {
-        Some(running) => Some(Progress::Running(words(running))),
-        None if kept.is_old(scene) => Some(Progress::Old("scene")),
-        None if kept.found.is_none() => Some(Progress::Nothing),
-        None => (!kept.is_complete).then(|| Progress::Cut(String::new())),
+        Some(running) => Some(under_way(&words(running))),
+        None if kept.is_old(scene) => Some(part(Severity::Warning, old("scene"))),
+        None if kept.found.is_none() => Some(part(Severity::Note, NO_RESULTS)),
+        None => (!kept.is_complete).then(|| cut(after)),
     }
 }
 
@@ -202,6 +189,19 @@ pub(crate) trait Page: Sync {
 
     /// Draw its panes into the body of the screen.
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>);
+}
+
+impl App {
+    pub fn layout(&self) -> Layout {
+        // A pinned run takes the row that says how to pin one.
+        let has_hint = self.tab != Tab::Run || self.pins.is_empty();
+        layout(self.size, pages::of(self.tab).about().pages.len() > 1, has_hint)
+    }
+
+    /// Rows of a list that fills the body.
+    pub(crate) fn list_rows(&self) -> usize {
+        self.layout().body.map_or(10, |body| usize::from(body.height.saturating_sub(2)))
+    }
 }
 
 /// Draw the setup of a study.

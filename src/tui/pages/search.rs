@@ -4,7 +4,6 @@ pub(crate) mod answer;
 pub(crate) mod draw;
 mod found;
 mod front;
-pub(crate) mod kept;
 mod monte_carlo;
 mod seek;
 mod sensitivity;
@@ -143,7 +142,7 @@ impl Page for SearchTab {
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),
             _ => match along(action) {
-                Some(by) => move_by(app, by.into()),
+                Some(by) => move_by(app, by),
                 None => return false,
             },
         }
@@ -160,41 +159,26 @@ impl Page for SearchTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.search;
-        let of_page = |(running, request): (_, &SearchRequest)| {
-            (running, state::Page::of(request) == tab.page)
-        };
-        let running: Option<(&Running, bool)> = app.jobs.study::<SearchRequest>().map(of_page);
-        let mut count = None;
-        let progress = match (running, tab.answer()) {
-            (Some((running, true)), _) => {
-                let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
-                Progress::Running(format!("searching{counted}"))
-            }
-            (Some((_, false)), _) => Progress::Running("another search is running".to_owned()),
-            (None, Some(_)) if app.search_is_old() => Progress::Old("setup"),
-            (None, Some(answer)) => {
-                count = answer.effort();
-                if answer.is_complete() {
-                    Progress::Done("done".to_owned())
-                } else {
-                    Progress::Cut(String::new())
-                }
-            }
-            (None, None) => Progress::Nothing,
-        };
-        let is_refused = tab.problem().is_some() && running.is_none() && tab.answer().is_none();
-        let first = if is_refused {
-            part(Severity::Error, "this cannot be searched for")
-        } else {
-            progress.part()
-        };
-        let count = count.map(|runs| part(Severity::Note, runs));
+        let running = app.jobs.study::<SearchRequest>();
         let answer = tab.answer().filter(|_| running.is_none());
-        let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
-        let ends = answer.filter(|_| !app.search_is_old()).into_iter();
-        let ends = ends.flat_map(Answer::outside_at_ends);
+        let own = answer.filter(|_| !app.search_is_old());
+        let first = match running {
+            Some((running, request)) if state::Page::of(request) == tab.page => {
+                let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
+                under_way(&format!("searching{counted}"))
+            }
+            Some(_) => under_way("another search is running"),
+            None if answer.is_some() && own.is_none() => part(Severity::Warning, old("setup")),
+            None if own.is_some_and(Answer::is_complete) => part(Severity::Note, "done"),
+            None if own.is_some() => cut(""),
+            None if tab.problem().is_some() => part(Severity::Error, "this cannot be searched for"),
+            None => part(Severity::Note, NO_RESULTS),
+        };
+        let ends = own.into_iter().flat_map(Answer::outside_at_ends);
         let ends = outside(ends.map(|it| it.0), " at the ends");
-        std::iter::once(first).chain(ends).chain(validity).chain(count).collect()
+        let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
+        let effort = own.and_then(Answer::effort).map(|runs| part(Severity::Note, runs));
+        std::iter::once(first).chain(ends).chain(validity).chain(effort).collect()
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
@@ -217,14 +201,14 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let file = format!("{}-{}", app.base_stem(), app.pages.search.page.study().file);
         let kept = app.pages.search.shown()?;
+        let (answer, scene) = (kept.found.clone()?, Arc::clone(&kept.scene));
         let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
-        let (scene, answer) = (Arc::clone(&kept.scene), Arc::clone(kept.found.as_ref()?));
         let name = app.name_of(&scene);
         let csv = move || answer.csv(&scene, &name);
-        let table = PageTable::new("Export the results to CSV", file, kept.is_complete, csv);
-        Some(table.of(&kept.scene, &command))
+        let (title, file) = ("Export the results to CSV", app.pages.search.page.study().file);
+        let table = PageTable::new(title, file, kept.is_complete, csv);
+        Some(table.of(app, &kept.scene, command))
     }
 
     fn form(&self, app: &App) -> Option<Form> {

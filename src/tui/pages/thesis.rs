@@ -1,9 +1,9 @@
 //! The Thesis tab: what is computed of the thesis, its design principles, its screening of concepts.
 
-pub(crate) mod draw;
 pub mod state;
 
 use crate::report::thesis;
+use crate::study::principles;
 use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::pages::explore;
 use crate::tui::pages::explore::plan::is_corrected_figure;
@@ -12,9 +12,16 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::preset::Base;
 use crate::tui::widgets::find::{rank, ranked};
+use crate::tui::widgets::table::{NO_MATCH, filtered};
 use crate::worker::studies::Claims;
 
 pub use state::{CLAIMS, CONCEPTS, PRINCIPLES};
+
+/// From this width on the detail stands beside the list.
+const BESIDE: u16 = 110;
+/// Columns of a claim's place in the list, at most; a third of a narrow list.
+const PLACE: u16 = 25;
+const LABEL: u16 = 12;
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
@@ -51,7 +58,7 @@ impl Page for ThesisTab {
     fn enter(&self, app: &mut App) {
         let lacks = app.jobs.lacks::<Claims, _>(&app.pages.thesis.report, &Scene::default());
         if lacks && app.pane() == CLAIMS {
-            check(app);
+            jobs::study_of(app, &Arc::default(), Claims);
         }
     }
 
@@ -60,7 +67,8 @@ impl Page for ThesisTab {
             return false;
         }
         match action {
-            Action::Run => check(app),
+            // The scene plays no part.
+            Action::Run => jobs::study_of(app, &Arc::default(), Claims),
             Action::Enter => open(app),
             _ => return false,
         }
@@ -81,8 +89,8 @@ impl Page for ThesisTab {
         let tab = &app.pages.thesis;
         let mut parts = Vec::new();
         let words = |it: &Running| format!("checking the claims{}", it.counted("of", ""));
-        let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words);
-        parts.extend(checking.map(Progress::part));
+        let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words, "");
+        parts.extend(checking);
         if tab.report.found.is_some() {
             let counts = ClaimVerdict::ALL.iter().zip(tally(tab.rows()));
             let counts: Vec<String> =
@@ -125,13 +133,12 @@ impl Page for ThesisTab {
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        draw::render(app, body, canvas);
+        match app.pane() {
+            CLAIMS => claims(app, body, canvas),
+            PRINCIPLES => principles(app, body, canvas),
+            _ => concepts(app, body, canvas),
+        }
     }
-}
-
-/// Check the claims; the scene plays no part.
-fn check(app: &mut App) {
-    jobs::study_of(app, &Arc::default(), Claims);
 }
 
 /// Open the preset that shows the selected claim: a sweep in its tab, another scene in the Run tab.
@@ -156,7 +163,7 @@ pub(crate) fn show(app: &mut App, base: Base) {
 }
 
 /// Axes of the sweep that a scene keeps.
-fn axes(scene: &Scene) -> usize {
+pub(crate) fn axes(scene: &Scene) -> usize {
     scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len())
 }
 
@@ -201,4 +208,156 @@ impl App {
     pub fn claim(&self) -> Option<&Row> {
         self.claims().get(self.pages.thesis.selected).copied()
     }
+}
+
+/// The list and the detail, beside or below each other.
+fn split(area: Rect, below: u16) -> (Rect, Rect) {
+    if area.width >= BESIDE {
+        return split_left(area, area.width * 11 / 20);
+    }
+    split_bottom(area, below.min(area.height / 2))
+}
+
+fn role(verdict: ClaimVerdict) -> Role {
+    match verdict {
+        ClaimVerdict::Reproduced => Role::Text,
+        ClaimVerdict::Corrected | ClaimVerdict::Misprint => Role::Warning,
+        ClaimVerdict::NotReproduced => Role::Error,
+    }
+}
+
+fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let tab = &app.pages.thesis;
+    let (list, detail) = split(area, 11);
+    let shown = app.claims();
+    let count = format!("{} of {}", shown.len(), tab.rows().len());
+    let title = filtered("Claims of the thesis", &tab.find);
+    let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
+    let inner = pane.draw(list, canvas);
+    if shown.is_empty() {
+        let text = match tab.rows() {
+            [] => nothing::<Claims>(app, "checking the first claims", None),
+            _ => app.keymap.shown(NO_MATCH),
+        };
+        canvas.put(inner, (1, 1), &text, Role::Dim);
+    }
+    let says = PLACE.min(inner.width / 3);
+    // A claim has as many lines as it needs.
+    let room = usize::from(inner.width.saturating_sub(says));
+    let lines: Vec<(usize, bool, String)> = shown
+        .iter()
+        .enumerate()
+        .flat_map(|(index, row)| {
+            let parts = wrap(row.claim.says, room).into_iter().enumerate();
+            parts.map(move |(at, part)| (index, at == 0, part))
+        })
+        .collect();
+    let selected = lines.iter().position(|line| line.0 == tab.selected).unwrap_or(0);
+    let rows = RowList { count: lines.len(), selected, painted: false };
+    let target = |line: usize| Some(Target::Row(CLAIMS, lines[line].0));
+    rows.render(canvas, inner, target, |canvas, line, at| {
+        let (index, is_first, part) = &lines[at];
+        let row = shown[*index];
+        let role = role(row.claim.verdict);
+        if *is_first {
+            canvas.put(line, (0, 0), &row.claim.verdict.letter().to_string(), role);
+            let place = clip(row.claim.place, usize::from(says.saturating_sub(3)));
+            canvas.put(line, (2, 0), &place, role);
+        }
+        canvas.put(line, (says, 0), part, role);
+        if *index == tab.selected && app.dialog.is_none() {
+            canvas.paint_row(line);
+        }
+    });
+    claim(app, detail, canvas);
+}
+
+/// The selected claim in full: its parts below each other, each over as many rows as it needs.
+fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let place = app.claim().map_or("", |row| row.claim.place);
+    let hint = app.keymap.shown("<next-pane>: principles");
+    let inner = PaneFrame::new(place).right(hint).draw(area, canvas);
+    let Some(row) = app.claim() else { return };
+    let verdict = format!("{} {}", row.claim.verdict.letter(), row.claim.verdict.words());
+    let texts = [
+        ("says", row.claim.says),
+        ("computed", &row.computed),
+        ("as printed", &row.as_printed),
+        ("verdict", &verdict),
+        ("cause", row.claim.cause),
+    ];
+    let mut y = 0;
+    for (label, text) in texts.into_iter().filter(|(_, text)| !text.is_empty()) {
+        canvas.put(inner, (0, y), label, Role::Dim);
+        for line in wrap(text, usize::from(inner.width.saturating_sub(LABEL).max(8))) {
+            canvas.put(inner, (LABEL, y), &line, Role::Text);
+            y += 1;
+        }
+    }
+}
+
+/// A letter for each function of Table 5.1; the title explains them.
+const FUNCTIONS: [(char, &str); 4] = [
+    ('O', "armor plate orientation"),
+    ('A', "accelerated elements"),
+    ('S', "controlled stiffness"),
+    ('L', "lateral array"),
+];
+const LEGEND: &str = "O orientation, A acceleration, S stiffness, L lateral";
+
+fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let pane = PaneFrame::new(LEGEND)
+        .right(app.keymap.shown("<next-pane>: concepts"))
+        .focused(app.dialog.is_none());
+    let inner = pane.draw(area, canvas);
+    let (mut y, mut family) = (0, "");
+    for principle in principles::PRINCIPLES {
+        if principle.family != family {
+            family = principle.family;
+            canvas.put(inner, (0, y), family, Role::Title);
+            y += 1;
+        }
+        canvas.put(inner, (1, y), principle.name, Role::Text);
+        for (column, (letter, function)) in (47..).step_by(3).zip(FUNCTIONS) {
+            if principle.functions.contains(&function) {
+                canvas.put(inner, (column, y), &letter.to_string(), Role::Text);
+            }
+        }
+        y += 1;
+    }
+}
+
+fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let pane = PaneFrame::new("Ratings of the concepts, 3 is the reference (Table 7.1)")
+        .right(app.keymap.shown("<next-pane>: claims"))
+        .focused(app.dialog.is_none());
+    let inner = pane.draw(area, canvas);
+    // A narrow screen cuts the ends of the criteria's names.
+    let (name, cell) = if inner.width < 78 { (11, 5) } else { (22, 6) };
+    let put = |canvas: &mut Canvas<'_>, y: u16, label: &str, weight: &str, cells: [String; 8]| {
+        canvas.put(inner, (0, y), &clip(label, usize::from(name) - 1), Role::Text);
+        canvas.put(inner, (name, y), weight, Role::Text);
+        for (column, text) in (name + 7..).step_by(cell).zip(cells) {
+            canvas.put(inner, (column, y), &text, Role::Text);
+        }
+    };
+    put(canvas, 0, "criterion", "weight", principles::CONCEPTS.map(|it| initials(it.name)));
+    for (y, (at, (criterion, weight))) in (1..).zip(principles::CRITERIA.iter().enumerate()) {
+        let ratings = principles::CONCEPTS.map(|it| significant(it.ratings[at], 2));
+        put(canvas, y, criterion, &format!("{weight:>3} %"), ratings);
+    }
+    put(canvas, 8, "total", "", principles::CONCEPTS.map(|it| format!("{:.2}", it.total)));
+    put(canvas, 9, "rank", "", principles::CONCEPTS.map(|it| it.rank.to_string()));
+    for (y, it) in (11..inner.height).zip(principles::CONCEPTS) {
+        let line = format!("{}  {}", initials(it.name), it.name);
+        canvas.put(inner, (0, y), &line, Role::Dim);
+    }
+}
+
+/// Two letters of the first word and one of the second: `EmF` for `Emergent four-bar`.
+fn initials(name: &str) -> String {
+    let mut words = name.split(' ');
+    let first: String = words.next().unwrap_or_default().chars().take(2).collect();
+    let second: String = words.next().unwrap_or_default().chars().take(1).collect();
+    first + &second.to_uppercase()
 }

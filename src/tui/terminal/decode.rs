@@ -450,14 +450,8 @@ mod tests {
 
     #[test]
     fn clicks_and_the_wheel_count_and_other_buttons_do_not() {
-        let mouse = |kind| {
-            vec![Input::Mouse(MouseEvent {
-                kind,
-                column: 4,
-                row: 7,
-                modifiers: KeyModifiers::NONE,
-            })]
-        };
+        let modifiers = KeyModifiers::NONE;
+        let mouse = |kind| [Input::Mouse(MouseEvent { kind, column: 4, row: 7, modifiers })];
         let press = MouseEventKind::Down(MouseButton::Left);
         assert_eq!(one(b"\x1b[<0;5;8M"), mouse(press));
         assert_eq!(one(b"\x1b[<64;5;8M"), mouse(MouseEventKind::ScrollUp));

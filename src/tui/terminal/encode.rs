@@ -40,10 +40,8 @@ pub(super) fn cells<'a>(out: &mut Vec<u8>, content: impl Iterator<Item = (u16, u
 /// Whether a symbol surely takes one column: one character of those this program draws with.
 fn is_narrow(symbol: &str) -> bool {
     let mut characters = symbol.chars();
-    let one = characters
-        .next()
-        .is_some_and(|c| matches!(c, ' '..='~' | '\u{a0}'..='\u{2ff}' | '\u{370}'..='\u{3ff}' | '\u{2500}'..='\u{259f}' | '\u{2800}'..='\u{28ff}'));
-    one && characters.next().is_none()
+    let is_known = |c: char| matches!(c, ' '..='~' | '\u{a0}'..='\u{2ff}' | '\u{370}'..='\u{3ff}' | '\u{2500}'..='\u{259f}' | '\u{2800}'..='\u{28ff}');
+    characters.next().is_some_and(is_known) && characters.next().is_none()
 }
 
 /// Move the cursor; `from` is `None` where its place is not known.

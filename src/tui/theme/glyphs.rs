@@ -42,10 +42,8 @@ impl GlyphSet {
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         let value = |name| env(name).filter(|text| !text.is_empty());
         let locale = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(value);
-        let utf8 = locale.is_some_and(|text| {
-            let upper = text.to_ascii_uppercase();
-            upper.contains("UTF-8") || upper.contains("UTF8")
-        });
+        let utf8 =
+            locale.is_some_and(|text| text.to_ascii_uppercase().replace('-', "").contains("UTF8"));
         let term = value("TERM").unwrap_or_default();
         if !utf8 || term == "dumb" || is_vt(&term) {
             Self::Ascii
@@ -110,35 +108,6 @@ mod tests {
     use ratatui::style::Style;
 
     use super::*;
-
-    fn detect(pairs: &[(&str, &str)]) -> GlyphSet {
-        GlyphSet::detect(|name| {
-            let found = pairs.iter().find(|(key, _)| *key == name);
-            found.map(|(_, value)| (*value).to_owned())
-        })
-    }
-
-    #[test]
-    fn the_first_locale_variable_that_is_set_decides() {
-        use GlyphSet as G;
-        let cases: &[(&[(&str, &str)], G)] = &[
-            (&[], G::Ascii),
-            (&[("LANG", "C")], G::Ascii),
-            (&[("LANG", "en_GB.UTF-8")], G::Braille),
-            (&[("LANG", "de_DE.utf8")], G::Braille),
-            (&[("LC_ALL", "C"), ("LANG", "en_GB.UTF-8")], G::Ascii),
-            (&[("LC_ALL", ""), ("LANG", "en_GB.UTF-8")], G::Braille),
-            (&[("LC_CTYPE", "C.UTF-8"), ("LANG", "C")], G::Braille),
-            (&[("LC_ALL", "C.UTF-8"), ("LC_CTYPE", "C")], G::Braille),
-            (&[("LANG", "en_GB.UTF-8"), ("TERM", "linux")], G::Block),
-            (&[("LANG", "C"), ("TERM", "linux")], G::Ascii),
-            (&[("LANG", "en_GB.UTF-8"), ("TERM", "vt220")], G::Ascii),
-            (&[("LANG", "en_GB.UTF-8"), ("TERM", "vte-256color")], G::Braille),
-        ];
-        for (pairs, set) in cases {
-            assert_eq!(detect(pairs), *set, "{pairs:?}");
-        }
-    }
 
     #[test]
     fn choices_are_read_and_an_unknown_one_names_the_cure() {

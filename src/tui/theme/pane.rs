@@ -7,15 +7,15 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Widget};
 
 use super::{Role, Theme, columns};
-use crate::report::chart::Below;
+use crate::report::chart::{Below, Frame};
 
+#[must_use]
 #[derive(Clone, Debug, Default)]
 pub struct PaneFrame<'a> {
     title: String,
     right: Line<'a>,
     focused: bool,
-    /// It continues a box above it, and what its lower line is.
-    stacked: Option<(bool, Below)>,
+    frame: Frame,
 }
 
 impl<'a> PaneFrame<'a> {
@@ -24,27 +24,21 @@ impl<'a> PaneFrame<'a> {
     }
 
     /// With this at the right of the top line; where it has no room there, in the lower line of a frame of its own.
-    #[must_use]
-    pub fn right(mut self, right: impl Into<Line<'a>>) -> Self {
-        self.right = right.into();
-        self
+    pub fn right(self, right: impl Into<Line<'a>>) -> Self {
+        Self { right: right.into(), ..self }
     }
 
-    #[must_use]
-    pub fn focused(mut self, focused: bool) -> Self {
-        self.focused = focused;
-        self
+    pub fn focused(self, focused: bool) -> Self {
+        Self { focused, ..self }
     }
 
-    /// As one of several panes in a box: whether the box begins with it, and its lower line.
-    #[must_use]
-    pub fn stacked(mut self, begins: bool, below: Below) -> Self {
-        self.stacked = Some((!begins, below));
-        self
+    /// As one of several panes in a box.
+    pub fn frame(self, frame: Frame) -> Self {
+        Self { frame, ..self }
     }
 
     fn block(&self) -> Block<'_> {
-        let is_open = self.stacked.is_some_and(|(_, below)| below == Below::Nothing);
+        let is_open = matches!(self.frame, Frame::Stacked { below: Below::Nothing, .. });
         let without = if is_open { Borders::BOTTOM } else { Borders::NONE };
         Block::new().borders(Borders::ALL.difference(without))
     }
@@ -57,8 +51,8 @@ impl<'a> PaneFrame<'a> {
         let area = area.intersection(buffer.area);
         let border = theme.style(if self.focused { Role::Focus } else { Role::Border });
         let mut set = border::PLAIN;
-        if let Some((continues, below)) = self.stacked {
-            if continues {
+        if let Frame::Stacked { begins, below } = self.frame {
+            if !begins {
                 (set.top_left, set.top_right) = ("├", "┤");
             }
             if below == Below::Across {
@@ -78,7 +72,7 @@ impl<'a> PaneFrame<'a> {
         let room = usize::from(area.width).saturating_sub(6);
         if right.width() > 2 && title + right.width() <= room {
             block = block.title_top(right.right_aligned());
-        } else if right.width() > 2 && self.stacked.is_none() && right.width() <= room {
+        } else if right.width() > 2 && self.frame == Frame::Boxed && right.width() <= room {
             block = block.title_bottom(right.right_aligned());
         }
         let inner = block.inner(area);

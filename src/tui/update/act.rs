@@ -127,7 +127,7 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
 /// The next or previous page of the tab, in a circle; nothing where it has one.
 fn next_page(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
-    let count = app.tab.pages();
+    let count = page.about().pages.len();
     if count > 1 {
         page.turn_to(app, cycled(page.shown(app), by, count));
     }
@@ -148,7 +148,7 @@ fn focus(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
-        if app.tab.pages() < 2 {
+        if page.about().pages.is_empty() {
             app.tell("this tab has one pane; <tab-run>, <tab-explore> and so on change tabs");
         }
         return next_page(app, by);
@@ -203,17 +203,15 @@ fn leave(app: &mut App, action: Action) {
 fn back(app: &mut App) {
     if app.is_full() {
         app.pages.run.is_full = false;
-    } else {
-        let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
-        let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
-        let text = elsewhere.map_or_else(
-            || format!("nothing to close: <quit> quits (the session {kept})"),
-            |tab| {
-                format!("nothing to stop here: <back> in {} stops its job", tab.title(&app.keymap))
-            },
-        );
-        app.tell(text);
+        return;
     }
+    let text = if let Some((tab, _)) = pages::all_jobs(app).next() {
+        format!("nothing to stop here: <back> in {} stops its job", tab.title(&app.keymap))
+    } else {
+        let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
+        format!("nothing to close: <quit> quits (the session {kept})")
+    };
+    app.tell(text);
 }
 
 /// Copy the table that the page shows.

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use crate::model::scene::{Scene, SweepAxis};
 use crate::model::units::{self, Bare};
-use crate::model::variables::{self, Allowed, Kind, Number, VARIABLES, Variable};
+use crate::model::variables::{self, Allowed, Number, VARIABLES, Variable};
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{FormRow, VALUE_WIDTH};
 use crate::tui::widgets::steps::{self, Input, shown_number};
@@ -110,9 +110,7 @@ pub(crate) fn over(
         let most = match number.allowed {
             Allowed::Between(_, high) => high,
             Allowed::Below(_, high) => 0.75 * high,
-            Allowed::Positive | Allowed::NonNegative | Allowed::Any | Allowed::Closing => {
-                f64::INFINITY
-            }
+            _ => f64::INFINITY,
         };
         (from, if to < most { to } else { most })
     });
@@ -142,12 +140,8 @@ fn find(name: &str) -> Result<&'static Variable, String> {
 }
 
 fn number_of(variable: &'static Variable) -> Result<&'static Number, String> {
-    match &variable.kind {
-        Kind::Number(number) => Ok(number),
-        Kind::Choice(_) | Kind::Switch { .. } => Err(format!(
-            "{} has no numbers to sweep over, only {}: choose a numeric variable",
-            variable.symbol,
-            variable.allowed()
-        )),
-    }
+    variable.number().ok_or_else(|| {
+        let (symbol, allowed) = (variable.symbol, variable.allowed());
+        format!("{symbol} has no numbers to sweep over, only {allowed}: choose a numeric variable")
+    })
 }

@@ -20,7 +20,7 @@ pub(crate) const VALUE_WIDTH: u16 = 7;
 const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
 /// A row of a form: its label, its value, what its field opens with, and what it means.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(crate) struct FormRow {
     pub label: String,
     /// At the right; empty where the label is the value.
@@ -44,15 +44,7 @@ impl FormRow {
 
     /// A row whose values are gone through.
     pub(crate) fn word(label: &str, value: impl Into<String>) -> Self {
-        Self {
-            label: label.to_owned(),
-            value: value.into(),
-            unit: "",
-            text: None,
-            meaning: String::new(),
-            takes_unit: false,
-            role: Role::Text,
-        }
+        Self { label: label.to_owned(), value: value.into(), ..Self::default() }
     }
 
     pub(crate) fn switch(label: &str, on: bool) -> Self {

@@ -18,10 +18,10 @@ pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
 }
 
 /// Far, and a page: so many points or columns.
-const FAR: i16 = 10;
+const FAR: isize = 10;
 
 /// How far along an action moves a cursor.
-pub(crate) fn along(action: Action) -> Option<i16> {
+pub(crate) fn along(action: Action) -> Option<isize> {
     let Press { up, is_far } = step_of(action)?;
     let by = if is_far { FAR } else { 1 };
     Some(if up { by } else { -by })
@@ -29,15 +29,14 @@ pub(crate) fn along(action: Action) -> Option<i16> {
 
 /// How far along and upward an action moves a cursor.
 pub(crate) fn cursor_moved(action: Action) -> Option<(isize, isize)> {
-    let up = isize::from(FAR);
     match action {
         Action::Up => Some((0, 1)),
         Action::Down => Some((0, -1)),
-        Action::PageUp => Some((0, up)),
-        Action::PageDown => Some((0, -up)),
+        Action::PageUp => Some((0, FAR)),
+        Action::PageDown => Some((0, -FAR)),
         Action::First => Some((isize::MIN / 2, 0)),
         Action::Last => Some((isize::MAX / 2, 0)),
-        _ => along(action).map(|by| (by.into(), 0)),
+        _ => along(action).map(|by| (by, 0)),
     }
 }
 

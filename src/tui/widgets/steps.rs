@@ -2,7 +2,7 @@
 
 use crate::model::scene::Scene;
 use crate::model::units::{self, Dimension, significant};
-use crate::model::variables::{Number, Step, Variable};
+use crate::model::variables::{Allowed, Number, Step, Variable};
 
 /// A number in at most `width` characters.
 pub(crate) fn shown_number(number: f64, width: usize) -> String {
@@ -15,10 +15,7 @@ pub(crate) fn shown_number(number: f64, width: usize) -> String {
 
 /// A value with prefix and unit, four figures: `19.26 kN`; a pure number has no prefix.
 pub(crate) fn engineering(value: f64, unit: &'static str) -> String {
-    if unit.is_empty() {
-        return significant(value, 4);
-    }
-    units::engineering(value, unit, 4)
+    if unit.is_empty() { significant(value, 4) } else { units::engineering(value, unit, 4) }
 }
 
 /// What changes the value of a row.
@@ -131,7 +128,6 @@ fn smallest(number: &Number) -> f64 {
 
 /// A step over the edge of a closed range ends on the edge.
 fn clamp(number: &Number, value: f64, next: f64) -> f64 {
-    use crate::model::variables::Allowed;
     match number.allowed {
         Allowed::Between(low, high) => next.clamp(low, high),
         Allowed::Below(low, _) if next < low => low,
@@ -147,13 +143,10 @@ fn whole(value: f64) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::variables::{self, Kind};
+    use crate::model::variables;
 
     fn number(symbol: &str) -> &'static Number {
-        match &variables::find(symbol).unwrap().kind {
-            Kind::Number(number) => number,
-            Kind::Choice(_) | Kind::Switch { .. } => panic!("{symbol} is no number"),
-        }
+        variables::find(symbol).unwrap().number().unwrap()
     }
 
     const BACK: Press = Press { up: false, is_far: false };

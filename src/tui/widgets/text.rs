@@ -56,6 +56,12 @@ pub(crate) fn first_row(selected: usize, height: usize, count: usize) -> usize {
     selected.saturating_sub(height.saturating_sub(1) * 2 / 3).min(most)
 }
 
+/// Which of some rows are shown: `3-12/40`; empty where all are.
+pub(crate) fn counted(first: usize, shown: usize, count: usize) -> String {
+    let last = (first + shown).min(count);
+    if count > shown { format!("{}-{last}/{count}", first + 1) } else { String::new() }
+}
+
 /// At most `width` characters; what is cut ends in `..`.
 pub(crate) fn clip(text: &str, width: usize) -> String {
     if theme::columns(text) <= width {

@@ -7,9 +7,8 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::appendix::{Refusal, Scheme, State};
+use crate::model::appendix::{Plate, Refusal, Scheme, State};
 use crate::model::estimate::{self, ROUNDING};
-use crate::model::mechanism::PowerLaw;
 use crate::model::run::{
     Arrest, AtLeast, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, NotModelled, Observer,
     Outcome, Run, Sample, Settings, Warning,
@@ -78,7 +77,12 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
         peak_n: 0.0,
         before: None,
     };
-    work.begin();
+    let (m, v, [x, w]) = (scene.projectile.mass_kg, state.velocity_m_s, state.plate);
+    let ledger = &mut work.run.ledger;
+    ledger.initial_kinetic_j = 0.5 * m * v * v;
+    ledger.initial_plate_j = 0.5 * scene.plate_mass_kg() * w * w;
+    ledger.initial_spring_j = work.scheme.spring().integral(x);
+    work.note(Mode::Penetrating, 0, 1);
     let end = match work.contact(observer) {
         Ok(ending) => work.afterwards(ending, observer),
         Err(reason) => reason,
@@ -87,19 +91,6 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
 }
 
 impl Work<'_> {
-    fn begin(&mut self) {
-        let (m, v) = (self.scene.projectile.mass_kg, self.scene.projectile.velocity_m_s);
-        let [x, w] = self.state.plate;
-        self.run.ledger.initial_kinetic_j = 0.5 * m * v * v;
-        self.run.ledger.initial_plate_j = 0.5 * self.scene.plate_mass_kg() * w * w;
-        self.run.ledger.initial_spring_j = self.spring().integral(x);
-        self.note(Mode::Penetrating, 0, 1);
-    }
-
-    fn spring(&self) -> PowerLaw {
-        self.scheme.plate.map_or(PowerLaw::NONE, |plate| plate.spring)
-    }
-
     fn sample(&self, mode: Mode) -> Sample {
         let state = &self.state;
         let (spring, damper) =
@@ -233,9 +224,9 @@ impl Work<'_> {
         let perforated = ending == Outcome::Perforated;
         let parted = perforated && self.scheme.listing.afterwards == Reading::Corrected;
         let projectile_kg = if parted { 0.0 } else { self.scene.projectile.mass_kg };
-        let body = plate.joined(projectile_kg);
+        let body = Plate { mass_kg: plate.mass_kg + projectile_kg, ..plate };
         let mode = if parted { Mode::Perforated } else { Mode::Fused };
-        let springless = self.spring().is_absent();
+        let springless = plate.spring.is_absent();
         let is_free = springless && self.scene.mechanism.damper.is_absent();
         let contact_s = self.t_s;
         let horizon_s = self.scene.run.horizon_s;
@@ -286,7 +277,7 @@ impl Work<'_> {
     fn finish(mut self, end: EndReason) -> Run {
         let (m, m_2) = (self.scene.projectile.mass_kg, self.scene.plate_mass_kg());
         let (v, [x, w]) = (self.state.velocity_m_s, self.state.plate);
-        let spring_j = self.spring().integral(x);
+        let spring_j = self.scheme.spring().integral(x);
         let sprung = self.scheme.plate.is_some();
         let ledger = &mut self.run.ledger;
         ledger.projectile_j = 0.5 * m * v * v;

@@ -7,18 +7,8 @@
 
 use std::f64::consts::PI;
 
-use super::{About, Values, shown};
+use super::duration_s;
 use crate::model::scene::Scene;
-
-pub(super) const ABOUT: About = About {
-    place: 3,
-    strength: "simple",
-    limit: "the duration has to be chosen; cannot perforate",
-    parameters: |scene| {
-        let duration_s = Values::of(scene).duration_s;
-        format!("t_d = {}", shown(duration_s, "s", scene.contact.duration_s))
-    },
-};
 
 /// A prescribed force history, a function of time alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +22,7 @@ pub(in crate::model) struct History {
 impl History {
     pub(super) fn of(scene: &Scene) -> Self {
         let (mass_kg, velocity_m_s) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
-        Self { duration_s: Values::of(scene).duration_s, mass_kg, velocity_m_s }
+        Self { duration_s: duration_s(scene), mass_kg, velocity_m_s }
     }
 
     fn angle(&self, t_s: f64) -> f64 {

@@ -4,28 +4,8 @@
 //! `delta_max (1 - k_load/k_unload)`, from which it is pressed again along `k_unload` up to where it was. It only pushes.
 //! The dent is the depth; the model has no rear face.
 
-use super::{About, Values, shown};
+use super::stiffnesses_n_m;
 use crate::model::scene::Scene;
-use crate::model::units;
-
-pub(super) const ABOUT: About = About {
-    place: 2,
-    strength: "simple",
-    limit: "needs parameters that no source gives; cannot perforate",
-    parameters,
-};
-
-fn parameters(scene: &Scene) -> String {
-    let (contact, values) = (&scene.contact, Values::of(scene));
-    let load = shown(values.load_stiffness_n_m, "N/m", contact.load_stiffness_n_m);
-    let ratio = values.unload_stiffness_n_m / values.load_stiffness_n_m;
-    format!(
-        "k_load = {load}, k_unload = {} k_load{}, b_2 = {} N s/m",
-        units::significant(ratio, 4),
-        if contact.unload_stiffness_n_m.is_none() { " (auto)" } else { "" },
-        units::shortest(contact.damping_n_s_m)
-    )
-}
 
 /// The interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,10 +20,10 @@ pub(in crate::model) struct Lumped {
 
 impl Lumped {
     pub(super) fn of(scene: &Scene) -> Self {
-        let values = Values::of(scene);
+        let (load_n_m, unload_n_m) = stiffnesses_n_m(scene);
         Self {
-            load_n_m: values.load_stiffness_n_m,
-            unload_n_m: values.unload_stiffness_n_m,
+            load_n_m,
+            unload_n_m,
             damping_n_s_m: scene.contact.damping_n_s_m,
             mass_kg: scene.projectile.mass_kg,
             velocity_m_s: scene.projectile.velocity_m_s,

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::closed_form::{Ending, Passage};
+use crate::model::closed_form::Passage;
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Contact, Mode};
@@ -195,10 +195,7 @@ impl Course<'_> {
         if !self.flows() {
             return self.setup.law.hole_on_rigid_mount_m().map(|q_m| geometry.depth_m(q_m));
         }
-        match Passage::rigid(self.scene, geometry).ending() {
-            Ending::Arrest { travel_m } => Some(geometry.depth_m(travel_m)),
-            Ending::Exit { .. } => None,
-        }
+        Passage::rigid(self.scene, geometry).arrest_m().map(|q_m| geometry.depth_m(q_m))
     }
 
     fn ledger(&self) -> EnergyLedger {

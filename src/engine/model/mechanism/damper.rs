@@ -6,7 +6,7 @@ use crate::model::variables::part::{TABLE_9_2, parts};
 parts! {
     /// A power-law damper.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Damper {
+    pub struct Damper at (mechanism.damper) {
         pub coefficient: f64 = 0.0 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
             number(DamperCoefficient, NonNegative).called("damping").searched(0.0, 2000.0).log().from(TABLE_9_2);
         pub exponent: f64 = 1.0 => "m", "damper exponent", "damper exponent",

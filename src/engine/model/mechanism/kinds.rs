@@ -5,10 +5,10 @@
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::Curve;
-use crate::model::scene::{OwnMass, Wire};
-use crate::model::variables::part::{parts, place};
+use crate::model::scene::{OwnMass, Scene, Wire};
+use crate::model::variables::part::{parts, placed};
 use crate::model::variables::visible::is_sprung;
-use crate::model::variables::{Variable, VariableError};
+use crate::model::variables::{Group, Variable, VariableError};
 use crate::model::worded::worded;
 
 mod beam;
@@ -37,7 +37,7 @@ macro_rules! kinds {
     ) => {
         parts! {
             $(#[$meta])*
-            pub struct Spring {
+            pub struct Spring at (mechanism.spring) {
                 $($common)+
                 $(#[doc = concat!("Parameters of ", $("`", $word, "` "),+)] pub $field: $field::$part = $field::$part::default();)+
             }
@@ -64,17 +64,18 @@ macro_rules! kinds {
             }
         }
 
-        $(place!(
-            Mechanism, mechanism.spring.$field: $field::$part,
-            listed |scene| matches!(scene.mechanism.spring.kind, $(SpringKind::$kind)|+),
-            used is_sprung
-        );)+
-
-        /// Adds the rows of the spring.
-        pub(in crate::model) fn add_spring_rows(rows: &mut Vec<Variable>) {
-            Spring::add_rows(rows);
-            $($field::$part::add_rows(rows);)+
-            Wire::add_rows(rows);
+        /// The rows of the spring.
+        pub(in crate::model) fn spring_rows() -> Vec<Variable> {
+            let of_kind = |listed, rows| placed(Group::Mechanism, listed, is_sprung, rows);
+            [
+                of_kind(|_| true, Spring::rows()),
+                $(of_kind(
+                    |scene| matches!(scene.mechanism.spring.kind, $(SpringKind::$kind)|+),
+                    $field::$part::rows(),
+                ),)+
+                of_kind(is_mass_of_wire, Wire::rows()),
+            ]
+            .concat()
         }
     };
 }
@@ -91,8 +92,8 @@ kinds! {
             .from("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
         pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
             number(Number, Positive).searched(0.1, 3.0).log()
-            .listed_when(|scene| scene.mechanism.spring.law().has_exponent())
-            .used_when(|scene| scene.mechanism.spring.law().has_exponent() && !scene.mechanism.spring.is_absent())
+            .listed_when(|scene| scene.mechanism.spring.has_exponent())
+            .used_when(|scene| scene.mechanism.spring.has_exponent() && !scene.mechanism.spring.is_absent())
             .from("thesis Table 9.2 (range searched)");
         pub count: f64 = 1.0 => "N_spring", "springs", "number of equal springs that act in parallel",
             number(Number, Positive)
@@ -142,11 +143,6 @@ pub(in crate::model) trait Law {
         Curve::power(self.power_law(spring).unwrap_or(PowerLaw::NONE))
     }
 
-    /// Whether its force depends on the exponent of the spring.
-    fn has_exponent(&self) -> bool {
-        false
-    }
-
     /// Checks the rules between its parameters; `path` is the key of the spring.
     fn check(&self, _path: &str) -> Result<(), VariableError> {
         Ok(())
@@ -182,11 +178,6 @@ pub(in crate::model) trait Law {
         None
     }
 
-    /// Whether it is wound of wire, and surges.
-    fn is_coil(&self) -> bool {
-        false
-    }
-
     /// The parameters of a kind that keeps how far it was crushed.
     fn absorber(&self) -> Option<&crush::Crush> {
         None
@@ -194,6 +185,11 @@ pub(in crate::model) trait Law {
 }
 
 impl Spring {
+    /// Whether its force depends on the exponent.
+    fn has_exponent(&self) -> bool {
+        matches!(self.kind, SpringKind::PowerLaw | SpringKind::Normalised)
+    }
+
     /// Whether there is exactly one of it.
     pub fn is_single(&self) -> bool {
         (self.count - 1.0).abs() < f64::EPSILON
@@ -235,13 +231,8 @@ impl Spring {
     }
 }
 
-place!(Mechanism, mechanism.spring: Spring, used is_sprung);
-// Without a given energy per mass a coil's mass follows from its wire.
-place!(
-    Mechanism, mechanism.spring.wire: Wire,
-    listed |scene| {
-        let mechanism = &scene.mechanism;
-        mechanism.energy_j_kg.is_none() && mechanism.are_coils() && mechanism.has_springs()
-    },
-    used is_sprung
-);
+/// Without a given energy per mass a coil's mass follows from its wire.
+fn is_mass_of_wire(scene: &Scene) -> bool {
+    let mechanism = &scene.mechanism;
+    mechanism.energy_j_kg.is_none() && mechanism.are_coils() && mechanism.has_springs()
+}

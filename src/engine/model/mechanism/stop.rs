@@ -7,7 +7,7 @@ use crate::model::worded::worded;
 parts! {
     /// A mechanical stop, which acts on the plate.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Stop {
+    pub struct Stop at (mechanism.stop) {
         pub position_m: Option<f64> = None => "x_stop", "stop position", "where the plate meets a mechanical stop",
             optional(Length, Any, "none").also(&["stop"]).from("thesis sections 9.5.1 and 9.6");
         pub kind: StopKind = StopKind::Rigid => "stop_kind", "kind of stop",

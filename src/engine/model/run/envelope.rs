@@ -453,8 +453,17 @@ mod tests {
     #[test]
     fn every_rule_is_kept_inside_and_each_breach_gives_its_number_and_direction() {
         use Direction::{Conservative, Unconservative, Unknown};
-        assert_eq!(of_scene(&inside("")), []);
+        // Rolled armour of 6 to 14 mm under a core of 6.25 mm came out too high (`validate`): h/D from 0.96 to 2.2. Mild steel did not.
+        let core = |own: &str| format!("R=3.1242mm closure=cavity dishing=off {own}");
+        let hard = core("Y=900MPa h=14mm");
+        for kept in [core("Y=900MPa h=16mm"), core("Y=250MPa h=14mm")] {
+            assert_eq!(thickness(&inside(&kept)), None, "{kept}");
+        }
+        for kept in ["", "face=50mm mount=rigid"] {
+            assert_eq!(of_scene(&inside(kept)), [], "{kept}");
+        }
         for (changes, check, direction, number) in [
+            (hard.as_str(), Check::Thickness, Unconservative, "plugging"),
             ("h=1mm", Check::Thickness, Unconservative, "several sheets"),
             ("rho=1200", Check::Material, Unknown, "no metal"),
             // 0.06/0.02 = 3.
@@ -466,6 +475,8 @@ mod tests {
             ("S_y=1.5e9", Check::NosePressure, Conservative, "0.789"),
             // 4/3 pi 0.01^3 7850 = 32.9 g.
             ("m_p=30g", Check::NoseMass, Unknown, "32.9 g"),
+            // 50/20 = 2.5.
+            ("face=50mm", Check::Face, Unconservative, "plate face is 50 mm square, 2.5 D"),
             ("v_i=20", Check::Velocity, Unknown, "20 m/s"),
             ("v_i=1200", Check::Velocity, Unknown, "erosion"),
             ("theta=30deg", Check::Obliquity, Conservative, "8.6 % at 30"),
@@ -477,18 +488,6 @@ mod tests {
             assert_eq!(breach.direction, direction, "{check:?}");
             assert!(breach.to_string().contains(number), "{breach}");
         }
-    }
-
-    /// gamma 0.05 of the baseline has a face of 0.21 cm² under a nose of 1.27 cm².
-    #[test]
-    fn a_face_smaller_than_the_nose_is_a_breach() {
-        let scene = variables::scene_with("gamma=0.05");
-        assert!((scene.plate_face_m().powi(2) - 0.21e-4).abs() < 0.005e-4);
-        let found = of_scene(&scene);
-        let text = found.iter().find(|breach| breach.check == Check::Face).unwrap().to_string();
-        assert!(text.contains("plate face is 4.63 mm square, 0.364 D"), "{text}");
-        let held = variables::scene_with("gamma=0.05 mount=rigid");
-        assert!(!checks(&of_scene(&held)).contains(&Check::Face));
     }
 
     /// gamma = 1 moves on at 50 m/s, half of the shot's 100 m/s; a heavy plate at 10 m/s.
@@ -535,47 +534,25 @@ mod tests {
         assert!(remarks(&stack).iter().all(|it| !it.contains(&Warning::NoBaseline.to_string())));
     }
 
-    /// Half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves.
+    /// Half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves; of a given mass a third of
+    /// 8 g is 0.0904 of the plate's 29.5 g, of 10 g 0.113. An absorber of 19460 J/kg needs 3.8 g for the same energy.
     #[test]
     fn a_springs_own_mass_that_is_omitted_is_a_breach() {
-        let text_of = |changes: &str| {
+        for (changes, texts) in [
+            ("k=1e5", &["at least 37", "spring mass moving is 4.2", "(unconservative)"][..]),
+            ("m_spring=10g", &["has 10 g,", "is 0.113 times"]),
+            ("spring=column own_mass=counted", &["give m_spring or e_spring"]),
+            ("k=1e5 own_mass=counted", &[]),
+            ("mount=rigid", &[]),
+            ("k=0", &[]),
+            ("m_spring=8g", &[]),
+            ("e_spring=19460", &[]),
+        ] {
             let found = of_run(&run(&variables::scene_with(changes)));
             let breach = found.iter().find(|breach| breach.check == Check::SpringMass);
-            breach.map(ToString::to_string)
-        };
-        let text = text_of("k=1e5").unwrap();
-        assert!(
-            text.contains("at least 37")
-                && text.contains("spring mass moving is 4.2")
-                && text.contains("(unconservative)"),
-            "{text}"
-        );
-        assert_eq!(text_of("k=1e5 own_mass=counted"), None);
-        assert_eq!(text_of("mount=rigid"), None);
-        assert_eq!(text_of("k=0"), None);
-        // A given mass: a third of 8 g is 0.0904 of the plate's 29.5 g, of 10 g 0.113.
-        assert_eq!(text_of("m_spring=8g"), None);
-        let text = text_of("m_spring=10g").unwrap();
-        assert!(text.contains("has 10 g,") && text.contains("is 0.113 times"), "{text}");
-        let text = text_of("spring=column own_mass=counted").unwrap();
-        assert!(text.contains("give m_spring or e_spring"), "{text}");
-        // An absorber of 19460 J/kg needs 3.8 g for the same energy.
-        assert_eq!(text_of("e_spring=19460"), None);
-    }
-
-    /// Rolled armour of 6 to 14 mm under a core of 6.25 mm came out too high (`validate`): h/D from 0.96 to 2.2. Mild steel did not.
-    #[test]
-    fn a_thin_hard_plate_is_unconservative() {
-        for (own, is_breached) in [
-            ("Y=900MPa h=6mm", true),
-            ("Y=900MPa h=14mm", true),
-            ("Y=900MPa h=16mm", false),
-            ("Y=250MPa h=14mm", false),
-        ] {
-            let scene = inside(&format!("R=3.1242mm closure=cavity dishing=off {own}"));
-            let found = thickness(&scene);
-            assert_eq!(found.is_some(), is_breached, "{own}");
-            assert!(found.is_none_or(|it| it.direction == Direction::Unconservative));
+            let said = breach.map(ToString::to_string).unwrap_or_default();
+            assert_eq!(said.is_empty(), texts.is_empty(), "{changes}: {said}");
+            assert!(texts.iter().all(|text| said.contains(text)), "{changes}: {said}");
         }
     }
 }

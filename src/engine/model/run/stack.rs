@@ -35,8 +35,7 @@ impl Run {
     /// The relative error estimate of a result; of a stack, the greatest of its plates.
     pub fn error_of(&self, name: &str) -> Option<f64> {
         let errors = self.plates().flat_map(|run| &run.error_estimates);
-        let own = errors.filter(|error| error.name == name).map(|error| error.relative);
-        own.fold(None, |most, error| Some(most.map_or(error, |most| larger(most, error))))
+        errors.filter(|error| error.name == name).map(|error| error.relative).reduce(larger)
     }
 }
 

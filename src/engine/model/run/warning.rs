@@ -51,34 +51,19 @@ impl Warning {
 }
 
 fn still_moving(outcome: Outcome, at_least: &AtLeast) -> String {
-    let depth = at_least.penetration_m.map(|_| "depth");
-    let far = at_least.plate_displacement_m.map(|_| "greatest displacement");
-    let bounds: Vec<&str> = depth.into_iter().chain(far).collect();
-    let decided = match outcome {
-        Outcome::Moving => "the outcome is not decided",
-        Outcome::Arrested | Outcome::Perforated | Outcome::Separated => "the outcome is decided",
+    let is_decided = if outcome == Outcome::Moving { "is not" } else { "is" };
+    let decided = format!("the outcome {is_decided} decided");
+    let bounds = match (at_least.penetration_m, at_least.plate_displacement_m) {
+        (None, None) => {
+            return format!(
+                "still oscillating at the end of the run; {decided}, and depth and greatest displacement cannot grow later"
+            );
+        }
+        (Some(_), None) => "depth",
+        (None, Some(_)) => "greatest displacement",
+        (Some(_), Some(_)) => "depth and greatest displacement",
     };
-    if bounds.is_empty() {
-        format!(
-            "still oscillating at the end of the run; {decided}, and depth and greatest displacement cannot \
-             grow later"
-        )
-    } else {
-        let bounds = bounds.join(" and ");
-        format!(
-            "still moving when the run ended; {decided}; lower bounds (values so far): {bounds}"
-        )
-    }
-}
-
-fn horizon_not_reached(reason: EndReason, t_s: f64, horizon_s: f64) -> String {
-    let time = |value| engineering(value, "s", 4);
-    format!(
-        "the horizon of {} was not reached: the run stopped at t = {} ({})",
-        time(horizon_s),
-        time(t_s),
-        reason.words()
-    )
+    format!("still moving when the run ended; {decided}; lower bounds (values so far): {bounds}")
 }
 
 fn overruns(t_s: f64, duration_s: f64) -> String {
@@ -145,9 +130,13 @@ impl fmt::Display for Warning {
             Self::StillMoving { outcome, at_least } => {
                 f.write_str(&still_moving(*outcome, at_least))
             }
-            Self::HorizonNotReached { reason, t_s, horizon_s } => {
-                f.write_str(&horizon_not_reached(*reason, *t_s, *horizon_s))
-            }
+            Self::HorizonNotReached { reason, t_s, horizon_s } => write!(
+                f,
+                "the horizon of {} was not reached: the run stopped at t = {} ({})",
+                engineering(*horizon_s, "s", 4),
+                engineering(*t_s, "s", 4),
+                reason.words()
+            ),
             Self::Overruns { t_s, duration_s } => f.write_str(&overruns(*t_s, *duration_s)),
             Self::NotModelled(what) => f.write_str(what.words()),
             Self::PlateMeetsNext { plate, travel_m, gap_m } => write!(

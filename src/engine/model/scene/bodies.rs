@@ -10,7 +10,7 @@ use crate::model::worded::worded;
 parts! {
     /// A rigid projectile with a hemispherical nose.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Projectile {
+    pub struct Projectile at (projectile) {
         pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass",
             number(Mass, Positive).called("projectile_mass").from(TABLE_9_1);
         pub tip_radius_m: f64 = 0.00635 => "R", "tip radius", "radius of the hemispherical tip and of the body behind it",
@@ -32,7 +32,7 @@ parts! {
 
     /// The plate as a target.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Target {
+    pub struct Target at (target) {
         pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", number(Length, Positive)
             .used_when(|scene| penetrates(scene) || gives_mass(scene)).from(TABLE_9_1);
         pub density_kg_m3: f64 = 2710.0 => "rho", "plate density", "plate density",
@@ -71,7 +71,7 @@ parts! {
 
     /// The plate as a body.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Plate {
+    pub struct Plate at (plate) {
         pub mount: Mount = Mount::Sprung => "mount", "mount", "sprung: carried by spring and damper; rigid: it cannot move",
             choice().from("thesis section 9.3 (rigid: the baseline)");
         pub mass_ratio: f64 = 1.0 => "gamma", "mass ratio", "mass ratio, plate mass over projectile mass",
@@ -197,14 +197,11 @@ fn may_expand(scene: &Scene) -> bool {
     matches!(scene.target.closure, Closure::Cavity | Closure::ByThickness)
 }
 
-/// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with
-/// it.
-const CAVITY_FROM: f64 = 1.0;
-
 impl Target {
-    /// The thickness from which a closure by thickness is cavity expansion, m.
+    /// The thickness from which a closure by thickness is cavity expansion without dishing instead of 2 Y with it, m: the projectile's
+    /// diameter.
     pub fn thick_from_m(tip_radius_m: f64) -> f64 {
-        CAVITY_FROM * 2.0 * tip_radius_m
+        2.0 * tip_radius_m
     }
 
     /// Makes the drag coefficient a given one, also where the closure by thickness would choose it.
@@ -300,7 +297,7 @@ fn sizes() -> Vec<Variable> {
                 },
                 ..Number::of(Dimension::$quantity, Allowed::Positive)
             };
-            Variable::at::<Plate>($key, Kind::Number(number))
+            Variable::new($key, Kind::Number(number))
                 .listed_when(|scene| matches!(scene.plate.size, PlateSize::$size(_)))
                 .used_when(is_sprung)
                 .seldom()
@@ -308,11 +305,11 @@ fn sizes() -> Vec<Variable> {
         }};
     }
     vec![
-        size!("mass_kg", Mass, Mass)
+        size!("plate.mass_kg", Mass, Mass)
             .named("m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it")
             .called("plate_mass")
             .also(&["m2"]),
-        size!("face_m", Length, Face).named(
+        size!("plate.face_m", Length, Face).named(
             "face",
             "plate side",
             "side of the plate's square face; gamma = rho h face^2/m_p follows from it",

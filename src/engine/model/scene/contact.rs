@@ -9,7 +9,7 @@ use crate::model::worded::worded;
 parts! {
     /// The interaction model and its parameters.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Contact {
+    pub struct Contact at (contact) {
         pub model: ContactModel = ContactModel::Hydrodynamic => "model", "contact model",
             "how the force between projectile and plate is modelled", choice().from("thesis section 8.2 and Table 8.1");
         pub duration_s: Option<f64> = None => "t_d", "pulse duration", "duration of the half-sine force history",
@@ -32,7 +32,7 @@ parts! {
 
     /// The listing of Appendix A. Scenes run it as printed; its errors can be put right one by one, to see what each is worth.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Listing {
+    pub struct Listing at (contact.appendix) {
         pub step_s: f64 = 1e-6 => "dt", "time step", "time step of the listing",
             number(Time, Positive).log().from("thesis Appendix A.1");
         /// A.2: depth subtracts the plate's last increment only, or its whole motion.
@@ -54,7 +54,7 @@ parts! {
 
     /// The interface between projectile and plate after the first arrest.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Interface {
+    pub struct Interface at (interface) {
         pub law: InterfaceLaw = InterfaceLaw::Fused => "interface", "interface law",
             "fused: joined for good once the projectile stops; plastic: carries forces up to its strength",
             choice().called("interface_law").also(&["law"]).from("fused: the thesis; plastic: a rigid-plastic interface");

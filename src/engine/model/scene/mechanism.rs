@@ -10,7 +10,7 @@ use crate::model::worded::worded;
 parts! {
     /// Springs, damper and stop.
     #[derive(Clone, Debug, PartialEq)]
-    pub struct Mechanism {
+    pub struct Mechanism at (mechanism) {
         /// The damper.
         pub damper: Damper = Damper::default();
         /// The first spring.
@@ -30,7 +30,7 @@ parts! {
 
     /// The power law beside the first spring.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Second {
+    pub struct Second at (mechanism.second) {
         pub coefficient: f64 = 1e5 => "k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)",
             number(SpringCoefficient, NonNegative).log().from("thesis section 6.2.8");
         pub exponent: f64 = 1.0 => "n_2", "second exponent", "exponent of the second spring",
@@ -39,7 +39,7 @@ parts! {
 
     /// The material a spring is wound of: spring steel.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Wire {
+    pub struct Wire at (mechanism.spring.wire) {
         pub density_kg_m3: f64 = 7850.0 => "rho_wire", "wire density", "density of the wire",
             number(Density, Positive).seldom().from("spring steel");
         pub shear_modulus_pa: f64 = 79.3e9 => "G_wire", "shear modulus", "shear modulus of the wire",
@@ -107,9 +107,9 @@ impl Mechanism {
             .or_else(|| self.are_coils().then(|| self.spring.wire.specific_energy_j_kg()))
     }
 
-    /// Whether the springs that act are wound of wire, as a second one always is.
+    /// Whether the springs that act are wound of wire, as every power law is taken to be.
     pub fn are_coils(&self) -> bool {
-        self.spring.law().is_coil()
+        self.spring.power_law().is_some()
     }
 
     /// Whether one of the springs that are there is wound of wire.

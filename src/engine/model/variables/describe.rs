@@ -1,6 +1,6 @@
 //! Descriptions of variables: the name in words, and when a scene uses it. Both are read off the table and its rules.
 
-use super::{Kind, VARIABLES, Value, Variable, changed, is_listed, is_used};
+use super::{VARIABLES, Value, Variable, changed, is_listed, is_used};
 use crate::model::scene::Scene;
 
 /// How keys end in their units, the longer before its own end.
@@ -42,32 +42,22 @@ const CHANGES: [(&str, &str); 9] = [
     ("face given", "face=0.1"),
 ];
 
-/// A scene with each of those changes, and each word of each choice, in turn.
-fn changes(base: &Scene) -> Vec<(String, Scene)> {
-    let with =
-        |(text, change): (&str, &str)| Some((text.to_owned(), changed(base.clone(), change).ok()?));
-    CHANGES.into_iter().filter_map(with).chain(choices(base)).collect()
-}
-
-/// The words for those changes whose scenes are meant.
-fn texts(list: Vec<(String, Scene)>, is_meant: impl Fn(&Scene) -> bool) -> Vec<String> {
-    list.into_iter().filter(|(_, scene)| is_meant(scene)).map(|(text, _)| text).collect()
-}
-
-/// A scene with each word of each choice in turn, but the words it has.
-fn choices(base: &Scene) -> Vec<(String, Scene)> {
+/// Each other word of each choice, in words and as it is set.
+fn choices(base: &Scene) -> Vec<(String, String)> {
     let mut list = Vec::new();
     for variable in VARIABLES.iter().filter(|variable| is_used(variable, base)) {
-        let Kind::Choice(choice) = &variable.kind else { continue };
-        for (at, word) in choice.words.iter().enumerate() {
-            if at != (choice.get)(base) {
-                let mut scene = base.clone();
-                (choice.set)(&mut scene, at);
-                list.push((format!("{} = {word}", variable.symbol), scene));
-            }
-        }
+        let (symbol, own) = (variable.symbol, variable.show(base));
+        let others = variable.words().iter().filter(|word| **word != own);
+        list.extend(others.map(|word| (format!("{symbol} = {word}"), format!("{symbol}={word}"))));
     }
     list
+}
+
+/// A scene with each of some changes in turn, and the words for it.
+fn scenes(base: &Scene, changes: Vec<(String, String)>) -> impl Iterator<Item = (String, Scene)> {
+    let with =
+        |(text, change): (String, String)| Some((text, changed(base.clone(), &change).ok()?));
+    changes.into_iter().filter_map(with)
 }
 
 /// Whether a scene uses a variable once it has a value.
@@ -90,14 +80,20 @@ pub fn used_when(variable: &Variable) -> Option<String> {
 
 /// The changes of a scene that does not use a variable which bring it into use: one, or two together.
 pub fn used_where(variable: &Variable, scene: &Scene) -> String {
-    let acts = |scene: &Scene| acts(variable, scene);
-    let single = texts(changes(scene), acts);
+    let acting = |base: &Scene, changes: Vec<(String, String)>| -> Vec<String> {
+        let scenes = scenes(base, changes).filter(|(_, scene)| acts(variable, scene));
+        scenes.map(|(text, _)| text).collect()
+    };
+    let owned = |(text, change): (&str, &str)| (text.to_owned(), change.to_owned());
+    let changes: Vec<(String, String)> =
+        CHANGES.into_iter().map(owned).chain(choices(scene)).collect();
+    let single = acting(scene, changes.clone());
     if !single.is_empty() {
         return format!("where {}", single.join(" or "));
     }
-    let pairs =
-        changes(scene).into_iter().map(|(first, base)| (first, texts(choices(&base), acts)));
-    pairs.into_iter().find(|(_, double)| !double.is_empty()).map_or_else(
+    let mut pairs =
+        scenes(scene, changes).map(|(first, base)| (first, acting(&base, choices(&base))));
+    pairs.find(|(_, double)| !double.is_empty()).map_or_else(
         || "in few scenes: see its meaning".to_owned(),
         |(first, double)| format!("where {first} and {}", double.join(" or ")),
     )
@@ -110,13 +106,16 @@ mod tests {
 
     /// A name that two variables had would lead to the first.
     #[test]
-    fn each_name_leads_to_its_variable() {
+    fn each_name_leads_to_its_variable_and_ends_in_no_unit() {
+        const UNITS: [&str; 11] = ["kg", "j", "m", "m2", "m3", "s", "n", "pa", "deg", "rad", "hz"];
         for variable in VARIABLES.iter() {
             let name = variable.name();
             let names = [variable.symbol, variable.key, &name];
             for name in names.iter().chain(variable.aliases) {
                 assert_eq!(find(name).map(|found| found.key), Ok(variable.key), "{name}");
             }
+            let last = name.rsplit('_').next().unwrap_or_default();
+            assert!(!UNITS.contains(&last), "{name}: {}", variable.key);
         }
         for (name, symbol) in [
             ("velocity", "v_i"),
@@ -126,21 +125,11 @@ mod tests {
             ("density", "rho"),
             ("mass_ratio", "gamma"),
             ("stop_position", "x_stop"),
+            // The name it had before.
+            ("energy_j", "e_spring"),
         ] {
             assert_eq!(find(name).map(|found| found.symbol), Ok(symbol), "{name}");
         }
-    }
-
-    #[test]
-    fn no_name_ends_in_a_unit() {
-        for variable in VARIABLES.iter() {
-            let name = variable.name();
-            let last = name.rsplit('_').next().unwrap_or_default();
-            let units = ["kg", "j", "m", "m2", "m3", "s", "n", "pa", "deg", "rad", "hz"];
-            assert!(!units.contains(&last), "{name}: {}", variable.key);
-        }
-        // The name it had before.
-        assert_eq!(find("energy_j").map(|found| found.key), Ok("mechanism.energy_j_kg"));
     }
 
     #[test]

@@ -11,62 +11,8 @@ pub(in crate::model) const TABLE_9_2: &str = "thesis Table 9.2 (range searched)"
 /// The source of most defaults of the springs.
 pub(in crate::model) const NO_VALUES: &str = "assumption: the thesis gives no values";
 
-/// A part of a scene whose fields are variables.
-pub(in crate::model) trait Part {
-    /// The group of the editor that its fields stand in.
-    const GROUP: Group;
-
-    /// The start of the keys of its fields, for example `mechanism.damper`.
-    const PATH: &'static str;
-
-    fn of(scene: &Scene) -> &Self;
-
-    fn of_mut(scene: &mut Scene) -> &mut Self;
-
-    /// Whether a list shows its fields at all.
-    fn is_listed(_: &Scene) -> bool {
-        true
-    }
-
-    /// Whether its fields have any effect.
-    fn is_used(scene: &Scene) -> bool {
-        Self::is_listed(scene)
-    }
-}
-
-/// Says where a part stands in a scene: its group, its path, and when it is listed and, of that, used.
-macro_rules! place {
-    (
-        $group:ident, $first:ident $(. $field:ident)*: $part:ty
-        $(, listed $listed:expr)? $(, used $used:expr)?
-    ) => {
-        impl $crate::model::variables::part::Part for $part {
-            const GROUP: $crate::model::variables::Group = $crate::model::variables::Group::$group;
-            const PATH: &'static str = concat!(stringify!($first) $(, ".", stringify!($field))*);
-
-            fn of(scene: &$crate::model::scene::Scene) -> &Self {
-                &scene.$first$(.$field)*
-            }
-
-            fn of_mut(scene: &mut $crate::model::scene::Scene) -> &mut Self {
-                &mut scene.$first$(.$field)*
-            }
-
-            $(fn is_listed(scene: &$crate::model::scene::Scene) -> bool {
-                let listed: fn(&$crate::model::scene::Scene) -> bool = $listed;
-                listed(scene)
-            })?
-
-            $(fn is_used(scene: &$crate::model::scene::Scene) -> bool {
-                let used: fn(&$crate::model::scene::Scene) -> bool = $used;
-                Self::is_listed(scene) && used(scene)
-            })?
-        }
-    };
-}
-
-/// Defines structs whose fields are variables. A field has its type, its default value, its symbol, its label (a noun of at most
-/// sixteen letters), its meaning, the kind of its value, and its further attributes:
+/// Defines structs whose fields are variables, each with its place in a scene. A field has its type, its default value, its symbol, its
+/// label (a noun of at most sixteen letters), its meaning, the kind of its value, and its further attributes:
 ///
 /// ```text
 /// pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity", number(Velocity, Positive).from(TABLE_9_1);
@@ -76,7 +22,7 @@ macro_rules! place {
 macro_rules! parts {
     ($(
         $(#[$meta:meta])*
-        pub struct $name:ident {
+        pub struct $name:ident at $place:tt {
             $(
                 $(#[$doc:meta])*
                 pub $field:ident: $type:ty = $default:expr
@@ -101,13 +47,13 @@ macro_rules! parts {
         }
 
         impl $name {
-            /// Adds the rows of its fields, in order.
-            pub(in crate::model) fn add_rows(rows: &mut Vec<$crate::model::variables::Variable>) {
-                rows.reserve([$(stringify!($field)),+].len());
-                $($(rows.extend($crate::model::variables::part::row! {
-                    $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
+            /// The rows of its fields, in order.
+            pub(in crate::model) fn rows() -> Vec<$crate::model::variables::Variable> {
+                let rows: &[Vec<_>] = &[$($($crate::model::variables::part::row! {
+                    $place $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
                     $(.$more($($value),*))*
-                });)?)+
+                },)?)+];
+                rows.concat()
             }
         }
     )+};
@@ -115,17 +61,17 @@ macro_rules! parts {
 
 /// The rows that belong to a field: one with a symbol, or those a function lists.
 macro_rules! row {
-    ($field:ident: $type:ty, [], each($rows:expr)) => {
+    ($place:tt $field:ident: $type:ty, [], each($rows:expr)) => {
         $rows()
     };
     (
-        $field:ident: $type:ty, [$symbol:literal, $label:literal, $meaning:literal],
+        ($($place:ident).+) $field:ident: $type:ty, [$symbol:literal, $label:literal, $meaning:literal],
         $kind:ident($($of_kind:tt)*) $(.$more:ident($($value:expr),*))*
     ) => {
-        [
-            $crate::model::variables::Variable::at::<Self>(
-                stringify!($field),
-                $crate::model::variables::part::kind!($field: $type, $kind($($of_kind)*)),
+        vec![
+            $crate::model::variables::Variable::new(
+                concat!($(stringify!($place), ".",)+ stringify!($field)),
+                $crate::model::variables::part::kind!($($place).+.$field: $type, $kind($($of_kind)*)),
             )
             .named($symbol, $label, $meaning)
             $(.$more($($value),*))*
@@ -133,15 +79,15 @@ macro_rules! row {
     };
 }
 
-/// The kind of a variable that is a field of a part, with its access.
+/// The kind of a variable that is a field of a scene, with its access.
 macro_rules! kind {
     // A required number.
-    ($field:ident: $type:ty, number($quantity:ident, $($allowed:tt)+)) => {{
-        use $crate::model::variables::{Allowed, Kind, Number, part::Part};
+    ($($field:ident).+: $type:ty, number($quantity:ident, $($allowed:tt)+)) => {{
+        use $crate::model::variables::{Allowed, Kind, Number};
         Kind::Number(Number {
-            get: |scene| Some(<Self as Part>::of(scene).$field),
+            get: |scene| Some(scene.$($field).+),
             set: |scene, value| {
-                <Self as Part>::of_mut(scene).$field = value.unwrap_or_default();
+                scene.$($field).+ = value.unwrap_or_default();
                 // The plate's mass ratio may depend on it.
                 scene.follow_size();
             },
@@ -149,47 +95,56 @@ macro_rules! kind {
         })
     }};
     // An optional number, with the word for its absence.
-    ($field:ident: $type:ty, optional($quantity:ident, $allowed:ident, $absent:literal)) => {{
-        use $crate::model::variables::{Allowed, Kind, Number, part::Part};
+    ($($field:ident).+: $type:ty, optional($quantity:ident, $allowed:ident, $absent:literal)) => {{
+        use $crate::model::variables::{Allowed, Kind, Number};
         Kind::Number(Number {
             absent: Some($absent),
-            get: |scene| <Self as Part>::of(scene).$field,
-            set: |scene, value| <Self as Part>::of_mut(scene).$field = value,
+            get: |scene| scene.$($field).+,
+            set: |scene, value| scene.$($field).+ = value,
             ..Number::of($crate::model::units::Dimension::$quantity, Allowed::$allowed)
         })
     }};
     // One of a few words.
-    ($field:ident: $type:ty, choice()) => {{
-        use $crate::model::variables::{Choice, Kind, part::Part};
+    ($($field:ident).+: $type:ty, choice()) => {{
+        use $crate::model::variables::{Choice, Kind};
         Kind::Choice(Choice {
             words: &<$type>::WORDS,
-            get: |scene| <Self as Part>::of(scene).$field as usize,
-            set: |scene, index| {
-                <Self as Part>::of_mut(scene).$field = <$type>::ALL[index.min(<$type>::ALL.len() - 1)];
-            },
+            get: |scene| scene.$($field).+ as usize,
+            set: |scene, index| scene.$($field).+ = <$type>::ALL[index],
         })
     }};
     // Anything else.
-    ($field:ident: $type:ty, is($kind:expr)) => {
+    ($($field:ident).+: $type:ty, is($kind:expr)) => {
         $kind
     };
 }
 
-pub(in crate::model) use {kind, parts, place, row};
+pub(in crate::model) use {kind, parts, row};
+
+/// The rows of a part of a scene in a group of the editor: whether a list shows them at all, and whether they then have any effect.
+pub(in crate::model) fn placed(
+    group: Group,
+    listed: fn(&Scene) -> bool,
+    used: fn(&Scene) -> bool,
+    rows: Vec<Variable>,
+) -> Vec<Variable> {
+    let part = Visible { listed, used };
+    rows.into_iter().map(|row| Variable { part, group, ..row }).collect()
+}
 
 impl Variable {
-    /// A variable that is a field of a part, or goes with one; its further attributes follows.
-    pub(in crate::model) fn at<P: Part>(field: &str, kind: Kind) -> Self {
+    /// A variable of a key; its further attributes, and the part of the scene it belongs to, follow.
+    pub(in crate::model) const fn new(key: &'static str, kind: Kind) -> Self {
         Self {
-            key: [P::PATH, ".", field].concat().leak(),
+            key,
             symbol: "",
             label: "",
             own_name: "",
             aliases: &[],
             is_seldom: false,
-            part: Visible { listed: P::is_listed, used: P::is_used },
+            part: Visible::ALWAYS,
             visible: Visible::ALWAYS,
-            group: P::GROUP,
+            group: Group::Run,
             meaning: "",
             source: "assumption",
             kind,

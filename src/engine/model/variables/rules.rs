@@ -25,15 +25,16 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
 fn check_stop(scene: &Scene) -> Result<(), VariableError> {
     // Not `-d`, which is written as -0 where nothing is cocked.
     let start = 0.0 - scene.plate.cocking_m;
-    let Some(position) = scene.mechanism.stop.position_m.filter(|position| *position < start)
-    else {
-        return Ok(());
-    };
-    let (position, start) = (shortest(position), shortest(start));
-    refuse(format!(
-        "x_stop (mechanism.stop.position_m) = {position} m lies behind the plate's start at -d = {start} m: it must be {start} m \
-         or more; move the stop or reduce d"
-    ))
+    if let Some(position) = scene.mechanism.stop.position_m
+        && position < start
+    {
+        let (position, start) = (shortest(position), shortest(start));
+        return refuse(format!(
+            "x_stop (mechanism.stop.position_m) = {position} m lies behind the plate's start at -d = {start} m: it must be \
+             {start} m or more; move the stop or reduce d"
+        ));
+    }
+    Ok(())
 }
 
 /// The projectile reaches the plate.
@@ -74,18 +75,17 @@ fn check_closure(scene: &Scene) -> Result<(), VariableError> {
 /// The interface cannot give back more than it took.
 fn check_interface_spring(scene: &Scene) -> Result<(), VariableError> {
     let contact = &scene.contact;
-    let (Some(load), Some(unload)) = (contact.load_stiffness_n_m, contact.unload_stiffness_n_m)
-    else {
-        return Ok(());
-    };
-    if contact.model != ContactModel::Lumped || unload >= load {
-        return Ok(());
+    if let (Some(load), Some(unload)) = (contact.load_stiffness_n_m, contact.unload_stiffness_n_m)
+        && contact.model == ContactModel::Lumped
+        && unload < load
+    {
+        let (load, unload) = (shortest(load), shortest(unload));
+        return refuse(format!(
+            "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
+             more than it took; it must be {load} N/m or more, or `auto`"
+        ));
     }
-    let (load, unload) = (shortest(load), shortest(unload));
-    refuse(format!(
-        "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
-         more than it took; it must be {load} N/m or more, or `auto`"
-    ))
+    Ok(())
 }
 
 /// The rules between the values of the springs, and between them and the contact model.

@@ -1,44 +1,34 @@
-//! The table of variables in the order of the editor: where each part of a scene stands, whose rows are beside its fields.
+//! The table of variables in the order of the editor: the group of each part of a scene, and when it is listed and, of that, used. Its
+//! rows stand beside its fields.
 
 use std::sync::LazyLock;
 
-use super::Variable;
-use super::part::place;
+use super::part::placed;
 use super::visible::{has_second, is_hydrodynamic, is_listing, is_sprung, may_stop};
-use crate::model::mechanism::kinds::add_spring_rows;
+use super::{Group, Variable};
+use crate::model::mechanism::kinds::spring_rows;
 use crate::model::scene::{
-    Contact, Damper, Interface, Listing, Mechanism, Plate, Projectile, RunSettings, Second, Stack,
-    Stop, Target,
+    Contact, Damper, Interface, Listing, Mechanism, Plate, Projectile, RunSettings, Scene, Second,
+    Stack, Stop, Target,
 };
-
-place!(Projectile, projectile: Projectile);
-place!(Target, target: Target);
-place!(Plate, plate: Plate);
-place!(Mechanism, mechanism: Mechanism, used is_sprung);
-place!(Mechanism, mechanism.damper: Damper, used is_sprung);
-place!(Mechanism, mechanism.second: Second, listed has_second);
-place!(Stop, mechanism.stop: Stop, used may_stop);
-place!(Stack, stack: Stack);
-place!(Interface, contact: Contact);
-place!(Interface, contact.appendix: Listing, listed is_listing);
-place!(Interface, interface: Interface, used is_hydrodynamic);
-place!(Run, run: RunSettings);
 
 /// Every variable there is.
 pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
-    let mut rows = Vec::new();
-    Projectile::add_rows(&mut rows);
-    Target::add_rows(&mut rows);
-    Plate::add_rows(&mut rows);
-    Damper::add_rows(&mut rows);
-    add_spring_rows(&mut rows);
-    Mechanism::add_rows(&mut rows);
-    Second::add_rows(&mut rows);
-    Stop::add_rows(&mut rows);
-    Stack::add_rows(&mut rows);
-    Contact::add_rows(&mut rows);
-    Listing::add_rows(&mut rows);
-    Interface::add_rows(&mut rows);
-    RunSettings::add_rows(&mut rows);
-    rows
+    let always = |_: &Scene| true;
+    [
+        placed(Group::Projectile, always, always, Projectile::rows()),
+        placed(Group::Target, always, always, Target::rows()),
+        placed(Group::Plate, always, always, Plate::rows()),
+        placed(Group::Mechanism, always, is_sprung, Damper::rows()),
+        spring_rows(),
+        placed(Group::Mechanism, always, is_sprung, Mechanism::rows()),
+        placed(Group::Mechanism, has_second, always, Second::rows()),
+        placed(Group::Stop, always, may_stop, Stop::rows()),
+        placed(Group::Stack, always, always, Stack::rows()),
+        placed(Group::Interface, always, always, Contact::rows()),
+        placed(Group::Interface, is_listing, always, Listing::rows()),
+        placed(Group::Interface, always, is_hydrodynamic, Interface::rows()),
+        placed(Group::Run, always, always, RunSettings::rows()),
+    ]
+    .concat()
 });

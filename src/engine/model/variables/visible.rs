@@ -19,7 +19,8 @@ impl Visible {
 
 /// Whether a variable has any effect on this scene.
 pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
-    (variable.part.used)(scene) && (variable.visible.used)(scene)
+    let Variable { part, visible, .. } = variable;
+    (part.listed)(scene) && (part.used)(scene) && (visible.used)(scene)
 }
 
 /// Whether a list shows the variable at all.

@@ -1,6 +1,5 @@
 //! The point under the cursor of the Explore tab, as a design and in words.
 
-use crate::model::units::{self, engineering};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{Cell, Grid};
@@ -118,9 +117,5 @@ fn values_at(grid: &Grid, point: (usize, usize)) -> impl Iterator<Item = (&Axis,
 
 /// An output with its unit: `64.27 %`, `37.98 mm`.
 fn output_value(output: &Quantity, value: f64) -> String {
-    match output.unit() {
-        "" => significant(value, 5),
-        "%" => format!("{} %", units::fixed_significant(value, 4)),
-        unit => engineering(value, unit, 4),
-    }
+    if output.unit().is_empty() { significant(value, 5) } else { output.show_all_digits(value, 4) }
 }

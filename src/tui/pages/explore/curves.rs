@@ -5,7 +5,7 @@ use crate::report::figures::{axis_of, column_of, sweeps};
 use crate::report::map::Map;
 use crate::report::svg::Picture;
 use crate::study::sweep::grid::{self, Grid};
-use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, MARKERS};
+use crate::tui::chart::{self, Chart, Curve, Emphasis, MARKERS};
 use crate::tui::pages::explore::plan::no_value;
 use crate::tui::pages::explore::state::{self, RESULTS, SETUP, nearest};
 use crate::tui::pages::page::draw_setup;
@@ -74,11 +74,7 @@ fn curves(
             let value = significant(axis.value(index as u64), 3);
             if index == 0 { format!("{}={value}", axis.symbol()) } else { value }
         });
-        let emphasis = match (is_old(app), index == selected) {
-            (true, _) => Emphasis::Stale,
-            (false, true) => Emphasis::Selected,
-            (false, false) => Emphasis::Normal,
-        };
+        let emphasis = chart::emphasis(is_old(app), index == selected);
         let marker = MARKERS[index % MARKERS.len()];
         Curve::new(marker, name, points).colour(index).emphasis(emphasis)
     });
@@ -93,7 +89,12 @@ fn curves(
         ..Chart::new(title, axis_of(&axes[0]), y, printed.chain(curves).collect())
     };
     let layout = canvas.draw(&chart, area);
-    gaps(grid, (output, selected), &layout, canvas);
+    // A letter at the foot of the plot wherever the selected curve has a gap.
+    for x in 0..along {
+        if let grid::Cell::Outcome(outcome) = grid.cell(x, selected, output) {
+            canvas.put_gap(&layout, grid.coordinate((x, selected), 0), outcome.letter());
+        }
+    }
     canvas.plot(&layout, |x, _| Some(Target::Cell(RESULTS, (nearest(&axes[0], x)?, selected))));
     Some(())
 }
@@ -116,15 +117,6 @@ pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f6
         (0..along).any(differs).then(|| (0..along).map(point).collect())
     };
     (0..repeats).filter_map(curve).collect()
-}
-
-/// A letter at the foot of the plot wherever a curve has a gap.
-fn gaps(grid: &Grid, (output, curve): (usize, usize), layout: &Layout, canvas: &mut Canvas<'_>) {
-    for x in 0..grid.counts().0 {
-        if let grid::Cell::Outcome(outcome) = grid.cell(x, curve, output) {
-            canvas.put_gap(layout, grid.coordinate((x, curve), 0), outcome.letter());
-        }
-    }
 }
 
 /// No point of the sweep has this output: say why, and what to do.

@@ -10,11 +10,10 @@ use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::variables;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, USUAL_OUTPUTS};
-use crate::tui::app::running::{Kept, Running};
+use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::preset::LabelledScene;
 use crate::tui::widgets::axis::over;
-use crate::worker::ReportBody;
 use crate::worker::studies::{AskedFor, PictureSweep};
 
 pub use crate::tui::widgets::axis::Part;
@@ -69,17 +68,6 @@ impl Sweeping {
     /// The place of the output shown among those of a sweep.
     pub fn output_of(&self, sweep: &Sweep) -> usize {
         self.output.min(sweep.outputs.len() - 1)
-    }
-
-    /// Keep what was found; over other axes the cursor begins again.
-    pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) {
-        let before = self.found().cloned();
-        if self.result.keep(running, news, Grid::is_complete)
-            && let Some(grid) = &self.result.found
-            && before.as_ref().is_none_or(|it| it.plan().axes() != grid.plan().axes())
-        {
-            self.cursor = None;
-        }
     }
 }
 

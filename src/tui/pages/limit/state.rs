@@ -1,11 +1,9 @@
 //! What the Limit tab keeps.
 
-use crate::study::compare::map::Map;
 use crate::study::limit::Report;
 use crate::study::monte_carlo;
-use crate::tui::app::running::{Kept, Running};
+use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
-use crate::worker::ReportBody;
 use crate::worker::studies::Comparison;
 
 /// The residual velocity over the impact velocity.
@@ -25,14 +23,4 @@ pub struct Ballistic {
     pub scrolled: usize,
     /// Where curve and words have no room together: the first line of the words shown, counted from 1, or 0 for the curve.
     pub word: usize,
-}
-
-impl Ballistic {
-    pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) {
-        self.report.keep(running, news, |report| report.is_complete);
-        self.spread.keep(running, news, |spread| spread.is_complete);
-        let is_whole =
-            |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
-        self.comparison.keep(running, news, is_whole);
-    }
 }

@@ -1,6 +1,7 @@
 //! The Stability page: the map and the stiff scenes, what is selected in them, in words and drawn.
 
 use crate::report;
+use crate::report::chart::spaced;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{self, Map, Wanted};
@@ -8,6 +9,7 @@ use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::cursor_moved;
 use crate::tui::widgets::table::Grid;
+use crate::tui::widgets::text::counted;
 use crate::worker::studies::{StabilityMap, StiffScenes};
 
 /// What the columns of the stiff scenes mean, for `?`.
@@ -60,16 +62,17 @@ impl App {
             let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
             let words = |it: &Running| format!("checking the stiff scenes{}", it.counted("of", ""));
-            let running = progress::<StiffScenes, _>(self, &tab.battery, &Scene::default(), words);
-            parts.extend(running.map(Progress::part));
+            let running =
+                progress::<StiffScenes, _>(self, &tab.battery, &Scene::default(), words, "");
+            parts.extend(running);
             if tab.battery.found.is_some() {
                 parts.push(part(severity, holds));
             }
             return parts;
         }
         let words = |it: &Running| format!("computing the map{}", it.counted("of", " rows"));
-        let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words);
-        parts.extend(mapping.map(Progress::part));
+        let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words, "");
+        parts.extend(mapping);
         if let Some(map) = &tab.map.found {
             parts.push(part(Severity::Note, map.method.name().to_owned()));
         }
@@ -94,7 +97,7 @@ pub(crate) fn enter(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     if app.pane() == STIFF_SCENES {
         if app.jobs.lacks::<StiffScenes, _>(&tab.battery, &Scene::default()) {
-            ask_battery(app);
+            jobs::study_of(app, &Arc::default(), StiffScenes);
         }
         return;
     }
@@ -111,7 +114,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     let on_scenes = app.pane() == STIFF_SCENES;
     let tab = &mut app.pages.numerics.stability;
     match action {
-        Action::Run if on_scenes => ask_battery(app),
+        Action::Run if on_scenes => jobs::study_of(app, &Arc::default(), StiffScenes),
         _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
@@ -130,10 +133,6 @@ fn ask_map(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE };
     jobs::study(app, StabilityMap(wanted));
-}
-
-fn ask_battery(app: &mut App) {
-    jobs::study_of(app, &Arc::default(), StiffScenes);
 }
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -161,13 +160,7 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let list = RowList { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
     let title = if area.width < 70 { "Battery" } else { "Stiff and extreme scenes" };
-    let counted = if rows.len() > height {
-        let last = (first + height).min(rows.len());
-        format!(" {}-{last}/{}", first + 1, rows.len())
-    } else {
-        String::new()
-    };
-    let title = format!("{title}{counted}");
+    let title = spaced(title, &counted(first, height, rows.len()));
     let hint = app.keymap.shown("<next-pane>: map");
     let pane = PaneFrame::new(title).right(hint).focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);

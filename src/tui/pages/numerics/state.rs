@@ -1,12 +1,11 @@
 //! What the Numerics tab keeps.
 
-use crate::report::accuracy::{TARGETS, error_over_time};
+use crate::report::accuracy::TARGETS;
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::{Measured, MethodReport, Report};
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, FixedStep, Map};
 use crate::tui::app::running::Kept;
-use crate::tui::chart::Chart;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
 use crate::worker::study::RowsSoFar;
@@ -39,12 +38,6 @@ impl Accuracy {
         self.selected.or_else(auto).unwrap_or(0).min(Method::ALL.len() - 1)
     }
 
-    /// Points measured so far.
-    pub(crate) fn points(&self) -> usize {
-        let methods = self.report.found.iter().flat_map(|report| &report.methods);
-        methods.map(|one| one.points.len()).sum()
-    }
-
     pub fn method(&self) -> Method {
         Method::ALL[self.selected_row()]
     }
@@ -62,10 +55,6 @@ impl Accuracy {
 
     pub fn of(&self, method: Method) -> Option<&MethodReport> {
         self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
-    }
-
-    pub(crate) fn chart(&self) -> Option<Chart<'static>> {
-        error_over_time(self.report.found.as_ref()?)
     }
 
     /// The most accurate point of the selected method.

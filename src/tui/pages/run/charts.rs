@@ -83,9 +83,9 @@ impl App {
     }
 
     /// Move the crosshair by hundredths of the range in view; it starts in the middle.
-    pub fn move_cursor(&mut self, by: i16) {
+    pub fn move_cursor(&mut self, by: isize) {
         let end_s = self.end_s(self.pages.run.charts.selected);
-        let moved = |here: f64| (here + f64::from(by) * STEP * end_s).clamp(0.0, end_s);
+        let moved = |here: f64| (here + by as f64 * STEP * end_s).clamp(0.0, end_s);
         let cursor_s = &mut self.pages.run.charts.cursor_s;
         *cursor_s = Some(cursor_s.map_or(0.5 * end_s, moved));
     }

@@ -48,11 +48,3 @@ impl Default for Charts {
         }
     }
 }
-
-impl Charts {
-    /// Whether two charts have one horizontal axis.
-    pub fn shares_axis(&self, one: usize, other: usize) -> bool {
-        let is_over_time = |at: usize| self.quantities[at].is_over_time();
-        is_over_time(one) && is_over_time(other) && self.windows[one] == self.windows[other]
-    }
-}

@@ -43,21 +43,14 @@ impl App {
         ];
         let views = self.visible_runs();
         for view in views.iter().rev() {
-            let quantities: &[Channel] =
-                if view.letter.is_none() { &full } else { std::slice::from_ref(&selected) };
-            let values: Vec<String> = quantities
+            let quantities = if view.letter.is_none() { &full[..] } else { &[selected] };
+            let values = quantities
                 .iter()
-                .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)))
-                .collect();
-            let values = values.join("  ");
+                .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)));
+            let values = values.collect::<Vec<_>>().join("  ");
+            let name = view.letter.map_or_else(|| "now".to_owned(), String::from);
             // Alone, the run needs no name.
-            parts.push(match views.len() {
-                1 => values,
-                _ => format!(
-                    "{} {values}",
-                    view.letter.map_or_else(|| "now".to_owned(), String::from)
-                ),
-            });
+            parts.push(if views.len() == 1 { values } else { format!("{name} {values}") });
         }
         parts.join(" | ")
     }
@@ -108,14 +101,11 @@ impl App {
         if let Some(job) = &self.jobs.current
             && (self.jobs.overdue || self.shown.as_ref().is_none_or(|shown| shown.took.is_none()))
         {
-            let text = job.reached_s.map_or_else(
-                || "running".to_owned(),
-                |t_s| {
-                    let (seconds, t) = (job.elapsed.as_secs_f64(), engineering(t_s, "s"));
-                    format!("running for {seconds:.1} s, at t = {t}")
-                },
-            );
-            return part(Severity::Note, format!("{text} (<back> cancels)"));
+            let seconds = job.elapsed.as_secs_f64();
+            let reached = job.reached_s.map_or_else(String::new, |t_s| {
+                format!(" for {seconds:.1} s, at t = {}", engineering(t_s, "s"))
+            });
+            return part(Severity::Note, format!("running{reached} (<back> cancels)"));
         }
         if self.jobs.failure.is_some() {
             return part(Severity::Error, "failed: see <tab-log>:Log");

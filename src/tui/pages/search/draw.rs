@@ -30,15 +30,14 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let alone = area.width == app.size.0;
     let hint = app.keymap.shown(if alone { "<next-pane>: setup" } else { "" });
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
-    let problem = app.pages.search.problem().map(|_| "see the message below");
-    let why = problem.unwrap_or(NO_RESULTS);
+    let why = app.pages.search.problem().map(|_| "see the message below");
     let running = app.jobs.study::<SearchRequest>().map(|(_, request)| Page::of(request));
     let is_own = running.is_none_or(|page| page == app.pages.search.page);
     let searching = if is_own { "searching" } else { "waits for another search" };
-    canvas.put_centred(inner, &nothing::<SearchRequest>(app, searching, Some(why)));
+    canvas.put_centred(inner, &nothing::<SearchRequest>(app, searching, why));
 }
 
-pub(super) fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
+fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup" } else { "" };
     let title = format!("{}{old}", app.pages.search.page.title());
     let focused = app.has_focus(RESULTS);
@@ -71,11 +70,10 @@ pub(super) fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mu
     canvas.rows(inner, (first, lines.len()), |line| {
         Some(Target::Row(RESULTS, choices.position(|at| at == line)?))
     });
-    for (row, (text, role)) in (0..inner.height).zip(lines.iter().skip(first)) {
-        let text = clip(text, usize::from(inner.width));
-        canvas.put(inner, (0, row), &text, *role);
-        if focused && has_choices && first + usize::from(row) == selected {
-            canvas.paint_row(inner, row);
+    for (row, (at, (text, role))) in inner.rows().zip(lines.iter().enumerate().skip(first)) {
+        canvas.put(row, (0, 0), &clip(text, usize::from(inner.width)), *role);
+        if focused && has_choices && at == selected {
+            canvas.paint_row(row);
         }
     }
 }

@@ -11,7 +11,6 @@ use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note};
-use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::found::{axes, place};
 use crate::tui::pages::search::setup::{OBJECTIVES, brief};
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
@@ -140,22 +139,16 @@ impl Answer for Report {
         let (across, up) = axes(self);
         let measures = self.request.measures();
         let axis = |label: String, at: usize| {
-            let values: Vec<f64> = self
-                .designs
-                .iter()
-                .filter_map(|it| it.measures.get(at).copied().flatten())
-                .collect();
-            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-            let axis = Axis::fitted(label, measures[at].unit(), values)?;
+            let values =
+                || self.designs.iter().filter_map(|it| it.measures.get(at).copied().flatten());
+            let axis = Axis::fitted(label, measures[at].unit(), values())?;
             // Nothing that is never below zero has room there.
-            let lo = if least < 0.0 { axis.view.lo() } else { axis.view.lo().max(0.0) };
+            let has_room = values().any(|value| value < 0.0);
+            let lo = if has_room { axis.view.lo() } else { axis.view.lo().max(0.0) };
             Some(Axis { view: ViewRange::new(lo, axis.view.hi()), ..axis })
         };
         let axes = axis(brief(measures[across]), across).zip(axis(String::new(), up));
-        let Some((x, y)) = axes else {
-            let text = "no design satisfies every constraint".to_owned();
-            return lines_below(app, &[(text, Role::Warning)], area, canvas);
-        };
+        let Some((x, y)) = axes else { return };
         let title = format!("{} designs: {}", self.designs.len(), brief(measures[up]));
         let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
         let places = || self.designs.iter().map(|design| place(self, design));

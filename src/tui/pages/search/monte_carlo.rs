@@ -2,11 +2,10 @@
 
 use crate::report::monte_carlo::{perforation, table, warnings};
 use crate::study::monte_carlo::{Report, Request, Summary, USUAL_DEVIATION, usual_tolerances};
-use crate::tui::chart::{Axis, Chart, Curve, Mark, Unit};
+use crate::tui::chart::{Axis, Chart, Curve, Mark};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note, table_lines};
-use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
@@ -88,11 +87,7 @@ impl Answer for Report {
         let tab = &app.pages.search;
         let Some(summary) = drawn(self, tab) else { return };
         let Summary { measure, sorted, .. } = summary;
-        let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
-            let text = "no sample has this result: <next-pane>, then another one under Show";
-            let text = app.keymap.shown(text);
-            return lines_below(app, &[(text, Role::Warning)], area, canvas);
-        };
+        let Some((least, most)) = sorted.first().zip(sorted.last()) else { return };
         let width = (most - least) / BINS as f64;
         let mut steps = Vec::new();
         for bin in 0..BINS {
@@ -106,18 +101,16 @@ impl Answer for Report {
         let highest = steps.iter().map(|step| 1.3 * step.1);
         let values = sorted.iter().copied();
         let x = Axis::fitted(measure.title(), measure.unit(), values);
-        let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
+        let y = Axis::over("", "%", Scale::Linear, highest.chain([0.0]));
         let Some((x, y)) = x.zip(y) else { return };
-        let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));
-        let at = |share: f64, tag: &'static str| {
+        let marks = [(0.05, "5 %"), (0.5, "median"), (0.95, "95 %")];
+        let marks = marks.into_iter().filter_map(|(share, tag)| {
             summary.quantile(share).map(|quantile| Mark::new(quantile.value, tag))
-        };
+        });
+        let curves = vec![Curve::new('*', "", &steps)];
         let chart = Chart {
-            marks: [at(0.05, "5 %"), at(0.5, "median"), at(0.95, "95 %")]
-                .into_iter()
-                .flatten()
-                .collect(),
-            ..Chart::new("samples per bin", x, y, vec![Curve::new('*', "", &steps)])
+            marks: marks.collect(),
+            ..Chart::new("samples per bin", x, y.padded(0.04), curves)
         };
         canvas.draw(&chart, area);
     }

@@ -5,14 +5,12 @@ use crate::report::seek::{remarks, solution, table, warnings};
 use crate::study::quantities::named;
 use crate::study::search::seek::{self, Goal, Report, SCAN};
 use crate::study::sweep;
-use crate::study::sweep::PointOutcome;
 use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mark};
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, line, note};
-use crate::tui::pages::search::draw::lines_below;
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::widgets::axis::Part;
 use crate::tui::widgets::text::broken;
@@ -106,11 +104,7 @@ impl Answer for Report {
         let points: Vec<(f64, f64)> =
             report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
         let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
-        let y = Axis::fitted("", report.measure.unit(), values);
-        let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
-            let text = "no point has a value".to_owned();
-            return lines_below(app, &[(text, Role::Warning)], area, canvas);
-        };
+        let Some(y) = Axis::fitted("", report.measure.unit(), values) else { return };
         let x = axis_of(&report.axis);
         let old = app.search_is_old();
         let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
@@ -127,14 +121,12 @@ impl Answer for Report {
             ..Chart::new(report.measure.title(), x, y, vec![curve])
         };
         let layout = canvas.draw(&chart, area);
-        for (x, value) in &report.scan {
+        for (x, _) in report.scan.iter().filter(|point| point.1.is_none()) {
             let gap = report.of(seek::Kind::Gap).find(|gap| {
                 let (a, b) = (gap.place.at, gap.until.map_or(gap.place.at, |it| it.at));
                 (a.min(b)..=a.max(b)).contains(x)
             });
-            let outcome: Option<PointOutcome> =
-                gap.and_then(|gap| gap.outcome).filter(|_| value.is_none());
-            if let Some(outcome) = outcome {
+            if let Some(outcome) = gap.and_then(|gap| gap.outcome) {
                 canvas.put_gap(&layout, *x, outcome.letter());
             }
         }

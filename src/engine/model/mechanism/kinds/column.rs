@@ -9,7 +9,7 @@ use crate::numerics::monotone;
 parts! {
     /// An elastic rise, then a plateau.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Column {
+    pub struct Column at (mechanism.spring.column) {
         pub stiffness_n_m: f64 = 5e6 => "k_col", "column stiffness", "stiffness of the column before it buckles",
             number(Stiffness, Positive).log().from(NO_VALUES);
         pub critical_n: f64 = 5e3 => "F_crit", "buckling force", "force at which the column buckles",

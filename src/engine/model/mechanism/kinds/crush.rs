@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-12;
 parts! {
     /// A crush force, the way to it, and its end.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Crush {
+    pub struct Crush at (mechanism.spring.crush) {
         pub force_n: f64 = 5e3 => "F_crush", "crush force", "force at which the absorber is crushed",
             number(Force, Positive).log();
         pub stroke_m: f64 = 0.05 => "x_crush", "crush length", "displacement at which the absorber is flat and solid",

@@ -7,7 +7,7 @@ use crate::model::variables::part::{NO_VALUES, parts};
 parts! {
     /// A linear spring that turns the plate.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Helix {
+    pub struct Helix at (mechanism.spring.helix) {
         pub stiffness_n_m: f64 = 1e5 => "k_helix", "helix stiffness", "axial stiffness of the helical rotating spring",
             number(Stiffness, NonNegative).log().from(NO_VALUES);
         pub twist_rad_m: f64 = 50.0 => "twist", "twist", "turn of the plate per displacement", number(Twist, Any);
@@ -24,9 +24,5 @@ impl Law for Helix {
 
     fn rotation_kg(&self) -> f64 {
         self.inertia_kg_m2 * self.twist_rad_m * self.twist_rad_m
-    }
-
-    fn is_coil(&self) -> bool {
-        true
     }
 }

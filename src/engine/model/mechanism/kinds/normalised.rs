@@ -7,7 +7,7 @@ use crate::model::variables::part::parts;
 parts! {
     /// A power law by its force at a displacement.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Normalised {
+    pub struct Normalised at (mechanism.spring.normalised) {
         pub force_n: f64 = 1e3 => "F_ref", "reference force",
             "force of the normalised power law at x_ref: F_ref |x/x_ref|^n sgn(x)",
             number(Force, NonNegative).log().from("assumption: the law that no unit changes");
@@ -21,13 +21,5 @@ impl Law for Normalised {
         let scale = self.displacement_m.powf(spring.exponent);
         let coefficient = self.force_n / scale * spring.count;
         Some(PowerLaw { coefficient, exponent: spring.exponent })
-    }
-
-    fn has_exponent(&self) -> bool {
-        true
-    }
-
-    fn is_coil(&self) -> bool {
-        true
     }
 }

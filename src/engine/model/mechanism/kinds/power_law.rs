@@ -12,14 +12,6 @@ impl Law for Plain {
         let coefficient = spring.coefficient * spring.count;
         Some(PowerLaw { coefficient, exponent: spring.exponent })
     }
-
-    fn has_exponent(&self) -> bool {
-        true
-    }
-
-    fn is_coil(&self) -> bool {
-        true
-    }
 }
 
 impl Curve {

@@ -19,7 +19,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 parts! {
     /// Points of a measured curve: the baseline's spring, 100 kN/m. One at x = 0, F = 0 at the start makes the law odd.
     #[derive(Clone, Debug, PartialEq)]
-    pub struct Table {
+    pub struct Table at (mechanism.spring.table) {
         /// (x m, F N) with rising x.
         pub points: Arc<[[f64; 2]]> = Arc::from([[0.0, 0.0], [0.01, 1e3], [0.05, 5e3]]);
     }

@@ -9,11 +9,11 @@ use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
+    Axis, Chart, Curve, Frame, Legend, MARKERS, Mark, Unit, align_gutters, emphasis,
 };
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::{Curve as Data, is_free, is_held};
-use crate::tui::pages::run::state::{CHARTS, Window};
+use crate::tui::pages::run::state::{CHARTS, Charts, Window};
 use crate::tui::widgets::steps::engineering;
 use crate::tui::widgets::text::fitting;
 
@@ -64,8 +64,8 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 /// The title of a chart without rows: a line across the box, or the last one.
 fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canvas<'_>) {
     let title = format!("{}: {why}", app.pages.run.charts.quantities[place.chart].title());
-    let pane = PaneFrame::new(title).focused(focused).stacked(place.begins, Below::Nothing);
-    pane.draw(place.area, canvas);
+    let frame = Frame::Stacked { begins: place.begins, below: Below::Nothing };
+    PaneFrame::new(title).focused(focused).frame(frame).draw(place.area, canvas);
     if place.below == Below::End {
         let role = if focused { Role::Focus } else { Role::Border };
         canvas.put(place.area, (0, 0), "└", role);
@@ -89,11 +89,14 @@ fn places(app: &App, area: Rect) -> Vec<Place> {
 fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
     let absent: Vec<Option<String>> = charts.iter().map(|chart| absence(app, *chart)).collect();
     let drawn = u16::try_from(absent.iter().filter(|it| it.is_none()).count()).ok()?;
+    let Charts { quantities, windows, .. } = &app.pages.run.charts;
+    let has_same_axis = |one: usize, other: usize| {
+        let are_over_time = [one, other].iter().all(|at| quantities[*at].is_over_time());
+        are_over_time && windows[one] == windows[other]
+    };
     let below = |at: usize| match charts.get(at + 1) {
         None => Below::End,
-        Some(next)
-            if absent[at + 1].is_none() && app.pages.run.charts.shares_axis(charts[at], *next) =>
-        {
+        Some(next) if absent[at + 1].is_none() && has_same_axis(charts[at], *next) => {
             Below::Nothing
         }
         Some(_) => Below::Across,
@@ -155,11 +158,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     let curves = data.iter().map(|Data { view, points }| {
         Curve::new(MARKERS[view.index % MARKERS.len()], label(view), points)
             .colour(view.index)
-            .emphasis(match (view.old, view.letter) {
-                (true, _) => Emphasis::Stale,
-                (false, None) => Emphasis::Selected,
-                (false, Some(_)) => Emphasis::Normal,
-            })
+            .emphasis(emphasis(view.old, view.letter.is_none()))
     });
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.

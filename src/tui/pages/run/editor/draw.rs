@@ -2,7 +2,7 @@
 
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES, is_listed};
-use crate::report::chart::Below;
+use crate::report::chart::{Below, Frame};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{
     ANALYSIS, DESIGN, Editor, EditorRow, is_main, short_label, shown_in, shown_value,
@@ -10,7 +10,7 @@ use crate::tui::pages::run::editor::{
 use crate::tui::pages::run::state::VARIABLES as PANE;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::table::filtered;
-use crate::tui::widgets::text::fitting;
+use crate::tui::widgets::text::{counted, fitting};
 
 /// Columns of a field.
 const FIELD_WIDTH: u16 = 9;
@@ -41,11 +41,9 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         (true, _) => "Variables".to_owned(),
         (false, _) => filtered("Variables", &editor.filter),
     };
-    let mut pane = PaneFrame::new(title).focused(focused).stacked(true, below);
-    if rows.len() > height {
-        pane = pane.right(format!("{}-{}/{}", first + 1, first + height, rows.len()));
-    }
-    let inner = pane.draw(area, canvas);
+    let pane = PaneFrame::new(title).right(counted(first, height, rows.len()));
+    let frame = Frame::Stacked { begins: true, below };
+    let inner = pane.focused(focused).frame(frame).draw(area, canvas);
     canvas.pane(area, PANE);
     if is_folded && below == Below::End {
         let line = Rect { y: area.bottom() - 1, height: 1, ..area };
@@ -68,7 +66,8 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
                     (*title).to_owned()
                 };
                 let line = Rect { x: area.x, width: area.width, ..line };
-                PaneFrame::new(text).stacked(false, Below::Nothing).draw(line, canvas);
+                let frame = Frame::Stacked { begins: false, below: Below::Nothing };
+                PaneFrame::new(text).frame(frame).draw(line, canvas);
             }
             EditorRow::Variable(index) => {
                 let is_outside = outside.contains(&VARIABLES[*index].symbol);
@@ -136,7 +135,7 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
     }
     if selected {
         canvas.put(line, (0, 0), ">", Role::Title);
-        canvas.paint_row(line, 0);
+        canvas.paint_row(line);
     }
 }
 
