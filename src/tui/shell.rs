@@ -11,6 +11,7 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 use super::effects::{self, IoThread};
 use super::pace::Pace;
 use super::signals::{self, HUNG_UP, Incoming};
+use super::start::environment;
 use super::terminal::{self, Guard};
 use super::{Options, input, start};
 use crate::files::paths::Paths;
@@ -101,7 +102,7 @@ impl Shell {
             put_off: VecDeque::from([Incoming::Message(size()?)]),
             _left: left,
         };
-        input::spawn(sender, input::hold(variable))?;
+        input::spawn(sender, input::hold(environment))?;
         for effect in effects {
             // Starting requests runs and lists only.
             let _ = shell.carry_out(effect, &mut VecDeque::new());
@@ -275,7 +276,7 @@ impl Shell {
             ));
         }
         self.guard.send(&CopyToClipboard::to_clipboard_from(text))?;
-        let passed_on = match variable("TMUX") {
+        let passed_on = match environment("TMUX") {
             Some(_) => "; tmux passes it on only with `set -s set-clipboard on`",
             None => "",
         };
@@ -325,9 +326,4 @@ impl Shell {
 /// The message of the present size of the terminal.
 fn size() -> io::Result<Message> {
     terminal::size().map(|(columns, rows)| Message::Resize(columns, rows))
-}
-
-/// A variable of the environment.
-fn variable(name: &str) -> Option<String> {
-    std::env::var(name).ok().filter(|value| !value.is_empty())
 }

@@ -72,13 +72,12 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return find(app, field, area, canvas);
     }
     let (entries, last) = match (&app.dialog, app.field()) {
-        (Some(dialog), _) => (keys_of(app, dialog.footer()), Vec::new()),
-        (None, Some(_)) if pages::of(app.tab).takes_unit(app) => {
-            (keys_of(app, QUANTITY), Vec::new())
-        }
-        (None, Some(_)) => (keys_of(app, WORD), Vec::new()),
-        (None, None) => (from_table(app), keys_of(app, LAST)),
+        (Some(dialog), _) => (keys_of(app, dialog.footer()), ""),
+        (None, Some(_)) if pages::of(app.tab).takes_unit(app) => (keys_of(app, QUANTITY), ""),
+        (None, Some(_)) => (keys_of(app, WORD), ""),
+        (None, None) => (from_table(app), LAST),
     };
+    let last = keys_of(app, last);
     let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + GAP + 1;
     // Nothing stands behind the last one.
     let mut room = (area.width + GAP - 1).saturating_sub(last.iter().map(size).sum());

@@ -15,9 +15,10 @@ use std::ops::{Deref, DerefMut};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 use ratatui::text::Line;
 use ratatui::widgets::Widget;
-use text::{columns, put};
+use text::columns;
 
 use crate::tui::chart::{Draw, Layout};
 use crate::tui::keymap::{Pane, Target};
@@ -56,7 +57,22 @@ impl<'a> Canvas<'a> {
 
     /// Write a text into a row of an area; gives the column after it. Rows and columns outside the area are left alone.
     pub(crate) fn put(&mut self, area: Rect, at: (u16, u16), text: &str, role: Role) -> u16 {
-        put(self.buffer, area, at, text, self.theme.style(role))
+        self.put_styled(area, at, text, self.theme.style(role))
+    }
+
+    pub(crate) fn put_styled(
+        &mut self,
+        area: Rect,
+        (column, row): (u16, u16),
+        text: &str,
+        style: Style,
+    ) -> u16 {
+        let area = area.intersection(self.buffer.area);
+        if row >= area.height || column >= area.width {
+            return column;
+        }
+        let room = usize::from(area.width - column);
+        self.buffer.set_stringn(area.x + column, area.y + row, text, room, style).0 - area.x
     }
 
     /// Write lines below each other from a row on, as many as have room.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::model::run::envelope;
 use crate::model::scene::{Scene, SpringKind, Table};
 use crate::model::units::Bare;
-use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
+use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::history::{Edit, Snapshot};
 use crate::tui::app::jobs;
 use crate::tui::app::pins::Pin;
@@ -227,7 +227,15 @@ pub(crate) fn step(app: &mut App, press: Press) {
         Kind::Number(number) => number,
     };
     let value = match (number.get)(scene) {
-        Some(value) => step_number(app, index, number, value, press),
+        Some(value) => {
+            // While the arrows go on, the step stays as it is.
+            let plain = match app.pages.run.editor.stepped {
+                Some((same, decade)) if same == index => decade,
+                _ => steps::decade(number, value),
+            };
+            app.pages.run.editor.stepped = Some((index, plain));
+            steps::stepped(number, value, press, plain)
+        }
         None => press.up.then(|| steps::first_value(variable, number, scene)),
     };
     if let Some(value) = value {
@@ -236,21 +244,6 @@ pub(crate) fn step(app: &mut App, press: Press) {
     let way = if press.up { "more" } else { "less" };
     let allowed = variable.allowed();
     app.tell(format!("{symbol} cannot be stepped to {way}: it must be {allowed}"));
-}
-
-fn step_number(
-    app: &mut App,
-    index: usize,
-    number: &Number,
-    value: f64,
-    press: Press,
-) -> Option<f64> {
-    let plain = match app.pages.run.editor.stepped {
-        Some((same, decade)) if same == index => decade,
-        _ => steps::decade(number, value),
-    };
-    app.pages.run.editor.stepped = Some((index, plain));
-    steps::stepped(number, value, press, plain)
 }
 
 fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) {

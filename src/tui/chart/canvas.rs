@@ -106,13 +106,8 @@ impl Canvas {
             let y = whole_below(y.clamp(0.0, height as f64 - 0.5), height)?;
             Some((x, y))
         };
-        if let (Some(from), Some(to)) = (place(from), place(to)) {
-            self.walk(from, to, owner);
-        }
-    }
-
-    /// Bresenham's line between two dots, both drawn: one dot a column where it is flat, one a row where it is steep.
-    fn walk(&mut self, from: (usize, usize), to: (usize, usize), owner: usize) {
+        let Some((from, to)) = place(from).zip(place(to)) else { return };
+        // Bresenham's line, both ends drawn: one dot a column where it is flat, one a row where it is steep.
         let (dx, dy) = (from.0.abs_diff(to.0), from.1.abs_diff(to.1));
         let steps = dx.max(dy);
         for step in 0..=steps {

@@ -41,14 +41,6 @@ pub struct Layout {
     pub(super) y_ticks: Ticks,
 }
 
-impl Layout {
-    /// Column and row, within the plot, of a point by the left axis; `None` outside the view.
-    pub(crate) fn place(&self, x: f64, y: f64) -> Option<(u16, u16)> {
-        let (column, up) = self.x.cell(x).zip(self.y.cell(y))?;
-        Some((column, self.plot.height.saturating_sub(up + 1)))
-    }
-}
-
 pub(super) fn frame_of(chart: &Chart<'_>, title: String) -> PaneFrame<'static> {
     PaneFrame::new(title).focused(chart.focused).frame(chart.frame)
 }

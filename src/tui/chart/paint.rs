@@ -264,11 +264,12 @@ impl Painter<'_> {
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
             for (x, y) in curve.points.iter().filter(|_| curve.is_dotted()) {
-                let Some((column, row)) = self.layout.place(*x, *y) else { continue };
+                let cell = self.layout.x.cell(*x).zip(self.layout.y.cell(*y));
+                let Some((column, up)) = cell else { continue };
                 let style = self.curve_style(curve);
                 let under = crosshair == Some(column);
                 let style = if under { style.add_modifier(Modifier::BOLD) } else { style };
-                self.put(plot.x + column, plot.y + row, curve.marker, style);
+                self.put(plot.x + column, self.row(up), curve.marker, style);
             }
         }
     }

@@ -63,24 +63,22 @@ const RUN_WORDS: &str = "%: of the depth on a rigid mount. plastic: depth (%) if
 /// Rows that the keys have at least where the words stand above them.
 const KEY_ROWS: usize = 5;
 
-/// What the words and signs of the focused pane mean.
+/// What the words and signs of the focused pane mean; in the Run tab those of the selected variable come first.
 fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
-    let text = match app.pane() {
-        run::VARIABLES | run::CHARTS | run::RUNS => {
-            let is_variable = app.pane() == run::VARIABLES;
-            let mut lines = if is_variable { variable(app, width) } else { Vec::new() };
-            let words = wrapped(RUN_WORDS, width, Role::Text).chain([(String::new(), Role::Text)]);
-            let words: Vec<TextLine> = words.collect();
-            if lines.len() + words.len() + KEY_ROWS < usize::from(height) {
-                lines.extend(words);
-            }
-            return lines;
-        }
+    let is_run = matches!(app.pane(), run::VARIABLES | run::CHARTS | run::RUNS);
+    let words = match app.pane() {
         COMPARISON => COMPARISON_WORDS.to_owned(),
         STIFF_SCENES => stiff_scenes_words(),
+        _ if is_run => RUN_WORDS.to_owned(),
         _ => return Vec::new(),
     };
-    wrapped(&text, width, Role::Text).chain([(String::new(), Role::Text)]).collect()
+    let mut lines = if app.pane() == run::VARIABLES { variable(app, width) } else { Vec::new() };
+    let words: Vec<TextLine> = wrapped(&words, width, Role::Text).collect();
+    if !is_run || lines.len() + words.len() + 1 + KEY_ROWS < usize::from(height) {
+        lines.extend(words);
+        lines.push((String::new(), Role::Text));
+    }
+    lines
 }
 
 /// Meaning, allowed values, range and source of the selected variable.

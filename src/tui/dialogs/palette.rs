@@ -97,10 +97,8 @@ impl Item<'_> {
             Self::Command(_) => "action",
             Self::Variable(_) => "variable",
             Self::Preset(entry) if entry.problem.is_some() => "broken",
-            Self::Preset(entry) => match (&entry.part, entry.origin) {
-                (Some(_), origin) => origin,
-                (None, _) => "preset",
-            },
+            Self::Preset(entry) if entry.part.is_some() => entry.origin,
+            Self::Preset(_) => "preset",
         }
     }
 

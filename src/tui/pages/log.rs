@@ -73,16 +73,6 @@ const NEWEST: usize = 5;
 impl App {
     /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
     pub fn log_lines(&self, columns: usize) -> Vec<TextLine> {
-        // Two borders, and three columns of indent with one of air.
-        let room = columns.saturating_sub(6).max(10);
-        let wanted = self.pages.log.find.trim().to_lowercase();
-        let matches = |line: &TextLine| line.0.to_lowercase().contains(&wanted);
-        let mut lines = self.whole_lines();
-        lines.retain(|line| wanted.is_empty() || matches(line));
-        broken(lines, room)
-    }
-
-    fn whole_lines(&self) -> Vec<TextLine> {
         let message = |notice: &Notice| {
             let word = notice.severity.word();
             (format!("{word:<8} {}", notice.text), notice.severity.role())
@@ -109,7 +99,10 @@ impl App {
         if !older.is_empty() {
             section(&mut lines, "Older messages", older);
         }
-        lines
+        let wanted = self.pages.log.find.trim().to_lowercase();
+        lines.retain(|line| line.0.to_lowercase().contains(&wanted));
+        // Two borders, and three columns of indent with one of air.
+        broken(lines, columns.saturating_sub(6).max(10))
     }
 }
 

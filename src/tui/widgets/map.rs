@@ -7,7 +7,7 @@ use crate::report::map::{Cell, Map};
 use crate::tui::chart::heatmap::swatch;
 use crate::tui::chart::{Layout, Scale, Unit, ViewRange};
 use crate::tui::theme::Role;
-use crate::tui::widgets::text::{columns, put};
+use crate::tui::widgets::text::columns;
 use crate::tui::widgets::{Canvas, split_bottom};
 
 /// Part of the rows that words below a map may take.
@@ -72,7 +72,7 @@ impl Canvas<'_> {
         let every = (1..count).find(|every| width(*every) <= room).unwrap_or(count);
         for band in (0..count).step_by(every) {
             let (symbol, style) = swatch(band, count, self.theme);
-            column = put(self, area, (column + 1, 0), &symbol.to_string(), style);
+            column = self.put_styled(area, (column + 1, 0), &symbol.to_string(), style);
             column = self.put(area, (column, 0), &from(band), Role::Text);
         }
     }

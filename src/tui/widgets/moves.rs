@@ -69,9 +69,7 @@ pub(crate) fn around<T: Copy + PartialEq>(all: &[T], one: T, by: isize) -> T {
     all[cycled(at, by, all.len())]
 }
 
-/// `at` moved by `by` within `0..count`, round and round.
+/// `at` moved by a few places within `0..count`, round and round.
 pub(crate) fn cycled(at: usize, by: isize, count: usize) -> usize {
-    let count = isize::try_from(count.max(1)).unwrap_or(1);
-    let at = isize::try_from(at).unwrap_or(0);
-    usize::try_from((at + by).rem_euclid(count)).unwrap_or(0)
+    (at + count).saturating_add_signed(by) % count.max(1)
 }

@@ -59,7 +59,7 @@ pub(crate) fn decade(number: &Number, value: f64) -> i32 {
 
 fn decade_at_zero(number: &Number) -> i32 {
     match (number.thesis_range, number.quantity) {
-        (Some((_, high)), _) => whole((0.02 * high).log10().floor()),
+        (Some((_, high)), _) => format!("{}", (0.02 * high).log10().floor()).parse().unwrap_or(0),
         (None, Dimension::Angle | Dimension::Velocity | Dimension::Density) => 0,
         (None, Dimension::Length | Dimension::Mass | Dimension::Time) => -3,
         (None, Dimension::Pressure) => 6,
@@ -134,10 +134,6 @@ fn clamp(number: &Number, value: f64, next: f64) -> f64 {
         Allowed::NonNegative if next < 0.0 && value > 0.0 => 0.0,
         _ => next,
     }
-}
-
-fn whole(value: f64) -> i32 {
-    format!("{value:.0}").parse().unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -1,31 +1,9 @@
-//! Text in cells: how wide it is, how it is cut, wrapped and written.
-
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-use ratatui::style::Style;
+//! Text in cells: how wide it is, how it is cut and wrapped.
 
 use crate::tui::theme::{self, Role};
 
 pub(crate) fn columns(text: &str) -> u16 {
     u16::try_from(theme::columns(text)).unwrap_or(u16::MAX)
-}
-
-/// Write a text into a row of an area; gives the column after it. Rows and columns outside the area are left alone.
-pub(crate) fn put(
-    buffer: &mut Buffer,
-    area: Rect,
-    at: (u16, u16),
-    text: &str,
-    style: Style,
-) -> u16 {
-    let (column, row) = at;
-    let area = area.intersection(buffer.area);
-    if row >= area.height || column >= area.width {
-        return column;
-    }
-    let room = usize::from(area.width - column);
-    let end = buffer.set_stringn(area.x + column, area.y + row, text, room, style).0;
-    end - area.x
 }
 
 /// A line of text, and how it is drawn.

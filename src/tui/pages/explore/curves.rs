@@ -28,8 +28,12 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         state::Picture::Surface => map(app, grid, output, &title, area, canvas),
     };
     if drawn.is_none() {
+        let inner = PaneFrame::new(title).draw(area, canvas);
         let why = app.keymap.shown(&no_value(grid, output).join("\n"));
-        nothing_exists(&title, &why, area, canvas);
+        let lines = why.lines().flat_map(|text| wrapped(text, inner.width, Role::Dim));
+        let lines: Vec<TextLine> = lines.collect();
+        let rows = u16::try_from(lines.len()).unwrap_or(u16::MAX);
+        canvas.put_lines(inner, inner.height.saturating_sub(rows) / 2, lines);
     }
 }
 
@@ -117,15 +121,6 @@ pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f6
         (0..along).any(differs).then(|| (0..along).map(point).collect())
     };
     (0..repeats).filter_map(curve).collect()
-}
-
-/// No point of the sweep has this output: say why, and what to do.
-fn nothing_exists(title: &str, why: &str, area: Rect, canvas: &mut Canvas<'_>) {
-    let inner = PaneFrame::new(title).draw(area, canvas);
-    let lines: Vec<TextLine> =
-        why.lines().flat_map(|text| wrapped(text, inner.width, Role::Dim)).collect();
-    let rows = u16::try_from(lines.len()).unwrap_or(u16::MAX);
-    canvas.put_lines(inner, inner.height.saturating_sub(rows) / 2, lines);
 }
 
 /// Draw the map; `None` where there is no value to draw.

@@ -232,15 +232,10 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = at.map_or_else(|| method.name().to_owned(), |at| grid.line(Some(at)));
         canvas.put(row, (LETTER, 0), &text, Role::Text);
     });
-    details(app, inner, canvas);
-}
-
-/// The description of the selected method, below all of them.
-fn details(app: &App, inner: Rect, canvas: &mut Canvas<'_>) {
     let details = app.accuracy_details().into_iter();
     let lines = details.flat_map(|(text, role)| wrapped(&text, inner.width, role));
     let lines: Vec<TextLine> = lines.collect();
-    let from = 1 + u16::try_from(Method::ALL.len()).unwrap_or(u16::MAX);
+    let from = 1 + u16::try_from(count).unwrap_or(u16::MAX);
     let room = usize::from(inner.height.saturating_sub(from));
     let blank = u16::from(lines.len() < room);
     // A heading alone says nothing.

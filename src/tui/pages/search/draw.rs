@@ -51,14 +51,13 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
     let hint = app.keymap.shown(&hint);
     let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);
     // The heading of a table stays.
-    let (head, lines) =
-        if is_table { lines.split_at(1.min(lines.len())) } else { (&[][..], lines) };
+    let (head, lines) = lines.split_at(usize::from(is_table).min(lines.len()));
     let height = height.saturating_sub(head.len());
     let selected = app.pages.search.selected();
-    let first = match (more, has_choices) {
-        (false, _) => 0,
-        (true, true) => first_row(selected.min(lines.len()), height, lines.len()),
-        (true, false) => app.pages.search.scrolled().min(lines.len().saturating_sub(height)),
+    let first = if has_choices {
+        first_row(selected, height, lines.len())
+    } else {
+        app.pages.search.scrolled().min(lines.len().saturating_sub(height))
     };
     if let Some((text, _)) = head.first() {
         canvas.put(inner, (0, 0), &clip(text, usize::from(inner.width)), Role::Title);

@@ -40,16 +40,12 @@ impl Searching {
         self.answer().map_or(0, Answer::choices)
     }
 
-    /// Whether there is something to draw on the page shown.
-    fn draws(&self) -> bool {
-        self.answer().is_some_and(|answer| answer.draws(self))
-    }
-
     /// Of a right pane so high, the rows of words below the chart, frame included: all of them where there is nothing to draw, or no
     /// room for a chart with four lines below it, or all there are.
     pub fn words_height(&self, height: u16, lines: usize) -> u16 {
         let words = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
-        if self.draws() && height >= CHART_ROWS + words.min(LEAST_WORDS) {
+        let draws = self.answer().is_some_and(|answer| answer.draws(self));
+        if draws && height >= CHART_ROWS + words.min(LEAST_WORDS) {
             words.min(height - CHART_ROWS).max(3)
         } else {
             height

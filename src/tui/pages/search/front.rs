@@ -96,8 +96,13 @@ impl Answer for Report {
         });
         let (at, count) = (tab.selected() + 1, self.designs.len());
         let results = results.collect::<Vec<String>>().join(", ");
-        let is_knee = tab.knee() == Some(tab.selected());
-        let knee = if is_knee { of_knee(self) } else { String::new() };
+        let knee = if tab.knee() == Some(tab.selected()) {
+            let (across, up) = axes(self);
+            let [across, up] = [across, up].map(|axis| brief(request.measures()[axis]));
+            format!(", knee of {across} and {up}")
+        } else {
+            String::new()
+        };
         Some(format!("#{at}/{count}{knee}, {}: {results}", values.join(" ")))
     }
 
@@ -170,13 +175,6 @@ impl Answer for Report {
             near.map(|(at, _)| Target::Row(RESULTS, at))
         });
     }
-}
-
-/// The two results whose knee it is.
-fn of_knee(front: &Report) -> String {
-    let (across, up) = axes(front);
-    let [across, up] = [across, up].map(|axis| brief(front.request.measures()[axis]));
-    format!(", knee of {across} and {up}")
 }
 
 /// The columns of the table of designs.

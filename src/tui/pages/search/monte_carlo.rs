@@ -51,18 +51,17 @@ impl Answer for Report {
     }
 
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let report = self;
         let mut lines = Vec::new();
-        lines.extend(perforation(report).map(note));
-        let again: usize = report.redrawn.iter().sum();
+        lines.extend(perforation(self).map(note));
+        let again: usize = self.redrawn.iter().sum();
         let again = if again > 0 {
             format!("; {again} impossible samples drawn again")
         } else {
             String::new()
         };
-        lines.push(note(format!("{}{again}", report.outcomes)));
+        lines.push(note(format!("{}{again}", self.outcomes)));
         let mut lines = broken(lines, width);
-        let mut table = table("", report);
+        let mut table = table("", self);
         table.rows.retain(|summary| summary.deviation.is_some());
         let output = app.pages.search.setup.output;
         let selected = table.rows.iter().position(|row| row.measure.name == output);

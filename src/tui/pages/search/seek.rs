@@ -6,7 +6,7 @@ use crate::study::quantities::named;
 use crate::study::search::seek::{self, Goal, Report, SCAN};
 use crate::study::sweep;
 use crate::tui::app::notice::outside;
-use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mark};
+use crate::tui::chart::{Axis, Chart, Curve, Mark, emphasis};
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
@@ -77,17 +77,17 @@ impl Answer for Report {
     }
 
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let (report, selected) = (self, app.pages.search.selected());
-        let all = report.solutions().zip(&report.checked).enumerate();
+        let selected = app.pages.search.selected();
+        let all = self.solutions().zip(&self.checked).enumerate();
         let solutions = all.flat_map(|(index, (found, checked))| {
             let mark = if index == selected { ">" } else { " " };
-            let solution = note(format!("{mark} {}", solution(report, found, checked)));
+            let solution = note(format!("{mark} {}", solution(self, found, checked)));
             let warnings = checked.new.iter().map(|text| (format!("! {text}"), Role::Warning));
             // There is room for the warnings of one solution; the status has every check that fails.
             let warnings = warnings.filter(move |_| index == selected);
             std::iter::once(solution).chain(warnings)
         });
-        let lines = solutions.chain(remarks(report).into_iter().map(line)).collect();
+        let lines = solutions.chain(remarks(self).into_iter().map(line)).collect();
         broken(lines, width)
     }
 
@@ -100,29 +100,24 @@ impl Answer for Report {
     }
 
     fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-        let report = self;
         let points: Vec<(f64, f64)> =
-            report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
-        let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
-        let Some(y) = Axis::fitted("", report.measure.unit(), values) else { return };
-        let x = axis_of(&report.axis);
-        let old = app.search_is_old();
-        let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
-        let curve = Curve::new('*', "", &points).emphasis(emphasis);
-        let selected = report.solutions().nth(app.pages.search.selected());
-        let lines = report.solutions().map(|found| Mark::new(found.place.at, ""));
+            self.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
+        let values = self.scan.iter().filter_map(|point| point.1).chain([self.target]);
+        let Some(y) = Axis::fitted("", self.measure.unit(), values) else { return };
+        let x = axis_of(&self.axis);
+        let curve = Curve::new('*', "", &points).emphasis(emphasis(app.search_is_old(), false));
+        let selected = self.solutions().nth(app.pages.search.selected());
+        let lines = self.solutions().map(|found| Mark::new(found.place.at, ""));
+        let goal = format!("goal {}", self.measure.show(self.target, 4));
         let chart = Chart {
             marks: lines.collect(),
-            levels: vec![Mark::new(
-                report.target,
-                format!("goal {}", report.measure.show(report.target, 4)),
-            )],
+            levels: vec![Mark::new(self.target, goal)],
             crosshair: selected.map(|found| found.place.at),
-            ..Chart::new(report.measure.title(), x, y, vec![curve])
+            ..Chart::new(self.measure.title(), x, y, vec![curve])
         };
         let layout = canvas.draw(&chart, area);
-        for (x, _) in report.scan.iter().filter(|point| point.1.is_none()) {
-            let gap = report.of(seek::Kind::Gap).find(|gap| {
+        for (x, _) in self.scan.iter().filter(|point| point.1.is_none()) {
+            let gap = self.of(seek::Kind::Gap).find(|gap| {
                 let (a, b) = (gap.place.at, gap.until.map_or(gap.place.at, |it| it.at));
                 (a.min(b)..=a.max(b)).contains(x)
             });

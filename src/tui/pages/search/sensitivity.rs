@@ -51,21 +51,21 @@ impl Answer for Report {
     }
 
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let (report, output) = (self, self.output);
-        let own = output.show_any(report.own, 3);
+        let output = self.output;
+        let own = output.show_any(self.own, 3);
         let mut lines = vec![note(format!("{}; the scene: {own}", output.title()))];
-        let condition = condition(report);
+        let condition = condition(self);
         lines.extend(condition.map(|text| (text, Role::Warning)));
         lines.push(note(String::new()));
         lines.push(note("one variable at a time, from low to high end".to_owned()));
-        if report.is_empty() {
+        if self.is_empty() {
             let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
             return broken(vec![lines.remove(0), (app.keymap.shown(text), Role::Warning)], width);
         }
         let bar = width.saturating_sub(36).clamp(4, 40);
-        lines.extend(table_lines(&tornado(report, bar), &TORNADO, width));
+        lines.extend(table_lines(&tornado(self, bar), &TORNADO, width));
         lines.push(note(String::new()));
-        lines.extend(table_lines(&indices(report), &INDICES, width));
+        lines.extend(table_lines(&indices(self), &INDICES, width));
         lines
     }
 
