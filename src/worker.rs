@@ -179,17 +179,10 @@ impl Queue {
 impl Worker {
     /// Start the threads; `sink` is given every report.
     pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
-        Self::with_clock(clock::wall(), sink)
+        Self::with(clock::wall(), |task, reporter| task.asked.make(&task.scene, reporter), sink)
     }
 
-    /// The same with another clock: progress and parts come by its time.
-    pub fn with_clock(
-        clock: Clock,
-        sink: impl Fn(Report) + Send + Sync + 'static,
-    ) -> std::io::Result<Self> {
-        Self::with(clock, |task, reporter| task.asked.make(&task.scene, reporter), sink)
-    }
-
+    /// The same with another clock, by whose time progress and parts come, and another way to do a task.
     fn with(
         clock: Clock,
         make: Make,

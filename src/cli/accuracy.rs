@@ -49,7 +49,8 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let table = &arguments.table;
     let page = page(&name, &report) + &table.warnings(&accuracy::warnings(&report));
     let (object, rows) = (accuracy::json(&name, &report), accuracy::table(&name, &report));
-    table.of(&arguments.scene, &scene, effort).deliver(&page, Some(object), rows)?;
+    let source = (&arguments.scene.changes, &scene, effort.to_string());
+    table.deliver(Some(source), &page, Some(object), rows)?;
     let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
     Ok(progress::exit_code_after(auto.flat_map(|method| &method.points).filter_map(|point| {
         let why = point.result.as_ref().err()?.words();

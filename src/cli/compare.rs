@@ -7,7 +7,7 @@ use std::sync::Arc;
 use clap::Args;
 
 use crate::cli::pictures::PictureArguments;
-use crate::cli::study::{StudyArguments, StudyOutput};
+use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
@@ -60,14 +60,10 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let scene = Arc::new(preset.scene);
     let report = arguments.study.run("candidates", |it| compare(&scene, request.hardware, it))?;
     let name = preset.name.as_str();
-    let answer = StudyOutput {
-        command: request.to_string(),
-        warnings: validity::of_scene(&scene),
-        page: page(name, &report),
-        object: tables::json(name, &report),
-        rows: tables::table(name, &report),
-    };
-    arguments.study.deliver(&scene, answer)?;
+    let warnings = validity::of_scene(&scene);
+    let (page, object) = (page(name, &report), tables::json(name, &report));
+    let (source, rows) = ((&*scene, request.to_string()), tables::table(name, &report));
+    arguments.study.deliver(source, &warnings, page, object, rows)?;
     Ok(progress::exit_code(true))
 }
 
@@ -90,9 +86,9 @@ impl CompareArguments {
         let name = preset.name.as_str();
         let warnings = validity::of_axes(map.scene(), axes);
         let page = map_page(name, &map) + &self.study.table.warnings(&warnings);
-        let table = self.study.table.of(&self.study.scene, &preset.scene, request);
         if !self.pictures.is_stdout() {
-            table.deliver(&page, None, tables::map_table(name, &map))?;
+            let source = (&self.study.scene.changes, &preset.scene, request.to_string());
+            self.study.table.deliver(Some(source), &page, None, tables::map_table(name, &map))?;
         }
         let drawn = || tables::picture(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.study.table, drawn)?;

@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     warnings.extend(variables::range_warnings(&preset.scene));
     warnings.extend(library::warnings(&preset.scene).map(str::to_owned));
     let page = page + &arguments.table.warnings(&warnings);
-    arguments.table.alone().deliver(&page, None, rows.with_warnings(&warnings))
+    arguments.table.deliver(None, &page, None, rows.with_warnings(&warnings))
 }
 
 /// The name of a value, the value by a formula, its unit, and where the formula is from.

@@ -16,11 +16,8 @@ pub enum CliError {
     #[error(transparent)]
     File(FileError),
     /// The file exists already.
-    #[error("`{path}` already exists: add --force to replace it, or choose another name")]
-    Exists {
-        /// The file.
-        path: String,
-    },
+    #[error("`{0}` already exists: add --force to replace it, or choose another name")]
+    Exists(String),
     /// The command line, or the scene as a whole, is invalid.
     #[error("{0}")]
     Option(String),
@@ -36,7 +33,7 @@ impl From<FileError> for CliError {
     /// Adds the cure of the command line for an existing file.
     fn from(error: FileError) -> Self {
         match error {
-            FileError::Exists(path) => Self::Exists { path: path.display().to_string() },
+            FileError::Exists(path) => Self::Exists(path.display().to_string()),
             other => Self::File(other),
         }
     }
@@ -65,7 +62,7 @@ impl CliError {
             | Self::File(FileError::Write { .. } | FileError::Kept { .. } | FileError::NoHome) => {
                 ExitCode::FAILURE
             }
-            Self::File(_) | Self::Exists { .. } | Self::Option(_) => ExitCode::from(2),
+            Self::File(_) | Self::Exists(_) | Self::Option(_) => ExitCode::from(2),
         }
     }
 

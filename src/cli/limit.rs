@@ -7,7 +7,7 @@ use std::sync::Arc;
 use clap::Args;
 
 use crate::cli::pictures::PictureArguments;
-use crate::cli::study::{StudyArguments, StudyOutput};
+use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging};
 use crate::cli::{CliError, draw, progress};
 use crate::model::units::velocity;
@@ -35,10 +35,8 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let warnings = limit::warnings(&report);
     if !pictures.is_stdout() {
         let (page, object) = (page(name, &report), limit::json(name, &report));
-        let command = COMMAND.to_owned();
-        let answer =
-            StudyOutput { command, warnings, page, object, rows: limit::shots(name, &report) };
-        study.deliver(&report.scene, answer)?;
+        let (source, rows) = ((&*report.scene, COMMAND.to_owned()), limit::shots(name, &report));
+        study.deliver(source, &warnings, page, object, rows)?;
     }
     let chart = || residual(&report, report.scene.projectile.velocity_m_s).map(Picture::Chart);
     pictures.write(&study.table, || chart().into_iter().collect())?;

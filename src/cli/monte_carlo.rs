@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::amount::{deviation, part};
-use crate::cli::study::{Random, StudyArguments, StudyOutput};
+use crate::cli::study::{Random, StudyArguments};
 use crate::cli::text::width;
 use crate::cli::{CliError, progress};
 use crate::model::scene::Scene;
@@ -92,14 +92,10 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let request = arguments.request(&preset.scene)?;
     let report = arguments.study.run("runs", |context| study(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
-    let answer = StudyOutput {
-        command: request.to_string(),
-        warnings: monte_carlo::warnings(&preset.scene, &report),
-        page: page(name, &report),
-        object: monte_carlo::json(name, &report),
-        rows: table(name, &report),
-    };
-    arguments.study.deliver(&preset.scene, answer)?;
+    let warnings = monte_carlo::warnings(&preset.scene, &report);
+    let (page, object) = (page(name, &report), monte_carlo::json(name, &report));
+    let source = (&preset.scene, request.to_string());
+    arguments.study.deliver(source, &warnings, page, object, table(name, &report))?;
     let failed = Some(report.outcomes.failed).filter(|failed| *failed > 0);
     let failed = failed.map(|failed| format!("{failed} samples failed and are not counted"));
     Ok(progress::exit_code_after(failed))

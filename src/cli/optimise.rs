@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::amount::count;
-use crate::cli::study::{StudyArguments, StudyOutput, axes};
+use crate::cli::study::{StudyArguments, axes};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::model::units::significant;
@@ -91,9 +91,8 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let (page, object) = (page(name, &front), front::json(name, &front));
     let warnings = front::warnings(&front);
-    let command = request.to_string();
-    let answer = StudyOutput { command, warnings, page, object, rows: front::table(name, &front) };
-    arguments.study.deliver(&preset.scene, answer)?;
+    let source = (&preset.scene, request.to_string());
+    arguments.study.deliver(source, &warnings, page, object, front::table(name, &front))?;
     Ok(progress::exit_code(!front.designs.is_empty()))
 }
 

@@ -12,7 +12,7 @@ use crate::cli::study::Threads;
 use crate::cli::sweep::page::KEPT_MAX;
 use crate::cli::{CliError, output, progress};
 use crate::files::atomic::{self, Existing};
-use crate::files::report::{Subject, is_report};
+use crate::files::report::{html, is_report};
 use crate::model::scene::Scene;
 use crate::study::limit;
 use crate::study::sweep::Plan;
@@ -43,8 +43,8 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let is_stdout = path.as_os_str() == "-";
     if !is_stdout {
         if !is_report(path) {
-            let (path, html) = (path.display(), path.with_extension("html"));
-            let example = html.display();
+            let (path, example) = (path.display(), path.with_extension("html"));
+            let example = example.display();
             let text = format!("-o {path}: a report is .html, for example -o {example}");
             return Err(CliError::Option(text));
         }
@@ -60,9 +60,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         output::note("interrupted: no report was written");
         return Ok(ExitCode::FAILURE);
     }
-    let (name, sweep) = (preset.name.as_str(), sweep.as_ref());
-    let subject = Subject { name, scene: &scene, run: &run, limit: &limit, sweep };
-    let text = subject.html();
+    let text = html((&preset.name, &scene), &run, &limit, sweep.as_ref());
     if is_stdout {
         output::print(&text)?;
     } else {

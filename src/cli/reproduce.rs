@@ -24,7 +24,7 @@ pub(super) struct ReproduceArguments {
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(false)?;
     let rows = progress::study(arguments.threads.count(), "rows", thesis::reproduce);
-    arguments.table.alone().deliver(&page(&rows), None, tables::claims(&rows))?;
+    arguments.table.deliver(None, &page(&rows), None, tables::claims(&rows))?;
     let failing = rows.iter().filter(|row| !row.holds).map(|row| {
         let (id, verdict) = (row.claim.id, row.claim.verdict.words());
         format!("{id}: the computation does not bear out \"{verdict}\"")

@@ -28,7 +28,7 @@ use crate::model::units::{Dimension, engineering};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
-use crate::report::run::{self as report, Compared, NamedRun};
+use crate::report::run::{self as report, NamedRun};
 use crate::report::svg::Picture;
 use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -261,7 +261,7 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
             Err(problem) => output::note(&format!("not run: {word}: {problem}")),
         }
     }
-    let rows = runs.iter().map(|(name, run)| Compared { name: name.clone(), run: Some(run) });
+    let rows = runs.iter().map(|(name, run)| (name.clone(), Some(&**run)));
     let keys = [
         "name",
         "outcome",
@@ -279,6 +279,7 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         page += &hanging(&format!("{name:<18}"), &remark, 18);
     }
     page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
-    let table = arguments.table.of(&arguments.scene, &preset.scene, "run --compare models");
-    table.deliver(&page, None, report::results(&runs)).map(|()| ExitCode::SUCCESS)
+    let source = (&arguments.scene.changes, &preset.scene, "run --compare models".to_owned());
+    arguments.table.deliver(Some(source), &page, None, report::results(&runs))?;
+    Ok(ExitCode::SUCCESS)
 }

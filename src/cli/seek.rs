@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::study::{StudyArguments, StudyOutput};
+use crate::cli::study::StudyArguments;
 use crate::cli::{CliError, progress};
 use crate::model::units::shortest;
 use crate::report::seek::{self, remarks, solution};
@@ -46,9 +46,8 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let warnings = seek::warnings(&preset.scene, &report);
     let (page, object) = (page(name, &report), seek::json(name, &report));
-    let command = request.to_string();
-    let answer = StudyOutput { command, warnings, page, object, rows: seek::table(name, &report) };
-    arguments.study.deliver(&preset.scene, answer)?;
+    let source = (&preset.scene, request.to_string());
+    arguments.study.deliver(source, &warnings, page, object, seek::table(name, &report))?;
     Ok(progress::exit_code(report.solutions().next().is_some()))
 }
 

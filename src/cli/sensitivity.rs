@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::study::{Random, StudyArguments, StudyOutput, axes};
+use crate::cli::study::{Random, StudyArguments, axes};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
@@ -61,14 +61,10 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let report =
         arguments.study.run("runs", |context| analyse(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
-    let answer = StudyOutput {
-        command: request.to_string(),
-        warnings: validity::of_axes(&preset.scene, &report.axes),
-        page: page(name, &report, arguments.over.is_empty()),
-        object: sensitivity::json(name, &report),
-        rows: table(name, &report),
-    };
-    arguments.study.deliver(&preset.scene, answer)?;
+    let warnings = validity::of_axes(&preset.scene, &report.axes);
+    let page = page(name, &report, arguments.over.is_empty());
+    let (source, object) = ((&preset.scene, request.to_string()), sensitivity::json(name, &report));
+    arguments.study.deliver(source, &warnings, page, object, table(name, &report))?;
     Ok(progress::exit_code(!report.is_empty()))
 }
 

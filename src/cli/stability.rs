@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::study::{StudyArguments, StudyOutput};
+use crate::cli::study::StudyArguments;
 use crate::cli::table::choice;
 use crate::cli::{CliError, draw, progress, text};
 use crate::model::library;
@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let rows = arguments.study.run("scenes", |context| stability::run(&cases, &now_s, context))?;
     let took_s = now_s();
     let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
-    arguments.study.table.alone().deliver(&page, Some(object), table(&rows))?;
+    arguments.study.table.deliver(None, &page, Some(object), table(&rows))?;
     Ok(progress::exit_code_after(failures(&rows)))
 }
 
@@ -73,14 +73,10 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let wanted = Wanted { method: arguments.method, axis, size };
     let map = arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
-    let answer = StudyOutput {
-        command: wanted.to_string(),
-        warnings: library::warnings(&preset.scene).map(str::to_owned).collect(),
-        page: map_page(&map, name),
-        object: tables::map_json(name, &map),
-        rows: tables::map_table(name, &map),
-    };
-    arguments.study.deliver(&preset.scene, answer)?;
+    let warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
+    let (page, object) = (map_page(&map, name), tables::map_json(name, &map));
+    let (source, rows) = ((&preset.scene, wanted.to_string()), tables::map_table(name, &map));
+    arguments.study.deliver(source, &warnings, page, object, rows)?;
     Ok(progress::exit_code(true))
 }
 

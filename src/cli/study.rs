@@ -24,17 +24,6 @@ pub(super) struct StudyArguments {
     pub(super) table: TableArguments,
 }
 
-/// What a study found.
-pub(super) struct StudyOutput<'a, R> {
-    /// The command that makes it of the scene: its name and options.
-    pub(super) command: String,
-    /// They head the page, and are in the object and in every row.
-    pub(super) warnings: Vec<String>,
-    pub(super) page: String,
-    pub(super) object: Value,
-    pub(super) rows: Table<'a, R>,
-}
-
 impl StudyArguments {
     /// The scene, once it is certain that the table can be written where it is to go.
     pub(super) fn load(&self) -> Result<Preset, CliError> {
@@ -51,17 +40,21 @@ impl StudyArguments {
         progress::study(self.threads.count(), what, study)
     }
 
-    /// Prints the page or the object, and writes the rows.
+    /// Prints the page or the object, and writes the rows, each with the warnings. The command is that which makes them of the scene:
+    /// its name and options.
     pub(super) fn deliver<R>(
         &self,
-        scene: &Scene,
-        answer: StudyOutput<'_, R>,
+        (scene, command): (&Scene, String),
+        warnings: &[String],
+        page: String,
+        mut object: Value,
+        rows: Table<'_, R>,
     ) -> Result<(), CliError> {
-        let StudyOutput { command, warnings, page, mut object, rows } = answer;
-        object["warnings"] = warnings.as_slice().into();
-        let page = page + &self.table.warnings(&warnings);
-        let rows = rows.with_warnings(&warnings);
-        self.table.of(&self.scene, scene, command).deliver(&page, Some(object), rows)
+        object["warnings"] = warnings.into();
+        let page = page + &self.table.warnings(warnings);
+        let rows = rows.with_warnings(warnings);
+        let source = (&self.scene.changes, scene, command);
+        self.table.deliver(Some(source), &page, Some(object), rows)
     }
 }
 

@@ -1,7 +1,6 @@
 //! Where a table of rows goes: to a file beside the page, to standard output instead of it, or as JSON. The one declaration of
 //! `--json`, `--csv` and `--force`.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -9,7 +8,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::Value;
 
 use crate::cli::progress::not_complete;
-use crate::cli::scene::{Changes, SceneArguments};
+use crate::cli::scene::Changes;
 use crate::cli::{CliError, output, text};
 use crate::files::atomic::Existing;
 use crate::files::error::FileError;
@@ -106,55 +105,26 @@ impl TableArguments {
         Ok(())
     }
 
-    /// The same table with the scene it is made from: its changes head the page, and it goes beside the file.
-    /// `command` is what makes it of that scene: its name and options.
-    pub(super) fn of<'a>(
-        &'a self,
-        typed: &'a SceneArguments,
-        scene: &'a Scene,
-        command: impl fmt::Display,
-    ) -> Delivery<'a> {
-        let (changes, command) = (&typed.changes, command.to_string());
-        Delivery { table: self, source: Some(Source { changes, scene, command }) }
-    }
-
-    /// The same without a scene.
-    pub(super) fn alone(&self) -> Delivery<'_> {
-        Delivery { table: self, source: None }
-    }
-}
-
-pub(super) struct Delivery<'a> {
-    table: &'a TableArguments,
-    source: Option<Source<'a>>,
-}
-
-/// The scene, the arguments that made it, and the command that makes the table of it.
-struct Source<'a> {
-    changes: &'a Changes,
-    scene: &'a Scene,
-    command: String,
-}
-
-impl Delivery<'_> {
-    /// Print the page or the rows, or the JSON object where that has more than its rows, and write the file.
+    /// Print the page or the rows, or the JSON object where that has more than its rows, and write the file. Of a table that is made
+    /// from a scene the changes head the page, and the scene goes beside the file.
     pub(super) fn deliver<R>(
         &self,
+        source: Option<Source<'_>>,
         page: &str,
         object: Option<Value>,
         rows: Table<'_, R>,
     ) -> Result<(), CliError> {
-        let (table, missing) = (self.table, not_complete());
+        let missing = not_complete();
         // The rows of an incomplete table say so.
         let rows = if missing.is_some() { rows.field("complete", |_| false) } else { rows };
-        if table.is_stdout() {
+        if self.is_stdout() {
             return output::print(&rows.csv());
         }
-        let written = table.file().map_or(Ok(()), |to| self.write(&to, &rows.csv()));
+        let changed = source.as_ref().map(|source| source.0.changed());
+        let written = self.file().map_or(Ok(()), |to| write(&to, &rows.csv(), source));
         // A file that cannot be written must not cost what was computed.
         output::print(&match object {
-            _ if !table.json => {
-                let changed = self.source.as_ref().map(|source| source.changes.changed());
+            _ if !self.json => {
                 let missing = missing.map(|missing| missing + "\n\n");
                 text::fitted(&(missing.unwrap_or_default() + &changed.unwrap_or_default() + page))
             }
@@ -167,19 +137,17 @@ impl Delivery<'_> {
         })?;
         Ok(written?)
     }
+}
 
-    fn write(&self, to: &Destination, text: &str) -> Result<(), FileError> {
-        let notes = not_complete().map_or_else(String::new, |missing| format!("# {missing}\n"));
-        let is_complete = notes.is_empty();
-        let beside = self.source.as_ref().map(|source| Beside {
-            run: None,
-            scene: source.scene,
-            notes,
-            command: source.command.clone(),
-        });
-        output::note_written(&to.write(text.as_bytes(), beside.as_slice(), is_complete)?);
-        Ok(())
-    }
+/// The changes that made a scene, the scene, and the command that makes the table of it: its name and options.
+pub(super) type Source<'a> = (&'a Changes, &'a Scene, String);
+
+fn write(to: &Destination, text: &str, source: Option<Source<'_>>) -> Result<(), FileError> {
+    let notes = not_complete().map_or_else(String::new, |missing| format!("# {missing}\n"));
+    let is_complete = notes.is_empty();
+    let beside = source.map(|(_, scene, command)| Beside { run: None, scene, notes, command });
+    output::note_written(&to.write(text.as_bytes(), beside.as_slice(), is_complete)?);
+    Ok(())
 }
 
 /// A warning in a line: of a breach of validity the first clause, which has its name and number, or the first two where the first has

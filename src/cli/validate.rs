@@ -26,7 +26,7 @@ pub(super) struct ValidateArguments {
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(false)?;
     let report = progress::study(arguments.threads.count(), "measurements", validation::report)?;
-    arguments.table.alone().deliver(&page(&report), None, tables::table(&report))?;
+    arguments.table.deliver(None, &page(&report), None, tables::table(&report))?;
     let missing = report.iter().filter(|row| row.computed.is_none());
     let missing = missing.map(|row| format!("nothing could be computed for {}", row.case.id));
     Ok(progress::exit_code_after(missing))

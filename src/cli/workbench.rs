@@ -30,7 +30,9 @@ pub(super) struct WorkbenchArguments {
 /// Open the workbench; without a terminal print what `cmra run --plain` prints.
 pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.as_deref().map(scene_or_command).transpose()?;
-    if !has_terminal() {
+    // Both ends have to be a terminal that can move its cursor.
+    let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    if is_dumb || !io::stdin().is_terminal() || !io::stdout().is_terminal() {
         return print_plain(preset, arguments.glyphs);
     }
     let status = tui::run(tui::Options {
@@ -65,10 +67,4 @@ fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliEr
     let run = compute(&Arc::new(preset.scene))?;
     print_readable(&preset.name, &run, Some(glyphs), &TableArguments::default())?;
     Ok(ExitCode::SUCCESS)
-}
-
-/// Whether both ends are a terminal that can move its cursor.
-fn has_terminal() -> bool {
-    let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
-    io::stdin().is_terminal() && io::stdout().is_terminal() && !is_dumb
 }

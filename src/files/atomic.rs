@@ -110,8 +110,9 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
         let _ = fs::remove_file(path);
     }
     // Not between two names: a program that is killed while the disk works would leave files that do not belong together.
+    // The new names reach the disk only with their directories; not every file system can do this, and the content is safe either way.
     for directory in named.iter().map(|path| directory_of(path)).collect::<BTreeSet<_>>() {
-        sync_directory(directory);
+        let _ = File::open(directory).and_then(|directory| directory.sync_all());
     }
     Ok(())
 }
@@ -324,14 +325,6 @@ pub(super) fn with_end(path: &Path, end: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(end);
     PathBuf::from(name)
-}
-
-/// The new name itself reaches the disk only with its directory. Not every file system can do this, and the content is safe
-/// either way, so a refusal is not an error.
-fn sync_directory(directory: &Path) {
-    if let Ok(directory) = File::open(directory) {
-        let _ = directory.sync_all();
-    }
 }
 
 fn directory_of(target: &Path) -> &Path {

@@ -1,20 +1,11 @@
 //! The presets that come with the program, compiled in. A test lists `presets/` and holds this table to it.
 
-/// One bundled preset.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bundled {
-    /// Name to load it by.
-    pub name: &'static str,
-    /// The text of its file.
-    pub text: &'static str,
-}
+/// A bundled preset: its name, and the text of its file.
+pub type Bundled = (&'static str, &'static str);
 
 macro_rules! bundled {
     ($($name:literal),+ $(,)?) => {
-        &[$(Bundled {
-            name: $name,
-            text: include_str!(concat!("../../presets/", $name, ".toml")),
-        }),+]
+        &[$(($name, include_str!(concat!("../../presets/", $name, ".toml")))),+]
     };
 }
 
@@ -68,5 +59,5 @@ pub static BUNDLED: &[Bundled] = bundled![
 
 /// The bundled preset with this name.
 pub fn find(name: &str) -> Option<Bundled> {
-    BUNDLED.iter().copied().find(|preset| preset.name == name)
+    BUNDLED.iter().copied().find(|preset| preset.0 == name)
 }

@@ -32,13 +32,8 @@ fn bundled(library: Library) -> &'static str {
 
 /// Every entry that can be read, library by library, bundled first; and what could not be read.
 pub fn list(paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError>) {
-    let (mut entries, mut problems) = (Vec::new(), Vec::new());
-    for library in Library::ALL {
-        let (mut found, wrong) = listed(library, paths);
-        entries.append(&mut found);
-        problems.extend(wrong);
-    }
-    (entries, problems)
+    let each: (Vec<_>, Vec<_>) = Library::ALL.into_iter().map(|it| listed(it, paths)).unzip();
+    (each.0.concat(), each.1.into_iter().flatten().collect())
 }
 
 /// The entries of one library, and what could not be read.

@@ -58,7 +58,7 @@ impl Origin {
 
 /// The presets that can be read, bundled first, then the user's own by name; and the names of those that cannot, with the reason.
 pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<(String, FileError)>) {
-    let bundled = BUNDLED.iter().map(|preset| (preset.name.to_owned(), from_bundled(*preset)));
+    let bundled = BUNDLED.iter().map(|preset| (preset.0.to_owned(), from_bundled(*preset)));
     let own = paths.map(own_presets).unwrap_or_default().into_iter().map(|(name, path)| {
         let preset = path.and_then(|path| from_own(name.clone(), path));
         (name, preset)
@@ -195,8 +195,8 @@ pub fn check_name(name: &str) -> Result<(), FileError> {
     Ok(())
 }
 
-fn from_bundled(preset: Bundled) -> Result<Preset, FileError> {
-    from_text(preset.name.to_owned(), Origin::Bundled, preset.text.to_owned())
+fn from_bundled((name, text): Bundled) -> Result<Preset, FileError> {
+    from_text(name.to_owned(), Origin::Bundled, text.to_owned())
 }
 
 fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
@@ -232,11 +232,8 @@ fn own_presets(paths: &Paths) -> Vec<(String, Result<PathBuf, FileError>)> {
 /// The likely meaning of `name`.
 fn hint(name: &str, paths: Option<&Paths>) -> String {
     let own = paths.map(own_presets).unwrap_or_default();
-    let names: Vec<&str> = BUNDLED
-        .iter()
-        .map(|preset| preset.name)
-        .chain(own.iter().map(|(name, _)| name.as_str()))
-        .collect();
+    let bundled = BUNDLED.iter().map(|preset| preset.0);
+    let names: Vec<&str> = bundled.chain(own.iter().map(|(name, _)| name.as_str())).collect();
     let list = "`cmra presets` lists the presets";
     if name.is_empty() {
         return format!("the name is empty; {list}");

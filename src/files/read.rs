@@ -309,7 +309,8 @@ fn unknown(path: &str, is_table: bool) -> String {
     let hint = if let Ok(variable) = variables::find(last) {
         format!("did you mean `{}`?", variable.key)
     } else if is_table {
-        nearest_table(&path)
+        let tables = VARIABLES.iter().filter_map(|variable| Some(variable.key.rsplit_once('.')?.0));
+        nearest(&path, &once_each(tables.chain(["sweep"])), "the tables are")
     } else {
         let near = variables::nearest(&path);
         if near.starts_with("did you mean") {
@@ -320,11 +321,6 @@ fn unknown(path: &str, is_table: bool) -> String {
         }
     };
     format!("`{path}` is not a {what} of a scene: {hint}")
-}
-
-fn nearest_table(path: &str) -> String {
-    let tables = VARIABLES.iter().filter_map(|variable| Some(variable.key.rsplit_once('.')?.0));
-    nearest(path, &once_each(tables.chain(["sweep"])), "the tables are")
 }
 
 /// Names in their order, without those that have been there.

@@ -1,6 +1,6 @@
 //! A measured force-displacement curve: as points within a scene file, or in a CSV file beside it.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use serde::Deserialize;
@@ -36,8 +36,9 @@ pub(super) fn points(
         Ok(Curve { points: Some(points), file: None }) => Ok(points.into()),
         Ok(Curve { points: None, file: Some(file) }) => {
             // The wait for a pipe named in a scene would be invisible.
-            curve(&beside(reader.file(), file.get_ref()))
-                .map_err(|error| (file.span(), error.to_string()))
+            // The path of the file is relative to the scene's own folder.
+            let folder = Path::new(reader.file()).parent().unwrap_or_else(|| Path::new(""));
+            curve(&folder.join(file.get_ref())).map_err(|error| (file.span(), error.to_string()))
         }
         Ok(Curve { points: Some(_), file: Some(_) }) => {
             let text = format!("{key} has both file and points: omit one of them");
@@ -61,11 +62,6 @@ pub(super) fn points(
 pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
     let text = read::text_file(path, read::BYTES_MAX)?;
     points_in(&text, path).map_err(FileError::Refused)
-}
-
-/// The path of a file named in a scene: relative to the scene's own folder.
-fn beside(scene: &str, file: &str) -> PathBuf {
-    Path::new(scene).parent().map_or_else(|| PathBuf::from(file), |folder| folder.join(file))
 }
 
 /// What a heading ends in, where that must be a unit, or may be one.

@@ -23,64 +23,53 @@ use crate::study::validity;
 /// Digits of a result.
 const DIGITS: usize = 6;
 
-/// What a report is about, computed.
-pub struct Subject<'a> {
-    /// The scene's name.
-    pub name: &'a str,
-    /// The scene, with title, notes and sweep.
-    pub scene: &'a Scene,
-    /// Its run.
-    pub run: &'a Run,
-    /// Its ballistic limit.
-    pub limit: &'a limit::Report,
-    /// The sweep that is kept with it, over one axis or two.
-    pub sweep: Option<&'a Grid>,
-}
-
 /// Whether the ending of a file is that of a report.
 pub fn is_report(path: &Path) -> bool {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     matches!(ending.as_str(), "html" | "htm" | "xhtml")
 }
 
-impl Subject<'_> {
-    /// The text of the report, as HTML.
-    pub fn html(&self) -> String {
-        let Self { name, scene, run, .. } = *self;
-        let title = clean::line(&scene.title);
-        let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
-        let mut page = Document::new(&title);
-        page.paragraph(&run.stack.as_ref().map_or_else(|| sentence(run), |it| it.sentence()));
-        // Warnings have a section of their own.
-        for line in scene.notes.lines().filter(|line| !library::is_warning(line)) {
-            page.paragraph(line);
-        }
-        page.heading("Warnings and validity");
-        match &envelope::warnings(run)[..] {
-            [] => page.paragraph("No warning: the scene is within the validity of the model."),
-            warnings => page.list(warnings),
-        }
-        inputs(&mut page, scene);
-        results(&mut page, run);
-        let charts = selected(run);
-        if !charts.is_empty() {
-            page.heading(&format!("Charts{}", of_first(run)));
-            charts.into_iter().map(Picture::Chart).for_each(|chart| page.picture(&chart));
-        }
-        ballistic_limit(&mut page, self.limit);
-        if let Some(grid) = self.sweep {
-            own_sweep(&mut page, grid);
-        }
-        page.heading("Run it again");
-        let (version, method) = (env!("CARGO_PKG_VERSION"), run.cost.method);
-        page.paragraph(&format!(
-            "Computed by cmra {version} ({method}). Save these lines as scene.toml:"
-        ));
-        page.code(&write::fresh(scene));
-        page.paragraph("The first command prints the run, the second makes this report:");
-        page.code("cmra run scene.toml\ncmra report scene.toml -o report.html");
-        clean::page(&page.html()).into_owned()
+/// The text of the report of a scene of this name, as HTML: its run, its ballistic limit, and the sweep that is kept with it, over
+/// one axis or two.
+pub fn html(
+    (name, scene): (&str, &Scene),
+    run: &Run,
+    limit: &limit::Report,
+    sweep: Option<&Grid>,
+) -> String {
+    let title = clean::line(&scene.title);
+    let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
+    let mut page = Document::new(&title);
+    page.paragraph(&run.stack.as_ref().map_or_else(|| sentence(run), |it| it.sentence()));
+    // Warnings have a section of their own.
+    for line in scene.notes.lines().filter(|line| !library::is_warning(line)) {
+        page.paragraph(line);
     }
+    page.heading("Warnings and validity");
+    match &envelope::warnings(run)[..] {
+        [] => page.paragraph("No warning: the scene is within the validity of the model."),
+        warnings => page.list(warnings),
+    }
+    inputs(&mut page, scene);
+    results(&mut page, run);
+    let charts = selected(run);
+    if !charts.is_empty() {
+        page.heading(&format!("Charts{}", of_first(run)));
+        charts.into_iter().map(Picture::Chart).for_each(|chart| page.picture(&chart));
+    }
+    ballistic_limit(&mut page, limit);
+    if let Some(grid) = sweep {
+        own_sweep(&mut page, grid);
+    }
+    page.heading("Run it again");
+    let (version, method) = (env!("CARGO_PKG_VERSION"), run.cost.method);
+    page.paragraph(&format!(
+        "Computed by cmra {version} ({method}). Save these lines as scene.toml:"
+    ));
+    page.code(&write::fresh(scene));
+    page.paragraph("The first command prints the run, the second makes this report:");
+    page.code("cmra run scene.toml\ncmra report scene.toml -o report.html");
+    clean::page(&page.html()).into_owned()
 }
 
 fn inputs(page: &mut Document, scene: &Scene) {

@@ -191,7 +191,9 @@ fn changed_table(old: &Scene, scene: &Scene) -> Option<(&'static str, String)> {
 /// A stop is written only where there is one, or where its settings would otherwise be lost; of the springs what their kind
 /// has, and what differs from the default.
 fn is_written(variable: &Variable, scene: &Scene) -> bool {
-    if is_spring(variable) {
+    // Of a spring, or of how two act together.
+    let starts = ["mechanism.spring.", "mechanism.second.", "mechanism.combination"];
+    if starts.iter().any(|start| variable.key.starts_with(start)) {
         let plain = Scene::default();
         let basic = !variable.is_seldom && variables::is_listed(variable, &plain);
         let listed = variables::is_listed(variable, scene)
@@ -208,13 +210,6 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
         || scene.mechanism.stop != Scene::default().mechanism.stop
             && (variable.key != "mechanism.stop.position_m"
                 || scene.mechanism.stop.position_m.is_some())
-}
-
-/// Whether a variable belongs to a spring or to how two act together.
-fn is_spring(variable: &Variable) -> bool {
-    ["mechanism.spring.", "mechanism.second.", "mechanism.combination"]
-        .iter()
-        .any(|start| variable.key.starts_with(start))
 }
 
 fn value_text(variable: &Variable, scene: &Scene) -> Option<String> {

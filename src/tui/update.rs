@@ -73,14 +73,10 @@ fn keys(app: &mut App, key: KeyEvent) {
     press(app, KeyEvent::new(key.code, key.modifiers - KeyModifiers::ALT));
 }
 
-/// The text that is typed into, if there is one.
+/// The text that is typed into where no dialog is open, if there is one.
 fn open_text(app: &mut App) -> Option<&mut TextField> {
-    match &mut app.dialog {
-        Some(dialog) => dialog.field_mut(),
-        None => app.typing.as_mut().map(|typing| match typing {
-            Typing::Field(text) | Typing::Find(text) => text,
-        }),
-    }
+    let (Typing::Field(text) | Typing::Find(text)) = app.typing.as_mut()?;
+    Some(text)
 }
 
 fn press(app: &mut App, key: KeyEvent) {
@@ -121,13 +117,14 @@ fn paste(app: &mut App, text: &str) {
         let text = format!("pasted text is ignored: it is longer than {TEXT_MAX} characters");
         return app.say(Severity::Warning, text);
     }
-    match open_text(app) {
-        Some(field) => field.insert(&clean),
-        None => app.tell("pasted text is ignored here: open a field first (<enter> on a variable)"),
-    }
-    match &mut app.dialog {
-        Some(dialog) => dialog.pasted(),
-        None => follow(app),
+    let is_taken = match &mut app.dialog {
+        Some(dialog) => dialog.paste(&clean),
+        None => open_text(app).map(|field| field.insert(&clean)).is_some(),
+    };
+    if !is_taken {
+        app.tell("pasted text is ignored here: open a field first (<enter> on a variable)");
+    } else if app.dialog.is_none() {
+        follow(app);
     }
 }
 

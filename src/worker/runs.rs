@@ -52,7 +52,8 @@ pub(super) fn run(
     let mut observer = |t_s: f64| {
         reporter.goes_on()?;
         if let Some(run) = window.take() {
-            pulse.part_came(reporter.elapsed());
+            // It is not to spend more than a small part of its time on them.
+            pulse.pause = BETWEEN.max(PART_SHARE * reporter.elapsed().saturating_sub(pulse.asked));
             (reporter.send)(ReportBody::Part(run.into()));
         }
         if let Some(t_s) = pulse.beat(t_s, || reporter.elapsed()) {
@@ -100,11 +101,6 @@ impl Pulse {
             (self.asked, self.pause) = (self.seen, BETWEEN);
         }
         is_due
-    }
-
-    /// The curve that was requested has come: the run is not to spend more than a small part of its time on them.
-    fn part_came(&mut self, elapsed: Duration) {
-        self.pause = BETWEEN.max(PART_SHARE * elapsed.saturating_sub(self.asked));
     }
 
     /// After a step that reached `t_s`: the time to report, if any; 0 says that the run takes a moment.

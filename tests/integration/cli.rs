@@ -482,11 +482,11 @@ fn presets_are_listed_and_shown() {
     let place = Place::new();
     let list = place.cmra("presets");
     assert_eq!((list.code, list.err.as_str()), (0, ""));
-    for preset in cmra::files::bundled::BUNDLED {
-        let row = list.out.lines().find(|line| line.split_whitespace().next() == Some(preset.name));
-        assert!(row.is_some(), "{}", preset.name);
-        let shown = place.cmra(&format!("presets show {}", preset.name));
-        assert_eq!((shown.code, shown.out.as_str()), (0, preset.text));
+    for (name, text) in cmra::files::bundled::BUNDLED {
+        let row = list.out.lines().find(|line| line.split_whitespace().next() == Some(name));
+        assert!(row.is_some(), "{name}");
+        let shown = place.cmra(&format!("presets show {name}"));
+        assert_eq!((shown.code, shown.out.as_str()), (0, *text));
     }
 }
 

@@ -29,10 +29,10 @@ fn the_table_of_bundled_presets_is_the_folder() {
         .iter()
         .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
         .collect();
-    let in_table: BTreeSet<String> = BUNDLED.iter().map(|one| one.name.to_owned()).collect();
+    let in_table: BTreeSet<String> = BUNDLED.iter().map(|one| one.0.to_owned()).collect();
     assert_eq!(in_table, in_folder);
     assert_eq!(BUNDLED.len(), in_table.len(), "a name stands twice");
-    assert_eq!(BUNDLED[0].name, BASELINE);
+    assert_eq!(BUNDLED[0].0, BASELINE);
 }
 
 #[test]

@@ -12,7 +12,7 @@ use cmra::model::run::{EndReason, Outcome, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::context::{Context, to_its_end};
-use cmra::study::stability::map::{self, Axis, FixedStep, Size};
+use cmra::study::stability::map::{self, Axis, FixedStep};
 
 use crate::support::says;
 
@@ -483,7 +483,7 @@ fn a_map_is_read_back_from_its_table() {
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
-    let size = Size { rows: 10, columns: 31 };
+    let size = map::QUICK;
     let wanted = map::Wanted { method: FixedStep::Rk4, axis: Axis::B, size };
     let map = map::map(&Scene::default(), wanted, context);
     let columns = map.dt_s.len();

@@ -19,7 +19,7 @@ fn presets_that_are_named_exist() {
     let claims = thesis::claims().filter_map(|claim| claim.preset);
     let principles = PRINCIPLES.iter().map(|it| it.preset);
     for name in claims.chain(principles).chain(CONCEPTS.iter().map(|it| it.preset)) {
-        assert!(BUNDLED.iter().any(|preset| preset.name == name), "{name}");
+        assert!(BUNDLED.iter().any(|preset| preset.0 == name), "{name}");
     }
 }
 

@@ -7,13 +7,11 @@
 use crate::model::scene::{Scene, Stop, StopKind};
 
 pub mod curve;
-pub(in crate::model) mod damper;
 pub mod inertia;
 pub(in crate::model) mod kinds;
 pub mod load;
 pub mod piece;
 mod spring;
-pub(super) mod stop;
 
 pub use inertia::{Inertia, OmittedMass, is_uncounted, moving_plate_kg};
 pub use spring::Spring;

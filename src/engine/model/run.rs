@@ -9,13 +9,13 @@ use std::sync::Arc;
 
 use crate::model::scene::{Criterion, Scene};
 use crate::model::worded::worded;
+use crate::numerics::larger;
 
 mod check;
 pub mod envelope;
-mod stack;
 mod warning;
 
-pub use stack::StackRun;
+pub use crate::model::stack::StackRun;
 pub use warning::{NotModelled, Warning};
 
 /// The output that a run delivers besides its results.
@@ -408,6 +408,23 @@ impl Run {
         let by_protrusion = self.scene.target.criterion == Criterion::Protrusion;
         let is_out = base.is_some_and(|run| run.protrusion_m().is_some());
         if by_protrusion && is_out { Outcome::Perforated } else { outcome }
+    }
+
+    /// The runs of the plates that were struck, in order; of a stack, the base plate at the end where it was.
+    pub fn plates(&self) -> impl Iterator<Item = &Self> {
+        let behind = self.stack.iter().flat_map(|stack| stack.behind.iter());
+        std::iter::once(self).chain(behind.map(|run| &**run))
+    }
+
+    /// The depth of the whole shot: into a stack, all thickness perforated and the depth in what stopped it, m.
+    pub fn shot_depth_m(&self) -> Option<f64> {
+        self.stack.as_ref().map_or(self.final_penetration_m, |stack| stack.penetration_m)
+    }
+
+    /// The relative error estimate of a result; of a stack, the greatest of its plates.
+    pub fn error_of(&self, name: &str) -> Option<f64> {
+        let errors = self.plates().flat_map(|run| &run.error_estimates);
+        errors.filter(|error| error.name == name).map(|error| error.relative).reduce(larger)
     }
 
     /// The residual velocity behind the plate, or behind the base plate of a stack, m/s.

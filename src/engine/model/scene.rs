@@ -12,15 +12,13 @@ mod bodies;
 mod contact;
 mod mechanism;
 
-pub use crate::model::mechanism::damper::Damper;
 pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
-pub use crate::model::mechanism::stop::{Stop, StopKind};
 pub use bodies::{
     Closure, ClosureInEffect, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile,
     Target,
 };
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing, Reading};
-pub use mechanism::{Combination, Mechanism, OwnMass, Second, Wire};
+pub use mechanism::{Combination, Damper, Mechanism, OwnMass, Second, Stop, StopKind, Wire};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]

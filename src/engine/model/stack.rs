@@ -6,9 +6,60 @@
 
 use std::sync::Arc;
 
-use crate::model::run::{Outcome, Run, StackRun, Warning};
+use crate::model::run::{Outcome, Run, Warning};
 use crate::model::scene::{Closure, Layer, Mount, Scene, Stack};
 use crate::model::variables::VariableError;
+
+/// The outcome of a shot into a stack.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackRun {
+    /// The elements after the first that were struck, in order; the base plate, where it was, at the end.
+    pub behind: Vec<Arc<Run>>,
+    /// How many elements there are, the base plate not counted.
+    pub elements: usize,
+    /// The outcome of the shot in the last that was struck.
+    pub outcome: Outcome,
+    /// Thickness perforated along the shot's line, and the depth in what stopped it, m; `None` where nothing did.
+    pub penetration_m: Option<f64>,
+    /// Velocity behind a perforated base plate, m/s.
+    pub residual_velocity_m_s: Option<f64>,
+}
+
+impl StackRun {
+    /// How many plates were perforated, the base plate included.
+    pub fn passed(&self) -> usize {
+        // The first was passed exactly when another was struck.
+        let struck = self.behind.len() + 1;
+        if self.outcome == Outcome::Perforated { struck } else { struck - 1 }
+    }
+
+    /// The name of the plate with this number, 0 for the first.
+    pub fn name(&self, plate: usize) -> String {
+        if plate < self.elements {
+            format!("element {}", plate + 1)
+        } else {
+            "base plate".to_owned()
+        }
+    }
+
+    /// The sentence: `stopped in element 2 of 3, 31.20 mm in all`.
+    pub fn sentence(&self) -> String {
+        let name = self.name(self.behind.len());
+        let last = if self.behind.len() < self.elements { name } else { format!("the {name}") };
+        match (self.outcome, self.penetration_m) {
+            (Outcome::Arrested, Some(depth)) => {
+                format!("stack: stopped in {last}, {:.4} mm in all", depth * 1e3)
+            }
+            (Outcome::Separated, Some(depth)) => {
+                format!("stack: thrown back by {last}, {:.4} mm in all", depth * 1e3)
+            }
+            (Outcome::Perforated, _) => "stack: perforated, including the base plate".to_owned(),
+            (Outcome::Arrested | Outcome::Separated | Outcome::Moving, _) => {
+                format!("stack: undecided in {last}")
+            }
+        }
+    }
+}
 
 /// Follow the shot behind the scene's own plate, whose run is `first`, plate by plate; `None` where the scene is not a stack.
 /// Warnings about the stack are added to `first`.
@@ -104,4 +155,22 @@ fn warn_of_gaps(scene: &Scene, first: &mut Run, behind: &[Arc<Run>], elements: u
         let travel_m = travel.filter(|travel_m| *travel_m > gap_m)?;
         Some(Warning::PlateMeetsNext { plate, travel_m, gap_m })
     }));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sentence_names_the_plate_that_stopped_the_shot() {
+        let stopped = |elements| StackRun {
+            behind: Vec::new(),
+            elements,
+            outcome: Outcome::Arrested,
+            penetration_m: Some(0.01),
+            residual_velocity_m_s: None,
+        };
+        assert_eq!(stopped(1).sentence(), "stack: stopped in element 1, 10.0000 mm in all");
+        assert_eq!(stopped(0).sentence(), "stack: stopped in the base plate, 10.0000 mm in all");
+    }
 }

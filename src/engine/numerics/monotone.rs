@@ -4,43 +4,37 @@
 
 /// Slopes at the points of a table with rising x; at least two points.
 pub(crate) fn slopes(points: &[[f64; 2]]) -> Vec<f64> {
-    let widths: Vec<f64> = points.windows(2).map(|pair| pair[1][0] - pair[0][0]).collect();
-    let secants: Vec<f64> = points
-        .windows(2)
-        .map(|pair| (pair[1][1] - pair[0][1]) / (pair[1][0] - pair[0][0]))
-        .collect();
-    let last = secants.len() - 1;
-    let mut slopes = Vec::with_capacity(points.len());
-    for at in 0..points.len() {
-        slopes.push(if secants.len() == 1 {
-            secants[0]
-        } else if at == 0 {
-            end([widths[0], widths[1]], [secants[0], secants[1]])
-        } else if at > last {
-            end([widths[last], widths[last - 1]], [secants[last], secants[last - 1]])
-        } else {
-            inner([widths[at - 1], widths[at]], [secants[at - 1], secants[at]])
-        });
+    let stretch = |pair: &[[f64; 2]]| {
+        let width = pair[1][0] - pair[0][0];
+        [width, (pair[1][1] - pair[0][1]) / width]
+    };
+    let stretches: Vec<[f64; 2]> = points.windows(2).map(stretch).collect();
+    let last = stretches.len() - 1;
+    if last == 0 {
+        return vec![stretches[0][1]; 2];
     }
+    let mut slopes = vec![end(stretches[0], stretches[1])];
+    slopes.extend(stretches.windows(2).map(|pair| inner(pair[0], pair[1])));
+    slopes.push(end(stretches[last], stretches[last - 1]));
     slopes
 }
 
-/// The weighted harmonic mean of the secants on both sides; level where they disagree in sign.
-fn inner(h: [f64; 2], d: [f64; 2]) -> f64 {
-    if d[0] * d[1] <= 0.0 {
+/// The weighted harmonic mean of the secants on both sides; level where they disagree in sign. Of each stretch its width and secant.
+fn inner([width, secant]: [f64; 2], [width_after, secant_after]: [f64; 2]) -> f64 {
+    if secant * secant_after <= 0.0 {
         return 0.0;
     }
-    let (a, b) = (2.0 * h[1] + h[0], h[1] + 2.0 * h[0]);
-    (a + b) / (a / d[0] + b / d[1])
+    let (a, b) = (2.0 * width_after + width, width_after + 2.0 * width);
+    (a + b) / (a / secant + b / secant_after)
 }
 
 /// The one-sided three-point formula, kept from overshooting.
-fn end(h: [f64; 2], d: [f64; 2]) -> f64 {
-    let slope = ((2.0 * h[0] + h[1]) * d[0] - h[0] * d[1]) / (h[0] + h[1]);
-    if slope * d[0] <= 0.0 {
+fn end([width, secant]: [f64; 2], [width_next, secant_next]: [f64; 2]) -> f64 {
+    let slope = ((2.0 * width + width_next) * secant - width * secant_next) / (width + width_next);
+    if slope * secant <= 0.0 {
         0.0
-    } else if d[0] * d[1] <= 0.0 && slope.abs() > 3.0 * d[0].abs() {
-        3.0 * d[0]
+    } else if secant * secant_next <= 0.0 && slope.abs() > 3.0 * secant.abs() {
+        3.0 * secant
     } else {
         slope
     }

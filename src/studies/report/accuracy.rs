@@ -6,26 +6,12 @@ use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
-use crate::study::accuracy::method::{Answer, Method, Parameter};
+use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::reference::References;
-use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, RESULTS, Report, Saving};
+use crate::study::accuracy::{Cheapest, MethodReport, Point, RESULTS, Report, Saving};
 
-/// A point with its method.
-#[derive(Clone, Copy)]
-pub struct Row<'r> {
-    method: &'r MethodReport,
-    point: &'r Point,
-}
-
-impl<'r> Row<'r> {
-    fn measured(&self) -> Option<&'r Measured> {
-        self.point.result.as_ref().ok()
-    }
-
-    fn answer(&self) -> Option<&'r Answer> {
-        Some(&self.measured()?.answer)
-    }
-}
+/// A point of a method.
+pub type Row<'r> = (&'r MethodReport, &'r Point);
 
 /// What its scene's entries of a library warn of.
 pub fn warnings(report: &Report) -> Vec<String> {
@@ -34,36 +20,37 @@ pub fn warnings(report: &Report) -> Vec<String> {
 
 /// The points of all methods on the scene of this name.
 pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
-    let rows =
-        |method: &'r MethodReport| method.points.iter().map(move |point| Row { method, point });
+    let rows = |method: &'r MethodReport| method.points.iter().map(move |point| (method, point));
+    let measured = |row: &Row<'r>| row.1.result.as_ref().ok();
+    let answer = move |row: &Row<'r>| Some(&measured(row)?.answer);
     let warnings = warnings(report).join("; ");
     let table = Table::of(report.methods.iter().flat_map(rows))
         .field("scene", move |_| name)
-        .field("method", |row| row.method.method.name())
-        .field("letter", |row| row.method.method.letter().to_string())
-        .field("time_step_s", |row| match row.point.parameter {
+        .field("method", |row| row.0.method.name())
+        .field("letter", |row| row.0.method.letter().to_string())
+        .field("time_step_s", |row| match row.1.parameter {
             Parameter::Step(dt_s) => Some(dt_s),
             Parameter::Tolerance(_) => None,
         })
-        .field("tolerance", |row| match row.point.parameter {
+        .field("tolerance", |row| match row.1.parameter {
             Parameter::Tolerance(value) => Some(value),
             Parameter::Step(_) => None,
         })
-        .field("error", |row| Some(row.measured()?.error()));
+        .field("error", move |row| Some(measured(row)?.error()));
     let table = RESULTS.into_iter().enumerate().fold(table, |table, (at, (key, _))| {
-        table.field(key, move |row| row.measured()?.errors[at])
+        table.field(key, move |row| measured(row)?.errors[at])
     });
     table
-        .field("at_floor", |row| Some(row.measured()?.is_at_floor()))
-        .field("penetration_m", |row| row.answer()?.results[0])
-        .field("end_time_s", |row| row.answer()?.results[1])
-        .field("steps", |row| Some(row.answer()?.steps))
-        .field("rejected", |row| Some(row.answer()?.rejected))
-        .field("rhs_evaluations", |row| Some(row.answer()?.evaluations))
-        .field("run_time_s_min", |row| Some(row.measured()?.min_s))
-        .field("refused", |row| Some(row.point.result.err()?.words()))
-        .field("reference", |row| Some(row.method.reference?.basis.words()))
-        .field("reference_uncertainty", |row| row.method.reference?.uncertainty)
+        .field("at_floor", move |row| Some(measured(row)?.is_at_floor()))
+        .field("penetration_m", move |row| answer(row)?.results[0])
+        .field("end_time_s", move |row| answer(row)?.results[1])
+        .field("steps", move |row| Some(answer(row)?.steps))
+        .field("rejected", move |row| Some(answer(row)?.rejected))
+        .field("rhs_evaluations", move |row| Some(answer(row)?.evaluations))
+        .field("run_time_s_min", move |row| Some(measured(row)?.min_s))
+        .field("refused", |row| Some(row.1.result.err()?.words()))
+        .field("reference", |row| Some(row.0.reference?.basis.words()))
+        .field("reference_uncertainty", |row| row.0.reference?.uncertainty)
         .field(WARNINGS, move |_| warnings.clone())
 }
 
@@ -191,14 +178,6 @@ fn curve(of: &MethodReport) -> Curve<'static> {
     Curve::new(of.method.letter(), of.method.name(), points).colour(of.method as usize)
 }
 
-/// The axes over run times, s, and errors.
-fn axes(times: ViewRange, errors: ViewRange) -> (Axis<'static>, Axis<'static>) {
-    // The unit of the fast end: microseconds, of which a person thinks here.
-    let unit = Unit::with_prefix(30.0 * times.lo(), "s");
-    let x = Axis::new("run time", times).scale(Scale::Log10).unit(unit);
-    (x, Axis::new("relative error", errors).scale(Scale::Log10))
-}
-
 /// The accuracies of the table, the uncertainty of the reference, and, apart from the methods, how far the printed scheme is off.
 fn levels(report: &Report) -> Vec<Mark<'static>> {
     let floor = report.references.any().and_then(|reference| reference.uncertainty);
@@ -213,7 +192,11 @@ pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
     let points = || curves.iter().flat_map(|curve| curve.points.iter());
     let times = ViewRange::of(Scale::Log10, points().map(|point| point.0))?;
     let errors = ViewRange::of(Scale::Log10, points().map(|point| point.1))?;
-    let (x, y) = axes(times.in_decades(), errors.in_decades());
+    let (times, errors) = (times.in_decades(), errors.in_decades());
+    // The unit of the fast end: microseconds, of which a person thinks here.
+    let unit = Unit::with_prefix(30.0 * times.lo(), "s");
+    let x = Axis::new("run time", times).scale(Scale::Log10).unit(unit);
+    let y = Axis::new("relative error", errors).scale(Scale::Log10);
     let title = "relative error, the greatest of all results";
     Some(Chart {
         // The table of methods has their letters.

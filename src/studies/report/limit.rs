@@ -6,7 +6,7 @@ use crate::model::mechanism::Mechanism;
 use crate::model::run::{Outcome, Run, envelope};
 use crate::model::units::{engineering, fixed_significant, significant, velocity};
 use crate::report::Remark;
-use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
+use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit};
 use crate::report::table::Table;
 use crate::study::limit::residual_law::ResidualLaw;
 use crate::study::limit::{Closures, Limit, RANGE_M_S, Report, Shot};
@@ -215,8 +215,8 @@ pub fn json(name: &str, report: &Report) -> Value {
     })
 }
 
-/// The axes of impact and residual velocity for a scene's own velocity; `None` where nothing goes through.
-fn axes(report: &Report, own_m_s: f64) -> Option<(Axis<'static>, Axis<'static>)> {
+/// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.
+pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
     let limit = report.limit.velocity_m_s();
     let impacts = report.shots.iter().map(|shot| shot.impact_m_s);
     let own = limit.filter(|limit| own_m_s < OWN_IN_VIEW * limit).map(|_| own_m_s);
@@ -226,21 +226,15 @@ fn axes(report: &Report, own_m_s: f64) -> Option<(Axis<'static>, Axis<'static>)>
     let residuals = report.shots.iter().filter_map(|shot| shot.residual_m_s);
     let y = Axis::over("residual velocity", "m/s", Scale::Linear, residuals)?;
     let unit = || Unit::new("m/s");
-    Some((x.unit(unit()), y.with_zero().padded(0.04).unit(unit())))
-}
-
-/// A law over the view; before its limit it is nothing.
-fn law(view: ViewRange, law: ResidualLaw) -> Vec<(f64, f64)> {
-    let step = view.span() / LAW_POINTS as f64;
-    let at = |i: usize| view.lo() + step * i as f64;
-    let beyond = (0..=LAW_POINTS).map(at).filter(|v| *v > law.limit_m_s);
-    std::iter::once(law.limit_m_s).chain(beyond).map(|v| (v, law.residual_m_s(v))).collect()
-}
-
-/// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.
-pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
-    let (x, y) = axes(report, own_m_s)?;
-    let law = |law: Option<ResidualLaw>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
+    let (x, y) = (x.unit(unit()), y.with_zero().padded(0.04).unit(unit()));
+    // Before its limit a law is nothing.
+    let law = |law: Option<ResidualLaw>| {
+        let Some(law) = law else { return Vec::new() };
+        let step = x.view.span() / LAW_POINTS as f64;
+        let at = |i: usize| x.view.lo() + step * i as f64;
+        let beyond = (0..=LAW_POINTS).map(at).filter(|v| *v > law.limit_m_s);
+        std::iter::once(law.limit_m_s).chain(beyond).map(|v| (v, law.residual_m_s(v))).collect()
+    };
     let shots = |marker, label, outcomes: &[Outcome]| {
         let shots = report.shots.iter().filter(|shot| outcomes.contains(&shot.outcome));
         let places = shots.map(|shot| (shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0)));
@@ -254,7 +248,6 @@ pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
         shots('m', "moving", &[Outcome::Moving]).colour(4),
     ];
     let curves = curves.into_iter().filter(|curve| !curve.points.is_empty());
-    let limit = report.limit.velocity_m_s();
     let limit = limit.map(|at| Mark::new(at, "ballistic limit").tag("v_bl"));
     let own = x.view.contains(own_m_s).then(|| Mark::new(own_m_s, "scene"));
     Some(Chart {

@@ -34,28 +34,29 @@ const NUMBERS: [Column; 10] = [
     ("stop_force_n", |row| row.stop_force_n),
 ];
 
-/// The course of some runs as CSV.
+/// The course of some runs as CSV, with the name of the run in the first column where there are several.
 pub fn csv(runs: &[NamedRun]) -> String {
-    let courses: Vec<Course<'_>> = runs.iter().map(Course::of).collect();
-    course(&courses, runs.len() > 1).csv()
-}
-
-struct Course<'r> {
-    name: &'r str,
-    samples: &'r [Sample],
-    /// The events of some rows, in their order.
-    events: Vec<(usize, String)>,
-}
-
-impl<'r> Course<'r> {
-    fn of((name, run): &'r NamedRun) -> Self {
-        Self { name, samples: &run.series, events: placed(&run.series, &run.events) }
+    let events = |(_, run): &NamedRun| placed(&run.series, &run.events);
+    let events: Vec<Vec<(usize, String)>> = runs.iter().map(events).collect();
+    // A run, and a row of it.
+    let rows = runs.iter().enumerate();
+    let rows = rows.flat_map(|(at, (_, run))| (0..run.series.len()).map(move |row| (at, row)));
+    let sample = |at: &(usize, usize)| &runs[at.0].1.series[at.1];
+    let event = |at: &(usize, usize)| {
+        let own = &events[at.0];
+        own.binary_search_by_key(&at.1, |event| event.0).map_or("", |found| &own[found].1)
+    };
+    let mut table = Table::of(rows);
+    if runs.len() > 1 {
+        table = table.field("run", |at| runs[at.0].0.as_str());
     }
-
-    fn event(&self, row: usize) -> &str {
-        let found = self.events.binary_search_by_key(&row, |event| event.0);
-        found.map_or("", |at| &self.events[at].1)
+    for (place, (key, get)) in NUMBERS.into_iter().enumerate() {
+        table = table.field(key, move |at| get(sample(at)));
+        if place == 0 {
+            table = table.field("mode", move |at| sample(at).mode.word());
+        }
     }
+    table.field("event", event).csv()
 }
 
 /// Each event in the first row at or after its time, else in the last.
@@ -71,34 +72,10 @@ fn placed(samples: &[Sample], events: &[Event]) -> Vec<(usize, String)> {
     rows
 }
 
-/// With the name of the run in the first column, where there are several.
-fn named<'c, R>(
-    rows: impl IntoIterator<Item = R>,
-    several: bool,
-    name: impl Fn(&R) -> &'c str + 'c,
-) -> Table<'c, R> {
-    let table = Table::of(rows);
-    if several { table.field("run", name) } else { table }
-}
-
-/// The moments of some runs: a run, and a row of it.
-fn course<'c>(courses: &'c [Course<'c>], several: bool) -> Table<'c, (usize, usize)> {
-    let rows = courses.iter().enumerate();
-    let rows = rows.flat_map(|(run, own)| (0..own.samples.len()).map(move |row| (run, row)));
-    let sample = |at: &(usize, usize)| &courses[at.0].samples[at.1];
-    let mut table = named(rows, several, |at| courses[at.0].name);
-    for (place, (key, get)) in NUMBERS.into_iter().enumerate() {
-        table = table.field(key, move |at| get(sample(at)));
-        if place == 0 {
-            table = table.field("mode", move |at| sample(at).mode.word());
-        }
-    }
-    table.field("event", |at| courses[at.0].event(at.1))
-}
-
 /// The results of some runs, a row each.
 pub fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
-    let table = named(runs, true, |it: &&NamedRun| it.0.as_str())
+    let table = Table::of(runs)
+        .field("run", |it| it.0.as_str())
         .field("scene", |it| it.1.scene.title.as_str())
         .field("outcome", |it| it.1.shot_outcome().word())
         .field("end", |it| it.1.end.words())
@@ -107,18 +84,13 @@ pub fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
     of_runs().fold(table, |table, quantity| table.field(quantity.name, |it| quantity.value(&it.1)))
 }
 
-/// A run beside others.
-pub struct Compared<'c> {
-    /// Its name.
-    pub name: String,
-    /// `None` while it is computed.
-    pub run: Option<&'c Run>,
-}
+/// A run beside others: its name, and no run while it is computed.
+pub type Compared<'c> = (String, Option<&'c Run>);
 
 /// Runs beside each other, each number in the unit of its heading.
 pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c, Compared<'c>> {
-    let outcome = |it: &Compared<'_>| it.run.map_or("running", |run| run.shot_outcome().word());
-    let table = Table::of(runs).with("name", "run", "", |it| it.name.clone());
+    let outcome = |it: &Compared<'_>| it.1.map_or("running", |run| run.shot_outcome().word());
+    let table = Table::of(runs).with("name", "run", "", |it| it.0.clone());
     let table = table.with("outcome", "outcome", "", outcome);
     let table =
         column(table, "final_penetration_m", "depth mm", 1e3, |run| is_through(run).then(through));
@@ -126,9 +98,9 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
         Some(format!("{:.0}", run.percent_of_baseline()?))
     });
     let table = table.with("plastic", "plastic mm", "", |it: &Compared<'_>| {
-        it.run?.plastic.as_ref()?.final_penetration_m
+        it.1?.plastic.as_ref()?.final_penetration_m
     });
-    let table = table.shown(|it, _| Some(plastic(it.run?.plastic.as_ref()?)));
+    let table = table.shown(|it, _| Some(plastic(it.1?.plastic.as_ref()?)));
     let table = column(table, "max_plate_displacement_m", "travel mm", 1e3, |_| None);
     let table = column(table, "peak_contact_force_n", "peak kN", 1e-3, |run| {
         fused_stop_hits(run).filter(|hits| *hits > 0).map(|_| "unbounded".to_owned())
@@ -144,9 +116,9 @@ fn column<'c>(
     factor: f64,
     text: impl Fn(&Run) -> Option<String> + 'c,
 ) -> Table<'c, Compared<'c>> {
-    let value = move |it: &Compared<'_>| find(name)?.value(it.run?);
+    let value = move |it: &Compared<'_>| find(name)?.value(it.1?);
     table.with(name, label, "", value).shown(move |it, value| {
-        let own = it.run.and_then(&text);
+        let own = it.1.and_then(&text);
         own.or_else(|| Some(fixed_significant(factor * value.as_f64()?, 4)))
     })
 }
@@ -161,10 +133,10 @@ fn through() -> String {
 
 /// The depth by the plastic law and its part of that on a rigid mount.
 fn plastic(run: &Arc<Run>) -> String {
-    let depth = run.final_penetration_m.filter(|_| !is_through(run));
-    let Some(depth_m) = depth else {
-        return if is_through(run) { through() } else { "-".to_owned() };
-    };
+    if is_through(run) {
+        return through();
+    }
+    let Some(depth_m) = run.final_penetration_m else { return "-".to_owned() };
     let percent = run.percent_of_baseline().map_or_else(String::new, |it| format!(" ({it:.0})"));
     format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
 }
@@ -202,7 +174,10 @@ pub fn json(name: &str, run: &Run) -> String {
         EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
     });
     object["error_estimate_basis"] = basis.into();
-    object["error_estimates"] = estimates(run);
+    let exists = |name| find(name).is_some_and(|it| run.stack.is_none() || it.value(run).is_some());
+    let names = run.error_estimates.iter().map(|error| error.name).filter(|name| exists(name));
+    let errors = names.map(|name| (name.to_owned(), run.error_of(name).into()));
+    object["error_estimates"] = Value::Object(errors.collect());
     object["method"] = run.cost.method.into();
     object["method_reason"] = run.cost.reason.into();
     object["run_time_s"] = run.cost.took_s.into();
@@ -257,13 +232,6 @@ fn result(run: &Run, quantity: &Quantity) -> Value {
         return whole.map_or(Value::Null, Value::Number);
     }
     value.into()
-}
-
-/// The relative error estimate of each result.
-fn estimates(run: &Run) -> Value {
-    let exists = |name| find(name).is_some_and(|it| run.stack.is_none() || it.value(run).is_some());
-    let names = run.error_estimates.iter().map(|error| error.name).filter(|name| exists(name));
-    Value::Object(names.map(|name| (name.to_owned(), run.error_of(name).into())).collect())
 }
 
 /// A part of the energy ledger: its name in JSON, its label on pages, and where it is found.

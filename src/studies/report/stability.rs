@@ -20,26 +20,21 @@ fn brief(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
-/// How a run ends, in a few letters.
-fn ends(row: &Row) -> String {
-    let word = match row.run.outcome {
+/// The battery, one row for each scene.
+pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> {
+    let ends = |row: &Row| match row.run.outcome {
         _ if !row.run.end.is_complete() => "CUT",
         Outcome::Arrested => "arr",
         Outcome::Perforated => "perf",
         Outcome::Separated => "sep",
         Outcome::Moving => "mov",
     };
-    word.to_owned()
-}
-
-/// The battery, one row for each scene.
-pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> {
     Table::of(rows)
         .with("scene", "scene", "", |row| row.case.name)
-        .with("changes", "changes", "", |row| row.case.changes)
+        .field("changes", |row| row.case.changes)
         .with("outcome", "ends", "", |row| row.run.outcome.word())
-        .shown(|row, _| Some(ends(row)))
-        .with("end", "end", "", |row| row.run.end.words())
+        .shown(move |row, _| Some(ends(row).to_owned()))
+        .field("end", |row| row.run.end.words())
         .with("energy_residual", "energy", "", |row| row.run.ledger.residual())
         .shown(|_, value| Some(brief(value.as_f64()?.abs())))
         .with("error", "error", "", |row| row.error)
@@ -47,9 +42,9 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .with("reference", "error against", "", |row| {
             row.basis.map_or_else(|| "none".to_owned(), ReferenceSource::words)
         })
-        .with("method", "method", "", |row| row.run.cost.method)
+        .field("method", |row| row.run.cost.method)
         .with("steps", "steps", "", |row| row.run.cost.steps)
-        .with("rejected", "rejected", "", |row| row.run.cost.rejected)
+        .field("rejected", |row| row.run.cost.rejected)
         .with("run_time_s", "time", "", |row| row.took_s)
         .shown(|row, _| Some(engineering(row.took_s, "s", 2)))
         .with("shortfall", "pass", "", |row| row.shortfall.map(Shortfall::words))

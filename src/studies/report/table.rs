@@ -194,8 +194,11 @@ impl<R> Column<'_, R> {
         let own = self.shown.as_ref().and_then(|shown| shown(row, value));
         own.unwrap_or_else(|| match value {
             Value::Null => NO_NUMBER.to_owned(),
+            // In a few digits, those before the point among them.
             Value::Number(number) if number.is_f64() => {
-                rounded(number.as_f64().unwrap_or(f64::NAN) / prefix.size)
+                let value = number.as_f64().unwrap_or(f64::NAN) / prefix.size;
+                let is_long = value.abs() >= 1e4;
+                if is_long { significant(value, DIGITS) } else { fixed_significant(value, DIGITS) }
             }
             Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
             value => field(value).into_owned(),
@@ -256,12 +259,6 @@ fn beside(columns: &[&Cells]) -> String {
     };
     let rows = columns.first().map_or(0, |it| it.cells.len());
     std::iter::once(None).chain((0..rows).map(Some)).map(line).collect()
-}
-
-/// A number in a few digits, those before the point among them.
-fn rounded(value: f64) -> String {
-    let is_long = value.abs() >= 1e4;
-    if is_long { significant(value, DIGITS) } else { fixed_significant(value, DIGITS) }
 }
 
 /// A text of JSON, with a line end.

@@ -174,7 +174,8 @@ pub fn compare(
     for (method, parameters) in plan {
         let reference = match method {
             Method::ThesisPrinted => printed,
-            _ => references.for_method(method),
+            _ if method.has_own_steps() => references.other,
+            _ => references.engine,
         };
         report.methods.push(MethodReport { method, reference, points: Vec::new() });
         let mut is_slow = false;

@@ -93,10 +93,7 @@ impl Limit {
 
     /// The limit velocity, m/s, where there is one.
     pub fn velocity_m_s(self) -> Option<f64> {
-        match self {
-            Self::Found { velocity_m_s, .. } => Some(velocity_m_s),
-            Self::Never | Self::Always | Self::Unknown => None,
-        }
+        if let Self::Found { velocity_m_s, .. } = self { Some(velocity_m_s) } else { None }
     }
 
     /// Why there is none.
@@ -172,10 +169,7 @@ impl Report {
 
     /// A slower shot that is not decided, m/s.
     pub fn undecided_at_m_s(&self) -> Option<f64> {
-        match self.limit {
-            Limit::Found { undecided_at_m_s, .. } => undecided_at_m_s,
-            Limit::Never | Limit::Always | Limit::Unknown => None,
-        }
+        if let Limit::Found { undecided_at_m_s, .. } = self.limit { undecided_at_m_s } else { None }
     }
 
     /// That shots below the limit are not decided, in a sentence.

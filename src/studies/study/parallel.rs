@@ -27,10 +27,6 @@ pub struct Work {
 }
 
 impl Work {
-    fn pieces(self) -> u64 {
-        self.count.div_ceil(self.at_once)
-    }
-
     /// The points of a piece, from zero.
     fn piece(self, number: u64) -> Range<u64> {
         let from = number * self.at_once;
@@ -52,8 +48,8 @@ pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
     worker: impl Fn() -> W + Sync,
     mut take: impl FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
-    let (count, threads) = (work.pieces(), u64::try_from(threads.max(1)).unwrap_or(1));
-    let threads = threads.min(count);
+    let count = work.count.div_ceil(work.at_once);
+    let threads = u64::try_from(threads.max(1)).unwrap_or(1).min(count);
     let out = OUT * threads;
     let (hand_out, next) = mpsc::channel();
     for number in 0..count.min(out) {

@@ -46,13 +46,6 @@ impl Default for Request {
     }
 }
 
-impl Request {
-    /// Runs for a given number of variables.
-    fn runs(&self, inputs: usize) -> usize {
-        1 + 2 * inputs + self.samples * (inputs + 2)
-    }
-}
-
 /// The command's name and options.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -160,7 +153,7 @@ pub fn run(
     output.check_exists(scene)?;
     let inputs = axes.len();
     let own = space.design_of(scene);
-    context.expect(request.runs(inputs));
+    context.expect(1 + 2 * inputs + request.samples * (inputs + 2));
     // The result for each design, NaN where it has none; `None` when stopped.
     let mut values = |designs: &[Vec<f64>]| {
         let found = space.evaluate(designs, context);

@@ -8,7 +8,6 @@ use crossterm::event::KeyEvent;
 use crate::tui::keymap::Call;
 use crate::tui::message::EffectReport;
 use crate::tui::prelude::*;
-use crate::tui::widgets::input::TextField;
 
 /// What becomes of a dialog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,11 +28,8 @@ pub(crate) trait Dialog: Debug {
     /// A click on a row of its list.
     fn click(&mut self, _row: usize) {}
 
-    /// The field that takes characters, if one does.
-    fn field_mut(&mut self) -> Option<&mut TextField>;
-
-    /// A text was pasted into that.
-    fn pasted(&mut self);
+    /// A text was pasted; whether a field takes it.
+    fn paste(&mut self, text: &str) -> bool;
 
     /// An effect has ended: what becomes of the dialog where it asked for that, `None` where it did not. Relative paths start in
     /// the directory.

@@ -81,7 +81,7 @@ fn task(app: &mut App, tab: Tab, scene: &Arc<Scene>, asked: Asked) -> Running {
     let threads = if matches!(asked, Asked::Run(_)) { 1 } else { cores() };
     let task = Task { id, threads, scene: Arc::clone(&scene), asked: asked.clone() };
     app.request(Effect::Submit(task));
-    Running { id, tab, scene, asked, points: None, reached_s: None, elapsed: Duration::ZERO }
+    Running { id, tab, scene, asked, points: None, reached: None }
 }
 
 /// A report of a study, with the study as it is now.
@@ -132,7 +132,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             // The first report says that the run takes a while.
             let begins = t_s == 0.0;
             if let Some(job) = &mut app.jobs.current {
-                (job.reached_s, job.elapsed) = ((!begins).then_some(t_s), elapsed);
+                job.reached = (!begins).then_some((t_s, elapsed));
             }
             if begins {
                 app.request(Effect::After(LONG, Message::LongJob(id)));

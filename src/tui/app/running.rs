@@ -18,10 +18,8 @@ pub struct Running {
     pub asked: Asked,
     /// Points done and in all, once known.
     pub points: Option<(usize, usize)>,
-    /// Of a run the simulated time reached, s, once known.
-    pub reached_s: Option<f64>,
-    /// Time gone when that was reported.
-    pub elapsed: Duration,
+    /// Of a run the simulated time reached, s, and the time gone when that was reported, once known.
+    pub reached: Option<(f64, Duration)>,
 }
 
 impl Running {

@@ -77,20 +77,19 @@ impl Dialog for Ask {
             }
             (_, true) if matches!(key.code, KeyCode::Char('y' | 'o')) => self.accept(app, true),
             (Some(Action::Enter), true) => {}
-            _ if self.text.press(key) => self.pasted(),
-            _ => {}
+            _ => {
+                if self.text.press(key) {
+                    self.question = false;
+                }
+            }
         }
         Outcome::Stays
     }
 
-    fn field_mut(&mut self) -> Option<&mut TextField> {
-        Some(&mut self.text)
-    }
-
-    /// Another text: what was said about the old one is removed.
-    fn pasted(&mut self) {
+    fn paste(&mut self, text: &str) -> bool {
+        self.text.insert(text);
         self.question = false;
-        self.text.error = None;
+        true
     }
 
     /// It has ended: the dialog closes, or what stands in the way stands in it.

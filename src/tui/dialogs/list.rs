@@ -76,7 +76,7 @@ impl<L: List> Dialog for Listed<L> {
             Some(action) if action == L::OPENED_BY => Outcome::Closes,
             _ => {
                 if L::IS_FILTERED && picker.filter.press(key) {
-                    self.pasted();
+                    picker.begin();
                 }
                 Outcome::Stays
             }
@@ -87,13 +87,12 @@ impl<L: List> Dialog for Listed<L> {
         (self.picker.selected, self.picker.moved) = (row, true);
     }
 
-    fn field_mut(&mut self) -> Option<&mut TextField> {
-        L::IS_FILTERED.then_some(&mut self.picker.filter)
-    }
-
-    fn pasted(&mut self) {
-        // What was selected may not be there any more.
-        (self.picker.selected, self.picker.moved) = (0, false);
+    fn paste(&mut self, text: &str) -> bool {
+        if L::IS_FILTERED {
+            self.picker.filter.insert(text);
+            self.picker.begin();
+        }
+        L::IS_FILTERED
     }
 
     fn draw(&self, app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
@@ -108,6 +107,11 @@ pub(crate) fn is_text(key: KeyEvent) -> bool {
 }
 
 impl Picker {
+    /// Another text: what was selected may not be there any more.
+    fn begin(&mut self) {
+        (self.selected, self.moved) = (0, false);
+    }
+
     /// The filter in the first row of an area.
     pub(crate) fn draw_filter(&self, area: Rect, canvas: &mut Canvas<'_>) {
         let end = canvas.put(area, (0, 0), "> ", Role::Key);

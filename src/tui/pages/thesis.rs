@@ -17,8 +17,9 @@ use crate::worker::studies::Claims;
 
 pub use state::{CLAIMS, CONCEPTS, PRINCIPLES};
 
-/// From this width on the detail stands beside the list.
+/// From this width on the detail stands beside the list, else below it in at most so many rows.
 const BESIDE: u16 = 110;
+const DETAIL: u16 = 11;
 /// Columns of a claim's place in the list, at most; a third of a narrow list.
 const PLACE: u16 = 25;
 const LABEL: u16 = 12;
@@ -210,14 +211,6 @@ impl App {
     }
 }
 
-/// The list and the detail, beside or below each other.
-fn split(area: Rect, below: u16) -> (Rect, Rect) {
-    if area.width >= BESIDE {
-        return split_left(area, area.width * 11 / 20);
-    }
-    split_bottom(area, below.min(area.height / 2))
-}
-
 fn role(verdict: ClaimVerdict) -> Role {
     match verdict {
         ClaimVerdict::Reproduced => Role::Text,
@@ -228,7 +221,11 @@ fn role(verdict: ClaimVerdict) -> Role {
 
 fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.thesis;
-    let (list, detail) = split(area, 11);
+    let (list, detail) = if area.width >= BESIDE {
+        split_left(area, area.width * 11 / 20)
+    } else {
+        split_bottom(area, DETAIL.min(area.height / 2))
+    };
     let shown = app.claims();
     let count = format!("{} of {}", shown.len(), tab.rows().len());
     let title = filtered("Claims of the thesis", &tab.find);

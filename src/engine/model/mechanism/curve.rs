@@ -137,18 +137,9 @@ impl Curve {
         self.piece(region).energy(x) + self.offsets_j[region]
     }
 
-    /// How far forward the plate can go from x with this much energy, motion and stored together, m; infinite where nothing
-    /// holds it.
-    pub fn forward(&self, x: f64, energy_j: f64) -> f64 {
-        self.reach(x, energy_j, 1.0)
-    }
-
-    /// The same backward.
-    pub fn backward(&self, x: f64, energy_j: f64) -> f64 {
-        self.reach(x, energy_j, -1.0)
-    }
-
-    fn reach(&self, x: f64, energy_j: f64, way: f64) -> f64 {
+    /// Where the plate can go from x with this much energy, motion and stored together, forward, 1, or back, -1, m; infinite where
+    /// nothing holds it.
+    pub fn reach(&self, x: f64, energy_j: f64, way: f64) -> f64 {
         let missing = |x: f64| self.energy(x) - energy_j;
         let marks = ahead(&self.stations_m, x, way);
         self.first_place(x, way, marks, |x| missing(x) > 0.0, missing)

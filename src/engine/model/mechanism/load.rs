@@ -24,15 +24,11 @@ pub fn stress_ratio(scene: &Scene, x_m: f64) -> Option<f64> {
 /// The limits that a plate displacement exceeds.
 pub fn exceeded(scene: &Scene, x_m: f64) -> Vec<Limit> {
     let spring = &scene.mechanism.spring;
-    let bounds = spring.law().bounds(spring).into_iter();
-    let passed = bounds.filter(|it| x_m < it.low_m || x_m > it.high_m);
-    passed
-        .map(|Bounds { what, low_m, high_m }| Limit {
-            what,
-            required_m: x_m,
-            limit_m: if x_m < low_m { low_m } else { high_m },
-        })
-        .collect()
+    let limit = |Bounds { what, low_m, high_m }| {
+        let limit_m = if x_m < low_m { low_m } else { high_m };
+        (x_m < low_m || x_m > high_m).then_some(Limit { what, required_m: x_m, limit_m })
+    };
+    spring.law().bounds(spring).into_iter().filter_map(limit).collect()
 }
 
 /// The least of limit over displacement at either end of the plate's way, of every limit; `None` where the spring has no limit.

@@ -169,7 +169,7 @@ impl Spring {
     pub fn forward(&self, x: f64, energy_j: f64) -> f64 {
         match self {
             Self::Power(law) => law.at_integral(energy_j),
-            Self::Curve(curve) => curve.forward(x, energy_j),
+            Self::Curve(curve) => curve.reach(x, energy_j, 1.0),
         }
     }
 
@@ -191,7 +191,7 @@ impl Spring {
     pub fn backward(&self, x: f64, energy_j: f64) -> f64 {
         match self {
             Self::Power(law) => law.at_integral(energy_j),
-            Self::Curve(curve) => -curve.backward(x, energy_j),
+            Self::Curve(curve) => -curve.reach(x, energy_j, -1.0),
         }
     }
 

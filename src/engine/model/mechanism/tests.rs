@@ -73,7 +73,7 @@ fn a_plate_goes_as_far_as_its_energy() {
     for (name, curve) in curves() {
         for x in [-0.003, 0.0, 0.004] {
             let energy = curve.energy(x) + 5.0;
-            let (back, far) = (curve.backward(x, energy), curve.forward(x, energy));
+            let (back, far) = (curve.reach(x, energy, -1.0), curve.reach(x, energy, 1.0));
             // An absorber only pushes: nothing holds the plate on its way back.
             let only_pushes = name == "crush";
             assert_eq!(back.is_infinite(), only_pushes, "{name} from {x}: {back}");
@@ -115,8 +115,8 @@ fn a_bistable_plate_does_not_pass_its_barrier_without_the_energy() {
     let spring = Parameters { kind: SpringKind::Bistable, ..Parameters::default() };
     let curve = spring.curve();
     let barrier = curve.energy(0.01) - curve.energy(0.0);
-    assert!(curve.forward(0.0, curve.energy(0.0) + 0.99 * barrier) < 0.01);
-    assert!(curve.forward(0.0, curve.energy(0.0) + 1.01 * barrier) > 0.02);
+    assert!(curve.reach(0.0, curve.energy(0.0) + 0.99 * barrier, 1.0) < 0.01);
+    assert!(curve.reach(0.0, curve.energy(0.0) + 1.01 * barrier, 1.0) > 0.02);
     // The greatest force on the way out is the barrier's, and both wells are equally deep.
     let most = (1..1000).map(|i| curve.force(1e-5 * f64::from(i))).fold(0.0, f64::max);
     assert!((most / spring.bistable.barrier_n - 1.0).abs() < 1e-5, "{most}");

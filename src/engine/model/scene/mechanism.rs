@@ -1,10 +1,9 @@
 //! What carries the plate: springs, damper and stop.
 
 use crate::model::mechanism::PowerLaw;
-use crate::model::mechanism::damper::Damper;
 use crate::model::mechanism::kinds::{Spring, SpringKind};
-use crate::model::mechanism::stop::Stop;
-use crate::model::variables::part::parts;
+use crate::model::variables::part::{TABLE_9_2, parts};
+use crate::model::variables::visible::{has_stop, has_stop_of};
 use crate::model::worded::worded;
 
 parts! {
@@ -35,6 +34,32 @@ parts! {
             number(SpringCoefficient, NonNegative).log().from("thesis section 6.2.8");
         pub exponent: f64 = 1.0 => "n_2", "second exponent", "exponent of the second spring",
             number(Number, Positive).log().used_when(|scene| scene.mechanism.second.coefficient > 0.0).from("thesis section 6.2.8");
+    }
+
+    /// A power-law damper.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Damper at (mechanism.damper) {
+        pub coefficient: f64 = 0.0 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
+            number(DamperCoefficient, NonNegative).called("damping").searched(0.0, 2000.0).log().from(TABLE_9_2);
+        pub exponent: f64 = 1.0 => "m", "damper exponent", "damper exponent",
+            number(Number, Positive).log().used_when(|scene| !scene.mechanism.damper.is_absent())
+            .from("thesis section 9.2.2: 1");
+    }
+
+    /// A mechanical stop, which acts on the plate.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Stop at (mechanism.stop) {
+        pub position_m: Option<f64> = None => "x_stop", "stop position", "where the plate meets a mechanical stop",
+            optional(Length, Any, "none").also(&["stop"]).from("thesis sections 9.5.1 and 9.6");
+        pub kind: StopKind = StopKind::Rigid => "stop_kind", "kind of stop",
+            "rigid: an impact with restitution; elastic: a one-sided spring and damper",
+            choice().used_when(has_stop).from("assumption: the thesis names no kind");
+        pub restitution: f64 = 0.0 => "e", "restitution", "restitution of a rigid stop: w becomes -e w",
+            number(Number, Between(0.0, 1.0)).used_when(|scene| has_stop_of(scene, StopKind::Rigid));
+        pub stiffness_n_m: f64 = 1e8 => "k_stop", "stop stiffness", "stiffness of an elastic stop",
+            number(Stiffness, Positive).log().used_when(|scene| has_stop_of(scene, StopKind::Elastic));
+        pub damping_n_s_m: f64 = 0.0 => "b_stop", "stop damping", "damping of an elastic stop (it only pushes)",
+            number(Damping, NonNegative).log().used_when(|scene| has_stop_of(scene, StopKind::Elastic));
     }
 
     /// The material a spring is wound of: spring steel.
@@ -68,6 +93,28 @@ worded! {
         Ignored = "ignored",
         /// The part that moves with the plate adds to the plate's.
         Counted = "counted",
+    }
+}
+
+worded! {
+    /// The kind of stop.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum StopKind: word {
+        #[default]
+        Rigid = "rigid",
+        Elastic = "elastic",
+    }
+}
+
+impl Damper {
+    /// Whether there is none.
+    pub fn is_absent(&self) -> bool {
+        self.coefficient == 0.0
+    }
+
+    /// The force law of a valid damper.
+    pub fn law(&self) -> PowerLaw {
+        PowerLaw { coefficient: self.coefficient, exponent: self.exponent }
     }
 }
 

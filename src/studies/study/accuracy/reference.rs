@@ -152,11 +152,6 @@ impl References {
         both
     }
 
-    /// The one that a method is compared with.
-    pub fn for_method(&self, method: Method) -> Option<Reference> {
-        if method.has_own_steps() { self.other } else { self.engine }
-    }
-
     /// Whichever there is.
     pub fn any(&self) -> Option<Reference> {
         self.engine.or(self.other)

@@ -16,10 +16,10 @@ pub const ACCURATE: f64 = 1e-2;
 /// A plate this many times faster than it should be has run away, even where that ends the contact before values overflow.
 const RUNS_AWAY_FROM: f64 = 1e2;
 const STEPS_MAX: usize = 200_000;
-/// The size of a map on a screen.
-pub const SIZE: Size = Size { rows: 19, columns: 61 };
-/// The size of a coarser map.
-pub const QUICK: Size = Size { rows: 10, columns: 31 };
+/// The size of a map on a screen, and of a coarser one: values of the variable, and steps; at least 2 each way.
+pub const SIZE: (usize, usize) = (19, 61);
+/// See [`SIZE`].
+pub const QUICK: (usize, usize) = (10, 31);
 /// The thesis's own step, s.
 pub const THESIS_DT_S: f64 = 1e-6;
 
@@ -44,13 +44,6 @@ enumeration! {
     Rk4 {
         name: "classical Runge-Kutta", word: "rk4", about: "Classical Runge-Kutta",
         scheme: Reading::Corrected
-    }
-}
-
-impl FixedStep {
-    /// The listing as meant, with the thesis's scheme or Runge-Kutta on both bodies.
-    fn listing(self, step_s: f64) -> Listing {
-        Listing { scheme: self.scheme(), ..Listing::coupled(step_s, Reading::Corrected) }
     }
 }
 
@@ -112,15 +105,6 @@ enumeration! {
     Waiting { word: "not computed", words: "not computed", shade: '_' }
 }
 
-/// How many cells a map has, at least 2 each way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    /// Values of the variable.
-    pub rows: usize,
-    /// Steps.
-    pub columns: usize,
-}
-
 /// Which map is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
@@ -128,8 +112,8 @@ pub struct Wanted {
     pub method: FixedStep,
     /// The variable of the rows.
     pub axis: Axis,
-    /// Its cells.
-    pub size: Size,
+    /// Its rows and columns.
+    pub size: (usize, usize),
 }
 
 /// The command's name and options.
@@ -198,7 +182,7 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 
 /// Compute the map of a valid scene, and show it as it grows. Where it is stopped, the rest is waiting.
 pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map {
-    let Wanted { method, axis, size: Size { rows, columns } } = wanted;
+    let Wanted { method, axis, size: (rows, columns) } = wanted;
     let contact_s = Target::of(scene).map_or_else(
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
         |target| target.contact_s,
@@ -241,30 +225,15 @@ struct Target {
     end: ContactEnd,
 }
 
-/// How the first contact ends: with the depth of an arrest, m, or at the time of a perforation, s.
-#[derive(Clone, Copy)]
-enum ContactEnd {
-    Arrest(f64),
-    Perforation(f64),
-}
-
-impl ContactEnd {
-    /// The relative error of another; infinite where that ends otherwise.
-    fn error(self, other: Self) -> f64 {
-        match (self, other) {
-            (Self::Arrest(own), Self::Arrest(other))
-            | (Self::Perforation(own), Self::Perforation(other)) => (other / own - 1.0).abs(),
-            _ => f64::INFINITY,
-        }
-    }
-}
+/// How the first contact ends: arrested with its depth, m, or perforated with the time, s.
+type ContactEnd = (Outcome, f64);
 
 impl Target {
     fn of(scene: &Scene) -> Option<Self> {
         let run = run_with(scene, Settings::SERIES)?;
         let (contact_s, end) = match run.first_arrest {
-            Some(arrest) => (arrest.t_s, ContactEnd::Arrest(arrest.penetration_m)),
-            None => (run.exit_time_s?, ContactEnd::Perforation(run.exit_time_s?)),
+            Some(arrest) => (arrest.t_s, (Outcome::Arrested, arrest.penetration_m)),
+            None => (run.exit_time_s?, (Outcome::Perforated, run.exit_time_s?)),
         };
         let rows = run.series.iter().take_while(|row| row.t_s <= contact_s);
         let speed_m_s = rows.map(|row| row.plate_velocity_m_s.abs()).fold(0.0, larger);
@@ -276,21 +245,23 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
     let Some(target) = target else {
         return Cell::Unknown;
     };
-    let scheme = Scheme::of(scene, method.listing(dt_s));
+    // The listing as meant, with the thesis's scheme or Runge-Kutta on both bodies.
+    let meant = Listing::coupled(dt_s, Reading::Corrected);
+    let scheme = Scheme::of(scene, Listing { scheme: method.scheme(), ..meant });
     let fastest_m_s = RUNS_AWAY_FROM * target.speed_m_s;
     let mut state = scheme.start();
     for step in 1..=STEPS_MAX {
         let refused = scheme.step(&mut state);
         let is_away = state.plate[1].abs() > fastest_m_s && !scene.is_rigid();
-        let end = match (refused, scheme.ended(&state)) {
+        let (outcome, value) = match (refused, scheme.ended(&state)) {
             _ if is_away => return Cell::BlownUp,
             (Err(Refusal::NonFinite), _) => return Cell::BlownUp,
             (Err(_), _) => return Cell::Inaccurate,
             (Ok(()), None) => continue,
-            (Ok(()), Some(Outcome::Perforated)) => ContactEnd::Perforation(step as f64 * dt_s),
-            (Ok(()), Some(_)) => ContactEnd::Arrest(state.depth_m),
+            (Ok(()), Some(outcome @ Outcome::Perforated)) => (outcome, step as f64 * dt_s),
+            (Ok(()), Some(_)) => (Outcome::Arrested, state.depth_m),
         };
-        let is_accurate = target.end.error(end) <= ACCURATE;
+        let is_accurate = outcome == target.end.0 && (value / target.end.1 - 1.0).abs() <= ACCURATE;
         return if is_accurate { Cell::Accurate } else { Cell::Inaccurate };
     }
     Cell::TooManySteps

@@ -50,10 +50,7 @@ pub enum Cell {
 impl Cell {
     /// The number, where there is one.
     pub fn value(self) -> Option<f64> {
-        match self {
-            Self::Value(value) => Some(value),
-            Self::Outcome(_) | Self::Waiting => None,
-        }
+        if let Self::Value(value) = self { Some(value) } else { None }
     }
 }
 

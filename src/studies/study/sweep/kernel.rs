@@ -54,7 +54,12 @@ impl Kernel {
     /// The first contact of the scene of a point, where that decides it.
     pub(super) fn answer(&self, scene: &Scene) -> Option<(PointOutcome, FirstContact)> {
         let wanted = if self.displacement { Wanted::Displacement } else { Wanted::Contact };
-        if !(decides(scene, wanted) && self.tells_force(scene)) {
+        // The force into the mount, where it is an output, follows from where the plate starts and turns.
+        let tells_force = || {
+            let sprung = scene.plate.mount == Mount::Sprung;
+            !self.force || (sprung && turn_tells_force(scene) && !Mechanism::of(scene).is_absent())
+        };
+        if !(decides(scene, wanted) && tells_force()) {
             return None;
         }
         let (contact, tolerance) = (Contact::of(scene)?, TOLERANCE_FRACTION * scene.run.tolerance);
@@ -76,11 +81,5 @@ impl Kernel {
         let start_m = scene.start_m();
         let contact = FirstContact { end, baseline_m, max_displacement_m, start_m };
         Some((PointOutcome::Ended(outcome), contact))
-    }
-
-    /// Whether the force into the mount, where it is an output, follows from where the plate starts and turns.
-    fn tells_force(&self, scene: &Scene) -> bool {
-        let sprung = scene.plate.mount == Mount::Sprung;
-        !self.force || (sprung && turn_tells_force(scene) && !Mechanism::of(scene).is_absent())
     }
 }

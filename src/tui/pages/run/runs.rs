@@ -16,10 +16,8 @@ impl App {
     /// The current run and the pinned ones beside each other.
     pub(crate) fn compared_runs(&self) -> Table<'_, Compared<'_>> {
         let now = self.shown.as_ref().map(|shown| &*shown.run);
-        let now = Compared { name: self.name_of(&self.scene), run: now };
-        let pins = self.pins.iter();
-        let pins = pins.map(|pin| Compared { name: pin.name.clone(), run: pin.run.as_deref() });
-        comparison(std::iter::once(now).chain(pins))
+        let pins = self.pins.iter().map(|pin| (pin.name.clone(), pin.run.as_deref()));
+        comparison(std::iter::once((self.name_of(&self.scene), now)).chain(pins))
     }
 
     /// The pin selected in the table of runs; `None`: the current run is.

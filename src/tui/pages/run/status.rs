@@ -101,9 +101,9 @@ impl App {
         if let Some(job) = &self.jobs.current
             && (self.jobs.overdue || self.shown.as_ref().is_none_or(|shown| shown.took.is_none()))
         {
-            let seconds = job.elapsed.as_secs_f64();
-            let reached = job.reached_s.map_or_else(String::new, |t_s| {
-                format!(" for {seconds:.1} s, at t = {}", engineering(t_s, "s"))
+            let reached = job.reached.map_or_else(String::new, |(t_s, elapsed)| {
+                let (seconds, t) = (elapsed.as_secs_f64(), engineering(t_s, "s"));
+                format!(" for {seconds:.1} s, at t = {t}")
             });
             return part(Severity::Note, format!("running{reached} (<back> cancels)"));
         }

@@ -74,7 +74,9 @@ impl<'f> RootScan<'f> {
         for stretch in stretches {
             self.along(&stretch)?;
         }
-        self.tidy();
+        // In order, each once.
+        self.crossings = sorted_by(std::mem::take(&mut self.crossings), |it| it.from.at);
+        self.crossings.dedup_by(|b, a| a.kind == b.kind && (b.from.at - a.from.at).abs() < 1e-12);
         Ok(())
     }
 
@@ -199,12 +201,6 @@ impl<'f> RootScan<'f> {
             }
         }
         Ok(())
-    }
-
-    /// In order, each once.
-    fn tidy(&mut self) {
-        self.crossings = sorted_by(std::mem::take(&mut self.crossings), |it| it.from.at);
-        self.crossings.dedup_by(|b, a| a.kind == b.kind && (b.from.at - a.from.at).abs() < 1e-12);
     }
 }
 
