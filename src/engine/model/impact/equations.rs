@@ -147,17 +147,12 @@ impl Setup {
         self.absorber.is_some()
     }
 
-    /// Whether the spring or the damper is infinitely steep somewhere.
-    pub(super) fn is_steep(&self) -> bool {
-        self.spring.is_steep_at_zero() || self.damper.is_steep_at_zero()
-    }
-
     /// Whether the plate begins at rest, without force, where one of its laws is infinitely steep.
     pub(super) fn starts_steep(&self) -> bool {
         let is_at_zero = !self.still
             && (self.start_m, self.start_m_s) == (0.0, 0.0)
             && self.spring.force(0.0) == 0.0;
-        is_at_zero && self.is_steep() && self.law != Law::AtOnce
+        is_at_zero && self.spring.is_steep_at_zero() && self.law != Law::AtOnce
     }
 
     /// Kinetic energy of projectile and plate at first contact, J.
@@ -226,7 +221,7 @@ impl Equations<'_> {
     }
 
     /// Whether the bodies push on each other without being one.
-    fn is_touching(&self) -> bool {
+    pub(super) fn is_touching(&self) -> bool {
         !matches!(self.mode.contact, Contact::Apart | Contact::Gone | Contact::Joined)
     }
 
@@ -270,7 +265,7 @@ impl Equations<'_> {
     pub(super) fn mechanism_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         let mode = self.mode;
         mode.spring.force_in(mode.stretch, self.displacement_m(x_m))
-            + self.setup.damper.force_on(mode.w_side, w_m_s)
+            + self.damper_n(w_m_s)
             + self.pressed_stop_n(x_m, w_m_s)
     }
 
@@ -288,8 +283,7 @@ impl Equations<'_> {
 
     /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
     pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
-        let Setup { damper, stop, .. } = self.setup;
-        let (k, b) = match (self.mode.touch, stop) {
+        let (k, b) = match (self.mode.touch, self.setup.stop) {
             (Touch::Pressed, Some(stop)) => (stop.stiffness_n_m, stop.damping_n_s_m),
             _ => (0.0, 0.0),
         };
@@ -298,7 +292,8 @@ impl Equations<'_> {
         let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
         let x_m = larger(x_m.abs(), x_least_m).copysign(x_m);
         let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
-        (self.mode.spring.tangent_in(self.mode.stretch, x_m) + k, damper.tangent(w_m_s) + b)
+        let by_speed = self.damper_slope_n_s_m(w_m_s);
+        (self.mode.spring.tangent_in(self.mode.stretch, x_m) + k, by_speed + b)
     }
 
     /// Force of the mechanism on its mount, N: it is the mount that turns what turns with the plate.
@@ -346,7 +341,7 @@ impl Equations<'_> {
 
     /// The force that the joined interface carries, positive where it is pushed, N.
     pub(super) fn carried_n(&self, state: &State) -> f64 {
-        if self.plate_rests() {
+        if self.plate_rests() || self.creeps(state) {
             return 0.0;
         }
         self.setup.interface_fraction() * self.mechanism_n(state.x_m, state.w_m_s)
@@ -383,7 +378,7 @@ impl Equations<'_> {
         let (mode, at_m) = (self.mode, self.displacement_m(x_m));
         let spring_n = mode.spring.force_in(mode.stretch, at_m).abs()
             + mode.spring.tangent_in(mode.stretch, at_m).abs() * mode.origin_m.abs();
-        let others_n = self.setup.damper.force(w_m_s).abs() + self.pressed_stop_n(x_m, w_m_s).abs();
+        let others_n = self.damper_n(w_m_s).abs() + self.pressed_stop_n(x_m, w_m_s).abs();
         KNOWN * (spring_n + others_n)
     }
 }

@@ -25,7 +25,7 @@ impl Events {
                 events.add(&[Event::StopRelease]);
                 return events;
             }
-            Hold::Spring | Hold::Damper => {
+            Hold::Spring => {
                 events.add(&[Event::Yields]);
                 return events;
             }
@@ -110,7 +110,7 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::StopPressed => -equations.stop_n(state.x_m, state.w_m_s),
         Event::StopRelease => equations.push_on_stop_n(state),
         // The loop asks for these between steps: they are not waited for.
-        Event::ZeroPassed | Event::SpringHolds | Event::DamperHolds => 1.0,
+        Event::ZeroPassed | Event::SpringHolds => 1.0,
         Event::Yields => equations.spare_n(state),
     }
 }

@@ -2,12 +2,11 @@
 //! plate that rests.
 
 use crate::model::contact_models::History;
-use crate::model::impact::equations::{Equations, KNOWN, Setup, State};
+use crate::model::impact::equations::{Equations, KNOWN, State};
 use crate::model::impact::modes::Contact;
-use crate::numerics::smaller;
 use crate::numerics::step::{Acceleration, Point, Slopes};
 
-/// Part of the way to the zero of a steep law that an iteration may go at once.
+/// Part of the way to the zero of a steep spring that an iteration may go at once.
 const OF_THE_WAY: f64 = 0.8;
 /// The places that move in a mode.
 pub(super) trait Moving<const D: usize>: Acceleration<D> {
@@ -67,11 +66,6 @@ impl Moving<1> for Projectile<'_> {
     }
 }
 
-/// The part of a change of a law's argument that does not pass its zero, where it is infinitely steep there.
-fn passed(is_steep: bool, from: f64, to: f64) -> f64 {
-    if is_steep && from * to < 0.0 { OF_THE_WAY * from / (from - to) } else { 1.0 }
-}
-
 /// A state as far as the force of a contact depends on it that has no history of its own.
 fn slipping(q_m: f64, u_m_s: f64) -> State {
     State { q_m, u_m_s, ..State::default() }
@@ -105,11 +99,11 @@ impl Acceleration<2> for Both<'_> {
     }
 
     fn without_passing(&self, from: Point<2>, to: Point<2>) -> f64 {
-        self.0.without_passing((from.0[1], from.1[1]), (to.0[1], to.1[1]))
+        self.0.without_passing(from.0[1], to.0[1])
     }
 
     fn is_steep(&self) -> bool {
-        self.0.setup.is_steep()
+        self.0.setup.spring.is_steep_at_zero()
     }
 
     fn sizes(&self, ([q, x], [u, w]): &Point<2>) -> Point<2> {
@@ -141,11 +135,11 @@ impl Acceleration<1> for Plate<'_> {
     }
 
     fn without_passing(&self, from: Point<1>, to: Point<1>) -> f64 {
-        self.0.without_passing((from.0[0], from.1[0]), (to.0[0], to.1[0]))
+        self.0.without_passing(from.0[0], to.0[0])
     }
 
     fn is_steep(&self) -> bool {
-        self.0.setup.is_steep()
+        self.0.setup.spring.is_steep_at_zero()
     }
 
     fn sizes(&self, ([x], [w]): &Point<1>) -> Point<1> {
@@ -205,11 +199,11 @@ impl Acceleration<2> for Driven<'_> {
     }
 
     fn without_passing(&self, from: Point<2>, to: Point<2>) -> f64 {
-        self.0.without_passing((from.0[0], from.1[0]), (to.0[0], to.1[0]))
+        self.0.without_passing(from.0[0], to.0[0])
     }
 
     fn is_steep(&self) -> bool {
-        self.0.setup.is_steep()
+        self.0.setup.spring.is_steep_at_zero()
     }
 
     fn sizes(&self, ([x, _], [w, _]): &Point<2>) -> Point<2> {
@@ -241,12 +235,10 @@ impl Moving<2> for Driven<'_> {
 }
 
 impl Equations<'_> {
-    fn without_passing(&self, from: (f64, f64), to: (f64, f64)) -> f64 {
-        let [from_x, to_x] = [from.0, to.0].map(|x_m| self.displacement_m(x_m));
-        let Setup { spring, damper, .. } = self.setup;
-        smaller(
-            passed(spring.is_steep_at_zero(), from_x, to_x),
-            passed(damper.is_steep_at_zero(), from.1, to.1),
-        )
+    /// The part of a way of the plate that does not pass the zero of a spring that is infinitely steep there.
+    fn without_passing(&self, from_m: f64, to_m: f64) -> f64 {
+        let [from_m, to_m] = [from_m, to_m].map(|x_m| self.displacement_m(x_m));
+        let passes = self.setup.spring.is_steep_at_zero() && from_m * to_m < 0.0;
+        if passes { OF_THE_WAY * from_m / (from_m - to_m) } else { 1.0 }
     }
 }

@@ -120,7 +120,7 @@ impl Equations<'_> {
         // Where the spring drives the plate away, its energy is less than nothing.
         let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
         has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()
-            || self.plate_rests() && self.mode.contact == Contact::Joined
+            || (self.plate_rests() || self.creeps(state)) && self.mode.contact == Contact::Joined
     }
 
     /// The outcome, if nothing can change it any more.
@@ -255,7 +255,7 @@ impl Equations<'_> {
     /// The greatest displacement, once the outcome is decided, of a plate that has been so far.
     pub(super) fn farthest(&self, state: &State, so_far_m: f64) -> Farthest {
         let Equations { setup, mode } = self;
-        if mode.hold == Hold::Damper {
+        if self.creeps(state) {
             // However slowly, it creeps to where nothing drives it.
             let rest_m = mode.elastic.rest_ahead(self.displacement_m(state.x_m));
             return Farthest::Known(larger(rest_m, so_far_m));

@@ -41,7 +41,7 @@ pub(super) struct Record<'a> {
     pub(super) farthest_s: f64,
     /// Greatest speed of the plate at the ends of steps and before events, m/s.
     pub(super) fastest_m_s: f64,
-    /// A steep law held the plate up to the first arrest.
+    /// A steep spring held the plate up to the first arrest.
     pub(super) was_held: bool,
     pub(super) steps: usize,
     pub(super) rejected: usize,
@@ -121,7 +121,7 @@ impl Record<'_> {
                     self.work.penetration_j += part_s * equations.contact_n(&state) * u_m_s;
                 }
                 if is_damped {
-                    self.work.damper_j += part_s * equations.setup.damper.force(w_m_s) * w_m_s;
+                    self.work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
                 }
                 if is_pressed {
                     self.work.stop_j += part_s * equations.stop_n(x_m, w_m_s) * w_m_s;
@@ -142,7 +142,7 @@ impl Record<'_> {
         match equations.mode.hold {
             Hold::Mount => {}
             // What a plate that is held does not take, the mount does.
-            Hold::OnStop | Hold::Spring | Hold::Damper => {
+            Hold::OnStop | Hold::Spring => {
                 let push_n = |state: &State| contact_n(state) * equations.setup.cos;
                 let known_n = self.loads.mount_n;
                 self.loads.mount_n = larger(path.greatest(known_n, push_n), known_n);
@@ -325,7 +325,7 @@ impl Record<'_> {
             // A prescribed history goes on.
             modes::Event::SlipZero if !flows && old.contact == Contact::PullingOut => {}
             modes::Event::SlipZero | modes::Event::HistoryEnd => {
-                self.arrest(after, to, old.hold.is_by_law());
+                self.arrest(after, to, old.hold == Hold::Spring);
             }
             modes::Event::PieceEnd if new.contact == Contact::Gone => {
                 self.exit = Some(departure);
@@ -429,7 +429,7 @@ fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
         _ => equations.contact_n(state),
     };
     let (x_m, w_m_s) = match mode.hold {
-        Hold::Spring | Hold::Damper => equations.balanced(state),
+        Hold::Spring => equations.balanced(state),
         _ => (equations.displacement_m(state.x_m), state.w_m_s),
     };
     let spring_n = mode.spring.force(x_m);
@@ -453,7 +453,7 @@ fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
         plate_velocity_m_s: w_m_s,
         contact_force_n: contact_n,
         spring_force_n: spring_n,
-        damper_force_n: setup.damper.force(w_m_s),
+        damper_force_n: equations.damper_n(w_m_s),
         stop_force_n: match mode.hold {
             Hold::OnStop => contact_n * setup.cos - spring_n,
             _ if mode.touch == Touch::Pressed => equations.stop_n(state.x_m, w_m_s),

@@ -62,7 +62,8 @@ impl Course<'_> {
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         let equations = Equations { setup, mode };
         let is_joined = mode.contact == Contact::Joined;
-        let is_loaded = !equations.plate_rests() && equations.drives_away(state).is_none();
+        let is_loaded = !(equations.plate_rests() || equations.creeps(state))
+            && equations.drives_away(state).is_none();
         if !is_loaded || !(all || is_joined) {
             return false;
         }

@@ -221,9 +221,8 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     /// An event that rounding, or another event, has put behind the state.
     fn missed(&self) -> Option<Event> {
         let equations = self.course.equations();
-        let held = equations.takes_hold(&self.course.state, self.course.record.farthest_m);
-        if held.is_some() {
-            return held;
+        if equations.takes_hold(&self.course.state, self.course.record.farthest_m) {
+            return Some(Event::SpringHolds);
         }
         if equations.passes_zero(&self.course.state) {
             return Some(Event::ZeroPassed);
