@@ -16,7 +16,7 @@ const SLOPE_WIDTH: f64 = 1e-6;
 
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
-/// Rounding of a force, relative.
+/// Rounding of a force, relative: hundreds of units of the last place, for the areas of oblique sections are differences of terms.
 pub(super) const KNOWN: f64 = 1e-13;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
