@@ -254,11 +254,13 @@ impl Reader<'_> {
             _ => None,
         };
         let cure = match quoted {
-            Some(Value::Number(number)) => {
+            Some(Value::Number(number))
+                if variable.number().is_some_and(|it| it.allowed.contains(number)) =>
+            {
                 format!("write {} without quotes", units::shortest(number))
             }
             Some(Value::Switch(on)) => format!("write {on} without quotes"),
-            Some(Value::Absent | Value::Word(_)) | None => example,
+            Some(_) | None => example,
         };
         let rule = variable.number().map(|number| number.allowed.describe(number.quantity));
         let allowed = rule.unwrap_or_else(|| variable.allowed());

@@ -163,7 +163,11 @@ impl Asked {
             Self::Run(_) => Lane::Runs,
             Self::Picture(_) | Self::Printed(_) => Lane::Sweeps,
             Self::Measurements(_) | Self::StiffScenes(_) | Self::Claims(_) => Lane::Studies,
-            _ => Lane::Searches,
+            Self::Limit(_)
+            | Self::Spread(_)
+            | Self::EqualMass(_)
+            | Self::StabilityMap(_)
+            | Self::Search(_) => Lane::Searches,
         }
     }
 

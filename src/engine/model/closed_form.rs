@@ -134,6 +134,19 @@ mod tests {
     use super::*;
     use crate::model::variables::scene_with;
 
+    /// The same closed form in 30-digit arithmetic.
+    #[test]
+    fn valid_times_of_rigid_and_free_plates() {
+        let time_s = |moves: bool| {
+            let scene = scene_with("gamma=1");
+            let geometry = Geometry::of(&scene);
+            let passage = Passage::unsprung(&scene, &geometry, moves);
+            passage.time_s(passage.arrest_m())
+        };
+        assert!((time_s(false) / 1.850_116_460_604_822e-4 - 1.0).abs() < 1e-14);
+        assert!((time_s(true) / 113.407_312_427_867_64e-6 - 1.0).abs() < 1e-12);
+    }
+
     #[test]
     fn no_drag_is_the_limit_of_little_drag() {
         let depth = |drag: &str| {

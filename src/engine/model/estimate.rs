@@ -3,6 +3,7 @@
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
+use crate::model::mechanism::Mechanism;
 use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, ResultError, Run};
 use crate::numerics::larger;
 
@@ -13,7 +14,7 @@ pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// each sends it another way, and the two may have come out close to each other by chance.
 const ANOTHER_WAY: f64 = 10.0;
 
-/// What rounding errors of a quantity are relative to besides its own size.
+/// What errors that both computations share are relative to besides a quantity's own size: rounding, and how a plate creeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Scale {
     Own,
@@ -58,19 +59,24 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
         _ if run.cost.events != second.cost.events => ANOTHER_WAY,
         _ => 1.0,
     };
+    let struck = run.scene.projectile.velocity_m_s;
+    // Both computations creep alike.
+    let creep_m_s = Mechanism::of(&run.scene).damper.creep_m_s(struck);
     run.error_estimates = ESTIMATED
         .iter()
         .filter_map(|(name, scale, get)| {
             let value = |run: &Run| get(run).filter(|value| value.is_finite());
             let (value, other) = (value(run)?, value(second)?);
-            let struck = run.scene.projectile.velocity_m_s;
             let rounding = match scale {
                 Scale::Own => 0.0,
-                Scale::ImpactVelocity => ROUNDING * struck / value.abs(),
+                Scale::ImpactVelocity => larger(ROUNDING * struck, creep_m_s) / value.abs(),
                 Scale::LimitVelocity => {
                     f64::EPSILON * (struck / run.residual_velocity_m_s?).powi(2)
                 }
-                Scale::CockingDistance => ROUNDING * run.scene.start_m().abs() / value.abs(),
+                Scale::CockingDistance => {
+                    let creep_m = creep_m_s * run.contact_end_s();
+                    larger(ROUNDING * run.scene.start_m().abs(), creep_m) / value.abs()
+                }
             };
             let relative =
                 larger(factor * (value - other).abs() / value.abs(), larger(floor, rounding));

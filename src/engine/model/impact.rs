@@ -1,7 +1,7 @@
 //! One impact from first contact to its end, by one loop, one integrator and one locator: a pure function without clock, file or thread.
 //!
 //! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
-//! `moving` is what the integrator sees of it, `hold` when a steep law holds the plate; `run` is the loop, and `stepping` the methods it
+//! `moving` is what the integrator sees of it, `hold` when a steep spring holds the plate; `run` is the loop, and `stepping` the methods it
 //! can step by; `outcome` decides by energy when it is over, `horizon` when it is at the latest; `path` has the states on a step,
 //! `record` keeps rows, work and greatest forces of them, and `report` makes the [`Run`].
 

@@ -45,6 +45,12 @@ impl PowerLaw {
         !self.is_absent() && self.exponent < 1.0
     }
 
+    /// Velocity below which a steep damper is taken as linear, m/s, under a shot of this velocity; 0 of any other law. Less than that does
+    /// not count: the travel is as far off at most as a part of 1e-13 of the tip radius.
+    pub fn creep_m_s(self, impact_m_s: f64) -> f64 {
+        if self.is_steep_at_zero() { 1e-13 * impact_m_s } else { 0.0 }
+    }
+
     /// Whether it is linear, or no law at all.
     pub fn is_linear(self) -> bool {
         self.is_absent() || matches!(self.exponent, 1.0)

@@ -258,7 +258,8 @@ impl<const S: usize> Member<S> {
             // With new derivatives each contraction is the square of the one before.
             let next = if is_new { contraction * contraction } else { contraction };
             let ahead = if contraction < 1.0 { norm * next } else { norm };
-            // What no longer shrinks, far below the tolerance or as small as what the rounding of forces makes, is rounding.
+            // What no longer shrinks, far below the tolerance or as small as what the rounding of forces makes if it is alike at all
+            // stages, is rounding.
             let stalls = before.is_finite() && contraction > 0.5 && {
                 let mut rounding = law.rounding(&start).map(|rounding| [rounding; S]);
                 matrix.solve(&mut rounding);

@@ -107,6 +107,7 @@ impl Entry {
 
 /// Whether an armour of this mass efficiency weighs what the solid plate does: a mechanism that does not move has no other.
 pub fn is_equal(mass_efficiency: f64) -> bool {
+    // A mechanism that does not move has no other, to the accuracy of the limits.
     (mass_efficiency - 1.0).abs() <= 1e-4
 }
 

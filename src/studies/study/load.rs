@@ -48,7 +48,7 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
         .filter(|f| f.is_finite())
 }
 
-/// Whether a sprung plate never leaves its place: a singular spring or damper takes whatever comes, like a rigid mount.
+/// Whether a sprung plate never leaves its place: a singular spring takes whatever comes, like a rigid mount.
 pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f64>) -> bool {
     let mechanism = Mechanism::of(scene);
     scene.plate.mount == Mount::Sprung

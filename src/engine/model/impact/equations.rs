@@ -9,14 +9,15 @@ use crate::model::contact_models::Law;
 use crate::model::impact::modes::{Contact, Hold, Mode, Touch};
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
-use crate::numerics::larger;
+use crate::numerics::{larger, smaller};
 
 /// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
 const SLOPE_WIDTH: f64 = 1e-6;
 
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
-/// Rounding of a force, relative: hundreds of units of the last place, for the areas of oblique sections are differences of terms.
+/// Rounding of a force, relative: hundreds of units of the last place, for the areas of oblique sections are differences of terms. Others
+/// are known better; but what so small a part of a force changes is lost in the error that a step is allowed.
 pub(super) const KNOWN: f64 = 1e-13;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
@@ -376,9 +377,16 @@ impl Equations<'_> {
     /// spring far from whose zero the displacement is measured.
     pub(super) fn mechanism_rounding_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         let (mode, at_m) = (self.mode, self.displacement_m(x_m));
-        let spring_n = mode.spring.force_in(mode.stretch, at_m).abs()
-            + mode.spring.tangent_in(mode.stretch, at_m).abs() * mode.origin_m.abs();
+        let spring_n = mode.spring.force_in(mode.stretch, at_m).abs();
         let others_n = self.damper_n(w_m_s).abs() + self.pressed_stop_n(x_m, w_m_s).abs();
-        KNOWN * (spring_n + others_n)
+        let by_place_n = if mode.origin_m == 0.0 {
+            0.0
+        } else {
+            // At the zero of a steep spring its slope is infinite.
+            let slope_n_m = mode.spring.tangent_in(mode.stretch, at_m).abs();
+            let most_n = mode.spring.force(mode.origin_m).abs() + spring_n;
+            smaller(slope_n_m * mode.origin_m.abs(), most_n)
+        };
+        KNOWN * (spring_n + by_place_n + others_n)
     }
 }

@@ -12,10 +12,9 @@ const FIRST_MOMENT: f64 = 1e-6;
 /// How many times farther its inertia alone must let a plate move that is to follow the balance of a law: the square of the oscillations
 /// about that, in radians, which leave a part of one over it.
 const FOLLOWS: f64 = 1e2;
-/// Part of the tip radius by which a steep spring may yield while it is taken to hold the plate, and of the impact velocity below which a
-/// steep damper is taken as linear: the travel is as far off at most.
+/// Part of the tip radius by which a steep spring may yield while it is taken to hold the plate: the travel is as far off at most.
 const HELD: f64 = 1e-13;
-/// Part of what a steep law holds at which it takes hold again: it does not let go at once.
+/// Part of what a steep spring holds at which it takes hold again: it does not let go at once.
 const AGAIN: f64 = 0.5;
 /// How many times what a step may be off by, of the depth, a plate may move that its steep spring has taken hold of again: the tolerance of
 /// a run.
@@ -136,10 +135,9 @@ impl Equations<'_> {
         (x_m - self.mode.origin_m, self.rate_n_s(state) / spring.tangent(x_m))
     }
 
-    /// Velocity below which the damper is linear, m/s: that of a steep one does not count there, whichever way it goes.
+    /// Velocity below which the damper is linear, m/s.
     fn creep_m_s(&self) -> f64 {
-        let Setup { damper, velocity_m_s, .. } = self.setup;
-        if damper.is_steep_at_zero() { HELD * velocity_m_s } else { 0.0 }
+        self.setup.damper.creep_m_s(self.setup.velocity_m_s)
     }
 
     /// Force of the damper, N.
@@ -165,7 +163,8 @@ impl Equations<'_> {
     /// Whether the plate creeps, by nothing that counts, against a steep damper that holds whatever drives it outside the contact.
     pub(super) fn creeps(&self, state: &State) -> bool {
         let creep_m_s = self.creep_m_s();
-        state.w_m_s.abs() < creep_m_s
+        self.mode.hold == Hold::Free
+            && state.w_m_s.abs() < creep_m_s
             && !self.is_touching()
             && self.mechanism_n(state.x_m, 0.0).abs() < self.setup.damper.force(creep_m_s)
     }
@@ -196,7 +195,7 @@ impl Equations<'_> {
         let Setup { damper, .. } = self.setup;
         let by_spring = self.next_zero(state).filter(|(_, counts)| *counts);
         let mut least_s = by_spring.map_or(f64::INFINITY, |(way_s, _)| way_s);
-        if !damper.is_smooth_at_zero() {
+        if !damper.is_smooth_at_zero() && state.w_m_s.abs() > self.creep_m_s() {
             let w_m_s = state.w_m_s;
             let way_s = -w_m_s / self.accelerations(state).1;
             let counts = damper.force(w_m_s).abs() * way_s

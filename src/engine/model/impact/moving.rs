@@ -210,6 +210,12 @@ impl Acceleration<2> for Driven<'_> {
         let (place, speed) = self.0.sizes_of_plate(*x, *w);
         ([place, self.1.duration_s], [speed, 1.0])
     }
+
+    fn rounding(&self, ([x, t], [w, _]): &Point<2>) -> [f64; 2] {
+        let setup = self.0.setup;
+        let contact = KNOWN * self.1.force_n(*t).abs();
+        [(contact * setup.cos + self.0.mechanism_rounding_n(*x, *w)) / setup.plate_kg, 0.0]
+    }
 }
 
 impl Moving<2> for Driven<'_> {

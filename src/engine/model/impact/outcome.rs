@@ -256,9 +256,10 @@ impl Equations<'_> {
     pub(super) fn farthest(&self, state: &State, so_far_m: f64) -> Farthest {
         let Equations { setup, mode } = self;
         if self.creeps(state) {
-            // However slowly, it creeps to where nothing drives it.
+            // However slowly, it creeps to where nothing drives it, or to its stop.
             let rest_m = mode.elastic.rest_ahead(self.displacement_m(state.x_m));
-            return Farthest::Known(larger(rest_m, so_far_m));
+            let end_m = if self.stops_rigidly() { setup.stop_at_m } else { f64::INFINITY };
+            return Farthest::Known(larger(smaller(rest_m, end_m), so_far_m));
         }
         if mode.hold == Hold::Mount || self.is_at_rest(state) || self.rests_in_contact(state) {
             return Farthest::Known(so_far_m);

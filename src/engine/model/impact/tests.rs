@@ -6,8 +6,9 @@ use std::sync::Arc;
 use super::run::Extent;
 use super::stepping::{Stepping, run_by};
 use crate::model::impact::window::Window;
-use crate::model::run::{CONTACT_WINDOW, EndReason, Outcome, Run};
+use crate::model::run::{CONTACT_WINDOW, EndReason, Outcome, Run, Sample, Settings};
 use crate::model::scene::Scene;
+use crate::model::simulate::simulate;
 use crate::model::variables::scene_with;
 
 fn run_to_end(scene: &Arc<Scene>, stepping: Stepping, extent: Extent<'_>) -> Run {
@@ -363,5 +364,41 @@ fn valid_the_energy_ledger_closes() {
     ] {
         let found = shot(pairs);
         assert!(found.ledger.residual().abs() < 1e-10, "{pairs}: {:e}", found.ledger.residual());
+    }
+}
+
+/// Against a force F a damper lets the plate go (F/b)^(1/m) fast: on a plate that hardly moves, F is that on a rigid mount. What is off
+/// because it is taken as linear near zero is within ten times the estimate.
+#[test]
+fn valid_a_plate_creeps_as_far_as_its_damper_lets_it() {
+    let window = Window::with_steps(1e-7, 4_000);
+    let extent = Extent { window: Some(&window), keep_series: true, ..Extent::BARE };
+    let rigid = Arc::new(scene_with("mount=rigid"));
+    let _ = run_to_end(&rigid, Stepping::Collocation(1e-12), extent);
+    let rows = window.rows();
+    for (b, m) in [(5e4, 0.1), (1e5, 0.1), (1.5e5, 0.1), (1e5, 0.05), (1e5, 0.2), (5e4, 0.3)] {
+        let speed_m_s = |row: &Sample| (row.contact_force_n / b).powf(1.0 / m);
+        let crept_m: f64 = rows.windows(2).map(|pair| 1e-7 * speed_m_s(&pair[0])).sum();
+        let scene = Arc::new(scene_with(&format!("k=0 b={b} m={m}")));
+        let run = simulate(&scene, &Settings::default(), &mut |_| ControlFlow::Continue(()));
+        let run = run.unwrap();
+        let found_m = run.first_arrest.unwrap().plate_displacement_m;
+        let name = "first_arrest_plate_displacement_m";
+        let estimate = run.error_estimates.iter().find(|error| error.name == name).unwrap();
+        let off = (found_m - crept_m).abs() / found_m;
+        assert!(off < 10.0 * estimate.relative + 1e-2, "{b} {m}: {off:e} {estimate:?}");
+    }
+}
+
+/// From -d towards the spring's zero, up to the stop.
+#[test]
+fn a_plate_that_creeps_comes_to_rest_on_its_stop() {
+    for (pairs, stop_m) in [
+        ("d=0.01 x_stop=-0.005 b=1e5 m=0.1 k=1e4", -0.005),
+        ("d=0.05 x_stop=-0.02 b=1e6 m=0.1 k=1e5", -0.02),
+        ("d=0.01 b=1e6 m=0.1 k=1e4", 0.0),
+    ] {
+        let reached_m = shot(pairs).max_plate_displacement_m.unwrap();
+        assert!((reached_m - stop_m).abs() < 1e-15, "{pairs}: {reached_m}");
     }
 }
