@@ -459,6 +459,7 @@ mod tests {
         for kept in [core("Y=900MPa h=16mm"), core("Y=250MPa h=14mm")] {
             assert_eq!(thickness(&inside(&kept)), None, "{kept}");
         }
+        assert!(thickness(&inside(&core("Y=900MPa h=6mm"))).is_some());
         for kept in ["", "face=50mm mount=rigid"] {
             assert_eq!(of_scene(&inside(kept)), [], "{kept}");
         }
@@ -488,6 +489,18 @@ mod tests {
             assert_eq!(breach.direction, direction, "{check:?}");
             assert!(breach.to_string().contains(number), "{breach}");
         }
+    }
+
+    /// gamma 0.05 of the baseline has a face of 0.21 cm² under a nose of 1.27 cm²; on a rigid mount gamma gives it none.
+    #[test]
+    fn a_face_smaller_than_the_nose_is_a_breach() {
+        let scene = variables::scene_with("gamma=0.05");
+        assert!((scene.plate_face_m().powi(2) - 0.21e-4).abs() < 0.005e-4);
+        let found = of_scene(&scene);
+        let text = found.iter().find(|breach| breach.check == Check::Face).unwrap().to_string();
+        assert!(text.contains("plate face is 4.63 mm square, 0.364 D"), "{text}");
+        let held = variables::scene_with("gamma=0.05 mount=rigid");
+        assert!(!checks(&of_scene(&held)).contains(&Check::Face));
     }
 
     /// gamma = 1 moves on at 50 m/s, half of the shot's 100 m/s; a heavy plate at 10 m/s.
