@@ -486,4 +486,13 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn depth_is_continuous_and_invertible() {
+        let geometry = Geometry::of(&Scene::default());
+        for q in [-0.001, 0.0, 0.01, geometry.bend_m, 0.05] {
+            assert!((geometry.travel_m(geometry.depth_m(q)) - q).abs() < 1e-16);
+        }
+        assert!((geometry.depth_m(geometry.bend_m) - geometry.thickness_m).abs() < 1e-17);
+    }
 }

@@ -64,9 +64,12 @@ mod tests {
     }
 
     #[test]
-    fn tates_tangent_goes_with_the_cube_roots_of_pressure_and_strength() {
+    fn tate_and_stone_have_the_powers_they_should() {
         let tangent = |pairs| critical_obliquity_deg(&scene_with(pairs)).to_radians().tan();
         assert!((tangent("v_i=800") / tangent("v_i=100") - 4.0).abs() < 1e-9);
         assert!((tangent("Y_p=1GPa") / tangent("Y_p=8GPa") - 2.0).abs() < 1e-9);
+        let depth = |v: f64, r: f64| stone_depth_m(0.03, v, r, 2710.0, 1e6);
+        assert!((depth(200.0, 0.01) / depth(100.0, 0.01) - 4.0).abs() < 1e-12);
+        assert!((depth(100.0, 0.01) / depth(100.0, 0.02) - 4.0).abs() < 1e-12);
     }
 }

@@ -61,7 +61,8 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     };
     let struck = run.scene.projectile.velocity_m_s;
     // Both computations creep alike.
-    let creep_m_s = Mechanism::of(&run.scene).damper.creep_m_s(struck);
+    let fastest = larger(struck, run.scene.closing_velocity_m_s());
+    let creep_m_s = Mechanism::of(&run.scene).damper.creep_m_s(fastest);
     run.error_estimates = ESTIMATED
         .iter()
         .filter_map(|(name, scale, get)| {
@@ -78,9 +79,9 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
                     larger(ROUNDING * run.scene.start_m().abs(), creep_m) / value.abs()
                 }
             };
-            let relative =
-                larger(factor * (value - other).abs() / value.abs(), larger(floor, rounding));
-            relative.is_finite().then_some(ResultError { name, relative })
+            let off = factor * (value - other).abs();
+            let relative = relative(off, value, larger(floor, rounding))?;
+            Some(ResultError { name, relative })
         })
         .collect();
     // The depth of a perforation is the plate's own: what was computed is when it is reached.
@@ -90,4 +91,22 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     };
     let found = run.error_estimates.iter().find(|error| error.name == main_result);
     run.error_estimate = found.map(|error| ErrorEstimate { relative: error.relative, basis });
+}
+
+/// What a value is off by, relative to it, which is not known better than to a floor; nothing for zero.
+fn relative(off: f64, value: f64, floor: f64) -> Option<f64> {
+    Some(larger(off / value.abs(), floor)).filter(|relative| relative.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_is_relative_and_not_below_its_floor() {
+        assert_eq!(relative(0.0, 1.0, 1e-15), Some(1e-15));
+        assert!((relative(0.01, -2.0, 1e-15).unwrap() - 0.005).abs() < 1e-15);
+        assert_eq!(relative(0.0, 0.0, 1e-15), None);
+        assert_eq!(relative(1.0, 0.0, 1e-15), None);
+    }
 }

@@ -662,7 +662,7 @@ mod tests {
         let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs), 1e-12)).0.hold;
         assert_eq!(hold("k=1e6 n=0.1"), Hold::Spring);
         assert_eq!(hold("k=1e6 n=0.2"), Hold::Spring);
-        for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001", "b=1e4 m=0.2"] {
+        for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001", "b=100 m=0.5", "b=1e4 m=0.2"] {
             assert_eq!(hold(pairs), Hold::Free, "{pairs}");
         }
         assert_eq!(hold("mount=rigid"), Hold::Mount);

@@ -200,8 +200,8 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     let first = decade(map.view.lo());
     let last = decade(map.view.hi());
     let (low, high) = (map.view.lo() * (1.0 - 1e-9), map.view.hi() * (1.0 + 1e-9));
-    let list = |mantissas: &[u8], stride: i32| -> Vec<Tick> {
-        let exponents = (first..=last).filter(|exponent| exponent % stride == 0);
+    let list = |mantissas: &[u8], every: i32| -> Vec<Tick> {
+        let exponents = (first..=last).filter(|exponent| exponent % every == 0);
         let all = exponents.flat_map(|exponent| mantissas.iter().map(move |it| (*it, exponent)));
         let all = all.map(|it| (it, f64::from(it.0) * power(it.1)));
         let seen: Vec<_> = all.filter(|(_, value)| low <= *value && *value <= high).collect();
@@ -220,8 +220,8 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     if fits(&dense, along, map) {
         return Some(Ticks { labelled: dense, exponent: 0 });
     }
-    let strides = [1, 2, 3, 5, 10, 20, 50, 100, 200];
-    let mut found = strides.into_iter().map(|stride| list(&[1], stride));
+    let decades = [1, 2, 3, 5, 10, 20, 50, 100, 200];
+    let mut found = decades.into_iter().map(|every| list(&[1], every));
     let labelled = found.find(|ticks| !ticks.is_empty() && fits(ticks, along, map))?;
     Some(Ticks { labelled, exponent: 0 })
 }
