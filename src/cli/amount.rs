@@ -12,8 +12,7 @@ pub(super) fn above_zero(
     example: &'static str,
 ) -> impl TypedValueParser<Value = f64> {
     move |text: &str| {
-        let value =
-            units::parse(text, quantity, Bare::Si).map_err(|problem| problem.to_string())?;
+        let value = units::parse(text, quantity, Bare::Si)?;
         let problem = || format!("must be greater than 0, for example {example}");
         (value > 0.0).then_some(value).ok_or_else(problem)
     }

@@ -3,104 +3,15 @@
 //! Everything inside the program is SI. This file turns text into SI numbers and back, and knows which
 //! unit belongs to which kind of quantity. It knows nothing about scenes or screens.
 
-use thiserror::Error;
-
 mod table;
 
-use table::Unit;
+pub use table::Dimension;
+use table::UNITS;
 
-/// The kind of a quantity: which units it can be written in.
-///
-/// `SpringCoefficient` and `DamperCoefficient` carry the unit `N/m^n` and `N(s/m)^m`, whose dimension depends
-/// on an exponent; they accept the units of the linear case (`N/m`, `N s/m`) with SI prefixes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the row of each has its unit and an example")]
-pub enum Dimension {
-    Number,
-    Mass,
-    Length,
-    Velocity,
-    /// deg (the SI unit is rad; angles are kept in degrees, see [`Dimension`])
-    Angle,
-    Density,
-    Pressure,
-    Time,
-    Force,
-    Impulse,
-    Energy,
-    SpecificEnergy,
-    Stiffness,
-    Damping,
-    SpringCoefficient,
-    DamperCoefficient,
-    Twist,
-    Inertia,
-    ArealMass,
-}
-
-impl Dimension {
-    /// The unit in which values of this kind are stored and stand beside a bare number, that in which people read them on a screen,
-    /// the units they may be written in, and a text that would do.
-    fn row(self) -> (&'static str, &'static str, &'static [Unit], &'static str) {
-        match self {
-            Self::Number => ("", "", table::NUMBER_UNITS, "1.5"),
-            Self::Mass => ("kg", "g", table::MASS_UNITS, "29.5g"),
-            Self::Length => ("m", "mm", table::LENGTH_UNITS, "25.4mm"),
-            Self::Velocity => ("m/s", "m/s", table::VELOCITY_UNITS, "100 m/s"),
-            Self::Angle => ("deg", "deg", table::ANGLE_UNITS, "30deg"),
-            Self::Density => ("kg/m3", "kg/m3", table::DENSITY_UNITS, "2710 kg/m3"),
-            Self::Pressure => ("Pa", "MPa", table::PRESSURE_UNITS, "151.6 MPa"),
-            Self::Time => ("s", "ms", table::TIME_UNITS, "150 us"),
-            Self::Force => ("N", "kN", table::FORCE_UNITS, "19kN"),
-            Self::Impulse => ("N s", "N s", table::IMPULSE_UNITS, "12 N s"),
-            Self::Energy => ("J", "J", table::ENERGY_UNITS, "1.5kJ"),
-            Self::SpecificEnergy => ("J/kg", "J/kg", table::SPECIFIC_ENERGY_UNITS, "20kJ/kg"),
-            Self::Stiffness => ("N/m", "kN/m", table::STIFFNESS_UNITS, "7.5MN/m"),
-            Self::Damping => ("N s/m", "N s/m", table::DAMPING_UNITS, "2 kN s/m"),
-            Self::SpringCoefficient => ("N/m^n", "kN/m^n", table::STIFFNESS_UNITS, "7.5MN/m"),
-            Self::DamperCoefficient => ("N(s/m)^m", "N(s/m)^m", table::DAMPING_UNITS, "2 kN s/m"),
-            Self::Twist => ("rad/m", "rad/m", table::TWIST_UNITS, "50 rad/m"),
-            Self::Inertia => ("kg m2", "kg m2", table::INERTIA_UNITS, "5e-6 kg m2"),
-            Self::ArealMass => ("kg/m2", "kg/m2", table::AREAL_MASS_UNITS, "40 kg/m2"),
-        }
-    }
-
-    /// The units this kind may be written in, the stored one first.
-    fn units(self) -> &'static [Unit] {
-        self.row().2
-    }
-
-    /// The unit in which values of this kind are stored and shown beside a bare number.
-    pub fn unit(self) -> &'static str {
-        self.row().0
-    }
-
-    /// The unit in which people read values of this kind on a screen.
-    pub fn shown_unit(self) -> &'static str {
-        self.row().1
-    }
-
-    fn example(self) -> &'static str {
-        self.row().3
-    }
-
-    fn accepted(self) -> String {
-        let names = self.units().iter().map(|unit| unit.name).filter(|name| !name.is_empty());
-        names.collect::<Vec<_>>().join(", ")
-    }
-}
-
-/// Why a text is not a quantity, with the cure. Columns count characters from 1.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{0}")]
-pub struct QuantityError(String);
-
-impl QuantityError {
-    /// NaN, an infinity, or an overflow such as `1e999`.
-    fn not_finite(text: &str, quantity: Dimension) -> Self {
-        let (shown, example) = (quoted(text), quantity.example());
-        Self(format!("`{shown}` is not a finite number: write for example `{example}`"))
-    }
+/// The refusal of NaN, an infinity, or an overflow such as `1e999`.
+fn not_finite(text: &str, quantity: Dimension) -> String {
+    let (shown, example) = (quoted(text), quantity.example());
+    format!("`{shown}` is not a finite number: write for example `{example}`")
 }
 
 /// The text as written, shortened where it would hide the rest of the sentence.
@@ -124,47 +35,41 @@ pub enum Bare {
 /// Read a quantity; the result is in the stored unit (SI, degrees for angles).
 ///
 /// # Errors
-/// [`QuantityError`] when the text is empty, no number, not finite, or has a unit of another kind.
-pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, QuantityError> {
+/// When the text is empty, no number, not finite, or has a unit of another kind: why, with the cure. Columns count from 1.
+pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, String> {
     let trimmed = text.trim();
     let example = quantity.example();
     if trimmed.is_empty() {
-        return Err(QuantityError(format!("empty: write a number, for example `{example}`")));
+        return Err(format!("empty: write a number, for example `{example}`"));
     }
     let shown = quoted(trimmed);
     let column = |rest: &str| 1 + text.trim_end().chars().count() - rest.chars().count();
     let (value, rest) = expression(trimmed).ok_or_else(|| {
         let column = column(&trimmed[number_prefix(trimmed)..]);
-        QuantityError(format!(
-            "`{shown}` is not a number (column {column}): write for example `{example}`"
-        ))
+        format!("`{shown}` is not a number (column {column}): write for example `{example}`")
     })?;
     if let Some(point) = with_point(trimmed, rest) {
-        let column = column(rest);
-        return Err(QuantityError(format!("`{shown}` has a comma (column {column}): {point}")));
+        return Err(format!("`{shown}` has a comma (column {}): {point}", column(rest)));
     }
     let unit = rest.trim();
     let needs_unit = bare == Bare::Si && quantity == Dimension::Angle;
     // Zero is the same in every unit.
     if unit.is_empty() && needs_unit && value != 0.0 {
-        return Err(QuantityError(format!(
+        return Err(format!(
             "`{shown}` is an angle without a unit: write `{shown} deg` or `{shown} rad`"
-        )));
+        ));
     }
-    let factor = find_unit(unit, quantity).ok_or_else(|| {
-        let (column, accepted) = (column(unit), quantity.accepted());
+    let (times, over) = factor(unit, quantity).ok_or_else(|| {
         let bare = match quantity.unit() {
             _ if needs_unit => String::new(),
             "" => ", or no unit".to_owned(),
             stored => format!(", or no unit for {stored}"),
         };
-        let unit = quoted(unit);
-        QuantityError(format!(
-            "`{unit}` is not a unit of this quantity (column {column}): use {accepted}{bare}"
-        ))
+        let (shown, column, accepted) = (quoted(unit), column(unit), quantity.accepted());
+        format!("`{shown}` is not a unit of this quantity (column {column}): use {accepted}{bare}")
     })?;
-    let scaled = value * factor.times / factor.over;
-    if scaled.is_finite() { Ok(scaled) } else { Err(QuantityError::not_finite(trimmed, quantity)) }
+    let scaled = value * times / over;
+    if scaled.is_finite() { Ok(scaled) } else { Err(not_finite(trimmed, quantity)) }
 }
 
 /// The cure where a decimal comma, or one between thousands, follows the number that was read.
@@ -213,7 +118,7 @@ pub fn parse_relative(
     old: f64,
     quantity: Dimension,
     bare: Bare,
-) -> Result<f64, QuantityError> {
+) -> Result<f64, String> {
     let trimmed = text.trim();
     let plain = |rest: &str| parse(rest, Dimension::Number, Bare::Stored);
     let new = if let Some(rest) = trimmed.strip_prefix('*') {
@@ -225,18 +130,20 @@ pub fn parse_relative(
     } else {
         return parse(text, quantity, bare);
     };
-    if new.is_finite() { Ok(new) } else { Err(QuantityError::not_finite(trimmed, quantity)) }
+    if new.is_finite() { Ok(new) } else { Err(not_finite(trimmed, quantity)) }
 }
 
 /// A value in the stored unit as a number of another one; `None` where that is none of this kind.
 pub fn in_unit(value: f64, unit: &str, quantity: Dimension) -> Option<f64> {
-    let unit = find_unit(unit, quantity)?;
-    Some(value * unit.over / unit.times)
+    let (times, over) = factor(unit, quantity)?;
+    Some(value * over / times)
 }
 
-/// A unit by its usual name; `None` where it is none of this kind, or has an unusual prefix.
+/// A unit other than the stored one by its usual name; `None` where it is none of this kind, or has an unusual prefix.
 pub fn unit_named(name: &str, quantity: Dimension) -> Option<&'static str> {
-    find_unit(name, quantity).map(|unit| unit.name).filter(|name| !name.is_empty())
+    let name = squeezed(name);
+    let mut accepted = quantity.accepted().split(", ").filter(|_| !is_stored(&name, quantity));
+    accepted.find(|accepted| squeezed(accepted) == name)
 }
 
 /// The unit written behind a number, empty where there is none; `None` where the text is no number.
@@ -244,62 +151,66 @@ pub fn written_unit(text: &str) -> Option<&str> {
     expression(text.trim()).map(|(_, rest)| rest.trim())
 }
 
-/// The unit with this name, the stored one where there is none.
-fn find_unit(unit: &str, quantity: Dimension) -> Option<Unit> {
-    let squeezed: String = unit
-        .chars()
+/// The name of a unit without blanks.
+fn squeezed(unit: &str) -> String {
+    unit.chars()
         .filter(|c| !c.is_whitespace())
-        .map(|c| match c {
-            'µ' | 'μ' => 'u',
-            '·' => '*',
-            other => other,
-        })
-        .collect();
+        .collect::<String>()
+        .replace(['µ', 'μ'], "u")
+        .replace('·', "*")
+}
+
+/// Whether this is the stored unit, as a bare number is.
+fn is_stored(squeezed: &str, quantity: Dimension) -> bool {
     let other = match quantity {
         Dimension::Angle => "°",
         Dimension::Density => "kg/m³",
         _ => "",
     };
-    if [other, quantity.unit(), ""].contains(&&*squeezed) {
-        return Some(table::STORED);
+    [other, quantity.unit(), ""].contains(&squeezed)
+}
+
+/// One of the unit with this name, or of the stored one where there is none, is the first number, divided by the second, in the
+/// stored unit.
+fn factor(unit: &str, quantity: Dimension) -> Option<(f64, f64)> {
+    let name = squeezed(unit);
+    if is_stored(&name, quantity) {
+        return Some((1.0, 1.0));
     }
-    let is = |name: &str, text: &str| {
-        name.chars().filter(|c| !c.is_whitespace()).eq(text.chars()) && !name.is_empty()
-    };
-    let listed = quantity.units().iter().find(|unit| is(unit.name, &squeezed)).copied();
-    // Values are shown with any prefix; kg has one already.
-    let prefixes = Prefix::ALL.iter().filter(|_| !quantity.unit().starts_with("kg"));
-    let mut prefixed = prefixes.filter(|prefix| {
-        squeezed.strip_prefix(prefix.letter).is_some_and(|base| is(quantity.unit(), base))
-    });
-    listed.or_else(|| prefixed.next().map(|prefix| table::prefixed(*prefix)))
+    let (mut name, mut stored) = (name, quantity.unit());
+    if unit_named(&name, quantity).is_some() {
+        name = name.replace('^', "");
+        if let Some((_, times, over)) = UNITS.iter().find(|(unit, ..)| squeezed(unit) == name) {
+            return Some((*times, *over));
+        }
+        // The linear case of a coefficient; of others the same.
+        stored = quantity.accepted().split(", ").next().unwrap_or(stored);
+    } else if stored.is_empty() || stored.starts_with("kg") {
+        // Values are shown with any prefix; kg has one already.
+        return None;
+    }
+    let base = squeezed(stored);
+    let prefix = Prefix::ALL.iter().find(|it| name.strip_prefix(it.letter) == Some(&base))?;
+    Some(if prefix.size < 1.0 { (1.0, prefix.in_one) } else { (prefix.size, 1.0) })
 }
 
 /// `number [(*|/) number]`, where a number may be `pi`; gives the value and what follows.
 fn expression(text: &str) -> Option<(f64, &str)> {
     let (mut value, mut rest) = number(text)?;
-    loop {
-        let ahead = rest.trim_start();
-        let (divide, tail) = match ahead.as_bytes().first() {
-            Some(b'/') => (true, &ahead[1..]),
-            Some(b'*') => (false, &ahead[1..]),
-            _ => return Some((value, rest)),
-        };
-        let (operand, after) = number(tail.trim_start())?;
-        value = if divide { value / operand } else { value * operand };
+    while let Some(sign @ ('*' | '/')) = rest.trim_start().chars().next() {
+        let (operand, after) = number(rest.trim_start()[1..].trim_start())?;
+        value = if sign == '/' { value / operand } else { value * operand };
         rest = after;
     }
+    Some((value, rest))
 }
 
 fn number(text: &str) -> Option<(f64, &str)> {
-    for word in ["pi", "π"] {
-        if let Some(rest) = text.strip_prefix(word) {
-            return Some((std::f64::consts::PI, rest));
-        }
+    if let Some(rest) = text.strip_prefix("pi").or_else(|| text.strip_prefix('π')) {
+        return Some((std::f64::consts::PI, rest));
     }
-    let length = number_prefix(text);
-    let value = text[..length].parse().ok()?;
-    Some((value, &text[length..]))
+    let (number, rest) = text.split_at(number_prefix(text));
+    Some((number.parse().ok()?, rest))
 }
 
 /// Length in bytes of the longest prefix that reads as a decimal number.
@@ -545,14 +456,14 @@ mod tests {
             ("2 mkg", "`mkg` is not a unit"),
         ];
         for (text, fragment) in cases {
-            let error = parse(text, Dimension::Length, Bare::Stored).unwrap_err().to_string();
+            let error = parse(text, Dimension::Length, Bare::Stored).unwrap_err();
             assert!(error.contains(fragment), "{text}: {error}");
         }
         for (quantity, cure) in [
             (Dimension::Number, "use %, or no unit"),
             (Dimension::Twist, "use rad/m, rad/mm, deg/m, deg/mm, or no unit for rad/m"),
         ] {
-            let error = parse("5 lb", quantity, Bare::Si).unwrap_err().to_string();
+            let error = parse("5 lb", quantity, Bare::Si).unwrap_err();
             assert!(error.ends_with(cure), "{error}");
         }
     }

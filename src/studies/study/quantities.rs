@@ -316,7 +316,7 @@ impl Quantity {
     /// Read a value: SI, or with a unit (`45mm`, `20 kN`, `1kJ`); percentages as they are shown (`60` or `60 %`).
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let bare = if self.unit() == "%" { text.trim().trim_end_matches('%') } else { text };
-        units::parse(bare, self.kind, Bare::Si).map_err(|problem| problem.to_string())
+        units::parse(bare, self.kind, Bare::Si)
     }
 
     /// Its lower bound, if a run ended before it was final; `None` if it is final or unknown.

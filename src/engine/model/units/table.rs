@@ -1,32 +1,63 @@
-//! The units of every kind of quantity, by their definitions: the international yard and pound of 1959, and 9.80665 m/s^2.
+//! The kinds of quantity and their units, by the definitions of these: the international yard and pound of 1959, and 9.80665 m/s^2.
 
-use super::Prefix;
+/// Defines the kinds. Each has the unit in which its values are stored and stand beside a bare number, that in which people read them
+/// on a screen, a text that would do, and the units it may be written in.
+macro_rules! dimensions {
+    ($($(#[$doc:meta])* $kind:ident = $unit:literal, $shown:literal, $example:literal, $accepted:literal;)+) => {
+        /// The kind of a quantity: which units it can be written in.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Dimension {
+            $(#[doc = concat!("`", $unit, "`")] $(#[$doc])* $kind,)+
+        }
 
-/// One way of writing a quantity: one of it is `times / over` in the stored unit. Both are whole numbers where the definition
-/// allows it, so that `25.4mm` and `3in` are the floats nearest to 0.0254 and 0.0762.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Unit {
-    pub(super) name: &'static str,
-    pub(super) times: f64,
-    pub(super) over: f64,
+        const ROWS: &[[&str; 4]] = &[$([$unit, $shown, $example, $accepted]),+];
+    };
 }
 
-/// The stored unit.
-pub(super) const STORED: Unit = of("", 1.0);
-
-/// A unit that holds this many of the stored one.
-const fn of(name: &'static str, times: f64) -> Unit {
-    Unit { name, times, over: 1.0 }
+dimensions! {
+    Number = "", "", "1.5", "%";
+    Mass = "kg", "g", "29.5g", "kg, g, mg, t, gr, oz, lb";
+    Length = "m", "mm", "25.4mm", "m, mm, cm, um, nm, km, in, ft, mil";
+    Velocity = "m/s", "m/s", "100 m/s", "m/s, mm/s, km/s, km/h, ft/s, fps, kfps, mph";
+    /// (the SI unit is rad; angles are kept in degrees)
+    Angle = "deg", "deg", "30deg", "deg, rad, mrad";
+    Density = "kg/m3", "kg/m3", "2710 kg/m3", "kg/m3, kg/m^3, g/cm3, g/cm^3, t/m3, t/m^3, lb/in3";
+    Pressure = "Pa", "MPa", "151.6 MPa", "Pa, kPa, MPa, GPa, N/mm2, N/mm^2, bar, kbar, psi, ksi, Msi";
+    Time = "s", "ms", "150 us", "s, ms, us, ns, min";
+    Force = "N", "kN", "19kN", "N, kN, MN, lbf";
+    Impulse = "N s", "N s", "12 N s", "N s, Ns, kN s, kNs, lbf s";
+    Energy = "J", "J", "1.5kJ", "J, kJ, MJ, mJ, ft lbf";
+    SpecificEnergy = "J/kg", "J/kg", "20kJ/kg", "J/kg, kJ/kg, MJ/kg, J/g";
+    Stiffness = "N/m", "kN/m", "7.5MN/m", "N/m, kN/m, MN/m, GN/m, N/mm, kN/mm, lbf/in";
+    Damping = "N s/m", "N s/m", "2 kN s/m", "N s/m, Ns/m, kN s/m, kNs/m, MN s/m, MNs/m, lbf s/in";
+    /// Its dimension depends on an exponent: the units are those of the linear case.
+    SpringCoefficient = "N/m^n", "kN/m^n", "7.5MN/m", "N/m, kN/m, MN/m, GN/m, N/mm, kN/mm, lbf/in";
+    /// As for the spring's.
+    DamperCoefficient = "N(s/m)^m", "N(s/m)^m", "2 kN s/m", "N s/m, Ns/m, kN s/m, kNs/m, MN s/m, MNs/m, lbf s/in";
+    Twist = "rad/m", "rad/m", "50 rad/m", "rad/m, rad/mm, deg/m, deg/mm";
+    Inertia = "kg m2", "kg m2", "5e-6 kg m2", "kg m2, kg m^2, kg cm2, kg mm2, g cm2, g mm2";
+    ArealMass = "kg/m2", "kg/m2", "40 kg/m2", "kg/m2, kg/m^2, g/cm2, g/cm^2, lb/ft2";
 }
 
-/// A unit that is a fraction of the stored one.
-const fn ratio(name: &'static str, times: f64, over: f64) -> Unit {
-    Unit { name, times, over }
-}
+impl Dimension {
+    /// The unit in which values of this kind are stored and shown beside a bare number.
+    pub fn unit(self) -> &'static str {
+        ROWS[self as usize][0]
+    }
 
-/// The stored unit with a prefix before it.
-pub(super) fn prefixed(prefix: Prefix) -> Unit {
-    if prefix.size < 1.0 { ratio("", 1.0, prefix.in_one) } else { of("", prefix.size) }
+    /// The unit in which people read values of this kind on a screen.
+    pub fn shown_unit(self) -> &'static str {
+        ROWS[self as usize][1]
+    }
+
+    pub(super) fn example(self) -> &'static str {
+        ROWS[self as usize][2]
+    }
+
+    /// The units this kind may be written in, beside the stored one with a prefix.
+    pub(super) fn accepted(self) -> &'static str {
+        ROWS[self as usize][3]
+    }
 }
 
 const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
@@ -35,125 +66,56 @@ const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
 const LBF: f64 = 44_482_216_152_605.0;
 const LBF_OVER: f64 = 1e13;
 
-pub(super) const NUMBER_UNITS: &[Unit] = &[of("", 1.0), ratio("%", 1.0, 1e2)];
-pub(super) const ANGLE_UNITS: &[Unit] =
-    &[of("deg", 1.0), of("rad", DEG_PER_RAD), ratio("mrad", DEG_PER_RAD, 1e3)];
-pub(super) const MASS_UNITS: &[Unit] = &[
-    of("kg", 1.0),
-    ratio("g", 1.0, 1e3),
-    ratio("mg", 1.0, 1e6),
-    of("t", 1e3),
-    ratio("gr", 6_479_891.0, 1e11),
-    ratio("oz", 45_359_237.0, 16e8),
-    ratio("lb", 45_359_237.0, 1e8),
-];
-pub(super) const LENGTH_UNITS: &[Unit] = &[
-    of("m", 1.0),
-    ratio("mm", 1.0, 1e3),
-    ratio("cm", 1.0, 1e2),
-    ratio("um", 1.0, 1e6),
-    ratio("nm", 1.0, 1e9),
-    of("km", 1e3),
-    ratio("in", 254.0, 1e4),
-    ratio("ft", 3048.0, 1e4),
-    ratio("mil", 254.0, 1e7),
-];
-pub(super) const VELOCITY_UNITS: &[Unit] = &[
-    of("m/s", 1.0),
-    ratio("mm/s", 1.0, 1e3),
-    of("km/s", 1e3),
-    ratio("km/h", 10.0, 36.0),
-    ratio("ft/s", 3048.0, 1e4),
-    ratio("fps", 3048.0, 1e4),
-    ratio("kfps", 3048.0, 10.0),
-    ratio("mph", 44_704.0, 1e5),
-];
-pub(super) const DENSITY_UNITS: &[Unit] = &[
-    of("kg/m3", 1.0),
-    of("kg/m^3", 1.0),
-    of("g/cm3", 1e3),
-    of("g/cm^3", 1e3),
-    of("t/m3", 1e3),
-    of("t/m^3", 1e3),
-    ratio("lb/in3", 453_592_370_000.0, 16_387_064.0),
-];
-pub(super) const PRESSURE_UNITS: &[Unit] = &[
-    of("Pa", 1.0),
-    of("kPa", 1e3),
-    of("MPa", 1e6),
-    of("GPa", 1e9),
-    of("N/mm2", 1e6),
-    of("N/mm^2", 1e6),
-    of("bar", 1e5),
-    of("kbar", 1e8),
+/// The units that are neither stored ones nor those with a prefix: one of it is the first number, divided by the second, in the
+/// stored unit. Both are whole numbers where the definition allows it, so that `25.4mm` and `3in` are the floats nearest to 0.0254 and
+/// 0.0762.
+pub(super) const UNITS: &[(&str, f64, f64)] = &[
+    ("%", 1.0, 1e2),
+    ("rad", DEG_PER_RAD, 1.0),
+    ("mrad", DEG_PER_RAD, 1e3),
+    ("g", 1.0, 1e3),
+    ("mg", 1.0, 1e6),
+    ("t", 1e3, 1.0),
+    ("gr", 6_479_891.0, 1e11),
+    ("oz", 45_359_237.0, 16e8),
+    ("lb", 45_359_237.0, 1e8),
+    ("cm", 1.0, 1e2),
+    ("in", 254.0, 1e4),
+    ("ft", 3048.0, 1e4),
+    ("mil", 254.0, 1e7),
+    ("km/h", 10.0, 36.0),
+    ("ft/s", 3048.0, 1e4),
+    ("fps", 3048.0, 1e4),
+    ("kfps", 3048.0, 10.0),
+    ("mph", 44_704.0, 1e5),
+    ("g/cm3", 1e3, 1.0),
+    ("t/m3", 1e3, 1.0),
+    ("lb/in3", 453_592_370_000.0, 16_387_064.0),
+    ("N/mm2", 1e6, 1.0),
+    ("bar", 1e5, 1.0),
+    ("kbar", 1e8, 1.0),
     // A square inch is 6.4516e-4 m^2.
-    ratio("psi", LBF, 6.4516e9),
-    ratio("ksi", LBF, 6.4516e6),
-    ratio("Msi", LBF, 6.4516e3),
-];
-pub(super) const TIME_UNITS: &[Unit] = &[
-    of("s", 1.0),
-    ratio("ms", 1.0, 1e3),
-    ratio("us", 1.0, 1e6),
-    ratio("ns", 1.0, 1e9),
-    of("min", 60.0),
-];
-pub(super) const FORCE_UNITS: &[Unit] =
-    &[of("N", 1.0), of("kN", 1e3), of("MN", 1e6), ratio("lbf", LBF, LBF_OVER)];
-pub(super) const IMPULSE_UNITS: &[Unit] = &[
-    of("N s", 1.0),
-    of("Ns", 1.0),
-    of("kN s", 1e3),
-    of("kNs", 1e3),
-    ratio("lbf s", LBF, LBF_OVER),
-];
-pub(super) const ENERGY_UNITS: &[Unit] = &[
-    of("J", 1.0),
-    of("kJ", 1e3),
-    of("MJ", 1e6),
-    ratio("mJ", 1.0, 1e3),
+    ("psi", LBF, 6.4516e9),
+    ("ksi", LBF, 6.4516e6),
+    ("Msi", LBF, 6.4516e3),
+    ("min", 60.0, 1.0),
+    ("lbf", LBF, LBF_OVER),
+    ("lbf s", LBF, LBF_OVER),
     // A foot is 0.3048 m.
-    ratio("ft lbf", 3048e-4 * LBF, LBF_OVER),
-];
-pub(super) const STIFFNESS_UNITS: &[Unit] = &[
-    of("N/m", 1.0),
-    of("kN/m", 1e3),
-    of("MN/m", 1e6),
-    of("GN/m", 1e9),
-    of("N/mm", 1e3),
-    of("kN/mm", 1e6),
-    ratio("lbf/in", LBF, 2.54e11),
-];
-pub(super) const DAMPING_UNITS: &[Unit] = &[
-    of("N s/m", 1.0),
-    of("Ns/m", 1.0),
-    of("kN s/m", 1e3),
-    of("kNs/m", 1e3),
-    of("MN s/m", 1e6),
-    of("MNs/m", 1e6),
-    ratio("lbf s/in", LBF, 2.54e11),
-];
-pub(super) const SPECIFIC_ENERGY_UNITS: &[Unit] =
-    &[of("J/kg", 1.0), of("kJ/kg", 1e3), of("MJ/kg", 1e6), of("J/g", 1e3)];
-pub(super) const TWIST_UNITS: &[Unit] = &[
-    of("rad/m", 1.0),
-    of("rad/mm", 1e3),
-    ratio("deg/m", 1.0, DEG_PER_RAD),
-    ratio("deg/mm", 1e3, DEG_PER_RAD),
-];
-pub(super) const AREAL_MASS_UNITS: &[Unit] = &[
-    of("kg/m2", 1.0),
-    of("kg/m^2", 1.0),
-    of("g/cm2", 10.0),
-    of("g/cm^2", 10.0),
+    ("ft lbf", 3048e-4 * LBF, LBF_OVER),
+    ("J/g", 1e3, 1.0),
+    ("N/mm", 1e3, 1.0),
+    ("kN/mm", 1e6, 1.0),
+    ("lbf/in", LBF, 2.54e11),
+    ("lbf s/in", LBF, 2.54e11),
+    ("rad/mm", 1e3, 1.0),
+    ("deg/m", 1.0, DEG_PER_RAD),
+    ("deg/mm", 1e3, DEG_PER_RAD),
+    ("kg cm2", 1.0, 1e4),
+    ("kg mm2", 1.0, 1e6),
+    ("g cm2", 1.0, 1e7),
+    ("g mm2", 1.0, 1e9),
+    ("g/cm2", 10.0, 1.0),
     // A square foot is 0.09290304 m^2.
-    ratio("lb/ft2", 45_359_237.0, 9_290_304.0),
-];
-pub(super) const INERTIA_UNITS: &[Unit] = &[
-    of("kg m2", 1.0),
-    of("kg m^2", 1.0),
-    ratio("kg cm2", 1.0, 1e4),
-    ratio("kg mm2", 1.0, 1e6),
-    ratio("g cm2", 1.0, 1e7),
-    ratio("g mm2", 1.0, 1e9),
+    ("lb/ft2", 45_359_237.0, 9_290_304.0),
 ];

@@ -142,7 +142,7 @@ fn width(text: &str, number: &Number, nominal: f64) -> Result<f64, String> {
         Some(percent) => (percent, units::Dimension::Number, nominal.abs() / 100.0),
         None => (text, number.quantity, 1.0),
     };
-    let parsed = units::parse(value, quantity, Bare::Si).map_err(|problem| problem.to_string())?;
+    let parsed = units::parse(value, quantity, Bare::Si)?;
     let width = parsed * whole;
     if width > 0.0 {
         return Ok(width);
