@@ -64,7 +64,7 @@ impl Equations {
         Self {
             strength: scene.flow_strength_pa() * r * r * per_force,
             drag: scene.drag_kg_m3() * r.powi(3) / m,
-            mass_ratio: scene.plate.mass_ratio,
+            mass_ratio: scene.mass_ratio(),
             spring: Law(spring.coefficient * r.powf(spring.exponent) * per_force, spring.exponent),
             damper: Law(damper.coefficient * v.powf(damper.exponent) * per_force, damper.exponent),
             slope: thickness / (thickness + 2.0),

@@ -65,7 +65,7 @@ fn variable_page(variable: &Variable) -> String {
     }
     line("default", &default_of(variable));
     line("allowed", &variable.allowed());
-    if let Some((low, high)) = variable.thesis_range() {
+    if let Some((low, high)) = variable.thesis_range {
         let unit = variable.unit();
         line("thesis", format!("{} to {} {unit}", shortest(low), shortest(high)).trim_end());
     }

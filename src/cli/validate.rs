@@ -9,7 +9,7 @@ use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, progress, text};
 use crate::files::validation;
-use crate::model::scene::ClosureInEffect;
+use crate::model::scene::Closure;
 use crate::model::units::{engineering, fixed_significant};
 use crate::report::validation as tables;
 use crate::study::validation::{MeasuredQuantity, NOT_COUNTED, Row, biases, measurements};
@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
 }
 
 fn page(report: &[Row]) -> String {
-    use ClosureInEffect::{Cavity, DoubleYield};
+    use Closure::{Cavity, DoubleYield};
     let mut page = String::new();
     for row in report {
         let case = row.case;
@@ -118,10 +118,10 @@ fn summary(report: &[Row]) -> String {
     table + "\n" + &text::hanging("", &said, 0)
 }
 
-fn closure_words(closure: ClosureInEffect) -> &'static str {
+fn closure_words(closure: Closure) -> &'static str {
     match closure {
-        ClosureInEffect::Given => "a flow strength that is given",
-        ClosureInEffect::Cavity => "cavity, without dishing",
-        ClosureInEffect::DoubleYield => "double-yield, with dishing",
+        Closure::Given => "a flow strength that is given",
+        Closure::Cavity | Closure::ByThickness => "cavity, without dishing",
+        Closure::DoubleYield => "double-yield, with dishing",
     }
 }

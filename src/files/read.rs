@@ -217,14 +217,14 @@ impl Reader<'_> {
             }
             (Kind::Number(_), item) => number(item).map(Value::Number),
             // A word that is not among the choices gets its own text from the table.
-            (Kind::Choice(_), DeValue::String(word)) => {
+            (Kind::Choice { .. }, DeValue::String(word)) => {
                 match variable.parse(scene, word, Bare::Stored) {
                     Ok(value) => Some(value),
                     Err(error) => return self.problem(value.span(), error.to_string()),
                 }
             }
             (Kind::Switch { .. }, DeValue::Boolean(on)) => Some(Value::Switch(*on)),
-            (Kind::Choice(_) | Kind::Switch { .. }, _) => None,
+            (Kind::Choice { .. } | Kind::Switch { .. }, _) => None,
         };
         let Some(read) = read else {
             let text = self.wrong_type(variable, value);

@@ -59,6 +59,7 @@ fn modified(path: &Path) -> Option<SystemTime> {
 mod tests {
     use super::*;
     use crate::files::preset;
+    use crate::model::scene::PlateSize;
 
     #[test]
     fn five_scenes_are_kept_and_open_by_their_paths() {
@@ -66,7 +67,7 @@ mod tests {
         let folder = place.path().join("recent");
         let of = |ratio: f64| {
             let mut scene = Scene::default();
-            scene.plate.mass_ratio = ratio;
+            scene.plate.size = PlateSize::Ratio(ratio);
             scene
         };
         let scene_in = |path: &Path| preset::from_file(path).unwrap().scene;

@@ -351,11 +351,12 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::scene::PlateSize;
 
     /// A session with this mass ratio.
     fn of(ratio: f64) -> Session {
         let mut session = Session::default();
-        session.scene.plate.mass_ratio = ratio;
+        session.scene.plate.size = PlateSize::Ratio(ratio);
         session.scene.notes = "two\nlines and ''' quotes".to_owned();
         session.preset = Some("cocked".to_owned());
         session.pins.push(("A".to_owned(), Scene::default()));
@@ -391,7 +392,7 @@ mod tests {
     /// The mass ratio of a kept scene.
     fn ratio_in(path: impl AsRef<Path>) -> f64 {
         let text = fs::read_to_string(path).unwrap();
-        read::scene(&text, "kept").unwrap().plate.mass_ratio
+        read::scene(&text, "kept").unwrap().mass_ratio()
     }
 
     #[test]
@@ -450,7 +451,7 @@ mod tests {
                     });
                 }
             });
-            let here = load(&path).session.unwrap().scene.plate.mass_ratio;
+            let here = load(&path).session.unwrap().scene.mass_ratio();
             let both = here + ratio_in(place.path().join("recent/unsaved-1.toml"));
             assert!((both - 5.0).abs() < 1e-12, "round {round}: one of them is lost");
         }

@@ -66,13 +66,13 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
     }
     for variable in VARIABLES.iter() {
         let (parent, key) = split(variable);
-        let is_ratio = variable.key == PlateSize::Ratio.key();
-        if is_ratio && scene.plate.size != PlateSize::Ratio {
+        let is_ratio = variable.key == PlateSize::KEYS[0];
+        if is_ratio && scene.plate.size.key() != variable.key {
             // A scene gives the plate's size once.
             table_at(root, parent).remove(key);
             continue;
         }
-        let is_given = !is_ratio || old.plate.size == PlateSize::Ratio;
+        let is_given = !is_ratio || old.plate.size.key() == variable.key;
         if is_given && same(variable.value(&old), variable.value(scene)) {
             continue;
         }
@@ -200,7 +200,7 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));
     }
-    if variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio {
+    if variable.key == PlateSize::KEYS[0] && scene.plate.size.key() != variable.key {
         return false;
     }
     if variable.is_seldom {
@@ -225,8 +225,8 @@ fn value_text(variable: &Variable, scene: &Scene) -> Option<String> {
 fn comment(variable: &Variable) -> String {
     match &variable.kind {
         Kind::Number(_) => variable.symbol.to_owned(),
-        Kind::Choice(choice) if choice.words.len() > 1 => choice.words.join(" or "),
-        Kind::Choice(_) | Kind::Switch { .. } => variable.meaning.to_owned(),
+        Kind::Choice { words, .. } => words.join(" or "),
+        Kind::Switch { .. } => variable.meaning.to_owned(),
     }
 }
 

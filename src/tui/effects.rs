@@ -277,6 +277,7 @@ mod tests {
     use std::fs;
 
     use super::*;
+    use crate::model::scene::PlateSize;
 
     /// A test that waits so long hangs.
     const HANG: Duration = Duration::from_secs(120);
@@ -301,7 +302,7 @@ mod tests {
 
     fn session_of(mass_ratio: f64) -> Session {
         let mut session = Session::default();
-        session.scene.plate.mass_ratio = mass_ratio;
+        session.scene.plate.size = PlateSize::Ratio(mass_ratio);
         session
     }
 

@@ -305,6 +305,7 @@ mod tests {
     use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
     use super::*;
+    use crate::model::scene::PlateSize;
     use crate::tui::app::edit;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
@@ -350,7 +351,7 @@ mod tests {
     #[test]
     fn a_session_comes_back() {
         let mut app = state();
-        Arc::make_mut(&mut app.scene).plate.mass_ratio = 2.5;
+        Arc::make_mut(&mut app.scene).plate.size = PlateSize::Ratio(2.5);
         let scene = Arc::clone(&app.base.scene);
         app.pins.push(Pin::new('A', "thesis-baseline".to_owned(), scene));
         app.settings.theme.glyphs = app.settings.theme.glyphs.next();
@@ -459,7 +460,7 @@ mod tests {
     #[test]
     fn a_preset_that_is_gone_does_not_lose_the_scene() {
         let mut last = Session::default();
-        last.scene.plate.mass_ratio = 3.0;
+        last.scene.plate.size = PlateSize::Ratio(3.0);
         let base = base_named(Some("gone"), &last.scene, None);
         assert_eq!((base.name.as_str(), base.is_mine), ("gone", false));
         assert_eq!(*base.scene, last.scene);

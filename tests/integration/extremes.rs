@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cmra::model::contact_kernel::Contact;
 use cmra::model::run::{EndReason, Mode, Run, Sample, Warning};
-use cmra::model::scene::Scene;
+use cmra::model::scene::{PlateSize, Scene};
 use cmra::model::simulate::{Settings, simulate};
 
 use crate::random::{Random, scene as random_scene, typed};
@@ -251,7 +251,7 @@ fn a_sweep_and_a_run_agree_within_the_tolerance() {
     for tolerance in [1e-6, 1e-9] {
         for _ in 0..100 {
             let mut own = Scene::default();
-            own.plate.mass_ratio = 0.8 + 6.2 * random.unit();
+            own.plate.size = PlateSize::Ratio(0.8 + 6.2 * random.unit());
             own.mechanism.spring.coefficient = 7.5e6 * random.unit();
             own.mechanism.spring.exponent = 0.5 + 1.5 * random.unit();
             own.mechanism.damper.coefficient = random.log_or_zero(0.5, 1.0, 2e3);

@@ -144,9 +144,8 @@ fn a_fresh_file_names_symbols_beside_values() {
 /// Any value a variable may have, from two numbers between 0 and 1 and one of any size.
 fn value_of(kind: &Kind, size: f64, share: f64) -> Value {
     match kind {
-        Kind::Choice(choice) => {
-            let index = if share < 0.5 { 0 } else { choice.words.len() - 1 };
-            Value::Word(choice.words[index])
+        Kind::Choice { words, .. } => {
+            Value::Word(words[if share < 0.5 { 0 } else { words.len() - 1 }])
         }
         Kind::Switch { .. } => Value::Switch(share < 0.5),
         Kind::Number(number) => {
@@ -200,8 +199,7 @@ prop_compose! {
         }
         if validate(&scene).is_err() {
             // The mass ratio that follows from an extreme mass or face is none.
-            scene.resize(PlateSize::Ratio);
-            scene.plate.mass_ratio = 1.0;
+            scene.plate.size = PlateSize::Ratio(1.0);
         }
         scene
     }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use cmra::files;
 use cmra::model::run::{EndReason, EventKind, Mode, Outcome, Run, Warning};
-use cmra::model::scene::{ContactModel, Scene};
+use cmra::model::scene::{ContactModel, PlateSize, Scene};
 use cmra::model::simulate::{Settings, simulate};
 use cmra::model::variables;
 use proptest::prelude::*;
@@ -381,7 +381,7 @@ proptest! {
         d in 0.0..0.3f64, v in 1.0..3.0f64, theta in 0.0..60.0f64, plastic: bool, spring: bool, damper: bool, cocked: bool,
     ) {
         let mut scene = Scene::default();
-        scene.plate.mass_ratio = 10f64.powf(gamma);
+        scene.plate.size = PlateSize::Ratio(10f64.powf(gamma));
         scene.mechanism.spring.coefficient = if spring { 10f64.powf(k) } else { 0.0 };
         scene.mechanism.spring.exponent = n;
         scene.mechanism.damper.coefficient = if damper { 10f64.powf(b) } else { 0.0 };

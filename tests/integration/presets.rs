@@ -109,9 +109,9 @@ fn every_figure_agrees_with_its_caption() {
             assert_eq!([axis.from, axis.to].map(f64::to_bits), [from, to].map(f64::to_bits));
             assert!(!axis.log && axis.count >= 41);
         }
-        let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+        let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
         let found = [
-            scene.plate.mass_ratio,
+            scene.mass_ratio(),
             scene.plate.cocking_m,
             damper.coefficient,
             spring.coefficient,

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use cmra::files::read;
 use cmra::files::{read_table, session, write};
-use cmra::model::scene::Scene;
+use cmra::model::scene::{PlateSize, Scene};
 use cmra::model::units::{self, Bare, Dimension};
 use cmra::model::variables;
 use cmra::study::monte_carlo::Tolerance;
@@ -151,7 +151,7 @@ fn read_scene(text: &str) -> Result<(), String> {
     assert_eq!(read::scene(&write::fresh(&found), "fresh.toml").unwrap(), found);
     let mut changed = found;
     changed.title.push('\n');
-    changed.plate.mass_ratio = 1.5;
+    changed.plate.size = PlateSize::Ratio(1.5);
     if variables::validate(&changed).is_ok() {
         let updated = write::updated(text, "x.toml", &changed).unwrap();
         assert_eq!(read::scene(&updated, "updated.toml").unwrap(), changed, "{updated}");

@@ -424,7 +424,7 @@ fn the_sequence_fills_every_range_and_reads_back_as_typed() {
     let (mut light, mut singular, mut stops, mut plastic) = (0, 0, 0, 0);
     for index in 1..=1_000 {
         let scene = draw::scene(&draw::changes(index));
-        light += usize::from(scene.plate.mass_ratio < 0.1);
+        light += usize::from(scene.mass_ratio() < 0.1);
         singular += usize::from(scene.mechanism.spring.exponent < 1.0);
         stops += usize::from(scene.mechanism.stop.position_m.is_some());
         plastic += usize::from(scene.interface.law == cmra::model::scene::InterfaceLaw::Plastic);

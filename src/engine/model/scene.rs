@@ -14,8 +14,7 @@ mod mechanism;
 
 pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
 pub use bodies::{
-    Closure, ClosureInEffect, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile,
-    Target,
+    Closure, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile, Target,
 };
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing, Reading};
 pub use mechanism::{Combination, Damper, Mechanism, OwnMass, Second, Stop, StopKind, Wire};
@@ -125,9 +124,21 @@ pub struct Layer {
 }
 
 impl Scene {
+    /// Mass ratio gamma: given, or what the plate's size gives.
+    pub fn mass_ratio(&self) -> f64 {
+        let Target { thickness_m, density_kg_m3, .. } = self.target;
+        match self.plate.size {
+            PlateSize::Ratio(ratio) => ratio,
+            PlateSize::Mass(kg) => kg / self.projectile.mass_kg,
+            PlateSize::Face(side_m) => {
+                density_kg_m3 * thickness_m * side_m * side_m / self.projectile.mass_kg
+            }
+        }
+    }
+
     /// Plate mass `m_2 = gamma m_p`, kg.
     pub fn plate_mass_kg(&self) -> f64 {
-        self.plate.mass_ratio * self.projectile.mass_kg
+        self.mass_ratio() * self.projectile.mass_kg
     }
 
     /// Whether other plates stand behind this one, the last of them the base plate.
@@ -155,32 +166,13 @@ impl Scene {
         self.projectile.velocity_m_s - self.plate_velocity_m_s() * self.cos_obliquity()
     }
 
-    /// Gives the plate's size by `size`, and lets gamma follow.
-    pub fn resize(&mut self, size: PlateSize) {
-        self.plate.size = size;
-        self.follow_size();
-    }
-
-    /// Lets gamma follow from the plate's size, after a change of what it depends on.
-    pub fn follow_size(&mut self) {
-        let Target { thickness_m, density_kg_m3, .. } = self.target;
-        match self.plate.size {
-            PlateSize::Ratio => {}
-            PlateSize::Mass(kg) => self.plate.mass_ratio = kg / self.projectile.mass_kg,
-            PlateSize::Face(side_m) => {
-                let kg = density_kg_m3 * thickness_m * side_m * side_m;
-                self.plate.mass_ratio = kg / self.projectile.mass_kg;
-            }
-        }
-    }
-
     /// Side of the plate's square face, `(m_2/(rho h))^(1/2)`, m: the plate is a block of its material.
     pub fn plate_face_m(&self) -> f64 {
         (self.plate_mass_kg() / (self.target.density_kg_m3 * self.target.thickness_m)).sqrt()
     }
 
     /// The closure that the plate's thickness chooses; `None` where the scene states one.
-    pub fn closure_by_thickness(&self) -> Option<ClosureInEffect> {
+    pub fn closure_by_thickness(&self) -> Option<Closure> {
         (self.target.closure == Closure::ByThickness).then(|| self.closure())
     }
 
@@ -189,9 +181,9 @@ impl Scene {
         self.target.in_effect(self.projectile.tip_radius_m)
     }
 
-    /// The closure in effect.
-    pub fn closure(&self) -> ClosureInEffect {
-        self.target.closure_in_effect(self.projectile.tip_radius_m)
+    /// The closure in effect: the one that is stated, or the one that the plate's thickness chooses.
+    pub fn closure(&self) -> Closure {
+        self.target_in_effect().closure
     }
 
     /// Whether the plate dishes.
@@ -208,9 +200,11 @@ impl Scene {
     pub fn flow_strength_pa(&self) -> f64 {
         let Target { flow_strength_pa, yield_pa: y, modulus_pa: e, .. } = self.target;
         match self.closure() {
-            ClosureInEffect::Given => flow_strength_pa,
-            ClosureInEffect::DoubleYield => 2.0 * y,
-            ClosureInEffect::Cavity => 2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln()),
+            Closure::Given => flow_strength_pa,
+            Closure::DoubleYield => 2.0 * y,
+            Closure::Cavity | Closure::ByThickness => {
+                2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln())
+            }
         }
     }
 

@@ -22,8 +22,7 @@ pub use names::{close, find, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use table::VARIABLES;
 pub use visible::{
-    Visible, exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size,
-    sizes_plate,
+    exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size, sizes_plate,
 };
 
 /// One row of the table.
@@ -41,16 +40,21 @@ pub struct Variable {
     pub aliases: &'static [&'static str],
     /// Whether a file has it only where its value is not the default.
     pub is_seldom: bool,
-    /// When the part of the scene that it belongs to matters.
-    pub part: Visible,
-    /// When it matters in that part.
-    pub visible: Visible,
+    /// Whether a list shows it at all, by its part of the scene and by itself: what belongs to another kind of spring or contact
+    /// model is not even dimmed.
+    pub listed: [fn(&Scene) -> bool; 2],
+    /// Whether it has any effect, by its part of the scene and by itself: rows without are dimmed in the editor.
+    pub used: [fn(&Scene) -> bool; 2],
     /// The group of the editor it stands in.
     pub group: Group,
     /// Its meaning, as a sentence.
     pub meaning: &'static str,
     /// Where its default comes from.
     pub source: &'static str,
+    /// The range the thesis searched (Table 9.2), where it gives one.
+    pub thesis_range: Option<(f64, f64)>,
+    /// Whether the editor's arrow keys multiply it by 10^0.1; else they add to its last significant digit.
+    pub is_log: bool,
     /// The kind of its value, and its access in a scene.
     pub kind: Kind,
 }
@@ -80,7 +84,14 @@ pub enum Kind {
     /// A number.
     Number(Number),
     /// One of a few words.
-    Choice(Choice),
+    Choice {
+        /// The words, in order.
+        words: &'static [&'static str],
+        /// Index into `words`.
+        get: fn(&Scene) -> usize,
+        /// Set by index into `words`.
+        set: fn(&mut Scene, usize),
+    },
     /// true or false.
     Switch {
         /// Read it.
@@ -97,43 +108,12 @@ pub struct Number {
     pub quantity: Dimension,
     /// The physically possible values.
     pub allowed: Allowed,
-    /// The range the thesis searched (Table 9.2), where it gives one.
-    pub thesis_range: Option<(f64, f64)>,
-    /// How the editor's arrow keys step it.
-    pub step: Step,
     /// Whether it may be absent, and the word shown then (`none`, `auto`).
     pub absent: Option<&'static str>,
     /// Read it, in the stored unit; `None` when absent.
     pub get: fn(&Scene) -> Option<f64>,
     /// Set it, in the stored unit.
     pub set: fn(&mut Scene, Option<f64>),
-}
-
-/// A variable with named values.
-#[derive(Clone, Copy)]
-pub struct Choice {
-    /// The words, in order.
-    pub words: &'static [&'static str],
-    /// Index into `words`.
-    pub get: fn(&Scene) -> usize,
-    /// Set by index into `words`.
-    pub set: fn(&mut Scene, usize),
-}
-
-impl Choice {
-    /// The index of a word.
-    fn position(&self, word: &str) -> Option<usize> {
-        self.words.iter().position(|candidate| *candidate == word)
-    }
-}
-
-/// How arrow keys step a number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
-    /// By the last shown significant digit.
-    Linear,
-    /// By a factor of 10^0.1.
-    Log,
 }
 
 /// The values that make physical sense.
@@ -189,7 +169,7 @@ pub enum Value {
     Number(f64),
     /// An optional number that is not there.
     Absent,
-    /// One of the words of a [`Choice`].
+    /// One of the words of a choice.
     Word(&'static str),
     /// A switch.
     Switch(bool),
@@ -211,7 +191,7 @@ impl Variable {
     pub fn value(&self, scene: &Scene) -> Value {
         match &self.kind {
             Kind::Number(number) => (number.get)(scene).map_or(Value::Absent, Value::Number),
-            Kind::Choice(choice) => Value::Word(choice.words[(choice.get)(scene)]),
+            Kind::Choice { words, get, .. } => Value::Word(words[get(scene)]),
             Kind::Switch { get, .. } => Value::Switch(get(scene)),
         }
     }
@@ -231,9 +211,9 @@ impl Variable {
             (Kind::Number(number), Value::Absent) if number.absent.is_some() => {
                 (number.set)(scene, None);
             }
-            (Kind::Choice(choice), Value::Word(word)) => {
-                let index = choice.position(word).ok_or_else(|| self.not_a_choice(word))?;
-                (choice.set)(scene, index);
+            (Kind::Choice { words, set, .. }, Value::Word(word)) => {
+                let index = words.iter().position(|it| *it == word);
+                set(scene, index.ok_or_else(|| self.not_a_choice(word))?);
             }
             (Kind::Switch { set, .. }, Value::Switch(on)) => set(scene, on),
             (_, other) => return Err(self.not_a_choice(&show_value(other))),
@@ -259,9 +239,9 @@ impl Variable {
                     VariableError(format!("{} ({}): {problem}", self.symbol, self.key))
                 })
             }
-            Kind::Choice(choice) => {
-                let index = choice.position(word).ok_or_else(|| self.not_a_choice(word))?;
-                Ok(Value::Word(choice.words[index]))
+            Kind::Choice { words, .. } => {
+                let found = words.iter().find(|it| **it == word).map(|it| Value::Word(it));
+                found.ok_or_else(|| self.not_a_choice(word))
             }
             Kind::Switch { .. } => match word {
                 "true" | "on" | "yes" | "1" => Ok(Value::Switch(true)),
@@ -289,7 +269,7 @@ impl Variable {
     /// The words of a choice, in order; none for a number or a switch.
     pub fn words(&self) -> &'static [&'static str] {
         match &self.kind {
-            Kind::Choice(choice) => choice.words,
+            Kind::Choice { words, .. } => words,
             Kind::Number(_) | Kind::Switch { .. } => &[],
         }
     }
@@ -304,11 +284,6 @@ impl Variable {
         if let Kind::Number(number) = &self.kind { Some(number) } else { None }
     }
 
-    /// The range of Table 9.2, where it has one.
-    pub fn thesis_range(&self) -> Option<(f64, f64)> {
-        self.number()?.thesis_range
-    }
-
     /// The allowed values, in words.
     pub fn allowed(&self) -> String {
         match &self.kind {
@@ -316,7 +291,7 @@ impl Variable {
                 let rule = number.allowed.describe(number.quantity);
                 number.absent.map_or_else(|| rule.clone(), |word| format!("{rule}, or `{word}`"))
             }
-            Kind::Choice(Choice { words, .. }) => {
+            Kind::Choice { words, .. } => {
                 format!("{} or {}", words[..words.len() - 1].join(", "), words[words.len() - 1])
             }
             Kind::Switch { .. } => "true or false".to_owned(),
@@ -326,9 +301,8 @@ impl Variable {
     /// A sentence when the value is outside the range the thesis searched: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis
     /// has no figure there`.
     pub fn range_warning(&self, scene: &Scene) -> Option<String> {
-        let number = self.number()?;
-        let (low, high) = number.thesis_range?;
-        let value = (number.get)(scene)?;
+        let (low, high) = self.thesis_range?;
+        let value = (self.number()?.get)(scene)?;
         (!(low..=high).contains(&value)).then(|| {
             format!(
                 "{} = {} is outside {}..{} of Table 9.2: the thesis has no figure there",

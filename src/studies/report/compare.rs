@@ -277,7 +277,7 @@ fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
     };
     let given = match own.run.scene.plate.size {
         PlateSize::Face(_) => "",
-        PlateSize::Ratio | PlateSize::Mass(_) => " (the mass ratio is kept)",
+        PlateSize::Ratio(_) | PlateSize::Mass(_) => " (the mass ratio is kept)",
     };
     let scene = &sized.scene;
     let in_thousandths = [scene.target.thickness_m, scene.plate_face_m(), sized.spring_kg, solid_m];

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 
 use crate::model::run::envelope::{self, Check};
-use crate::model::scene::{Closure, ClosureInEffect, Scene};
+use crate::model::scene::{Closure, Scene};
 use crate::model::variables;
 use crate::study::{changed, limit, plain_run};
 
@@ -193,7 +193,7 @@ pub struct Row {
     /// By the case's own closure; `None` where the model gives nothing.
     pub computed: Option<f64>,
     /// Its closure.
-    pub closure: ClosureInEffect,
+    pub closure: Closure,
     /// By the other closure; `None` where the flow strength is given outright.
     pub other: Option<f64>,
     /// Plate thickness over projectile diameter.
@@ -235,9 +235,9 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
 fn other(scene: &Scene) -> Option<Scene> {
     let mut own = scene.clone();
     (own.target.closure, own.target.dishing, own.target.drag_coefficient) = match scene.closure() {
-        ClosureInEffect::Given => return None,
-        ClosureInEffect::DoubleYield => (Closure::Cavity, false, 1.0),
-        ClosureInEffect::Cavity => (Closure::DoubleYield, true, 0.5),
+        Closure::Given => return None,
+        Closure::DoubleYield => (Closure::Cavity, false, 1.0),
+        Closure::Cavity | Closure::ByThickness => (Closure::DoubleYield, true, 0.5),
     };
     Some(own)
 }

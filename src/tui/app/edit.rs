@@ -216,13 +216,9 @@ pub(crate) fn step(app: &mut App, press: Press) {
     let (symbol, scene) = (variable.symbol, &app.scene);
     let number = match &variable.kind {
         Kind::Switch { get, .. } => return finish(app, index, Value::Switch(!get(scene)), None),
-        Kind::Choice(choice) if choice.words.len() > 1 => {
-            let next = cycled((choice.get)(scene), press.by(), choice.words.len());
-            return finish(app, index, Value::Word(choice.words[next]), None);
-        }
-        Kind::Choice(_) => {
-            let only = format!("{symbol} has only one value: {}", variable.show(scene));
-            return app.tell(only);
+        Kind::Choice { words, get, .. } => {
+            let next = cycled(get(scene), press.by(), words.len());
+            return finish(app, index, Value::Word(words[next]), None);
         }
         Kind::Number(number) => number,
     };
@@ -231,10 +227,10 @@ pub(crate) fn step(app: &mut App, press: Press) {
             // While the arrows go on, the step stays as it is.
             let plain = match app.pages.run.editor.stepped {
                 Some((same, decade)) if same == index => decade,
-                _ => steps::decade(number, value),
+                _ => steps::decade(variable, value),
             };
             app.pages.run.editor.stepped = Some((index, plain));
-            steps::stepped(number, value, press, plain)
+            steps::stepped(variable, value, press, plain)
         }
         None => press.up.then(|| steps::first_value(variable, number, scene)),
     };

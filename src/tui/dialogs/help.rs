@@ -90,8 +90,7 @@ fn variable(app: &App, width: u16) -> Vec<TextLine> {
         lines.extend(indented.map(|(line, role)| (format!("  {line}"), role)));
     };
     text(variable.meaning.to_owned());
-    let range = variable.number().and_then(|number| number.thesis_range);
-    let range = range.map_or_else(String::new, |(low, high)| {
+    let range = variable.thesis_range.map_or_else(String::new, |(low, high)| {
         let (low, high) = (shortest(low), shortest(high));
         format!("; the thesis searched {low} to {high} (Table 9.2, T9.2)")
     });

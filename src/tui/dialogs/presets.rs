@@ -170,7 +170,8 @@ fn ask_for_face(app: &mut App) {
     let usual = Scene::default();
     let (scene, base) = (&app.scene, &app.base.scene);
     let is_chosen = |it: &Scene| scene.projectile != it.projectile && scene.target != it.target;
-    let by_ratio = scene.plate.size == PlateSize::Ratio && scene.plate.mount == Mount::Sprung;
+    let by_ratio =
+        matches!(scene.plate.size, PlateSize::Ratio(_)) && scene.plate.mount == Mount::Sprung;
     if by_ratio && is_chosen(&usual) && is_chosen(base) {
         run::focus_on(app, index_of("face"));
         run::open(app);

@@ -9,8 +9,8 @@ use crate::tui::widgets::text::wrapped;
 
 /// A list of the words of the selected variable.
 pub(crate) fn open(app: &mut App) {
-    if let Kind::Choice(choice) = &app.pages.run.editor.variable().kind {
-        app.dialog = Some(listed(Words, (choice.get)(&app.scene)));
+    if let Kind::Choice { get, .. } = app.pages.run.editor.variable().kind {
+        app.dialog = Some(listed(Words, get(&app.scene)));
     }
 }
 

@@ -203,7 +203,7 @@ pub(crate) fn focus_on(app: &mut App, index: usize) {
 /// Open the selected variable's field; of two words, the other one is taken.
 pub(crate) fn open(app: &mut App) {
     match &app.pages.run.editor.variable().kind {
-        Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, Press::NEXT),
+        Kind::Choice { .. } | Kind::Switch { .. } => edit::step(app, Press::NEXT),
         Kind::Number(_) => {
             open_field(app);
         }

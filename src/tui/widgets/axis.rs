@@ -83,8 +83,8 @@ fn changed_end(
         Input::Text(text) => units::parse_relative(text, end, number.quantity, Bare::Stored)
             .map_err(|problem| format!("{}: {problem}", variable.symbol)),
         Input::Step(press) => {
-            let plain = steps::decade(number, greatest);
-            steps::stepped(number, end, press, plain).ok_or_else(|| {
+            let plain = steps::decade(variable, greatest);
+            steps::stepped(variable, end, press, plain).ok_or_else(|| {
                 format!("{} cannot go further: it must be {}", variable.symbol, variable.allowed())
             })
         }
@@ -103,7 +103,7 @@ pub(crate) fn over(
     count: usize,
 ) -> Result<SweepAxis, String> {
     let number = number_of(variable)?;
-    let (from, to) = number.thesis_range.unwrap_or_else(|| {
+    let (from, to) = variable.thesis_range.unwrap_or_else(|| {
         let value =
             (number.get)(scene).unwrap_or_else(|| steps::first_value(variable, number, scene));
         let (from, to) = if value == 0.0 { (0.0, 1.0) } else { (0.5 * value, 2.0 * value) };

@@ -2,7 +2,7 @@
 
 use crate::model::scene::Scene;
 use crate::model::units::{self, Dimension, significant};
-use crate::model::variables::{Allowed, Number, Step, Variable};
+use crate::model::variables::{Allowed, Number, Variable};
 
 /// A number in at most `width` characters.
 pub(crate) fn shown_number(number: f64, width: usize) -> String {
@@ -45,9 +45,9 @@ impl Press {
 }
 
 /// The decade of a plain linear step from this value: the last figure shown, made finer where that is a fifth of it or more.
-pub(crate) fn decade(number: &Number, value: f64) -> i32 {
+pub(crate) fn decade(variable: &Variable, value: f64) -> i32 {
     if value == 0.0 {
-        return decade_at_zero(number);
+        return decade_at_zero(variable);
     }
     let text = shown_number(value.abs(), 8);
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text.as_str(), "0"));
@@ -57,23 +57,27 @@ pub(crate) fn decade(number: &Number, value: f64) -> i32 {
     if 10f64.powi(last) >= 0.2 * value.abs() { last - 1 } else { last }
 }
 
-fn decade_at_zero(number: &Number) -> i32 {
-    match (number.thesis_range, number.quantity) {
-        (Some((_, high)), _) => format!("{}", (0.02 * high).log10().floor()).parse().unwrap_or(0),
-        (None, Dimension::Angle | Dimension::Velocity | Dimension::Density) => 0,
-        (None, Dimension::Length | Dimension::Mass | Dimension::Time) => -3,
-        (None, Dimension::Pressure) => 6,
-        (None, _) => -1,
+fn decade_at_zero(variable: &Variable) -> i32 {
+    if let Some((_, high)) = variable.thesis_range {
+        return format!("{}", (0.02 * high).log10().floor()).parse().unwrap_or(0);
+    }
+    match variable.number().map(|number| number.quantity) {
+        Some(Dimension::Angle | Dimension::Velocity | Dimension::Density) => 0,
+        Some(Dimension::Length | Dimension::Mass | Dimension::Time) => -3,
+        Some(Dimension::Pressure) => 6,
+        _ => -1,
     }
 }
 
 /// The value one press away, `None` where that would make no physical sense.
 ///
 /// `plain` is the decade of a plain linear step ([`decade`]); up and down by the same one come back to the same value.
-pub(crate) fn stepped(number: &Number, value: f64, press: Press, plain: i32) -> Option<f64> {
-    let next = match number.step {
-        Step::Linear => linear(value, press.up, plain + i32::from(press.is_far)),
-        Step::Log => logarithmic(number, value, press),
+pub(crate) fn stepped(variable: &Variable, value: f64, press: Press, plain: i32) -> Option<f64> {
+    let number = variable.number()?;
+    let next = if variable.is_log {
+        logarithmic(variable, value, press)
+    } else {
+        linear(value, press.up, plain + i32::from(press.is_far))
     };
     let next = clamp(number, value, next);
     (number.allowed.contains(next) && next.to_bits() != value.to_bits()).then_some(next)
@@ -102,12 +106,15 @@ fn linear(value: f64, up: bool, decade: i32) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-fn logarithmic(number: &Number, value: f64, Press { up, is_far }: Press) -> f64 {
-    let smallest = smallest(number);
+fn logarithmic(variable: &Variable, value: f64, Press { up, is_far }: Press) -> f64 {
+    let high = variable.thesis_range.map_or(1e6, |(_, high)| high);
+    // The first value above zero.
+    let smallest = 10f64.powf((high * 1e-3).log10().floor());
     if value == 0.0 {
         return if up { smallest } else { 0.0 };
     }
-    if !up && value <= smallest * 1.001 && number.allowed.contains(0.0) {
+    let may_be_zero = variable.number().is_some_and(|number| number.allowed.contains(0.0));
+    if !up && value <= smallest * 1.001 && may_be_zero {
         return 0.0;
     }
     let size = if is_far { 10.0 } else { 1.0 };
@@ -118,12 +125,6 @@ fn logarithmic(number: &Number, value: f64, Press { up, is_far }: Press) -> f64 
     let exponent = if (exponent - snapped).abs() < 0.05 { snapped } else { exponent };
     let exact = 10f64.powf(exponent / 10.0);
     format!("{exact:.2e}").parse().unwrap_or(exact)
-}
-
-/// The first value above zero.
-fn smallest(number: &Number) -> f64 {
-    let high = number.thesis_range.map_or(1e6, |(_, high)| high);
-    10f64.powf((high * 1e-3).log10().floor())
 }
 
 /// A step over the edge of a closed range ends on the edge.
@@ -139,17 +140,13 @@ fn clamp(number: &Number, value: f64, next: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::variables;
-
-    fn number(symbol: &str) -> &'static Number {
-        variables::find(symbol).unwrap().number().unwrap()
-    }
+    use crate::model::variables::find;
 
     const BACK: Press = Press { up: false, is_far: false };
 
     fn up(symbol: &str, value: f64, is_far: bool) -> Option<f64> {
-        let number = number(symbol);
-        stepped(number, value, Press { up: true, is_far }, decade(number, value))
+        let variable = find(symbol).unwrap();
+        stepped(variable, value, Press { up: true, is_far }, decade(variable, value))
     }
 
     #[test]
@@ -165,7 +162,7 @@ mod tests {
 
     #[test]
     fn logarithmic_steps_keep_to_tenths_of_a_decade() {
-        let k = number("k");
+        let k = find("k").unwrap();
         let mut value = 1e5;
         for expected in [1.26e5, 1.58e5, 2e5, 2.51e5, 3.16e5] {
             value = stepped(k, value, Press::NEXT, 0).unwrap();
@@ -178,12 +175,12 @@ mod tests {
 
     #[test]
     fn no_step_leads_to_an_impossible_value() {
-        let theta = number("theta");
+        let theta = find("theta").unwrap();
         assert_eq!(stepped(theta, 89.5, Press::NEXT, 0), None);
         assert_eq!(stepped(theta, 0.5, BACK, 0), Some(0.0));
-        let gamma = number("gamma");
+        let gamma = find("gamma").unwrap();
         assert_eq!(stepped(gamma, 0.1, BACK, -1), None);
-        let restitution = number("e");
+        let restitution = find("e").unwrap();
         assert_eq!(stepped(restitution, 0.95, Press::NEXT, -1), Some(1.0));
     }
 }

@@ -11,7 +11,7 @@ use cmra::model::run::{
     Arrest, Cost, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis, Event, EventKind, Mode,
     Outcome, Run, Sample, Warning,
 };
-use cmra::model::scene::{Mount, Scene};
+use cmra::model::scene::{Mount, PlateSize, Scene};
 use cmra::study::sweep::Plan;
 use cmra::tui::app::App;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
@@ -283,10 +283,10 @@ pub(crate) fn presets() -> Vec<PresetEntry> {
                 scene.title = "Cocked plate".to_owned();
                 scene.plate.cocking_m = 0.5;
                 scene.mechanism.spring.coefficient = 7.5e6;
-                scene.plate.mass_ratio = 0.8;
+                scene.plate.size = PlateSize::Ratio(0.8);
             },
         ),
-        entry("heavy-plate", "mine", "", |scene| scene.plate.mass_ratio = 5.0),
+        entry("heavy-plate", "mine", "", |scene| scene.plate.size = PlateSize::Ratio(5.0)),
     ]
 }
 
@@ -305,7 +305,7 @@ struct Shape {
 
 impl Shape {
     fn of(scene: &Scene) -> Self {
-        let gamma = scene.plate.mass_ratio;
+        let gamma = scene.mass_ratio();
         let rigid = scene.plate.mount == Mount::Rigid;
         let share = if rigid { 1.0 } else { gamma / (1.0 + gamma) };
         let speed_m_s = scene.projectile.velocity_m_s;

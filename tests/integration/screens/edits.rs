@@ -68,16 +68,15 @@ fn the_plates_face_is_set_in_the_run_tab() {
     bench.keys("/face<Enter>");
     assert!(bench.screen().contains("> face   plate side     none"), "{}", bench.screen());
     bench.keys("<Enter>150mm<Enter>");
-    let plate = bench.app.scene.plate;
-    assert_eq!(plate.size, PlateSize::Face(0.15));
+    assert_eq!(bench.app.scene.plate.size, PlateSize::Face(0.15));
     // rho h face^2 / m_p
     let exact = 2710.0 * 0.0254 * 0.15 * 0.15 / 0.0295;
-    assert!((plate.mass_ratio - exact).abs() < 1e-12 * exact);
+    assert!((bench.app.scene.mass_ratio() - exact).abs() < 1e-12 * exact);
     // The axis of Explore is the face, from half to twice its value: gamma follows from it.
     let plan = bench.app.sweep_plan().expect("a plan");
     assert_eq!((plan.axes()[0].symbol(), plan.axes()[0].ends()), ("face", (0.075, 0.3)));
     bench.keys("/gamma<Enter><Enter>2<Enter>");
-    assert_eq!(bench.app.scene.plate.size, PlateSize::Ratio);
+    assert_eq!(bench.app.scene.plate.size, PlateSize::Ratio(2.0));
     // A step begins at the size there is: (2 m_p / (rho h))^(1/2) = 29.277 mm.
     bench.keys("/face<Enter>l");
     assert_eq!(bench.app.scene.plate.size, PlateSize::Face(0.0293));

@@ -26,7 +26,7 @@ fn bench() -> Bench {
 }
 
 fn gamma(bench: &Bench) -> f64 {
-    bench.app.scene.plate.mass_ratio
+    bench.app.scene.mass_ratio()
 }
 
 /// Select a variable by its symbol, without a filter left.

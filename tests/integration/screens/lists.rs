@@ -106,7 +106,7 @@ fn a_new_filter_begins_empty_and_what_it_hides_is_not_edited() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("/gamma<Enter><Enter>2<Enter>/k<Enter><Enter>200<Enter>");
     let scene = Arc::clone(&bench.app.scene);
-    assert_eq!(scene.plate.mass_ratio.to_bits(), 2.0_f64.to_bits());
+    assert_eq!(scene.mass_ratio().to_bits(), 2.0_f64.to_bits());
     assert_eq!(scene.mechanism.spring.coefficient.to_bits(), 2e5_f64.to_bits());
     for key in ["<Enter>", "l", "L", ",", "<BS>", "D"] {
         let mut bench = Bench::ascii(80, 24);

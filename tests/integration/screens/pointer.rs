@@ -83,7 +83,7 @@ fn a_click_on_a_map_loads_the_design_that_is_drawn_there() {
     let (axis, row) = (u16::try_from(label).unwrap() + 1, u16::try_from(row).unwrap());
     click(&mut bench, (axis + 1, row));
     bench.keys("<Enter>");
-    assert!((bench.app.scene.plate.mass_ratio - 0.8).abs() < 1e-12);
+    assert!((bench.app.scene.mass_ratio() - 0.8).abs() < 1e-12);
     assert_eq!(bench.app.scene.mechanism.spring.coefficient.to_bits(), 0.0_f64.to_bits());
     let hit = target(&bench.app, (axis + 1, 1 + 1)).unwrap();
     assert_eq!(hit, Target::Cell(explore::RESULTS, (0, 10)));
@@ -189,7 +189,7 @@ fn a_click_in_a_dialog_selects_and_one_beside_it_does_nothing() {
     assert!(bench.screen().contains("shows on 1:Run"), "{}", bench.screen());
     assert_eq!(target(&bench.app, (0, 0)), None);
     bench.press("<Enter>");
-    assert!((bench.app.scene.plate.mass_ratio - 5.0).abs() < 1e-12);
+    assert!((bench.app.scene.mass_ratio() - 5.0).abs() < 1e-12);
 }
 
 #[test]

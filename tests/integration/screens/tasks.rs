@@ -51,7 +51,7 @@ fn comparing_two_designs_and_exporting_both_takes_11() {
     let runs: Vec<String> = request.unwrap().iter().map(|(name, _)| name.clone()).collect();
     assert_eq!(runs, ["now", "A"]);
     let pin = &task.bench.app.pins[0].scene;
-    assert_eq!((pin.plate.mass_ratio.to_bits(), task.presses), (2.0_f64.to_bits(), 11));
+    assert_eq!((pin.mass_ratio().to_bits(), task.presses), (2.0_f64.to_bits(), 11));
     let now = task.bench.app.scene.mechanism.spring.coefficient;
     assert_eq!(now.to_bits(), 2e5_f64.to_bits());
 }
@@ -81,10 +81,10 @@ fn opening_figure_9_8_and_loading_a_design_takes_4_and_the_moves() {
     task.bench.app.files.presets.push(PresetEntry { name, scene, ..PresetEntry::default() });
     task.key("p").text("9.8").key("<Enter>");
     assert_eq!((task.bench.app.tab, task.bench.app.pane()), (Tab::Explore, explore::RESULTS));
-    let before = task.bench.app.scene.plate.mass_ratio;
+    let before = task.bench.app.scene.mass_ratio();
     let moves = 2;
     task.key("l").key("l").key("<Enter>");
-    assert!(task.bench.app.scene.plate.mass_ratio > before, "{}", task.bench.message());
+    assert!(task.bench.app.scene.mass_ratio() > before, "{}", task.bench.message());
     assert_eq!(task.presses - moves, 4);
 }
 

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 use cmra_engine::model::contact::Geometry;
 use cmra_engine::model::scene::{
-    ClosureInEffect, ContactModel, InterfaceLaw, Mount, Scene, Stop, StopKind,
+    Closure, ContactModel, InterfaceLaw, Mount, Scene, Stop, StopKind,
 };
 
 use crate::contacts::Contact;
@@ -464,9 +464,11 @@ impl Interface {
 fn strength_pa(scene: &Scene) -> f64 {
     let (y, e) = (scene.target.yield_pa, scene.target.modulus_pa);
     match scene.closure() {
-        ClosureInEffect::Given => scene.target.flow_strength_pa,
-        ClosureInEffect::DoubleYield => 2.0 * y,
-        ClosureInEffect::Cavity => 2.0 * y / 3.0 * (1.0 + (2.0 * e / (3.0 * y)).ln()),
+        Closure::Given => scene.target.flow_strength_pa,
+        Closure::DoubleYield => 2.0 * y,
+        Closure::Cavity | Closure::ByThickness => {
+            2.0 * y / 3.0 * (1.0 + (2.0 * e / (3.0 * y)).ln())
+        }
     }
 }
 

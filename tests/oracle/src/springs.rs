@@ -218,5 +218,5 @@ pub(crate) fn moving_kg(scene: &Scene) -> f64 {
         OwnMass::Ignored => 0.0,
         OwnMass::Counted => part * spring.mass_kg.unwrap_or(spring.count * beams),
     };
-    scene.plate.mass_ratio * scene.projectile.mass_kg + turning + own
+    scene.mass_ratio() * scene.projectile.mass_kg + turning + own
 }

@@ -12,9 +12,7 @@ use crate::model::design::critical_obliquity_deg;
 use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
 use crate::model::run::{EventKind, Run, Warning};
-use crate::model::scene::{
-    ClosureInEffect, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Scene,
-};
+use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Scene};
 use crate::model::units::significant;
 use crate::model::variables;
 use crate::model::worded::worded;
@@ -111,10 +109,8 @@ impl fmt::Display for Breach {
 
 /// The yield stress of the plate, Pa: where the flow strength is given outright, half of it, as Virostek's closure has it.
 pub fn equivalent_yield_pa(scene: &Scene) -> f64 {
-    match scene.closure() {
-        ClosureInEffect::Given => 0.5 * scene.flow_strength_pa(),
-        ClosureInEffect::DoubleYield | ClosureInEffect::Cavity => scene.target.yield_pa,
-    }
+    let is_given = scene.closure() == Closure::Given;
+    if is_given { 0.5 * scene.flow_strength_pa() } else { scene.target.yield_pa }
 }
 
 /// Thickness over projectile diameter.
@@ -168,10 +164,8 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         );
         (Direction::Unconservative, text)
     } else if dishes && ratio > THICKNESS + ABOUT {
-        let cure = match closure {
-            ClosureInEffect::Given => "a strength by cavity expansion",
-            ClosureInEffect::DoubleYield | ClosureInEffect::Cavity => "closure=cavity",
-        };
+        let is_given = closure == Closure::Given;
+        let cure = if is_given { "a strength by cavity expansion" } else { "closure=cavity" };
         let text = ": with dishing the law is validated up to about 1; set dishing=off and ";
         (Direction::Conservative, format!("{text}{cure}"))
     } else if dishes && ratio < SHEET {
@@ -182,8 +176,8 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         (Direction::Unconservative, text)
     } else if !dishes && ratio < THICKNESS - ABOUT {
         let cure = match closure {
-            ClosureInEffect::Given | ClosureInEffect::DoubleYield => "dishing=on",
-            ClosureInEffect::Cavity => "closure=double-yield and dishing=on",
+            Closure::Cavity => "closure=double-yield and dishing=on",
+            _ => "dishing=on",
         };
         let text = ": without dishing the law is validated from about 1; a thin plate bulges and resists less; set ";
         (Direction::Unconservative, format!("{text}{cure}"))

@@ -2,7 +2,7 @@
 
 use crate::model::scene::Scene;
 use crate::model::units::Dimension;
-use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts};
+use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts, row};
 use crate::model::variables::visible::{has_stop, is_oblique, is_sprung, penetrates, resists};
 use crate::model::variables::{Allowed, Kind, Number, Variable};
 use crate::model::worded::worded;
@@ -74,10 +74,8 @@ parts! {
     pub struct Plate at (plate) {
         pub mount: Mount = Mount::Sprung => "mount", "mount", "sprung: carried by spring and damper; rigid: it cannot move",
             choice().from("thesis section 9.3 (rigid: the baseline)");
-        pub mass_ratio: f64 = 1.0 => "gamma", "mass ratio", "mass ratio, plate mass over projectile mass",
-            is(MASS_RATIO).searched(0.8, 7.0).used_when(is_sprung).from(TABLE_9_2);
-        /// The input that defines the plate's size; the mass ratio follows from it, unless it is the input itself.
-        pub size: PlateSize = PlateSize::Ratio => each(sizes);
+        /// What gives the plate its size.
+        pub size: PlateSize = PlateSize::Ratio(1.0) => each(sizes);
         pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d",
             number(Length, NonNegative).searched(0.0, 0.5)
             .used_when(|scene| is_sprung(scene) && (scene.mechanism.has_springs() || has_stop(scene))).from(TABLE_9_2);
@@ -154,16 +152,6 @@ worded! {
 }
 
 worded! {
-    /// The closure in effect: the one that is stated, or the one that the plate's thickness chooses.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    pub enum ClosureInEffect: word {
-        Given = "given",
-        DoubleYield = "double-yield",
-        Cavity = "cavity",
-    }
-}
-
-worded! {
     /// How the plate is carried.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Mount: word {
@@ -173,12 +161,11 @@ worded! {
     }
 }
 
-/// The input that defines the plate's size.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+/// The input that defines the plate's size: the one that was set last.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlateSize {
     /// gamma.
-    #[default]
-    Ratio,
+    Ratio(f64),
     /// `m_2` > 0 kg.
     Mass(f64),
     /// The side of its square face, > 0 m: the plate is a block of its material.
@@ -211,17 +198,6 @@ impl Target {
         }
     }
 
-    /// The closure in effect.
-    pub fn closure_in_effect(&self, tip_radius_m: f64) -> ClosureInEffect {
-        let is_thin = self.thickness_m < Self::thick_from_m(tip_radius_m);
-        match self.closure {
-            Closure::Given => ClosureInEffect::Given,
-            Closure::DoubleYield => ClosureInEffect::DoubleYield,
-            Closure::ByThickness if is_thin => ClosureInEffect::DoubleYield,
-            Closure::Cavity | Closure::ByThickness => ClosureInEffect::Cavity,
-        }
-    }
-
     /// With the closure that suits its thickness where that chooses it: 2 Y with dishing and Virostek's drag on a thin plate, cavity
     /// expansion with a hemisphere's drag on a thick one; a given drag stays.
     #[must_use]
@@ -229,7 +205,7 @@ impl Target {
         if self.closure != Closure::ByThickness {
             return self;
         }
-        let dishing = self.closure_in_effect(tip_radius_m) == ClosureInEffect::DoubleYield;
+        let dishing = self.thickness_m < Self::thick_from_m(tip_radius_m);
         let (closure, drag) =
             if dishing { (Closure::DoubleYield, 0.5) } else { (Closure::Cavity, 1.0) };
         let drag_coefficient =
@@ -251,7 +227,7 @@ impl PlateSize {
     pub fn key(self) -> &'static str {
         let [ratio, mass, face] = Self::KEYS;
         match self {
-            Self::Ratio => ratio,
+            Self::Ratio(_) => ratio,
             Self::Mass(_) => mass,
             Self::Face(_) => face,
         }
@@ -270,49 +246,44 @@ const DRAG: Kind = Kind::Number(Number {
     ..Number::of(Dimension::Number, Allowed::NonNegative)
 });
 
-/// gamma: setting it makes it the input that defines the plate's size.
-const MASS_RATIO: Kind = Kind::Number(Number {
-    get: |scene| Some(scene.plate.mass_ratio),
-    set: |scene, value| {
-        scene.plate.size = PlateSize::Ratio;
-        scene.plate.mass_ratio = value.unwrap_or_default();
-    },
-    ..Number::of(Dimension::Number, Allowed::Positive)
-});
-
-/// The inputs that define the plate's size instead of gamma.
+/// The inputs that define the plate's size.
 fn sizes() -> Vec<Variable> {
     macro_rules! size {
-        ($key:literal, $quantity:ident, $size:ident) => {{
-            let number = Number {
+        ($quantity:ident, $size:ident) => {
+            Number {
                 absent: Some("none"),
                 get: |scene| match scene.plate.size {
                     PlateSize::$size(value) => Some(value),
                     _ => None,
                 },
                 set: |scene, value| match (value, scene.plate.size) {
-                    (Some(value), _) => scene.resize(PlateSize::$size(value)),
-                    (None, PlateSize::$size(_)) => scene.resize(PlateSize::Ratio),
+                    (Some(value), _) => scene.plate.size = PlateSize::$size(value),
+                    (None, PlateSize::$size(_)) => {
+                        scene.plate.size = PlateSize::Ratio(scene.mass_ratio());
+                    }
                     (None, _) => {}
                 },
                 ..Number::of(Dimension::$quantity, Allowed::Positive)
-            };
-            Variable::new($key, Kind::Number(number))
-                .listed_when(|scene| matches!(scene.plate.size, PlateSize::$size(_)))
-                .used_when(is_sprung)
-                .seldom()
-                .from("none: gamma gives the mass")
-        }};
+            }
+        };
     }
-    vec![
-        size!("plate.mass_kg", Mass, Mass)
-            .named("m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it")
-            .called("plate_mass")
-            .also(&["m2"]),
-        size!("plate.face_m", Length, Face).named(
-            "face",
-            "plate side",
-            "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
-        ),
-    ]
+    let gamma =
+        Number { absent: None, get: |scene| Some(scene.mass_ratio()), ..size!(Number, Ratio) };
+    let rows = [
+        row! {
+            (plate) mass_ratio: f64, ["gamma", "mass ratio", "mass ratio, plate mass over projectile mass"],
+            is(Kind::Number(gamma)).searched(0.8, 7.0).used_when(is_sprung).from(TABLE_9_2)
+        },
+        row! {
+            (plate) mass_kg: f64, ["m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it"],
+            is(Kind::Number(size!(Mass, Mass))).called("plate_mass").also(&["m2"]).seldom().used_when(is_sprung)
+            .listed_when(|scene| matches!(scene.plate.size, PlateSize::Mass(_))).from("none: gamma gives the mass")
+        },
+        row! {
+            (plate) face_m: f64, ["face", "plate side", "side of the plate's square face; gamma = rho h face^2/m_p follows from it"],
+            is(Kind::Number(size!(Length, Face))).seldom().used_when(is_sprung)
+            .listed_when(|scene| matches!(scene.plate.size, PlateSize::Face(_))).from("none: gamma gives the mass")
+        },
+    ];
+    rows.concat()
 }

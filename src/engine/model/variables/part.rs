@@ -1,7 +1,6 @@
 //! Parts of a scene: structs that have beside each field its default value and its row of the table of variables.
 
-use super::visible::Visible;
-use super::{Allowed, Group, Kind, Number, Step, Variable};
+use super::{Allowed, Group, Kind, Number, Variable};
 use crate::model::scene::Scene;
 use crate::model::units::Dimension;
 
@@ -67,15 +66,52 @@ macro_rules! row {
     (
         ($($place:ident).+) $field:ident: $type:ty, [$symbol:literal, $label:literal, $meaning:literal],
         $kind:ident($($of_kind:tt)*) $(.$more:ident($($value:expr),*))*
-    ) => {
-        vec![
-            $crate::model::variables::Variable::new(
-                concat!($(stringify!($place), ".",)+ stringify!($field)),
-                $crate::model::variables::part::kind!($($place).+.$field: $type, $kind($($of_kind)*)),
-            )
-            .named($symbol, $label, $meaning)
-            $(.$more($($value),*))*
-        ]
+    ) => {{
+        let row = &mut $crate::model::variables::Variable::new(
+            [concat!($(stringify!($place), ".",)+ stringify!($field)), $symbol, $label, $meaning],
+            $crate::model::variables::part::kind!($($place).+.$field: $type, $kind($($of_kind)*)),
+        );
+        $($crate::model::variables::part::attribute!(row.$more($($value),*));)*
+        vec![*row]
+    }};
+}
+
+/// Sets a further attribute of a row.
+macro_rules! attribute {
+    // Its name in words where its key does not give it.
+    ($row:ident.called($name:expr)) => {
+        $row.own_name = $name
+    };
+    ($row:ident.also($aliases:expr)) => {
+        $row.aliases = $aliases
+    };
+    // Where the default comes from.
+    ($row:ident.from($source:expr)) => {
+        $row.source = $source
+    };
+    // A file has it only where its value is not the default.
+    ($row:ident.seldom()) => {
+        $row.is_seldom = true
+    };
+    // Listed only here.
+    ($row:ident.listed_when($here:expr)) => {
+        $row.listed[1] = $here
+    };
+    // With an effect only here.
+    ($row:ident.used_when($here:expr)) => {
+        $row.used[1] = $here
+    };
+    ($row:ident.when($here:expr)) => {
+        $row.listed[1] = $here;
+        $row.used[1] = $here
+    };
+    // The range the thesis searched.
+    ($row:ident.searched($low:expr, $high:expr)) => {
+        $row.thesis_range = Some(($low, $high))
+    };
+    // The editor's arrow keys multiply it.
+    ($row:ident.log()) => {
+        $row.is_log = true
     };
 }
 
@@ -86,11 +122,7 @@ macro_rules! kind {
         use $crate::model::variables::{Allowed, Kind, Number};
         Kind::Number(Number {
             get: |scene| Some(scene.$($field).+),
-            set: |scene, value| {
-                scene.$($field).+ = value.unwrap_or_default();
-                // The plate's mass ratio may depend on it.
-                scene.follow_size();
-            },
+            set: |scene, value| scene.$($field).+ = value.unwrap_or_default(),
             ..Number::of($crate::model::units::Dimension::$quantity, Allowed::$($allowed)+)
         })
     }};
@@ -106,12 +138,11 @@ macro_rules! kind {
     }};
     // One of a few words.
     ($($field:ident).+: $type:ty, choice()) => {{
-        use $crate::model::variables::{Choice, Kind};
-        Kind::Choice(Choice {
+        $crate::model::variables::Kind::Choice {
             words: &<$type>::WORDS,
             get: |scene| scene.$($field).+ as usize,
             set: |scene, index| scene.$($field).+ = <$type>::ALL[index],
-        })
+        }
     }};
     // Anything else.
     ($($field:ident).+: $type:ty, is($kind:expr)) => {
@@ -119,102 +150,47 @@ macro_rules! kind {
     };
 }
 
-pub(in crate::model) use {kind, parts, row};
+pub(in crate::model) use {attribute, kind, parts, row};
 
 /// The rows of a part of a scene in a group of the editor: whether a list shows them at all, and whether they then have any effect.
 pub(in crate::model) fn placed(
     group: Group,
     listed: fn(&Scene) -> bool,
     used: fn(&Scene) -> bool,
-    rows: Vec<Variable>,
+    mut rows: Vec<Variable>,
 ) -> Vec<Variable> {
-    let part = Visible { listed, used };
-    rows.into_iter().map(|row| Variable { part, group, ..row }).collect()
+    for row in &mut rows {
+        (row.group, row.listed[0], row.used[0]) = (group, listed, used);
+    }
+    rows
 }
 
 impl Variable {
-    /// A variable of a key; its further attributes, and the part of the scene it belongs to, follow.
-    pub(in crate::model) const fn new(key: &'static str, kind: Kind) -> Self {
+    /// A row without further attributes; the part of the scene it belongs to follows.
+    pub(in crate::model) fn new(words: [&'static str; 4], kind: Kind) -> Self {
+        let [key, symbol, label, meaning] = words;
         Self {
             key,
-            symbol: "",
-            label: "",
+            symbol,
+            label,
             own_name: "",
             aliases: &[],
             is_seldom: false,
-            part: Visible::ALWAYS,
-            visible: Visible::ALWAYS,
+            listed: [|_| true; 2],
+            used: [|_| true; 2],
             group: Group::Run,
-            meaning: "",
+            meaning,
             source: "assumption",
+            thesis_range: None,
+            is_log: false,
             kind,
         }
-    }
-
-    pub(in crate::model) fn named(
-        self,
-        symbol: &'static str,
-        label: &'static str,
-        meaning: &'static str,
-    ) -> Self {
-        Self { symbol, label, meaning, ..self }
-    }
-
-    /// Its name in words where its key does not give it.
-    pub(in crate::model) fn called(self, own_name: &'static str) -> Self {
-        Self { own_name, ..self }
-    }
-
-    pub(in crate::model) fn also(self, aliases: &'static [&'static str]) -> Self {
-        Self { aliases, ..self }
-    }
-
-    /// Where the default comes from.
-    pub(in crate::model) fn from(self, source: &'static str) -> Self {
-        Self { source, ..self }
-    }
-
-    /// A file has it only where its value is not the default.
-    pub(in crate::model) fn seldom(self) -> Self {
-        Self { is_seldom: true, ..self }
-    }
-
-    /// Listed only here, and with an effect only here.
-    pub(in crate::model) fn when(self, used: fn(&Scene) -> bool) -> Self {
-        self.listed_when(used).used_when(used)
-    }
-
-    /// With an effect only here.
-    pub(in crate::model) fn used_when(self, used: fn(&Scene) -> bool) -> Self {
-        Self { visible: Visible { used, ..self.visible }, ..self }
-    }
-
-    /// Listed only here.
-    pub(in crate::model) fn listed_when(self, listed: fn(&Scene) -> bool) -> Self {
-        Self { visible: Visible { listed, ..self.visible }, ..self }
-    }
-
-    /// The range the thesis searched.
-    pub(in crate::model) fn searched(mut self, low: f64, high: f64) -> Self {
-        if let Kind::Number(number) = &mut self.kind {
-            number.thesis_range = Some((low, high));
-        }
-        self
-    }
-
-    /// The editor's arrow keys multiply it.
-    pub(in crate::model) fn log(mut self) -> Self {
-        if let Kind::Number(number) = &mut self.kind {
-            number.step = Step::Log;
-        }
-        self
     }
 }
 
 impl Number {
     /// A number that is required; its access follows.
     pub(in crate::model) const fn of(quantity: Dimension, allowed: Allowed) -> Self {
-        let (thesis_range, step, absent) = (None, Step::Linear, None);
-        Self { quantity, allowed, thesis_range, step, absent, get: |_| None, set: |_, _| {} }
+        Self { quantity, allowed, absent: None, get: |_| None, set: |_, _| {} }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::VariableError;
 use crate::model::scene::{
-    self, ClosureInEffect, Combination, ContactModel, Layer, OwnMass, Scene, Stack, Target,
+    self, Closure, Combination, ContactModel, Layer, OwnMass, Scene, Stack, Target,
 };
 use crate::model::units::{shortest, significant};
 
@@ -54,14 +54,14 @@ fn check_closing(scene: &Scene) -> Result<(), VariableError> {
 /// The two closures for the flow strength each contain the bulge in their own way: never both.
 fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     let (closure, Target { yield_pa, modulus_pa, .. }) = (scene.closure(), scene.target);
-    if closure == ClosureInEffect::Cavity && scene.dishing() {
+    if closure == Closure::Cavity && scene.dishing() {
         return refuse(
             "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
              material that holds it back: set dishing = off, or closure = double-yield"
                 .to_owned(),
         );
     }
-    if closure == ClosureInEffect::Cavity && modulus_pa <= yield_pa {
+    if closure == Closure::Cavity && modulus_pa <= yield_pa {
         return refuse(format!(
             "E (target.modulus_pa) = {} Pa is not greater than Y (target.yield_pa) = {} Pa: cavity expansion needs an elastic \
              body; for steel E is about 2e11 Pa, for aluminium 7e10 Pa",

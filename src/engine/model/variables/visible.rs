@@ -3,29 +3,14 @@
 use super::{Group, Variable};
 use crate::model::scene::{Combination, ContactModel, Mount, PlateSize, Scene, StopKind};
 
-/// When a variable matters.
-#[derive(Clone, Copy)]
-pub struct Visible {
-    /// Whether a list shows it at all: what belongs to another kind of spring or contact model is not even dimmed.
-    pub listed: fn(&Scene) -> bool,
-    /// Whether it has any effect: rows without are dimmed in the editor.
-    pub used: fn(&Scene) -> bool,
-}
-
-impl Visible {
-    /// Always, and it always has an effect.
-    pub(super) const ALWAYS: Self = Self { listed: |_| true, used: |_| true };
-}
-
 /// Whether a variable has any effect on this scene.
 pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
-    let Variable { part, visible, .. } = variable;
-    (part.listed)(scene) && (part.used)(scene) && (visible.used)(scene)
+    (variable.listed[0])(scene) && variable.used.iter().all(|is_used| is_used(scene))
 }
 
 /// Whether a list shows the variable at all.
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
-    (variable.part.listed)(scene) && (variable.visible.listed)(scene)
+    variable.listed.iter().all(|is_listed| is_listed(scene))
 }
 
 /// Whether the variable is one of those that each give the plate its size: of them the one that was set last counts.
@@ -45,8 +30,8 @@ pub fn exclude_each_other(one: &Variable, other: &Variable) -> bool {
 
 /// Whether the variable would give the plate another size than the scene's own input does: an axis over it would win without a word.
 pub fn overrules_size(variable: &Variable, scene: &Scene) -> bool {
-    let own = scene.plate.size;
-    sizes_plate(variable) && own != PlateSize::Ratio && own.key() != variable.key
+    let own = scene.plate.size.key();
+    sizes_plate(variable) && own != PlateSize::KEYS[0] && own != variable.key
 }
 
 /// Whether the workbench's lists offer the variable: what is listed and what can give the plate its size, less the values of a

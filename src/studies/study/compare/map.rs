@@ -112,7 +112,7 @@ pub fn usual_axes(scene: &Scene) -> Option<[Axis; 2]> {
 pub fn usual_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, SweepError> {
     let (variable, number) = numeric(name)?;
     let (low, high) = if variable.symbol == "v_i" { AROUND_VELOCITY } else { AROUND };
-    match ((number.get)(scene).filter(|own| *own > 0.0), number.thesis_range) {
+    match ((number.get)(scene).filter(|own| *own > 0.0), variable.thesis_range) {
         (Some(own), _) => Axis::new(name, (low * own, high * own), count, Spacing::Log),
         (None, ends) => Axis::new(name, ends.unwrap_or_default(), count, Spacing::Linear),
     }

@@ -107,7 +107,6 @@ pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<Siz
 fn scaled(scene: &Scene, factor: f64) -> Scene {
     let mut own = scene.clone();
     own.target.thickness_m *= factor;
-    own.follow_size();
     own
 }
 

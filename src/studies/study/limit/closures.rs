@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Closure, ClosureInEffect, Scene, Target};
+use crate::model::scene::{Closure, Scene, Target};
 use crate::study::context::Context;
 use crate::study::limit::alone;
 
@@ -25,7 +25,7 @@ pub struct Closures {
 impl Closures {
     /// By both closures; `None` where the flow strength does not come from a yield stress, or when stopped.
     pub(super) fn of(scene: &Scene, context: &mut Context<'_>) -> Option<Self> {
-        if scene.closure() == ClosureInEffect::Given {
+        if scene.closure() == Closure::Given {
             return None;
         }
         let mut by = |closure: Closure| {
@@ -53,7 +53,6 @@ pub(super) fn jump(scene: &Scene, context: &mut Context<'_>) -> Option<(f64, f64
     let is_near = (scene.target.thickness_m / change_m - 1.0).abs() <= NEAR;
     let mut at_change = scene.clone();
     at_change.target.thickness_m = change_m;
-    at_change.follow_size();
     let by = Closures::of(&at_change, context).filter(|_| is_near && !scene.is_stack())?;
     by.double_yield_m_s.zip(by.cavity_m_s)
 }

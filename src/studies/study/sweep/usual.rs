@@ -13,7 +13,7 @@ const FACE_MOST: f64 = 4.0 * FACE_LEAST;
 /// projectile of the thesis: for any other they are the ratios of plates from [`FACE_LEAST`] to 12 diameters wide.
 pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     let ranges = || {
-        let of = |it: &'static Variable| Some((it, it.number()?, it.thesis_range()?));
+        let of = |it: &'static Variable| Some((it, it.number()?, it.thesis_range?));
         VARIABLES.iter().filter_map(of)
     };
     // A spring's exponent matters where there is a spring: judged with every range at its end.

@@ -356,7 +356,7 @@ fn turns_at_s(run: &Run) -> f64 {
 /// Momentum of projectile and plate at the first arrest over that at the impact.
 fn momentum_kept(run: &Run) -> f64 {
     let end_s = run.first_arrest.map_or(f64::NAN, |it| it.t_s) * (1.0 + 1e-12);
-    let (ratio, impact) = (run.scene.plate.mass_ratio, run.scene.projectile.velocity_m_s);
+    let (ratio, impact) = (run.scene.mass_ratio(), run.scene.projectile.velocity_m_s);
     let row = run.series.iter().rfind(|row| row.t_s <= end_s);
     row.map_or(f64::NAN, |row| {
         (row.projectile_velocity_m_s + ratio * row.plate_velocity_m_s) / impact
@@ -366,7 +366,7 @@ fn momentum_kept(run: &Run) -> f64 {
 /// The energy of plate, projectile and linear spring when the plate is back at neutral, over that at the first turn.
 fn energy_after_return(run: &Run) -> f64 {
     let scene = &run.scene;
-    let mass_kg = scene.projectile.mass_kg * (1.0 + scene.plate.mass_ratio);
+    let mass_kg = scene.projectile.mass_kg * (1.0 + scene.mass_ratio());
     let energy_j = |row: &Sample| {
         0.5 * mass_kg * row.plate_velocity_m_s.powi(2)
             + 0.5 * scene.mechanism.spring.coefficient * row.plate_displacement_m.powi(2)

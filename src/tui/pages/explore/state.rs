@@ -113,7 +113,7 @@ pub fn nearest(axis: &Axis, value: f64) -> Option<usize> {
 
 pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
     if variables::sizes_plate(axis.variable()) {
-        (to.plate.size, to.plate.mass_ratio) = (from.plate.size, from.plate.mass_ratio);
+        to.plate.size = from.plate.size;
     } else {
         axis.set(to, axis.get(from).unwrap_or(f64::NAN));
     }

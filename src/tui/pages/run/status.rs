@@ -17,7 +17,7 @@ impl App {
         let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
         let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);
         let range = variable.number().and_then(|number| {
-            let (low, high) = number.thesis_range?;
+            let (low, high) = variable.thesis_range?;
             let show = |value| in_unit(value, unit, number.quantity).map(|it| significant(it, 6));
             Some(format!("thesis {} to {} {unit}", show(low)?, show(high)?))
         });
