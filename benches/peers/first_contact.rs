@@ -22,8 +22,7 @@ pub(crate) fn first_contact(scene: &Arc<Scene>) -> Option<FirstContact> {
     if let Some(end) = Contact::of(scene).and_then(|contact| contact.run(scene.run.tolerance)) {
         return Some(FirstContact { t_s: end.t_s, depth_m: end.penetration_m, kernel: "kernel" });
     }
-    let settings = Settings { series: false, estimate: false };
-    let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).ok()?;
+    let run = simulate(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(())).ok()?;
     let arrest = run.first_arrest.map(|end| (end.t_s, end.penetration_m));
     let (t_s, depth_m) = arrest.or_else(|| run.exit_time_s.zip(run.final_penetration_m))?;
     Some(FirstContact { t_s, depth_m, kernel: "full" })

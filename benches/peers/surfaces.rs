@@ -137,7 +137,7 @@ fn rows(plan: &Plan, threads: usize) -> Vec<Point> {
 /// (point, outputs) by the full simulation.
 fn simulated(plan: &Plan) -> Vec<(usize, [Option<f64>; 2])> {
     let columns = USUAL_OUTPUTS.map(|name| named(name).expect("a result"));
-    let settings = Settings { series: false, estimate: false };
+    let settings = Settings::BARE;
     let mut known = Vec::new();
     for index in (0..plan.points()).step_by(CHECKED) {
         let scene = Arc::new(plan.scene(index));

@@ -87,7 +87,6 @@ fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
 }
 
 fn compute_openly(scene: &Arc<Scene>, window: &Window) -> Result<Run, VariableError> {
-    let settings = Settings { series: true, estimate: true };
     let mut line = ProgressLine::begin();
     let mut steps = 0_u64;
     let mut observer = |t_s: f64| {
@@ -101,7 +100,7 @@ fn compute_openly(scene: &Arc<Scene>, window: &Window) -> Result<Run, VariableEr
         })
     };
     let start = Instant::now();
-    let mut run = simulate::simulate_openly(scene, &settings, &mut observer, window)?;
+    let mut run = simulate::simulate_openly(scene, &Settings::default(), &mut observer, window)?;
     run.cost.took_s = Some(start.elapsed().as_secs_f64());
     let loads = [run.interface_demand_ratio, run.interface_tension_ratio];
     if run.end.is_complete() && loads.into_iter().flatten().any(|ratio| ratio > 1.0) {

@@ -70,7 +70,7 @@ fn truth(scene: &Arc<Scene>) -> Option<(Outcome, f64, f64)> {
 /// True error and estimate of a run, and how far the truth may be off; nothing where one of them does not exist.
 fn errors(scene: &Arc<Scene>) -> Option<(f64, f64, f64)> {
     let mut steps = 0;
-    let settings = Settings { series: false, estimate: true };
+    let settings = Settings { estimate: true, ..Settings::BARE };
     let run = simulate(scene, &settings, &mut |_| {
         steps += 1;
         if steps > STEPS_MAX { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -122,7 +122,7 @@ fn assert_estimates_hold(count: usize, known: (usize, usize)) {
 
 fn run_of(scene: &Arc<Scene>) -> Run {
     let mut steps = 0;
-    let settings = Settings { series: false, estimate: true };
+    let settings = Settings { estimate: true, ..Settings::BARE };
     simulate(scene, &settings, &mut |_| {
         steps += 1;
         if steps > STEPS_MAX { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -239,7 +239,7 @@ fn the_time_of_an_exit_just_above_the_rigid_limit_is_right_to_rounding() {
     own.plate.mount = cmra::model::scene::Mount::Rigid;
     own.projectile.velocity_m_s = 232.7;
     for series in [true, false] {
-        let settings = Settings { series, estimate: true };
+        let settings = Settings { series, ..Settings::default() };
         let run = simulate(&Arc::new(own.clone()), &settings, &mut |_| ControlFlow::Continue(()));
         let run = run.unwrap();
         let error = (run.exit_time_s.unwrap() / EXIT_TIME_S - 1.0).abs();

@@ -12,8 +12,7 @@ use crate::random::{Random, scene as random_scene, typed};
 use crate::support::{assert_near, run, scene};
 
 fn without_series(scene: &Scene) -> Run {
-    let settings = Settings { series: false, estimate: false };
-    simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).unwrap()
+    simulate(&Arc::new(scene.clone()), &Settings::BARE, &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// The greatest contact force among the rows in which the hole deepens, N.
@@ -76,8 +75,7 @@ fn the_peak_force_bounds_the_rows_and_does_not_depend_on_them() {
         changes[last].1 = random.of(&[1e-4, 1e-6, 1e-9]);
         let own = random_scene(&changes);
         let mut steps = 0;
-        let settings = Settings { series: true, estimate: false };
-        let found = simulate(&own, &settings, &mut |_| {
+        let found = simulate(&own, &Settings::SERIES, &mut |_| {
             steps += 1;
             if steps > 20_000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         })
@@ -205,7 +203,7 @@ fn a_horizon_that_is_not_reached_is_reported_and_the_series_is_bounded() {
     let mut own = scene("n=0.2 k=7.5e6 S_y=2.1e9 run.horizon_s=0.1");
     own.title = String::new();
     let mut steps = 0;
-    let found = simulate(&Arc::new(own), &Settings { series: true, estimate: false }, &mut |_| {
+    let found = simulate(&Arc::new(own), &Settings::SERIES, &mut |_| {
         steps += 1;
         if steps > 200_000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })

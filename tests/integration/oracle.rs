@@ -66,7 +66,7 @@ struct Beside<'a> {
 }
 
 fn program(scene: &Scene) -> Run {
-    let settings = Settings { series: true, estimate: false };
+    let settings = Settings::SERIES;
     let goes_on = &mut |_| std::ops::ControlFlow::Continue(());
     simulate(&std::sync::Arc::new(scene.clone()), &settings, goes_on).unwrap()
 }

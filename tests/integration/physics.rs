@@ -392,7 +392,7 @@ proptest! {
         if plastic {
             scene.interface.law = cmra::model::scene::InterfaceLaw::Plastic;
         }
-        let run = run_with(scene, Settings { series: true, estimate: false });
+        let run = run_with(scene, Settings::SERIES);
         prop_assert!(run.ledger.residual().abs() < 1e-8, "{:e} {:?}", run.ledger.residual(), run.end);
         // A plate that juggles the projectile on and on runs into a budget; anything else ends.
         let juggles = plastic && run.end == EndReason::StepBudget;

@@ -92,8 +92,7 @@ struct Course {
 
 fn course_of(scene: &Arc<Scene>) -> Course {
     let (mut last_s, mut steps, mut forward) = (0.0, 0, true);
-    let settings = Settings { series: false, estimate: false };
-    let run = simulate(scene, &settings, &mut |t_s| {
+    let run = simulate(scene, &Settings::BARE, &mut |t_s| {
         forward &= t_s >= last_s;
         last_s = t_s;
         steps += 1;
@@ -119,7 +118,7 @@ fn is_bounded(course: &Course) -> bool {
 }
 
 fn estimate_of(scene: &Arc<Scene>) -> Option<f64> {
-    let settings = Settings { series: false, estimate: true };
+    let settings = Settings { estimate: true, ..Settings::BARE };
     let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
     run.error_estimate.map(|estimate| estimate.relative)
 }

@@ -41,11 +41,13 @@ const LEAST: f64 = 1e-13;
 const LOOSER: f64 = 10.0;
 const FLOOR: f64 = 1.0 / 30.0;
 /// How many times the usual horizon an undecided shot is followed.
-const FOLLOWED_HORIZONS: f64 = 50.0;
+const LONG_HORIZONS: f64 = 50.0;
 
 /// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
-    let extent = Extent { keep_series: settings.series, window: Some(window), ..Extent::BARE };
+    let horizons = if settings.long { LONG_HORIZONS } else { 1.0 };
+    let keep_series = settings.series;
+    let extent = Extent { keep_series, window: Some(window), horizons, ..Extent::BARE };
     let stepping = Stepping::Collocation(local_tolerance(scene));
     let run = run_by(scene, extent, stepping, observer);
     if settings.estimate && run.end.is_complete() {
@@ -53,13 +55,6 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     } else {
         run
     }
-}
-
-/// As [`run()`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
-/// long. The scene has no horizon.
-pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
-    let extent = Extent { horizons: FOLLOWED_HORIZONS, ..Extent::BARE };
-    run_by(scene, extent, Stepping::Collocation(local_tolerance(scene)), observer)
 }
 
 /// Error of each step for the tolerance of a scene.

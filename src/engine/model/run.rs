@@ -25,18 +25,20 @@ pub struct Settings {
     pub series: bool,
     /// Compute the error estimate (a second computation of another order).
     pub estimate: bool,
+    /// Follow a run that oscillates on undecided for many times as long as usual, where the scene has no horizon.
+    pub long: bool,
 }
 
 impl Settings {
     /// The results alone.
-    pub const BARE: Self = Self { series: false, estimate: false };
+    pub const BARE: Self = Self { series: false, estimate: false, long: false };
     /// The series too.
-    pub const SERIES: Self = Self { series: true, estimate: false };
+    pub const SERIES: Self = Self { series: true, ..Self::BARE };
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { series: true, estimate: true }
+        Self { estimate: true, ..Self::SERIES }
     }
 }
 
@@ -380,9 +382,6 @@ pub struct Cost {
     /// Why that method.
     pub reason: &'static str,
 }
-
-/// What a run omits whose mechanism cannot move the plate noticeably within the contact: it is as good as rigid.
-pub const STILL_WITHIN_CONTACT: &str = "plate motion within the contact (bounded below rounding)";
 
 impl Run {
     /// Final penetration over the rigid mount's, in percent; `None` where either does not exist or the plate is perforated.

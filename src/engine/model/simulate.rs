@@ -61,23 +61,6 @@ pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
     (run.end != EndReason::Cancelled).then_some(run)
 }
 
-/// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run that keeps oscillating
-/// undecided is followed for many times as long. For the outcome of a shot that an ordinary run leaves undecided.
-///
-/// # Errors
-/// As [`simulate`].
-pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Result<Run, VariableError> {
-    variables::validate(scene)?;
-    let mut own = Scene::clone(scene);
-    own.run.horizon_s = None;
-    let own = Arc::new(own);
-    Ok(if own.contact.model == ContactModel::Appendix {
-        listing::run(&own, Settings::BARE, observer)
-    } else {
-        impact::follow(&own, observer)
-    })
-}
-
 /// A run without series and estimate, for tests.
 #[cfg(test)]
 pub(in crate::model) fn bare_run(scene: &Scene) -> Run {

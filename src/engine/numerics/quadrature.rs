@@ -6,8 +6,8 @@ pub fn gauss(a: f64, b: f64, panels: usize, mut f: impl FnMut(f64) -> f64) -> f6
     let mut sum = 0.0;
     for panel in 0..panels {
         let middle = a + half * (2 * panel + 1) as f64;
-        for node in GAUSS_16 {
-            sum += node.weight * (f(middle - half * node.at) + f(middle + half * node.at));
+        for (at, weight) in GAUSS_16 {
+            sum += weight * (f(middle - half * at) + f(middle + half * at));
         }
     }
     sum * half
@@ -25,11 +25,13 @@ pub(crate) fn resolved(a: f64, b: f64, resolution: f64, f: impl Fn(f64) -> f64) 
     while let Some((a, b)) = open.pop() {
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
         let (mut whole, mut even, mut odd) = (0.0, 0.0, 0.0);
-        for node in GAUSS_16 {
-            let (left, right) = (f(middle - half * node.at), f(middle + half * node.at));
-            whole += node.weight * (left + right);
-            even += node.weight * (left + right) * node.last[0];
-            odd += node.weight * (right - left) * node.last[1];
+        for (at, weight) in GAUSS_16 {
+            let (left, right) = (f(middle - half * at), f(middle + half * at));
+            // With the Legendre polynomials there the integrand's last coefficients follow from the same values as the integral.
+            let p = legendre::<16>(at);
+            whole += weight * (left + right);
+            even += weight * (left + right) * p[14];
+            odd += weight * (right - left) * p[15];
         }
         let last = LAST_NORM * if even.abs() > odd.abs() { even.abs() } else { odd.abs() };
         panels += 1;
@@ -45,41 +47,18 @@ pub(crate) fn resolved(a: f64, b: f64, resolution: f64, f: impl Fn(f64) -> f64) 
 /// What turns the integral of f times a Legendre polynomial of degree 14 into its coefficient, relative to that of f: 2 n + 1.
 const LAST_NORM: f64 = 29.0;
 
-/// A positive node of a rule on (-1, 1) that is symmetric about zero.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Node {
-    pub(crate) at: f64,
-    /// Its weight; the same at `-at`.
-    pub(crate) weight: f64,
-    /// The Legendre polynomials of degree 14 and 15 there: with them the integrand's last coefficients follow from the same
-    /// values as the integral.
-    last: [f64; 2],
-}
-
-/// The positive nodes of the sixteen-point rule, exact for polynomials of degree 31 (Abramowitz and Stegun, Table 25.4, n = 16).
-pub(crate) const GAUSS_16: [Node; 8] = gauss_16();
-
-const fn gauss_16() -> [Node; 8] {
-    const HALF: [(f64, f64); 8] = [
-        (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
-        (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
-        (0.458_016_777_657_227_37, 0.169_156_519_395_002_54),
-        (0.617_876_244_402_643_8, 0.149_595_988_816_576_74),
-        (0.755_404_408_355_003, 0.124_628_971_255_533_88),
-        (0.865_631_202_387_831_8, 0.095_158_511_682_492_79),
-        (0.944_575_023_073_232_6, 0.062_253_523_938_647_894),
-        (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
-    ];
-    let mut rule = [Node { at: 0.0, weight: 0.0, last: [0.0; 2] }; 8];
-    let mut i = 0;
-    while i < 8 {
-        let (at, weight) = HALF[i];
-        let p = legendre::<16>(at);
-        rule[i] = Node { at, weight, last: [p[14], p[15]] };
-        i += 1;
-    }
-    rule
-}
+/// The positive nodes of the sixteen-point rule on (-1, 1) and their weights, which are the same at the negative ones: exact for
+/// polynomials of degree 31 (Abramowitz and Stegun, Table 25.4, n = 16).
+pub(crate) const GAUSS_16: [(f64, f64); 8] = [
+    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
+    (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
+    (0.458_016_777_657_227_37, 0.169_156_519_395_002_54),
+    (0.617_876_244_402_643_8, 0.149_595_988_816_576_74),
+    (0.755_404_408_355_003, 0.124_628_971_255_533_88),
+    (0.865_631_202_387_831_8, 0.095_158_511_682_492_79),
+    (0.944_575_023_073_232_6, 0.062_253_523_938_647_894),
+    (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
+];
 
 /// The reciprocals of whole numbers, which cost less than divisions.
 const RECIPROCALS: [f64; 16] = {
@@ -93,14 +72,12 @@ const RECIPROCALS: [f64; 16] = {
 };
 
 /// The first N Legendre polynomials, by Bonnet's recurrence (n + 1) P(n+1) = (2n + 1) x P(n) - n P(n-1).
-pub(crate) const fn legendre<const N: usize>(x: f64) -> [f64; N] {
-    let mut p = [1.0; N];
-    let (mut before, mut n) = (0.0, 0);
-    while n + 1 < N {
+pub(crate) fn legendre<const N: usize>(x: f64) -> [f64; N] {
+    let (mut p, mut before) = ([1.0; N], 0.0);
+    for n in 0..N - 1 {
         let k = n as f64;
         p[n + 1] = ((2.0 * k + 1.0) * x * p[n] - k * before) * RECIPROCALS[n + 1];
         before = p[n];
-        n += 1;
     }
     p
 }

@@ -63,13 +63,9 @@ fn directions(dimension: usize) -> [u32; DIGITS] {
 /// Where point `index` lies in a dimension (from 0, below [`DIMENSIONS`]), in [0, 1); the sequence repeats after 2^32 points. A seed
 /// other than 0 shifts it digit by digit.
 pub fn share(index: u64, dimension: usize, seed: u64) -> f64 {
-    let shift = if seed == 0 { 0 } else { mix(seed ^ mix(dimension as u64 + 1)) >> 32 };
+    let of_dimension = Random::new(dimension as u64 + 1).bits();
+    let shift = if seed == 0 { 0 } else { Random::new(seed ^ of_dimension).bits() >> 32 };
     (u64::from(bits(index, dimension)) ^ shift) as f64 / 4_294_967_296.0
-}
-
-/// The first random bits of a seed.
-fn mix(seed: u64) -> u64 {
-    Random::new(seed).bits()
 }
 
 /// The 32 digits of a point.

@@ -216,9 +216,7 @@ fn savings(scene: &Arc<Scene>, patience: Patience, clock: Clock<'_>) -> (Option<
     let run = |settings: Settings| simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
     let tolerance = scene.run.tolerance;
     let kernel = Job::new(Method::ContactKernel, Parameter::Tolerance(tolerance), scene);
-    let shown = Settings { series: true, estimate: true };
-    let drawn = Settings { series: true, estimate: false };
-    let [shown_s, drawn_s, bare_s] = [shown, drawn, Settings::BARE]
+    let [shown_s, drawn_s, bare_s] = [Settings::default(), Settings::SERIES, Settings::BARE]
         .map(|settings| run(settings).is_ok().then(|| time(clock, patience, || run(settings))));
     // The same engine with and without it.
     let ways = [Stepping::CollocationInFull(tolerance), Stepping::Collocation(tolerance)];

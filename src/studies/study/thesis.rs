@@ -161,7 +161,7 @@ impl Shots<'_> {
     }
 
     fn simulate(&self, scene: Scene, series: bool) -> Run {
-        let settings = Settings { series, estimate: false };
+        let settings = Settings { series, ..Settings::BARE };
         simulate::simulate(&Arc::new(scene), &settings, &mut |_t_s: f64| self.stop.flow())
             .expect("the scenes of this study make physical sense")
     }

@@ -70,7 +70,7 @@ pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
     let far = at_ends(scene, own.as_ref(), axes);
     let mut list = warnings(scene, own.as_ref());
     for breach in breaches(scene, own.as_ref()) {
-        if far.iter().any(|(_, worse)| worse.is_worse_than(&breach)) {
+        if far.iter().any(|(_, worse)| worse.is_same(&breach)) {
             list.retain(|text| *text != breach.to_string());
         }
     }

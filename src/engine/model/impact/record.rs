@@ -112,11 +112,11 @@ impl Record<'_> {
             return;
         }
         let span_s = path.end().t_s - path.start().t_s;
-        for node in &GAUSS_16 {
-            for place in [-node.at, node.at] {
+        for (at, weight) in GAUSS_16 {
+            for place in [-at, at] {
                 let state = path.at(0.5 + 0.5 * place);
                 let State { u_m_s, x_m, w_m_s, .. } = state;
-                let part_s = 0.5 * node.weight * span_s;
+                let part_s = 0.5 * weight * span_s;
                 if slides {
                     self.work.penetration_j += part_s * equations.contact_n(&state) * u_m_s;
                 }

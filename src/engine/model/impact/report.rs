@@ -11,7 +11,7 @@ use crate::model::impact::record::Record;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
-    Outcome, Run, STILL_WITHIN_CONTACT, Warning,
+    Outcome, Run, Warning,
 };
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
@@ -25,6 +25,8 @@ const GROWTH: f64 = 1e-9;
 const REACHED: f64 = 1e-9;
 /// Part of it that no energy may add for it to be final.
 const FINAL: f64 = 1e-12;
+/// Part of the energy from which on a balance that does not close is reported.
+const DRIFT: f64 = 1e-8;
 
 /// What a run has come to: all that its results follow from.
 #[derive(Clone, Debug)]
@@ -279,7 +281,10 @@ impl Course<'_> {
         if let Some(t_s) = self.record.resumed_s.filter(|_| setup.plastic) {
             list.push(Warning::PenetrationResumed { t_s });
         }
-        list.extend(Warning::of_ledger(ledger));
+        let residual = ledger.residual();
+        if residual.abs() >= DRIFT || residual.is_nan() {
+            list.push(Warning::EnergyDrift { residual });
+        }
         if !setup.still {
             let far_m = max_displacement_m.unwrap_or(self.record.farthest_m);
             let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
@@ -327,7 +332,7 @@ impl Course<'_> {
             (whole(setup.damper), "damper power function"),
             (setup.geometry.nose.sin == 0.0, "obliquity"),
             (!self.flows() || self.deepest_m() <= setup.geometry.bend_m, "exit face"),
-            (record.was_held, STILL_WITHIN_CONTACT),
+            (record.was_held, "plate motion within the contact (bounded below rounding)"),
             (!setup.plastic, "interface law"),
             (setup.drag_kg_m3 == 0.0, "drag"),
             (self.goes_farther(), "way to the greatest displacement (energy balance)"),

@@ -20,14 +20,6 @@ struct Even {
     rows_max: usize,
 }
 
-impl Even {
-    /// The times that are due up to a moment.
-    fn due(&self, to_s: f64) -> impl Iterator<Item = f64> + use<> {
-        let (dt_s, from, most) = (self.dt_s, self.rows.len(), self.rows_max);
-        (from..most).map(move |row| row as f64 * dt_s).take_while(move |t_s| *t_s <= to_s)
-    }
-}
-
 impl Window {
     /// Ask for the run so far.
     pub fn ask(&self) {
@@ -53,8 +45,9 @@ impl Window {
     /// Take the rows that are due up to a moment from a step's dense output.
     pub(in crate::model) fn fill(&self, to_s: f64, sample: impl Fn(f64) -> Sample) {
         if let Some(even) = &mut *self.even.borrow_mut() {
-            let due: Vec<f64> = even.due(to_s).collect();
-            even.rows.extend(due.into_iter().map(sample));
+            while even.rows.len() < even.rows_max && even.rows.len() as f64 * even.dt_s <= to_s {
+                even.rows.push(sample(even.rows.len() as f64 * even.dt_s));
+            }
         }
     }
 
@@ -91,9 +84,8 @@ mod tests {
             }
             if steps > end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let settings = Settings { series: true, estimate: false };
-        let whole = simulate_openly(&Arc::new(scene), &settings, &mut observer, &window).unwrap();
-        (parts, whole)
+        let whole = simulate_openly(&Arc::new(scene), &Settings::SERIES, &mut observer, &window);
+        (parts, whole.unwrap())
     }
 
     fn is_in_order(rows: &[Sample]) -> bool {

@@ -12,10 +12,13 @@ use crate::model::design::critical_obliquity_deg;
 use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
 use crate::model::run::{EventKind, Run, Warning};
-use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Scene};
+use crate::model::scene::{
+    Closure, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Projectile, Scene,
+};
 use crate::model::units::significant;
 use crate::model::variables;
 use crate::model::worded::worded;
+use Direction::{Conservative, Unconservative, Unknown};
 
 /// Up to this h/D plates are validated with dishing, from this on without; a tenth of it is "about".
 const THICKNESS: f64 = 1.0;
@@ -81,14 +84,9 @@ impl Breach {
         key(self) == key(other)
     }
 
-    /// Whether it is the same as another and goes farther.
-    pub fn is_worse_than(&self, other: &Self) -> bool {
-        self.is_same(other) && self.degree.abs() > other.degree.abs()
-    }
-
     /// Whether each of others is another fault, or goes less far.
     pub fn is_new_to<'b>(&self, mut others: impl Iterator<Item = &'b Self>) -> bool {
-        others.all(|other| !self.is_same(other) || self.is_worse_than(other))
+        others.all(|other| !self.is_same(other) || self.degree.abs() > other.degree.abs())
     }
 
     /// Its name, its number and its direction, without what it means.
@@ -132,22 +130,76 @@ pub fn face_ratio(scene: &Scene) -> Option<f64> {
 
 /// The breaches that follow from a scene, in the order of the table.
 pub fn of_scene(scene: &Scene) -> Vec<Breach> {
-    let found = [
-        thickness(scene),
-        material(scene),
-        nose(scene),
-        nose_pressure(scene),
-        nose_mass(scene),
-        face(scene),
-        velocity(scene),
-        obliquity(scene),
-        stop(scene),
-    ];
-    found.into_iter().flatten().collect()
-}
-
-fn breach(check: Check, direction: Direction, degree: f64, text: String) -> Breach {
-    Breach { check, direction, degree, text }
+    let mut found: Vec<Breach> = thickness(scene).into_iter().collect();
+    let mut add = |check, direction, degree, text| {
+        found.push(Breach { check, direction, degree, text });
+    };
+    let Projectile { nose, mass_kg, obliquity_deg: theta, .. } = scene.projectile;
+    let (density, yield_pa) = (scene.target.density_kg_m3, equivalent_yield_pa(scene));
+    if density < METAL_KG_M3 && yield_pa < METAL_PA {
+        let text = format!(
+            "material is no metal: rho = {} kg/m^3, Y = {} MPa; both the strength and the drag are laws for metal plates",
+            significant(density, 4),
+            significant(1e-6 * yield_pa, 3)
+        );
+        add(Check::Material, Unknown, METAL_KG_M3 / density, text);
+    }
+    if nose == Nose::Blunt {
+        let text = "nose is blunt: limits come out about 60 % too high; the law is for a hemispherical nose, and a blunt one shears \
+                    out a plug";
+        add(Check::Nose, Unconservative, 1.0, text.to_owned());
+    } else if nose == Nose::Pointed {
+        let text = "nose is pointed: the law is for a hemispherical nose";
+        add(Check::Nose, Unknown, 1.0, text.to_owned());
+    }
+    let pressure = nose_pressure_ratio(scene);
+    if pressure > RIGID_UP_TO {
+        let text = format!(
+            "nose pressure S + c v^2 is {} times 2 GPa; that is the strength of hardened steel, and above {RIGID_UP_TO} the \
+             projectile may deform or break",
+            significant(pressure, 3)
+        );
+        add(Check::NosePressure, Conservative, pressure, text);
+    }
+    let sphere_kg = scene.projectile.nose_sphere_kg();
+    if sphere_kg > mass_kg {
+        let text = format!(
+            "nose mass of a sphere is {} g, the projectile has {} g: radius, density and mass do not fit",
+            significant(1e3 * sphere_kg, 3),
+            significant(1e3 * mass_kg, 3)
+        );
+        add(Check::NoseMass, Unknown, sphere_kg / mass_kg, text);
+    }
+    if let Some(face) = face_ratio(scene).filter(|face| *face < FACE_LEAST) {
+        let text = format!(
+            "plate face is {} mm square, {} D: below {FACE_LEAST} D its edges yield and the hole has no room; raise gamma or set \
+             face",
+            significant(1e3 * scene.plate_face_m(), 3),
+            significant(face, 3)
+        );
+        add(Check::Face, Unconservative, 1.0 / face, text);
+    }
+    let (v, (slow, fast)) = (scene.closing_velocity_m_s(), VELOCITIES_M_S);
+    let symbol = if scene.plate_velocity_m_s() == 0.0 { "v_i" } else { "v_i - w_0 cos(theta)" };
+    let shown = format!("{symbol} = {} m/s is", significant(v, 4));
+    if v < slow {
+        let text = format!("{shown} below the {slow} m/s of measurements");
+        add(Check::Velocity, Unknown, -slow / v, text);
+    } else if v > fast {
+        let text = format!("{shown} above {fast} m/s: heating, rate and erosion are not modelled");
+        add(Check::Velocity, Unknown, v / fast, text);
+    }
+    if theta > 0.0 {
+        let ricochet = ricochet(scene).map_or_else(String::new, |text| format!("; {text}"));
+        let lead = format!("theta = {} deg: ", significant(theta, 4));
+        add(Check::Obliquity, Conservative, theta, lead + &oblique_error(theta) + &ricochet);
+    }
+    if has_fused_stop(scene) {
+        let text = "rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
+                    interface=plastic";
+        add(Check::Stop, Unconservative, 1.0, text.to_owned());
+    }
+    found
 }
 
 fn thickness(scene: &Scene) -> Option<Breach> {
@@ -162,105 +214,29 @@ fn thickness(scene: &Scene) -> Option<Breach> {
              59 % too high",
             significant(1e-6 * yield_pa, 4)
         );
-        (Direction::Unconservative, text)
+        (Unconservative, text)
     } else if dishes && ratio > THICKNESS + ABOUT {
         let is_given = closure == Closure::Given;
         let cure = if is_given { "a strength by cavity expansion" } else { "closure=cavity" };
         let text = ": with dishing the law is validated up to about 1; set dishing=off and ";
-        (Direction::Conservative, format!("{text}{cure}"))
+        (Conservative, format!("{text}{cure}"))
     } else if dishes && ratio < SHEET {
         let text = format!(
             ": with dishing each plate dishes over one diameter, however thin; below about {SHEET} several sheets resist more than \
              one plate of their mass, which no measurement supports"
         );
-        (Direction::Unconservative, text)
+        (Unconservative, text)
     } else if !dishes && ratio < THICKNESS - ABOUT {
-        let cure = match closure {
-            Closure::Cavity => "closure=double-yield and dishing=on",
-            _ => "dishing=on",
-        };
+        let is_cavity = closure == Closure::Cavity;
+        let cure = if is_cavity { "closure=double-yield and dishing=on" } else { "dishing=on" };
         let text = ": without dishing the law is validated from about 1; a thin plate bulges and resists less; set ";
-        (Direction::Unconservative, format!("{text}{cure}"))
+        (Unconservative, format!("{text}{cure}"))
     } else {
         return None;
     };
-    let degree = if direction == Direction::Conservative { ratio } else { 1.0 / ratio };
+    let degree = if direction == Conservative { ratio } else { 1.0 / ratio };
     let text = format!("h/D = {}{text}", significant(ratio, 3));
-    Some(breach(Check::Thickness, direction, degree, text))
-}
-
-fn material(scene: &Scene) -> Option<Breach> {
-    let (density, yield_pa) = (scene.target.density_kg_m3, equivalent_yield_pa(scene));
-    if density >= METAL_KG_M3 || yield_pa >= METAL_PA {
-        return None;
-    }
-    let text = format!(
-        "material is no metal: rho = {} kg/m^3, Y = {} MPa; both the strength and the drag are laws for metal plates",
-        significant(density, 4),
-        significant(1e-6 * yield_pa, 3)
-    );
-    Some(breach(Check::Material, Direction::Unknown, METAL_KG_M3 / density, text))
-}
-
-fn nose(scene: &Scene) -> Option<Breach> {
-    let (direction, text) = match scene.projectile.nose {
-        Nose::Hemispherical => return None,
-        Nose::Blunt => (
-            Direction::Unconservative,
-            "nose is blunt: limits come out about 60 % too high; the law is for a hemispherical nose, and a blunt one shears out a \
-             plug",
-        ),
-        Nose::Pointed => {
-            (Direction::Unknown, "nose is pointed: the law is for a hemispherical nose")
-        }
-    };
-    Some(breach(Check::Nose, direction, 1.0, text.to_owned()))
-}
-
-fn nose_pressure(scene: &Scene) -> Option<Breach> {
-    let pressure = Some(nose_pressure_ratio(scene)).filter(|ratio| *ratio > RIGID_UP_TO)?;
-    let text = format!(
-        "nose pressure S + c v^2 is {} times 2 GPa; that is the strength of hardened steel, and above {RIGID_UP_TO} the \
-         projectile may deform or break",
-        significant(pressure, 3)
-    );
-    Some(breach(Check::NosePressure, Direction::Conservative, pressure, text))
-}
-
-fn nose_mass(scene: &Scene) -> Option<Breach> {
-    let projectile = &scene.projectile;
-    let sphere = Some(projectile.nose_sphere_kg()).filter(|kg| *kg > projectile.mass_kg)?;
-    let text = format!(
-        "nose mass of a sphere is {} g, the projectile has {} g: radius, density and mass do not fit",
-        significant(1e3 * sphere, 3),
-        significant(1e3 * projectile.mass_kg, 3)
-    );
-    Some(breach(Check::NoseMass, Direction::Unknown, sphere / projectile.mass_kg, text))
-}
-
-fn face(scene: &Scene) -> Option<Breach> {
-    let face = face_ratio(scene).filter(|face| *face < FACE_LEAST)?;
-    let text = format!(
-        "plate face is {} mm square, {} D: below {FACE_LEAST} D its edges yield and the hole has no room; raise gamma or set \
-         face",
-        significant(1e3 * scene.plate_face_m(), 3),
-        significant(face, 3)
-    );
-    Some(breach(Check::Face, Direction::Unconservative, 1.0 / face, text))
-}
-
-fn velocity(scene: &Scene) -> Option<Breach> {
-    let (v, (slow, fast)) = (scene.closing_velocity_m_s(), VELOCITIES_M_S);
-    let (degree, fault) = if v < slow {
-        (-slow / v, format!("below the {slow} m/s of measurements"))
-    } else if v > fast {
-        (v / fast, format!("above {fast} m/s: heating, rate and erosion are not modelled"))
-    } else {
-        return None;
-    };
-    let symbol = if scene.plate_velocity_m_s() == 0.0 { "v_i" } else { "v_i - w_0 cos(theta)" };
-    let text = format!("{symbol} = {} m/s is {fault}", significant(v, 4));
-    Some(breach(Check::Velocity, Direction::Unknown, degree, text))
+    Some(Breach { check: Check::Thickness, direction, degree, text })
 }
 
 /// What measurements say of limits at this angle > 0, deg: by the nearest angle that was measured.
@@ -288,13 +264,6 @@ pub fn ricochet(scene: &Scene) -> Option<String> {
     })
 }
 
-fn obliquity(scene: &Scene) -> Option<Breach> {
-    let theta = Some(scene.projectile.obliquity_deg).filter(|theta| *theta > 0.0)?;
-    let ricochet = ricochet(scene).map_or_else(String::new, |text| format!("; {text}"));
-    let text = format!("theta = {} deg: {}{ricochet}", significant(theta, 4), oblique_error(theta));
-    Some(breach(Check::Obliquity, Direction::Conservative, theta, text))
-}
-
 /// Whether a scene has a rigid stop under a fused interface, which cannot carry a hit on it.
 fn has_fused_stop(scene: &Scene) -> bool {
     scene.interface.law == InterfaceLaw::Fused && Mechanism::of(scene).rigid_stop().is_some()
@@ -304,16 +273,6 @@ fn has_fused_stop(scene: &Scene) -> bool {
 pub fn fused_stop_hits(run: &Run) -> Option<usize> {
     let hits = || run.events.iter().filter(|event| event.kind == EventKind::StopHit).count();
     has_fused_stop(&run.scene).then(hits)
-}
-
-fn stop(scene: &Scene) -> Option<Breach> {
-    if !has_fused_stop(scene) {
-        return None;
-    }
-    let text = "rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
-                interface=plastic"
-        .to_owned();
-    Some(breach(Check::Stop, Direction::Unconservative, 1.0, text))
 }
 
 /// The breaches of a run, in the order of the table: of its scene, and of the load of stop, spring and interface. Of the plates of a
@@ -343,43 +302,40 @@ fn of_plate(run: &Run) -> Vec<Breach> {
     if fused_stop_hits(run) == Some(0) {
         found.retain(|breach| breach.check != Check::Stop);
     }
-    found.extend([surge(run), spring_mass(run)].into_iter().flatten());
+    let mut add = |check, degree, text| {
+        found.push(Breach { check, direction: Unconservative, degree, text });
+    };
+    let has_coil = run.scene.plate.mount == Mount::Sprung && run.scene.mechanism.has_coil();
+    let arrest = run.first_arrest.filter(|_| has_coil);
+    let speed = arrest.map_or(0.0, |arrest| arrest.plate_velocity_m_s.abs());
+    if speed > COIL_END_M_S {
+        let text = format!(
+            "spring end moves at {} m/s: above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static one, \
+             and its coils may close",
+            significant(speed, 3)
+        );
+        add(Check::Spring, -speed, text);
+    }
+    if let Some((degree, text)) = spring_mass(run) {
+        add(Check::SpringMass, degree, text);
+    }
     for warning in &run.warnings {
         if let Some((check, degree)) = check_of(warning) {
-            found.push(breach(check, Direction::Unconservative, degree, warning.to_string()));
+            add(check, degree, warning.to_string());
         }
     }
     found
 }
 
-/// The end of a coil spring that moves too fast.
-fn surge(run: &Run) -> Option<Breach> {
-    let scene = &run.scene;
-    let is_coil = scene.mechanism.has_coil();
-    let common = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s.abs());
-    let sprung = scene.plate.mount == Mount::Sprung;
-    let speed = common.filter(|speed| sprung && is_coil && *speed > COIL_END_M_S)?;
-    let text = format!(
-        "spring end moves at {} m/s: above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static one, \
-         and its coils may close",
-        significant(speed, 3)
-    );
-    Some(breach(Check::Spring, Direction::Unconservative, -speed, text))
-}
-
-/// The springs' own mass where it would slow the plate down and is omitted.
-fn spring_mass(run: &Run) -> Option<Breach> {
+/// The springs' own mass where it would slow the plate down and is omitted: the part of it that moves over the plate's mass.
+fn spring_mass(run: &Run) -> Option<(f64, String)> {
     if is_uncounted(&run.scene) {
         let text = "own_mass=counted adds nothing: the mass of a spring that is neither coil nor beam is not known; give m_spring or \
                     e_spring";
-        let (check, direction) = (Check::SpringMass, Direction::Unconservative);
-        return Some(breach(check, direction, f64::INFINITY, text.to_owned()));
+        return Some((f64::INFINITY, text.to_owned()));
     }
     let omitted = OmittedMass::of(&run.scene, run.mechanism.stored_j)?;
     let over_plate = omitted.moving_kg / run.scene.plate_mass_kg();
-    if over_plate <= SPRING_MASS_MOST {
-        return None;
-    }
     let is_of_second = run.scene.mechanism.spring.own_mass == OwnMass::Counted;
     let cure =
         if is_of_second { "add the second spring's to m_spring" } else { "set own_mass=counted" };
@@ -389,7 +345,7 @@ fn spring_mass(run: &Run) -> Option<Breach> {
         if omitted.is_least { "at least " } else { "" },
         significant(1e3 * omitted.mass_kg, 3)
     );
-    Some(breach(Check::SpringMass, Direction::Unconservative, over_plate, text))
+    (over_plate > SPRING_MASS_MOST).then_some((over_plate, text))
 }
 
 /// The row of the table that a warning of a run belongs to, and how far it goes.
@@ -446,7 +402,6 @@ mod tests {
 
     #[test]
     fn every_rule_is_kept_inside_and_each_breach_gives_its_number_and_direction() {
-        use Direction::{Conservative, Unconservative, Unknown};
         // Rolled armour of 6 to 14 mm under a core of 6.25 mm came out too high (`validate`): h/D from 0.96 to 2.2. Mild steel did not.
         let core = |own: &str| format!("R=3.1242mm closure=cavity dishing=off {own}");
         let hard = core("Y=900MPa h=14mm");

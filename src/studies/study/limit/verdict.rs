@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::model::contact_kernel::ContactEnd;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Criterion, Scene};
-use crate::model::simulate::{Settings, follow, simulate};
+use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::first_contact::is_through;
 
@@ -57,7 +57,10 @@ pub(in crate::study) fn decide(
 ) -> Option<(Run, ShotOutcome)> {
     let mut run = simulate(scene, &Settings::BARE, observer).ok()?;
     if run.stack.is_none() && ShotOutcome::of(&run) == ShotOutcome::Undecided {
-        run = follow(scene, observer).ok()?;
+        let mut own = Scene::clone(scene);
+        own.run.horizon_s = None;
+        let settings = Settings { long: true, ..Settings::BARE };
+        run = simulate(&Arc::new(own), &settings, observer).ok()?;
     }
     let verdict = ShotOutcome::of(&run);
     Some((run, verdict))

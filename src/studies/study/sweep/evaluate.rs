@@ -61,7 +61,7 @@ impl<'p> Evaluator<'p> {
             stop,
             scene: Arc::new(plan.base().clone()),
             kernel: Kernel::of(plan),
-            settings: Settings { series: false, estimate },
+            settings: Settings { estimate, ..Settings::BARE },
         }
     }
 
