@@ -5,7 +5,7 @@ use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{self, Contact, Hold, Mode, Touch};
 use crate::model::impact::path::Path;
 use crate::model::impact::window::Window;
-use crate::model::run::{self, Arrest, Departure, EnergyLedger, Event, EventKind, Sample};
+use crate::model::run::{self, Arrest, Cost, Departure, EnergyLedger, Event, EventKind, Sample};
 use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::quadrature::GAUSS_16;
 use crate::numerics::{larger, smaller};
@@ -43,13 +43,7 @@ pub(super) struct Record<'a> {
     pub(super) fastest_m_s: f64,
     /// A steep spring held the plate up to the first arrest.
     pub(super) was_held: bool,
-    pub(super) steps: usize,
-    pub(super) rejected: usize,
-    pub(super) evaluations: usize,
-    /// Events that changed what acts.
-    pub(super) changes: usize,
-    /// Times the plate turned.
-    pub(super) turns: usize,
+    pub(super) cost: Cost,
 }
 
 /// The greatest forces of mount and joined interface.
@@ -87,7 +81,7 @@ impl Record<'_> {
 
     /// Notes a step, whose states are given by the part of it.
     pub(super) fn step(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
-        self.steps += 1;
+        self.cost.steps += 1;
         self.add_work(equations, path);
         self.note_forces(equations, path);
         self.draw(equations, &path.looks[1..], path);
@@ -295,7 +289,7 @@ impl Record<'_> {
             _ => {}
         }
         let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
-        self.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
+        self.cost.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
         if after.mode.contact == Contact::Joined && after.mode.hold == Hold::Free {
             let force_n = after.mechanism_n(to.x_m, to.w_m_s);
             self.note_load(after, to, [force_n, -force_n]);
@@ -303,7 +297,7 @@ impl Record<'_> {
         }
         let acts = |mode: &Mode| (mode.contact, mode.hold, mode.touch);
         if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
-            self.changes += 1;
+            self.cost.events += 1;
             self.row(after, to);
         } else if let Some(row) = self.series.last_mut().filter(|_| self.keep_series) {
             *row = sample(after, to, true);

@@ -305,20 +305,6 @@ impl Course<'_> {
         })
     }
 
-    fn cost(&self) -> Cost {
-        let record = &self.record;
-        Cost {
-            steps: record.steps,
-            rejected: record.rejected,
-            turns: record.turns,
-            events: record.changes,
-            rhs_evaluations: record.evaluations,
-            took_s: None,
-            method: "Radau IIA 17",
-            reason: "one implicit method of high order: smooth, stiff and steep alike",
-        }
-    }
-
     fn omitted(&self) -> Vec<&'static str> {
         let (setup, record) = (self.setup, &self.record);
         let spring = &setup.spring;
@@ -376,7 +362,7 @@ pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
         warnings.push(Warning::StillMoving { outcome, at_least });
     }
     let (mechanism, omitted) = (course.load(max_plate_displacement_m), course.omitted());
-    let (cost, interface_tension_ratio) = (course.cost(), course.tension());
+    let interface_tension_ratio = course.tension();
     let Course { scene, record, .. } = course;
     let mut events = record.events;
     // A turn that was passed later, on a stop, was not the greatest displacement.
@@ -403,7 +389,11 @@ pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
         events,
         ledger,
         mechanism,
-        cost,
+        cost: Cost {
+            method: "Radau IIA 17",
+            reason: "one implicit method of high order: smooth, stiff and steep alike",
+            ..record.cost
+        },
         omitted,
         warnings,
         ..Run::default()

@@ -12,7 +12,7 @@ use crate::model::impact::path::Path;
 use crate::model::impact::record::{Loads, Record};
 use crate::model::impact::report::{self, Course};
 use crate::model::impact::window::Window;
-use crate::model::run::{EndReason, Observer, Run};
+use crate::model::run::{Cost, EndReason, Observer, Run};
 use crate::model::scene::Scene;
 use crate::numerics::locate::{CELLS, Found, GAPS_MAX, first_fall};
 use crate::numerics::step::{Near, Step, Stepper};
@@ -145,12 +145,12 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             window.show(|| report::gather(self.course.clone(), EndReason::Cancelled));
         }
         let record = &self.course.record;
-        if record.evaluations + S * (record.changes + record.turns) > EVALUATIONS_MAX {
+        let Cost { rhs_evaluations, events, turns, .. } = record.cost;
+        if rhs_evaluations + S * (events + turns) > EVALUATIONS_MAX {
             // The first contact ends, however often the plate turns in it.
             let is_over = record.first_arrest.is_some() || record.exit.is_some();
-            let oscillates = is_over
-                && self.course.scene.run.horizon_s.is_none()
-                && record.turns + record.changes > TURNS_MAX;
+            let oscillates =
+                is_over && self.course.scene.run.horizon_s.is_none() && turns + events > TURNS_MAX;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
         if let Some(event) = self.missed() {
@@ -182,19 +182,19 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     fn follow_on(&mut self, all_loads: bool, observer: Observer<'_>) -> EndReason {
         let scene = self.course.scene;
         let is_drawn = self.course.record.keep_series && scene.run.horizon_s.is_none();
-        let (turns, steps) = (self.course.record.turns, self.course.record.steps);
+        let Cost { turns, steps, .. } = self.course.record.cost;
         self.course.horizon_s = self.course.state.t_s + horizon::of(self.course.setup);
         let mut loads: Option<Loads> = None;
         let mut end = EndReason::Decided;
         loop {
-            let turned = self.course.record.turns - turns;
+            let turned = self.course.record.cost.turns - turns;
             if loads.is_none()
                 && (turned >= TURNS_FOLLOWED || !self.course.loads_may_grow(all_loads))
             {
                 loads = Some(self.course.record.loads);
             }
             let draws = is_drawn
-                && self.course.record.steps < steps + STEPS_DRAWN
+                && self.course.record.cost.steps < steps + STEPS_DRAWN
                 && self.course.is_drawn();
             if (loads.is_some() && !draws) || self.is_at(self.course.horizon_s) {
                 break;
@@ -309,12 +309,12 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             over: h_s / before_s,
         });
         let start = self.course.state;
-        let evaluations = &mut self.course.record.evaluations;
+        let evaluations = &mut self.course.record.cost.rhs_evaluations;
         let (step, next_s) = match self.stepper.step(law, law.point(&start), h_s, near, evaluations)
         {
             Ok(taken) => taken,
             Err(shorter_s) => {
-                self.course.record.rejected += 1;
+                self.course.record.cost.rejected += 1;
                 self.h_s = shorter_s;
                 return None;
             }
@@ -377,7 +377,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let mut h_s = about_s;
         for _ in 0..LANDINGS_MAX {
             let near = Near { acceleration: near.acceleration, from: 0.0, over: h_s / near.h };
-            let evaluations = &mut self.course.record.evaluations;
+            let evaluations = &mut self.course.record.cost.rhs_evaluations;
             let (step, _) =
                 self.stepper.step(law, law.point(&start), h_s, Some(near), evaluations)?;
             let at = |theta: f64| law.state(&start, start.t_s + theta * h_s, &step.at(theta));
