@@ -170,13 +170,13 @@ impl<'a> Beside<'a> {
             && shot.exit.is_none()
             && decided_s < shot.t_s;
         if is_told && run.outcome == Outcome::Arrested && is_out {
-            found.push(format!("{when}{}, but {:?} at {} s", run.outcome, shot.state, shot.t_s));
+            found.push(format!("{when}{:?}, but {:?} at {} s", run.outcome, shot.state, shot.t_s));
         }
         if is_told && run.outcome == Outcome::Separated && shot.state[0] > self.room_m() {
-            found.push(format!("{when}{}, but {:?} at {} s", run.outcome, shot.state, shot.t_s));
+            found.push(format!("{when}{:?}, but {:?} at {} s", run.outcome, shot.state, shot.t_s));
         }
         if shot.exit.is_some() && matches!(run.outcome, Outcome::Arrested | Outcome::Separated) {
-            found.push(format!("{when}{}, not perforated", run.outcome));
+            found.push(format!("{when}{:?}, not perforated", run.outcome));
         } else if let Some(depth) = run.final_penetration_m.filter(|_| shot.exit.is_none())
             && run.outcome != Outcome::Perforated
             && depth < deepest - self.room_m()

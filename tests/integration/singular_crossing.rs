@@ -20,8 +20,7 @@ const WATCHED_S: f64 = 0.1;
 
 /// Times at which the joined bodies come through zero, and their speed then.
 fn passages(run: &Run) -> Vec<(f64, f64)> {
-    let joined: Vec<_> =
-        run.series.iter().filter(|row| row.mode == Mode::Fused && row.is_step).collect();
+    let joined: Vec<_> = run.series.iter().filter(|row| row.mode == Mode::Fused).collect();
     let at_zero = joined.windows(2).filter(|pair| {
         pair[0].plate_displacement_m * pair[1].plate_displacement_m <= 0.0
             && pair[0].plate_displacement_m != 0.0

@@ -195,7 +195,7 @@ fn compare(scene: &Arc<Scene>, run: &Run) -> Option<(Class, String)> {
     if second.outcome != run.outcome {
         let is_undecided = [run.outcome, second.outcome].contains(&Outcome::Moving);
         let class = if is_undecided { Class::ToldWrong } else { Class::SilentlyWrong };
-        return Some((class, format!("{} at {TIGHT:e}", second.outcome)));
+        return Some((class, format!("{:?} at {TIGHT:e}", second.outcome)));
     }
     let difference = (measure(run)? / measure(&second)? - 1.0).abs();
     if difference <= DIFFERENCE_MAX {
@@ -249,7 +249,7 @@ fn shortfall(index: u64, scene: &Arc<Scene>) -> Option<Shortfall> {
         let (steps, rejected, method) = (cost.steps, cost.rejected, cost.method);
         let (turns, events, residual) = (cost.turns, cost.events, ledger.residual());
         let detail = format!(
-            "{outcome}, {steps}+{rejected} steps, {turns}+{events} turns and events, {residual:.1e}, {method}"
+            "{outcome:?}, {steps}+{rejected} steps, {turns}+{events} turns and events, {residual:.1e}, {method}"
         );
         return short(class, detail);
     }

@@ -3,7 +3,6 @@
 //! A quantity that does not exist for a scene is `None`, never zero. A run that had to end early keeps all it has and says
 //! why in [`Run::end`]. Nothing here reads a clock: the caller measures the time.
 
-use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -119,12 +118,6 @@ worded! {
     }
 }
 
-impl fmt::Display for Outcome {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
-    }
-}
-
 worded! {
     /// Why the computation ended.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -212,8 +205,6 @@ pub struct Sample {
     pub damper_force_n: f64,
     /// Force of the stop on the plate (elastic, or while the plate rests on a rigid one), N.
     pub stop_force_n: f64,
-    /// Whether this is the end of one of the solver's own steps (else it lies between two, for drawing).
-    pub is_step: bool,
 }
 
 /// Something that happened at a located moment.
@@ -396,14 +387,11 @@ impl Run {
     /// The outcome of the whole shot by the scene's criterion: into a stack, that in the last plate struck. What protrudes from one
     /// before the base plate does not count.
     pub fn shot_outcome(&self) -> Outcome {
-        let (base, outcome) = match &self.stack {
-            None => (Some(self), self.outcome),
-            Some(stack) => {
-                let last = stack.behind.last().filter(|_| stack.behind.len() == stack.elements);
-                let is_in = stack.outcome != Outcome::Separated;
-                (last.map(|run| &**run).filter(|_| is_in), stack.outcome)
-            }
-        };
+        let outcome = self.stack.as_ref().map_or(self.outcome, |stack| stack.outcome);
+        let is_in_base = self.stack.as_ref().is_none_or(|stack| {
+            stack.behind.len() == stack.elements && outcome != Outcome::Separated
+        });
+        let base = self.plates().last().filter(|_| is_in_base);
         let by_protrusion = self.scene.target.criterion == Criterion::Protrusion;
         let is_out = base.is_some_and(|run| run.protrusion_m().is_some());
         if by_protrusion && is_out { Outcome::Perforated } else { outcome }

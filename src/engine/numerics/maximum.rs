@@ -40,12 +40,12 @@ pub(crate) fn greatest(values: &[f64; CELLS + 1], known: f64, f: &dyn Fn(f64) ->
 /// Where `f` has its only maximum between `a` and `b`.
 pub fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     let (mut a, mut b, tolerance) = (a, b, LOCATED * (b - a));
-    let mut x = a + GOLDEN * (b - a);
-    let (mut w, mut v) = (x, x);
-    let mut at_x = f(x);
-    let (mut at_w, mut at_v) = (at_x, at_x);
+    let first = a + GOLDEN * (b - a);
+    // The three best places, the best first, and their values.
+    let mut best = [(first, f(first)); 3];
     let (mut step, mut before_last) = (0.0f64, 0.0f64);
     for _ in 0..ROUNDS_MAX {
+        let [(x, at_x), (w, at_w), (v, at_v)] = best;
         let middle = 0.5 * (a + b);
         if (x - middle).abs() <= 2.0 * tolerance - 0.5 * (b - a) {
             break;
@@ -53,8 +53,7 @@ pub fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
         // The vertex of the parabola through the three best places.
         let r = (x - w) * (at_x - at_v);
         let q = (x - v) * (at_x - at_w);
-        let (numerator, denominator) = ((x - v) * q - (x - w) * r, 2.0 * (q - r));
-        let vertex = -numerator / denominator;
+        let vertex = -((x - v) * q - (x - w) * r) / (2.0 * (q - r));
         let fits = vertex.abs() < (0.5 * before_last).abs() && x + vertex > a && x + vertex < b;
         before_last = step;
         step = if fits {
@@ -66,27 +65,18 @@ pub fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
         let least = if step.abs() >= tolerance { step } else { tolerance.copysign(step) };
         let u = x + least;
         let at_u = f(u);
-        if at_u >= at_x {
-            if u < x {
-                b = x;
-            } else {
-                a = x;
-            }
-            (v, at_v, w, at_w, x, at_x) = (w, at_w, x, at_x, u, at_u);
-        } else {
-            if u < x {
-                a = u;
-            } else {
-                b = u;
-            }
-            if at_u >= at_w || w.to_bits() == x.to_bits() {
-                (v, at_v, w, at_w) = (w, at_w, u, at_u);
-            } else if at_u >= at_v || v.to_bits() == x.to_bits() || v.to_bits() == w.to_bits() {
-                (v, at_v) = (u, at_u);
-            }
+        let is_best = at_u >= at_x;
+        let end = if is_best { x } else { u };
+        (a, b) = if is_best == (u < x) { (a, end) } else { (end, b) };
+        let is_same = |one: f64, other: f64| one.to_bits() == other.to_bits();
+        let is_second = at_u >= at_w || is_same(w, x);
+        let is_third = at_u >= at_v || is_same(v, x) || is_same(v, w);
+        if let Some(rank) = [is_best, is_second, is_third].iter().position(|it| *it) {
+            best[rank..].rotate_right(1);
+            best[rank] = (u, at_u);
         }
     }
-    x
+    best[0].0
 }
 
 #[cfg(test)]

@@ -276,7 +276,7 @@ mod tests {
     use crate::model::run::{EventKind, Mode};
 
     fn sample(t_s: f64, penetration_m: f64, mode: Mode) -> Sample {
-        Sample { t_s, mode, penetration_m, is_step: true, ..Sample::default() }
+        Sample { t_s, mode, penetration_m, ..Sample::default() }
     }
 
     fn jump() -> Vec<Sample> {

@@ -337,7 +337,6 @@ impl Shape {
             spring_force_n: 4e3 * turn.sin(),
             damper_force_n: 0.0,
             stop_force_n: 0.0,
-            is_step: true,
         }
     }
 

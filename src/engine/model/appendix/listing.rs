@@ -106,7 +106,6 @@ impl Work<'_> {
             contact_force_n: if mode == Mode::Penetrating { state.force_n } else { 0.0 },
             spring_force_n: spring,
             damper_force_n: damper,
-            is_step: true,
             ..Sample::default()
         }
     }

@@ -244,21 +244,18 @@ impl Record<'_> {
             let (from_s, to_s) = (path.start().t_s, path.end().t_s);
             window.fill(to_s, |t_s| {
                 let state = State { t_s, ..path.at((t_s - from_s) / (to_s - from_s)) };
-                sample(equations, &state, false)
+                sample(equations, &state)
             });
         }
         let skipped = if self.series.len() < ROWS_MAX { 0 } else { states.len() - 1 };
         for state in &states[skipped..] {
-            self.series.push(sample(equations, state, false));
-        }
-        if let Some(row) = self.series.last_mut() {
-            row.is_step = true;
+            self.series.push(sample(equations, state));
         }
     }
 
     fn row(&mut self, equations: &Equations<'_>, state: &State) {
         if self.keep_series {
-            let row = sample(equations, state, true);
+            let row = sample(equations, state);
             if let Some(window) = self.window {
                 window.fill(row.t_s, |_| row);
             }
@@ -300,7 +297,7 @@ impl Record<'_> {
             self.cost.events += 1;
             self.row(after, to);
         } else if let Some(row) = self.series.last_mut().filter(|_| self.keep_series) {
-            *row = sample(after, to, true);
+            *row = sample(after, to);
         }
     }
 
@@ -416,7 +413,7 @@ impl Equations<'_> {
 }
 
 /// The row of a state.
-fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
+fn sample(equations: &Equations<'_>, state: &State) -> Sample {
     let Equations { setup, mode } = equations;
     let contact_n = match mode.contact {
         Contact::Joined => equations.carried_n(state),
@@ -453,6 +450,5 @@ fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
             _ if mode.touch == Touch::Pressed => equations.stop_n(state.x_m, w_m_s),
             _ => 0.0,
         },
-        is_step,
     }
 }

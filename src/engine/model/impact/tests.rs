@@ -297,8 +297,7 @@ fn valid_rows_at_equal_times_lie_on_the_motion() {
         let way_m = row.projectile_displacement_m + row.plate_displacement_m;
         assert!((way_m - 100.0 * row.t_s).abs() < 1e-15, "{row:?}");
     }
-    let marked = found.series.iter().filter(|row| row.is_step).count();
-    assert!(marked > found.cost.steps && 8 * marked < found.series.len(), "{marked}");
+    assert!(found.series.len() > 8 * found.cost.steps, "{}", found.series.len());
 }
 
 #[test]

@@ -65,38 +65,29 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::run::{EndReason, Sample};
-    use crate::model::scene::Scene;
+    use crate::model::run::EndReason;
     use crate::model::simulate::{Settings, simulate_openly};
+    use crate::model::variables::scene_with;
 
-    /// Looks after a given number of steps of a run that oscillates on, and the run itself, ended after this many.
-    fn looks(after: &[usize], end: usize) -> (Vec<Run>, Run) {
-        let mut scene = Scene::default();
-        scene.mechanism.spring.exponent = 0.3;
-        scene.run.horizon_s = Some(1e3);
+    /// A run that oscillates on, ended after 6000 steps, has every row of the looks at it.
+    #[test]
+    fn every_row_of_a_look_is_one_of_the_runs_own_in_their_order() {
         let window = Window::default();
         let (mut steps, mut parts) = (0, Vec::new());
         let mut observer = |_: f64| {
             steps += 1;
             parts.extend(window.take());
-            if after.contains(&steps) {
+            if [500, 2_000, 5_000].contains(&steps) {
                 window.ask();
             }
-            if steps > end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if steps > 6_000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let whole = simulate_openly(&Arc::new(scene), &Settings::SERIES, &mut observer, &window);
-        (parts, whole.unwrap())
-    }
-
-    fn is_in_order(rows: &[Sample]) -> bool {
-        rows.windows(2).all(|pair| pair[0].t_s <= pair[1].t_s && pair[0] != pair[1])
-    }
-
-    /// A run has every row of a look at it.
-    #[test]
-    fn every_row_of_a_look_is_one_of_the_runs_own_in_their_order() {
-        let (parts, whole) = looks(&[500, 2_000, 5_000], 6_000);
+        let scene = Arc::new(scene_with("n=0.3 run.horizon_s=1000"));
+        let whole = simulate_openly(&scene, &Settings::SERIES, &mut observer, &window).unwrap();
         assert!(parts.len() == 3 && whole.end == EndReason::Cancelled);
+        let is_in_order = |rows: &[Sample]| {
+            rows.windows(2).all(|pair| pair[0].t_s <= pair[1].t_s && pair[0] != pair[1])
+        };
         assert!(is_in_order(&whole.series));
         for part in parts {
             assert!(part.series.len() > 3_000 && is_in_order(&part.series));

@@ -287,7 +287,10 @@ fn error(run: &Run) -> Option<String> {
         EstimateBasis::SecondComputation => "from a second computation with fewer stages",
         EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
         EstimateBasis::OutcomeDiffers(other) => {
-            return Some(format!("unknown: outcome differs (a second computation ends {other})"));
+            return Some(format!(
+                "unknown: outcome differs (a second computation ends {})",
+                other.word()
+            ));
         }
     };
     let of = if run.outcome == Outcome::Perforated { "exit time" } else { "depth" };
