@@ -12,7 +12,6 @@ mod half_sine;
 mod law;
 mod lumped;
 
-pub(super) use half_sine::History;
 pub(super) use law::Law;
 
 impl ContactModel {

@@ -217,7 +217,7 @@ impl<const S: usize> Member<S> {
             Way::From(Some(Near { acceleration, from, over })) => {
                 by_place(self.nodes.map(|node| series(&acceleration, from + over * node)))
             }
-            Way::From(None) | Way::Guarded => guess(law, start, h).map(|value| [value; S]),
+            Way::From(None) | Way::Guarded => guess(law, &start, h).map(|value| [value; S]),
         };
         let mut matrix = Factored::zero();
         let mut is_old = true;
@@ -235,7 +235,8 @@ impl<const S: usize> Member<S> {
             if is_old {
                 self.derive(&mut matrix, law, &points, h);
             }
-            let wanted = by_place(points.map(|(place, speed)| law.at(&place, &speed)));
+            let wanted = array::from_fn(|i| law.at(h * self.nodes[i], &points[i]));
+            let wanted = by_place(wanted);
             let with = |part: f64, change: &Stages<D, S>, stages: &Stages<D, S>| -> Stages<D, S> {
                 array::from_fn(|d| array::from_fn(|i| stages[d][i] + part * change[d][i]))
             };
@@ -261,7 +262,7 @@ impl<const S: usize> Member<S> {
             // What no longer shrinks, far below the tolerance or as small as what the rounding of forces makes if it is alike at all
             // stages, is rounding.
             let stalls = before.is_finite() && contraction > 0.5 && {
-                let mut rounding = law.rounding(&start).map(|rounding| [rounding; S]);
+                let mut rounding = law.rounding(0.0, &start).map(|rounding| [rounding; S]);
                 matrix.solve(&mut rounding);
                 norm < 10.0 * enough || norm < size(&rounding)
             };
@@ -300,7 +301,7 @@ impl<const S: usize> Member<S> {
         [from, to]: [&Stages<D, S>; 2],
     ) -> f64 {
         let (from, to) = (self.points(start, h, from), self.points(start, h, to));
-        let parts = from.iter().zip(&to).map(|(from, to)| law.without_passing(*from, *to));
+        let parts = from.iter().zip(&to).map(|(from, to)| law.without_passing(from, to));
         parts.fold(1.0, smaller)
     }
 
@@ -312,7 +313,7 @@ impl<const S: usize> Member<S> {
         points: &[Point<D>; S],
         h: f64,
     ) {
-        let slopes = points.map(|(place, speed)| law.slopes(&place, &speed));
+        let slopes = points.each_ref().map(|point| law.slopes(point));
         for (e, columns) in matrix.columns.iter_mut().enumerate() {
             for d in 0..D {
                 let by_speed = slopes.each_ref().map(|slopes| h * slopes.speed[d][e]);
@@ -354,7 +355,7 @@ impl<const S: usize> Member<S> {
         goal: &Tolerances<D>,
     ) -> f64 {
         let h = step.h;
-        let rounding = law.rounding(&step.end);
+        let rounding = law.rounding(h, &step.end);
         let beyond = |value: f64, d: usize| larger(value.abs() - rounding[d], 0.0);
         let mut tail = ([0.0; D], [0.0; D]);
         let (from, last) = Self::FALL;
@@ -370,15 +371,14 @@ impl<const S: usize> Member<S> {
         }
         let mut defect = ([0.0; D], [0.0; D]);
         for Gauss { at, weight, values } in &self.gauss {
-            let (place, speed) = step.at(*at);
-            for (d, wanted) in law.at(&place, &speed).into_iter().enumerate() {
+            for (d, wanted) in law.at(h * at, &step.at(*at)).into_iter().enumerate() {
                 let given = dot(&step.acceleration[d], values);
                 let missed = h * weight * beyond(wanted - given, d).copysign(wanted - given);
                 defect.1[d] += missed;
                 defect.0[d] += h * (1.0 - at) * missed;
             }
         }
-        let slopes = law.slopes(&step.end.0, &step.end.1);
+        let slopes = law.slopes(&step.end);
         let mut filter = Factored::<D, 1>::zero();
         for (e, [column]) in filter.columns.iter_mut().enumerate() {
             for (d, [value]) in column.iter_mut().enumerate() {
@@ -416,8 +416,8 @@ fn by_place<const D: usize, const S: usize>(values: [[f64; D]; S]) -> Stages<D, 
 }
 
 /// The first guess of the stages: the acceleration at the start, or none where it would change the speed by more than itself.
-fn guess<const D: usize>(law: &impl Acceleration<D>, (place, speed): Point<D>, h: f64) -> [f64; D] {
-    let first = law.at(&place, &speed);
+fn guess<const D: usize>(law: &impl Acceleration<D>, start: &Point<D>, h: f64) -> [f64; D] {
+    let (first, speed) = (law.at(0.0, start), start.1);
     array::from_fn(|d| {
         let is_modest = (h * first[d]).abs() <= speed[d].abs() || speed[d] == 0.0;
         if is_modest && first[d].is_finite() { first[d] } else { 0.0 }
@@ -504,11 +504,11 @@ mod tests {
     struct Spring(f64);
 
     impl Acceleration<1> for Spring {
-        fn at(&self, place: &[f64; 1], _: &[f64; 1]) -> [f64; 1] {
+        fn at(&self, _: f64, (place, _): &Point<1>) -> [f64; 1] {
             [-self.0 * place[0]]
         }
 
-        fn slopes(&self, _: &[f64; 1], _: &[f64; 1]) -> Slopes<1> {
+        fn slopes(&self, _: &Point<1>) -> Slopes<1> {
             Slopes { place: [[-self.0]], speed: [[0.0]] }
         }
 
@@ -521,11 +521,11 @@ mod tests {
     struct Drag;
 
     impl Acceleration<1> for Drag {
-        fn at(&self, _: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
+        fn at(&self, _: f64, (_, speed): &Point<1>) -> [f64; 1] {
             [-speed[0] * speed[0]]
         }
 
-        fn slopes(&self, _: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
+        fn slopes(&self, (_, speed): &Point<1>) -> Slopes<1> {
             Slopes { place: [[0.0]], speed: [[-2.0 * speed[0]]] }
         }
 

@@ -108,10 +108,10 @@ fn of_stages<const D: usize, const N: usize>(
     evaluations: &mut usize,
 ) -> (Step<D, COEFFICIENTS>, [Point<D>; N]) {
     let mut rates = [([0.0; D], [0.0; D]); N];
-    let mut at = start;
+    let (mut at, mut part) = (start, 0.0);
     for (stage, row) in rows.iter().enumerate() {
-        rates[stage] = (at.1, law.at(&at.0, &at.1));
-        at = start;
+        rates[stage] = (at.1, law.at(h * part, &at));
+        (at, part) = (start, row.iter().sum());
         for (weight, (speed, acceleration)) in row.iter().zip(&rates[..=stage]) {
             for d in 0..D {
                 at.0[d] += h * weight * speed[d];
@@ -120,7 +120,7 @@ fn of_stages<const D: usize, const N: usize>(
         }
     }
     *evaluations += N + 1;
-    (through(h, start, at, [rates[0].1, law.at(&at.0, &at.1)]), rates)
+    (through(h, start, at, [rates[0].1, law.at(h, &at)]), rates)
 }
 
 /// The step between two points with these accelerations at its ends.
@@ -159,11 +159,11 @@ mod tests {
     struct Oscillator;
 
     impl Acceleration<1> for Oscillator {
-        fn at(&self, place: &[f64; 1], _: &[f64; 1]) -> [f64; 1] {
+        fn at(&self, _: f64, (place, _): &Point<1>) -> [f64; 1] {
             [-place[0]]
         }
 
-        fn slopes(&self, _: &[f64; 1], _: &[f64; 1]) -> Slopes<1> {
+        fn slopes(&self, _: &Point<1>) -> Slopes<1> {
             Slopes { place: [[-1.0]], speed: [[0.0]] }
         }
 

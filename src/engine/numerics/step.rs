@@ -14,9 +14,10 @@ pub(crate) struct Slopes<const D: usize> {
 
 /// The law of motion of `D` places.
 pub(crate) trait Acceleration<const D: usize> {
-    fn at(&self, place: &[f64; D], speed: &[f64; D]) -> [f64; D];
+    /// Accelerations at a point, after a time from where a step begins.
+    fn at(&self, t: f64, point: &Point<D>) -> [f64; D];
 
-    fn slopes(&self, place: &[f64; D], speed: &[f64; D]) -> Slopes<D>;
+    fn slopes(&self, point: &Point<D>) -> Slopes<D>;
 
     /// Whether a part of the law is infinitely steep at a zero of its own, where its derivative misleads.
     fn is_steep(&self) -> bool {
@@ -24,7 +25,7 @@ pub(crate) trait Acceleration<const D: usize> {
     }
 
     /// The part of a change of place and speed after which no such part has passed its zero.
-    fn without_passing(&self, _from: Point<D>, _to: Point<D>) -> f64 {
+    fn without_passing(&self, _from: &Point<D>, _to: &Point<D>) -> f64 {
         1.0
     }
 
@@ -32,7 +33,7 @@ pub(crate) trait Acceleration<const D: usize> {
     fn sizes(&self, at: &Point<D>) -> Point<D>;
 
     /// What the rounding of forces, which may hold each other, makes of the accelerations at a point.
-    fn rounding(&self, _: &Point<D>) -> [f64; D] {
+    fn rounding(&self, _: f64, _: &Point<D>) -> [f64; D] {
         [0.0; D]
     }
 }

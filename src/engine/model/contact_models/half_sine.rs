@@ -37,19 +37,8 @@ impl History {
         self.amplitude_n() * self.angle(t_s).sin()
     }
 
-    /// How fast the force rises, N/s.
-    pub(in crate::model) fn rate_n_s(&self, t_s: f64) -> f64 {
-        self.amplitude_n() * PI / self.duration_s * self.angle(t_s).cos()
-    }
-
-    /// The projectile's velocity.
-    pub(in crate::model) fn velocity_m_s(&self, t_s: f64) -> f64 {
-        let half = (0.5 * self.angle(t_s)).cos();
-        self.velocity_m_s * half * half
-    }
-
-    /// How far the projectile has come since first contact, m.
-    pub(in crate::model) fn travel_m(&self, t_s: f64) -> f64 {
-        0.5 * self.velocity_m_s * (t_s + self.duration_s / PI * self.angle(t_s).sin())
+    /// How far the projectile has come at the end of it, m.
+    pub(super) fn travel_m(&self) -> f64 {
+        0.5 * self.velocity_m_s * self.duration_s
     }
 }

@@ -36,7 +36,7 @@ impl Law {
     pub(in crate::model) fn hole_on_rigid_mount_m(&self) -> Option<f64> {
         match self {
             Self::Flow | Self::AtOnce => None,
-            Self::History(history) => Some(history.travel_m(history.duration_s)),
+            Self::History(history) => Some(history.travel_m()),
             Self::Lumped(lumped) => Some(lumped.dent_m(lumped.pressed_on_rigid_mount_m())),
         }
     }

@@ -9,6 +9,7 @@ use crate::model::contact_models::Law;
 use crate::model::impact::modes::{Contact, Hold, Mode, Touch};
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
+use crate::numerics::step::Slopes;
 use crate::numerics::{larger, smaller};
 
 /// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
@@ -18,7 +19,7 @@ const SLOPE_WIDTH: f64 = 1e-6;
 const UNRESOLVED: f64 = 1e-18;
 /// Rounding of a force, relative: hundreds of units of the last place, for the areas of oblique sections are differences of terms. Others
 /// are known better; but what so small a part of a force changes is lost in the error that a step is allowed.
-pub(super) const KNOWN: f64 = 1e-13;
+const KNOWN: f64 = 1e-13;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
 
@@ -321,17 +322,49 @@ impl Equations<'_> {
     pub(super) fn accelerations(&self, state: &State) -> (f64, f64) {
         let setup = self.setup;
         let contact = self.contact_n(state);
-        let mechanism = self.mechanism_n(state.x_m, state.w_m_s);
-        let plate = match self.mode.contact {
-            _ if self.plate_rests() => 0.0,
-            Contact::Joined => -mechanism / setup.joined_kg,
-            _ => (contact * setup.cos - mechanism) / setup.plate_kg,
+        let plate = if self.plate_rests() {
+            0.0
+        } else {
+            let mechanism = self.mechanism_n(state.x_m, state.w_m_s);
+            (contact * setup.cos - mechanism) / self.moving_kg()
         };
         let slip = match self.mode.contact {
             Contact::Joined => 0.0,
             _ => -contact / setup.projectile_kg - plate * setup.cos,
         };
         (slip, plate)
+    }
+
+    /// Their derivatives by travel and displacement, and by slip and the plate's velocity.
+    pub(super) fn slopes(&self, state: &State) -> Slopes<2> {
+        let setup = self.setup;
+        let contact = self.contact_slopes(state.q_m, state.u_m_s);
+        let (mechanism, plate) = if self.plate_rests() {
+            ((0.0, 0.0), 0.0)
+        } else {
+            (self.mechanism_slopes(state.x_m, state.w_m_s), 1.0 / self.moving_kg())
+        };
+        let slip = 1.0 / setup.projectile_kg + setup.cos * setup.cos * plate;
+        let rows = |contact: f64, mechanism: f64| {
+            [
+                [-contact * slip, mechanism * setup.cos * plate],
+                [contact * setup.cos * plate, -mechanism * plate],
+            ]
+        };
+        Slopes { place: rows(contact.0, mechanism.0), speed: rows(contact.1, mechanism.1) }
+    }
+
+    /// What they are off by through the rounding of forces, which may hold each other.
+    pub(super) fn rounding(&self, state: &State) -> (f64, f64) {
+        let setup = self.setup;
+        let contact = KNOWN * self.contact_n(state).abs();
+        let plate = if self.plate_rests() {
+            0.0
+        } else {
+            let mechanism = self.mechanism_rounding_n(state.x_m, state.w_m_s);
+            (contact * setup.cos + mechanism) / self.moving_kg()
+        };
+        (contact / setup.projectile_kg + plate * setup.cos, plate)
     }
 
     /// What presses the plate forwards on a stop on which it rests, N: the mechanism's force at rest, and the contact's.
@@ -375,7 +408,7 @@ impl Equations<'_> {
 
     /// What the mechanism's forces, which may hold each other, are off by through rounding, N: those of spring, damper and stop, and of a
     /// spring far from whose zero the displacement is measured.
-    pub(super) fn mechanism_rounding_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+    fn mechanism_rounding_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         let (mode, at_m) = (self.mode, self.displacement_m(x_m));
         let spring_n = mode.spring.force_in(mode.stretch, at_m).abs();
         let others_n = self.damper_n(w_m_s).abs() + self.pressed_stop_n(x_m, w_m_s).abs();

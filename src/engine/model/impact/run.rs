@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::events::{Events, gap};
 use crate::model::impact::horizon;
 use crate::model::impact::modes::{self, Contact, Event, Hold};
-use crate::model::impact::moving::{Both, Driven, Moving, Plate, Projectile};
+use crate::model::impact::moving::{Moving, Places};
 use crate::model::impact::path::Path;
 use crate::model::impact::record::{Loads, Record};
 use crate::model::impact::report::{self, Course};
@@ -265,18 +264,14 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     fn advance(&mut self) -> Option<EndReason> {
         let mode = self.course.mode.clone();
         let equations = Equations { setup: self.course.setup, mode: &mode };
-        if let Law::History(history) = equations.setup.law
-            && mode.contact != Contact::Joined
-        {
-            return self.advance_by(&Driven(equations, history));
-        }
-        match (mode.hold, mode.contact) {
-            (Hold::Free, Contact::Joined | Contact::Gone | Contact::Apart) => {
-                self.advance_by(&Plate(equations))
+        let start = self.course.state;
+        let rests = equations.plate_rests();
+        match mode.contact {
+            Contact::Joined | Contact::Gone if rests => self.rest(),
+            _ if equations.is_touching() && !rests => {
+                self.advance_by(&Moving::<2> { equations, start })
             }
-            (Hold::Free, _) => self.advance_by(&Both(equations)),
-            (_, Contact::Joined | Contact::Gone) => self.rest(),
-            (_, _) => self.advance_by(&Projectile(equations)),
+            _ => self.advance_by(&Moving::<1> { equations, start }),
         }
     }
 
@@ -293,8 +288,11 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         None
     }
 
-    fn advance_by<const D: usize>(&mut self, law: &impl Moving<D>) -> Option<EndReason> {
-        let equations = law.equations();
+    fn advance_by<const D: usize>(&mut self, law: &Moving<'_, D>) -> Option<EndReason>
+    where
+        for<'m> Moving<'m, D>: Places<D>,
+    {
+        let Moving { equations, start } = law;
         let events = Events::of(self.course.setup, equations.mode);
         let left_s = self.course.horizon_s - self.course.state.t_s;
         let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
@@ -308,9 +306,8 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             from: 1.0,
             over: h_s / before_s,
         });
-        let start = self.course.state;
         let evaluations = &mut self.course.record.cost.rhs_evaluations;
-        let (step, next_s) = match self.stepper.step(law, law.point(&start), h_s, near, evaluations)
+        let (step, next_s) = match self.stepper.step(law, law.point(start), h_s, near, evaluations)
         {
             Ok(taken) => taken,
             Err(shorter_s) => {
@@ -319,7 +316,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
                 return None;
             }
         };
-        let at = |part: f64| law.state(&start, start.t_s + part * h_s, &step.at(part));
+        let at = |part: f64| law.state(part * h_s, &step.at(part));
         let path = Path::of(&at);
         let mut gaps = [[0.0; CELLS + 1]; GAPS_MAX];
         for (gaps, event) in gaps.iter_mut().zip(events.list()) {
@@ -334,7 +331,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         match found {
             Found::Nothing => {
                 self.course.record.step(equations, &path);
-                let end = law.state(&start, start.t_s + h_s, &step.end);
+                let end = law.state(h_s, &step.end);
                 self.course.record.reach(equations, &end);
                 self.course.state = end;
                 self.last = None;
@@ -343,10 +340,10 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
                 self.previous = Some((h_s, acceleration));
                 self.h_s = next_s;
             }
-            Found::Unresolved(which) if h_s < no_time_s => self.react(events.list()[which], start),
+            Found::Unresolved(which) if h_s < no_time_s => self.react(events.list()[which], *start),
             Found::Unresolved(_) => self.h_s = CLOSER * h_s,
             Found::Fall(which, _) if !self.stepper.locates() => {
-                self.react(events.list()[which], law.state(&start, start.t_s + h_s, &step.end));
+                self.react(events.list()[which], law.state(h_s, &step.end));
             }
             Found::Fall(which, theta) => {
                 let whole_s = self.h_s;
@@ -367,20 +364,23 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     /// goes on beyond; or how long a step to try, where that does not succeed or another event comes first.
     fn land<const D: usize>(
         &mut self,
-        law: &impl Moving<D>,
+        law: &Moving<'_, D>,
         events: &Events,
         (which, about_s): (usize, f64),
         near: &Step<D, S>,
-    ) -> Result<State, f64> {
-        let (equations, start) = (law.equations(), self.course.state);
+    ) -> Result<State, f64>
+    where
+        for<'m> Moving<'m, D>: Places<D>,
+    {
+        let Moving { equations, start } = law;
         let event = events.list()[which];
         let mut h_s = about_s;
         for _ in 0..LANDINGS_MAX {
             let near = Near { acceleration: near.acceleration, from: 0.0, over: h_s / near.h };
             let evaluations = &mut self.course.record.cost.rhs_evaluations;
             let (step, _) =
-                self.stepper.step(law, law.point(&start), h_s, Some(near), evaluations)?;
-            let at = |theta: f64| law.state(&start, start.t_s + theta * h_s, &step.at(theta));
+                self.stepper.step(law, law.point(start), h_s, Some(near), evaluations)?;
+            let at = |theta: f64| law.state(theta * h_s, &step.at(theta));
             let theta = near_root(|theta| gap(equations, event, &at(theta)));
             if (theta - 1.0).abs() > NEAR_END {
                 let next = if theta > 0.1 && theta < 2.0 { theta } else { 0.5 };
@@ -389,8 +389,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             }
             let state = at(theta);
             let comes_first = events.list().iter().filter(|other| **other != event).any(|other| {
-                let (before, now) =
-                    (gap(equations, *other, &start), gap(equations, *other, &state));
+                let (before, now) = (gap(equations, *other, start), gap(equations, *other, &state));
                 before > 0.0 && now < -AT_ONCE * before
             });
             if comes_first {
