@@ -9,7 +9,9 @@ use std::array;
 use std::sync::LazyLock;
 
 use crate::numerics::quadrature::legendre;
-use crate::numerics::step::{Acceleration, Near, Point, Square, Step, Stepper, dot, series};
+use crate::numerics::step::{
+    Acceleration, Near, Point, Slopes, Square, Step, Stepper, dot, series,
+};
 use crate::numerics::{larger, smaller};
 
 /// Iterations after which a step has failed. One that contracts by the usual tenth is at rounding after 16.
@@ -215,7 +217,7 @@ impl<const S: usize> Member<S> {
     ) -> (Option<Step<D, S>>, usize) {
         let mut stages = match way {
             Way::From(Some(Near { acceleration, from, over })) => {
-                by_place(self.nodes.map(|node| series(&acceleration, from + over * node)))
+                by_place(|i| series(&acceleration, from + over * self.nodes[i]))
             }
             Way::From(None) | Way::Guarded => guess(law, &start, h).map(|value| [value; S]),
         };
@@ -235,8 +237,7 @@ impl<const S: usize> Member<S> {
             if is_old {
                 self.derive(&mut matrix, law, &points, h);
             }
-            let wanted = array::from_fn(|i| law.at(h * self.nodes[i], &points[i]));
-            let wanted = by_place(wanted);
+            let wanted = by_place(|i| law.at(h * self.nodes[i], &points[i]));
             let with = |part: f64, change: &Stages<D, S>, stages: &Stages<D, S>| -> Stages<D, S> {
                 array::from_fn(|d| array::from_fn(|i| stages[d][i] + part * change[d][i]))
             };
@@ -313,11 +314,11 @@ impl<const S: usize> Member<S> {
         points: &[Point<D>; S],
         h: f64,
     ) {
-        let slopes = points.each_ref().map(|point| law.slopes(point));
+        let slopes: [Slopes<D>; S] = array::from_fn(|i| law.slopes(&points[i]));
         for (e, columns) in matrix.columns.iter_mut().enumerate() {
             for d in 0..D {
-                let by_speed = slopes.each_ref().map(|slopes| h * slopes.speed[d][e]);
-                let by_place = slopes.each_ref().map(|slopes| h * h * slopes.place[d][e]);
+                let by_speed: [f64; S] = array::from_fn(|i| h * slopes[i].speed[d][e]);
+                let by_place: [f64; S] = array::from_fn(|i| h * h * slopes[i].place[d][e]);
                 for (column, (a, square)) in columns.iter_mut().zip(self.a.iter().zip(&self.square))
                 {
                     column[d] = array::from_fn(|i| -a[i] * by_speed[i] - square[i] * by_place[i]);
@@ -337,7 +338,7 @@ impl<const S: usize> Member<S> {
         stages: &Stages<D, S>,
     ) -> Step<D, S> {
         let points = self.points(start, h, stages);
-        let speeds = by_place(points.map(|(_, speed)| speed));
+        let speeds = by_place(|i| points[i].1);
         let coefficients =
             |values: &Stages<D, S>| values.each_ref().map(|values| times(&self.modes, values));
         Step::new(h, [start, points[S - 1]], &coefficients(&speeds), coefficients(stages))
@@ -411,8 +412,14 @@ fn times<const S: usize>(columns: &Square<S>, values: &[f64; S]) -> [f64; S] {
 }
 
 /// Values of each stage as those of each place.
-fn by_place<const D: usize, const S: usize>(values: [[f64; D]; S]) -> Stages<D, S> {
-    array::from_fn(|d| values.each_ref().map(|values| values[d]))
+fn by_place<const D: usize, const S: usize>(values: impl Fn(usize) -> [f64; D]) -> Stages<D, S> {
+    let mut stages = [[0.0; S]; D];
+    for i in 0..S {
+        for (stages, value) in stages.iter_mut().zip(values(i)) {
+            stages[i] = value;
+        }
+    }
+    stages
 }
 
 /// The first guess of the stages: the acceleration at the start, or none where it would change the speed by more than itself.
@@ -498,7 +505,6 @@ impl<const D: usize, const S: usize> Factored<D, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::step::Slopes;
 
     /// y'' = -y, or -k y for a stiff one.
     struct Spring(f64);

@@ -192,34 +192,34 @@ impl Equations<'_> {
         x_m - (self.setup.stop_at_m - self.mode.origin_m)
     }
 
-    /// Strength and drag that the contact opposes to the slip.
+    /// Strength and drag that the contact opposes to the slip while the bodies push on each other.
     fn pressure(&self) -> (f64, f64) {
         let Setup { strength_pa, drag_kg_m3, grip, .. } = *self.setup;
         match self.mode.contact {
             Contact::Deepening => (strength_pa, drag_kg_m3),
             Contact::Closing => (grip * strength_pa, 0.0),
-            Contact::PullingOut => (-grip * strength_pa, 0.0),
-            Contact::Apart | Contact::Gone | Contact::Joined => (0.0, 0.0),
+            _ => (-grip * strength_pa, 0.0),
         }
     }
 
     /// Force between the bodies along the projectile's axis, positive where it pushes them apart, N; nothing while joined.
     pub(super) fn contact_n(&self, state: &State) -> f64 {
-        let State { t_s, q_m, u_m_s, .. } = *state;
-        match self.setup.law {
-            Law::Flow => {}
-            Law::History(history) if self.is_touching() => return history.force_n(t_s),
-            Law::Lumped(lumped) if self.is_touching() => {
-                return lumped.force_n(self.goes_in(), self.mode.deepest_m, (q_m, u_m_s));
-            }
-            Law::History(_) | Law::Lumped(_) | Law::AtOnce => return 0.0,
-        }
-        let (strength, drag) = self.pressure();
-        if strength == 0.0 && drag == 0.0 {
+        if !self.is_touching() {
             return 0.0;
         }
-        let area = self.mode.piece.law.area_m2(&self.setup.geometry.nose, q_m);
-        area * (strength + drag * u_m_s * u_m_s)
+        let State { t_s, q_m, u_m_s, .. } = *state;
+        match self.setup.law {
+            Law::Flow => {
+                let (strength, drag) = self.pressure();
+                let area = self.mode.piece.law.area_m2(&self.setup.geometry.nose, q_m);
+                area * (strength + drag * u_m_s * u_m_s)
+            }
+            Law::History(history) => history.force_n(t_s),
+            Law::Lumped(lumped) => {
+                lumped.force_n(self.goes_in(), self.mode.deepest_m, (q_m, u_m_s))
+            }
+            Law::AtOnce => 0.0,
+        }
     }
 
     /// Whether the bodies push on each other without being one.
@@ -242,14 +242,11 @@ impl Equations<'_> {
     /// Its derivatives by travel and slip.
     pub(super) fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
         match self.setup.law {
-            Law::Flow => {}
+            Law::Flow if self.is_touching() => {}
             Law::Lumped(lumped) if self.is_touching() => return lumped.slopes(self.goes_in()),
-            Law::Lumped(_) | Law::History(_) | Law::AtOnce => return (0.0, 0.0),
+            _ => return (0.0, 0.0),
         }
         let (strength, drag) = self.pressure();
-        if strength == 0.0 && drag == 0.0 {
-            return (0.0, 0.0);
-        }
         let (nose, law) = (&self.setup.geometry.nose, self.mode.piece.law);
         let area = law.area_m2(nose, q_m);
         let slope = match law {

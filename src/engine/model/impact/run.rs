@@ -320,7 +320,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let path = Path::of(&at);
         let mut gaps = [[0.0; CELLS + 1]; GAPS_MAX];
         for (gaps, event) in gaps.iter_mut().zip(events.list()) {
-            *gaps = path.looks.each_ref().map(|state| gap(equations, *event, state));
+            *gaps = std::array::from_fn(|look| gap(equations, *event, &path.looks[look]));
             if self.is_undone_by(*event) {
                 gaps[0] = 0.0;
             }
