@@ -31,53 +31,8 @@ const AFTER_FAILURE: f64 = 0.25;
 /// Real eigenvalue of A of the nine stages is near 0.1: the filter of the error estimate damps like the method.
 const FILTER: f64 = 0.1;
 
-/// What errors are measured by: the size of places and of speeds times the tolerance.
-#[derive(Clone, Copy, Debug)]
-struct Tolerances<const D: usize> {
-    place: [f64; D],
-    speed: [f64; D],
-    /// The tolerance, relative.
-    relative: f64,
-}
-
-impl<const D: usize> Tolerances<D> {
-    /// Those at a point of a motion.
-    fn at(law: &impl Acceleration<D>, point: &Point<D>, relative: f64) -> Self {
-        let (place, speed) = law.sizes(point);
-        let scaled = |sizes: [f64; D]| sizes.map(|size| relative * size);
-        Self { place: scaled(place), speed: scaled(speed), relative }
-    }
-
-    /// Of each size the larger.
-    fn or_larger(self, other: &Self) -> Self {
-        let both = |a: [f64; D], b: [f64; D]| array::from_fn(|d| larger(a[d], b[d]));
-        Self {
-            place: both(self.place, other.place),
-            speed: both(self.speed, other.speed),
-            relative: self.relative,
-        }
-    }
-
-    /// The greatest of these errors over the tolerance.
-    fn norm(&self, place: &[f64; D], speed: &[f64; D]) -> f64 {
-        (0..D).fold(0.0, |norm, d| {
-            let (place, speed) = (place[d].abs() / self.place[d], speed[d].abs() / self.speed[d]);
-            larger(larger(place, speed), norm)
-        })
-    }
-}
-
 /// Accelerations of each place at the stages.
 type Stages<const D: usize, const S: usize> = [[f64; S]; D];
-
-/// How the stage equations are solved.
-#[derive(Clone, Copy, Debug)]
-enum Way<const D: usize, const S: usize> {
-    /// From the acceleration at the start, or from that of another step.
-    From(Option<Near<D, S>>),
-    /// From the start without passing a zero of a steep law.
-    Guarded,
-}
 
 /// A member of the family.
 #[derive(Debug)]
@@ -122,26 +77,164 @@ impl<const S: usize> Stepper<S> for Collocation<'_, S> {
         near: Option<Near<D, S>>,
         evaluations: &mut usize,
     ) -> Result<(Step<D, S>, f64), f64> {
-        let goal = Tolerances::at(law, &start, self.tolerance);
-        let mut solved = None;
-        for way in [Way::From(near), Way::Guarded] {
-            let (step, count) = self.member.step(law, start, h, &goal, way);
+        let (mut step, count) = self.solve(law, start, h, near, false);
+        *evaluations += count;
+        if step.is_none() && law.is_steep() {
+            let (guarded, count) = self.solve(law, start, h, None, true);
             *evaluations += count;
-            solved = step;
-            if solved.is_some() || !law.is_steep() {
-                break;
-            }
+            step = guarded;
         }
-        let Some(step) = solved else { return Err(AFTER_FAILURE * h) };
-        let goal = Tolerances::at(law, &step.end, self.tolerance).or_larger(&goal);
+        let Some(step) = step else { return Err(AFTER_FAILURE * h) };
         *evaluations += S;
-        let excess = self.member.error(law, &step, &goal);
+        let excess = self.excess(law, &start, &step);
         let factor = (AIM / excess).powf(1.0 / Member::<S>::ERROR_ORDER);
         if excess <= 1.0 {
             return Ok((step, h * smaller(factor, GROWTH_MAX)));
         }
         let cut = factor * factor;
         Err(h * if cut > CUT.0 { smaller(cut, CUT.1) } else { CUT.0 })
+    }
+}
+
+impl<const S: usize> Collocation<'_, S> {
+    /// A step of `h` from a point and its evaluations; `None` where the iteration does not converge. It begins with the acceleration
+    /// at the start, or with that `near` it; guarded, it passes no zero of a steep law.
+    fn solve<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        start: Point<D>,
+        h: f64,
+        near: Option<Near<D, S>>,
+        is_guarded: bool,
+    ) -> (Option<Step<D, S>>, usize) {
+        let Self { member, tolerance } = *self;
+        let mut stages = match near {
+            Some(Near { acceleration, from, over }) => {
+                by_place(|i| series(&acceleration, from + over * member.nodes[i]))
+            }
+            None => guess(law, &start, h).map(|value| [value; S]),
+        };
+        let mut matrix = Factored::zero();
+        let mut is_old = true;
+        let mut before = f64::INFINITY;
+        let enough = SOLVED + ROUNDING / tolerance;
+        let (place, speed) = law.sizes(&start);
+        let weights: [f64; D] =
+            array::from_fn(|d| larger(h / speed[d], h * h / place[d]) / tolerance);
+        let size = |change: &Stages<D, S>| {
+            change.iter().zip(weights).fold(0.0, |size, (change, weight)| {
+                change.iter().fold(size, |size, change| larger(weight * change.abs(), size))
+            })
+        };
+        for round in 1..=ITERATIONS_MAX {
+            let points = member.points(start, h, &stages);
+            let is_new = is_old;
+            if is_old {
+                member.derive(&mut matrix, law, &points, h);
+            }
+            let wanted = by_place(|i| law.at(h * member.nodes[i], &points[i]));
+            let with = |part: f64, change: &Stages<D, S>, stages: &Stages<D, S>| -> Stages<D, S> {
+                array::from_fn(|d| array::from_fn(|i| stages[d][i] + part * change[d][i]))
+            };
+            let mut change = with(-1.0, &stages, &wanted);
+            if !matrix.solve(&mut change) {
+                return (None, round * S);
+            }
+            let part = if is_guarded {
+                let ahead = member.points(start, h, &with(1.0, &change, &stages));
+                let parts = points.iter().zip(&ahead);
+                parts.map(|(from, to)| law.without_passing(from, to)).fold(1.0, smaller)
+            } else {
+                1.0
+            };
+            let is_whole = part >= 1.0;
+            stages = with(part, &change, &stages);
+            let norm = size(&change);
+            if !norm.is_finite() || (round > 3 && norm > 2.0 * before && is_whole) {
+                return (None, round * S);
+            }
+            // Of the first change nothing is known.
+            let contraction = if before.is_finite() { norm / before } else { 1.0 };
+            // With new derivatives each contraction is the square of the one before.
+            let next = if is_new { contraction * contraction } else { contraction };
+            let ahead = if contraction < 1.0 { norm * next } else { norm };
+            // What no longer shrinks, far below the tolerance or as small as what the rounding of forces makes if it is alike at all
+            // stages, is rounding.
+            let stalls = before.is_finite() && contraction > 0.5 && {
+                let mut rounding = law.rounding(0.0, &start).map(|rounding| [rounding; S]);
+                matrix.solve(&mut rounding);
+                norm < 10.0 * enough || norm < size(&rounding)
+            };
+            if is_whole && (norm <= SOLVED || ahead <= enough || stalls) {
+                return (Some(member.polynomial(start, h, &stages)), round * S);
+            }
+            // The first contracts by about as much as the derivatives have changed, like the stages.
+            let slow = if before.is_finite() { contraction } else { norm * tolerance };
+            is_old = slow > SLOW;
+            before = norm;
+        }
+        (None, ITERATIONS_MAX * S)
+    }
+
+    /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
+    ///
+    /// The tail: as the acceleration's Legendre coefficients fall from the first of them to the last, so they go on; the error of the
+    /// end is theirs of about twice the degree. It misses a corner that begins softly within the step. The defect: what the
+    /// polynomial misses of the equations at Gauss's nodes, summed; it misses what is over before the first of them.
+    fn excess<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        start: &Point<D>,
+        step: &Step<D, S>,
+    ) -> f64 {
+        let h = step.h;
+        let rounding = law.rounding(h, &step.end);
+        let beyond = |value: f64, d: usize| larger(value.abs() - rounding[d], 0.0);
+        let mut tail = ([0.0; D], [0.0; D]);
+        let (from, last) = Member::<S>::FALL;
+        for d in 0..D {
+            let modes = step.acceleration[d].map(|mode| beyond(mode, d));
+            let high = modes[S - last..].iter().copied().fold(0.0, larger);
+            let low = larger(modes[from], modes[from + 1]);
+            let fall = if high < low { high / low } else { 1.0 };
+            // Over four degrees: the error is taken to be that of six degrees more.
+            let falling = if S > 4 { fall * fall.sqrt() } else { fall };
+            tail.1[d] = h * high * falling;
+            tail.0[d] = h * tail.1[d];
+        }
+        let mut defect = ([0.0; D], [0.0; D]);
+        for Gauss { at, weight, values } in &self.member.gauss {
+            for (d, wanted) in law.at(h * at, &step.at(*at)).into_iter().enumerate() {
+                let given = dot(&step.acceleration[d], values);
+                let missed = h * weight * beyond(wanted - given, d).copysign(wanted - given);
+                defect.1[d] += missed;
+                defect.0[d] += h * (1.0 - at) * missed;
+            }
+        }
+        let slopes = law.slopes(&step.end);
+        let mut filter = Factored::<D, 1>::zero();
+        for (e, [column]) in filter.columns.iter_mut().enumerate() {
+            for (d, [value]) in column.iter_mut().enumerate() {
+                let unit = if d == e { 1.0 } else { 0.0 };
+                let stiff = slopes.speed[d][e] + FILTER * h * slopes.place[d][e];
+                *value = unit - FILTER * h * stiff;
+            }
+        }
+        filter.factor();
+        let filtered = |error: [f64; D]| {
+            let mut all = error.map(|error| [error]);
+            // An infinite slope at the end damps without bound: nothing is known of the error then.
+            if filter.solve(&mut all) { all.map(|[error]| error) } else { error }
+        };
+        let [before, after] = [start, &step.end].map(|point| law.sizes(point));
+        [tail, defect].into_iter().fold(0.0, |worst, (place, speed)| {
+            let (place, speed) = (filtered(place), filtered(speed));
+            (0..D).fold(worst, |worst, d| {
+                let place = place[d].abs() / larger(before.0[d], after.0[d]);
+                let speed = speed[d].abs() / larger(before.1[d], after.1[d]);
+                larger(larger(place, speed) / self.tolerance, worst)
+            })
+        })
     }
 }
 
@@ -206,78 +299,6 @@ impl<const S: usize> Member<S> {
     /// The power of the step by which its error grows, about: of the estimate below, no more than the order of the method.
     const ERROR_ORDER: f64 = if S > 4 { S + 6 } else { 2 * S - 1 } as f64;
 
-    /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations.
-    fn step<const D: usize>(
-        &self,
-        law: &impl Acceleration<D>,
-        start: Point<D>,
-        h: f64,
-        goal: &Tolerances<D>,
-        way: Way<D, S>,
-    ) -> (Option<Step<D, S>>, usize) {
-        let mut stages = match way {
-            Way::From(Some(Near { acceleration, from, over })) => {
-                by_place(|i| series(&acceleration, from + over * self.nodes[i]))
-            }
-            Way::From(None) | Way::Guarded => guess(law, &start, h).map(|value| [value; S]),
-        };
-        let mut matrix = Factored::zero();
-        let mut is_old = true;
-        let mut before = f64::INFINITY;
-        let enough = SOLVED + ROUNDING / goal.relative;
-        let size = |change: &Stages<D, S>| {
-            let speed = change.each_ref().map(|change| {
-                h * change.iter().fold(0.0, |most, change| larger(change.abs(), most))
-            });
-            goal.norm(&speed.map(|speed| h * speed), &speed)
-        };
-        for round in 1..=ITERATIONS_MAX {
-            let points = self.points(start, h, &stages);
-            let is_new = is_old;
-            if is_old {
-                self.derive(&mut matrix, law, &points, h);
-            }
-            let wanted = by_place(|i| law.at(h * self.nodes[i], &points[i]));
-            let with = |part: f64, change: &Stages<D, S>, stages: &Stages<D, S>| -> Stages<D, S> {
-                array::from_fn(|d| array::from_fn(|i| stages[d][i] + part * change[d][i]))
-            };
-            let mut change = with(-1.0, &stages, &wanted);
-            if !matrix.solve(&mut change) {
-                return (None, round * S);
-            }
-            let whole = with(1.0, &change, &stages);
-            let is_guarded = matches!(way, Way::Guarded);
-            let part =
-                if is_guarded { self.allowed(law, start, h, [&stages, &whole]) } else { 1.0 };
-            let is_whole = part >= 1.0;
-            stages = if is_whole { whole } else { with(part, &change, &stages) };
-            let norm = size(&change);
-            if !norm.is_finite() || (round > 3 && norm > 2.0 * before && is_whole) {
-                return (None, round * S);
-            }
-            // Of the first change nothing is known.
-            let contraction = if before.is_finite() { norm / before } else { 1.0 };
-            // With new derivatives each contraction is the square of the one before.
-            let next = if is_new { contraction * contraction } else { contraction };
-            let ahead = if contraction < 1.0 { norm * next } else { norm };
-            // What no longer shrinks, far below the tolerance or as small as what the rounding of forces makes if it is alike at all
-            // stages, is rounding.
-            let stalls = before.is_finite() && contraction > 0.5 && {
-                let mut rounding = law.rounding(0.0, &start).map(|rounding| [rounding; S]);
-                matrix.solve(&mut rounding);
-                norm < 10.0 * enough || norm < size(&rounding)
-            };
-            if is_whole && (norm <= SOLVED || ahead <= enough || stalls) {
-                return (Some(self.polynomial(start, h, &stages)), round * S);
-            }
-            // The first contracts by about as much as the derivatives have changed, like the stages.
-            let slow = if before.is_finite() { contraction } else { norm * goal.relative };
-            is_old = slow > SLOW;
-            before = norm;
-        }
-        (None, ITERATIONS_MAX * S)
-    }
-
     /// Places and speeds at the nodes.
     fn points<const D: usize>(
         &self,
@@ -291,19 +312,6 @@ impl<const S: usize> Member<S> {
             let way = |d: usize| place[d] + h * (self.nodes[i] * speed[d] + h * two[d][i]);
             (array::from_fn(way), array::from_fn(|d| speed[d] + h * one[d][i]))
         })
-    }
-
-    /// The part of a change of the stages that passes no zero of a steep law.
-    fn allowed<const D: usize>(
-        &self,
-        law: &impl Acceleration<D>,
-        start: Point<D>,
-        h: f64,
-        [from, to]: [&Stages<D, S>; 2],
-    ) -> f64 {
-        let (from, to) = (self.points(start, h, from), self.points(start, h, to));
-        let parts = from.iter().zip(&to).map(|(from, to)| law.without_passing(from, to));
-        parts.fold(1.0, smaller)
     }
 
     /// The matrix of Newton's method with the derivatives at these points.
@@ -342,61 +350,6 @@ impl<const S: usize> Member<S> {
         let coefficients =
             |values: &Stages<D, S>| values.each_ref().map(|values| times(&self.modes, values));
         Step::new(h, [start, points[S - 1]], &coefficients(&speeds), coefficients(stages))
-    }
-
-    /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
-    ///
-    /// The tail: as the acceleration's Legendre coefficients fall from the first of them to the last, so they go on; the error of the
-    /// end is theirs of about twice the degree. It misses a corner that begins softly within the step. The defect: what the
-    /// polynomial misses of the equations at Gauss's nodes, summed; it misses what is over before the first of them.
-    fn error<const D: usize>(
-        &self,
-        law: &impl Acceleration<D>,
-        step: &Step<D, S>,
-        goal: &Tolerances<D>,
-    ) -> f64 {
-        let h = step.h;
-        let rounding = law.rounding(h, &step.end);
-        let beyond = |value: f64, d: usize| larger(value.abs() - rounding[d], 0.0);
-        let mut tail = ([0.0; D], [0.0; D]);
-        let (from, last) = Self::FALL;
-        for d in 0..D {
-            let modes = step.acceleration[d].map(|mode| beyond(mode, d));
-            let high = modes[S - last..].iter().copied().fold(0.0, larger);
-            let low = larger(modes[from], modes[from + 1]);
-            let fall = if high < low { high / low } else { 1.0 };
-            // Over four degrees: the error is taken to be that of six degrees more.
-            let falling = if S > 4 { fall * fall.sqrt() } else { fall };
-            tail.1[d] = h * high * falling;
-            tail.0[d] = h * tail.1[d];
-        }
-        let mut defect = ([0.0; D], [0.0; D]);
-        for Gauss { at, weight, values } in &self.gauss {
-            for (d, wanted) in law.at(h * at, &step.at(*at)).into_iter().enumerate() {
-                let given = dot(&step.acceleration[d], values);
-                let missed = h * weight * beyond(wanted - given, d).copysign(wanted - given);
-                defect.1[d] += missed;
-                defect.0[d] += h * (1.0 - at) * missed;
-            }
-        }
-        let slopes = law.slopes(&step.end);
-        let mut filter = Factored::<D, 1>::zero();
-        for (e, [column]) in filter.columns.iter_mut().enumerate() {
-            for (d, [value]) in column.iter_mut().enumerate() {
-                let unit = if d == e { 1.0 } else { 0.0 };
-                let stiff = slopes.speed[d][e] + FILTER * h * slopes.place[d][e];
-                *value = unit - FILTER * h * stiff;
-            }
-        }
-        filter.factor();
-        let filtered = |error: [f64; D]| {
-            let mut all = error.map(|error| [error]);
-            // An infinite slope at the end damps without bound: nothing is known of the error then.
-            if filter.solve(&mut all) { all.map(|[error]| error) } else { error }
-        };
-        [tail, defect].into_iter().fold(0.0, |worst, (place, speed)| {
-            larger(goal.norm(&filtered(place), &filtered(speed)), worst)
-        })
     }
 }
 
@@ -540,12 +493,25 @@ mod tests {
         }
     }
 
-    const GOAL: Tolerances<1> = Tolerances { place: [1e-15], speed: [1e-15], relative: 1e-15 };
+    fn to_rounding<const S: usize>(member: &Member<S>) -> Collocation<'_, S> {
+        Collocation { member, tolerance: 1e-15 }
+    }
+
+    fn step<const S: usize>(
+        member: &Member<S>,
+        law: &impl Acceleration<1>,
+        start: Point<1>,
+        h: f64,
+    ) -> Step<1, S> {
+        to_rounding(member).solve(law, start, h, None, false).0.unwrap()
+    }
+
+    const ONE_FAST: Point<1> = ([0.0], [1.0]);
+    const ONE_OFF: Point<1> = ([1.0], [0.0]);
 
     /// Greatest error of place and speed after a step of a whole.
     fn error<const S: usize>(member: &Member<S>, h: f64) -> f64 {
-        let step = member.step(&Drag, ([0.0], [1.0]), h, &GOAL, Way::From(None)).0.unwrap();
-        let (place, speed) = step.end;
+        let (place, speed) = step(member, &Drag, ONE_FAST, h).end;
         larger((place[0] - h.ln_1p()).abs(), (speed[0] - 1.0 / (1.0 + h)).abs())
     }
 
@@ -580,10 +546,9 @@ mod tests {
 
     #[test]
     fn valid_a_stiff_oscillation_is_damped_and_a_slow_one_is_followed() {
-        let slow = NINE.step(&Spring(1.0), ([1.0], [0.0]), 1.0, &GOAL, Way::From(None)).0.unwrap();
+        let slow = step(&NINE, &Spring(1.0), ONE_OFF, 1.0);
         assert!((slow.end.0[0] - 1f64.cos()).abs() < 1e-15);
-        let stiff =
-            NINE.step(&Spring(1e12), ([1.0], [0.0]), 1.0, &GOAL, Way::From(None)).0.unwrap();
+        let stiff = step(&NINE, &Spring(1e12), ONE_OFF, 1.0);
         assert!(stiff.end.0[0].abs() < 1e-3, "{:?}", stiff.end);
     }
 
@@ -591,8 +556,9 @@ mod tests {
     fn valid_the_estimate_of_a_step_is_not_below_its_error_and_falls_fast() {
         let mut before = f64::INFINITY;
         for h in [4.0, 2.0, 1.0, 0.5] {
-            let step = SEVEN.step(&Drag, ([0.0], [1.0]), h, &GOAL, Way::From(None)).0.unwrap();
-            let estimate = SEVEN.error(&Drag, &step, &GOAL) * GOAL.relative;
+            let method = to_rounding(&SEVEN);
+            let step = step(&SEVEN, &Drag, ONE_FAST, h);
+            let estimate = method.excess(&Drag, &ONE_FAST, &step) * method.tolerance;
             assert!(estimate > error(&SEVEN, h), "{h}: {estimate:e}");
             assert!(estimate < 0.1 * before, "{h}: {estimate:e} {before:e}");
             before = estimate;
