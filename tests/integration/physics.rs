@@ -170,6 +170,10 @@ fn valid_interface_laws_at_gamma_0_8_and_k_7_5e6() {
 #[test]
 fn valid_rigid_stop_at_common_speed_takes_64_to_83_percent() {
     let before = run("base").percent_of_baseline().unwrap();
+    // A fused body is stopped whole, as deep as on a free plate.
+    let fused = run("k=1e5 x_stop=0.005");
+    assert_eq!(fused.max_plate_displacement_m, Some(0.005));
+    assert!((run("x_stop=0.005").percent_of_baseline().unwrap() - before).abs() < 1e-9);
     let run = run("x_stop=0.01 interface=plastic");
     let percent = run.percent_of_baseline().unwrap();
     assert!((before - 64.2).abs() < 0.1 && (percent - 83.0).abs() < 1.0, "{before} {percent}");
@@ -179,6 +183,12 @@ fn valid_rigid_stop_at_common_speed_takes_64_to_83_percent() {
     let swept = volume(0.01475, 100.0) + volume(0.0295, 50.0);
     assert_near(geometry.swept_m3(geometry.travel_m(depth(&run))), swept, 1e-12);
     assert_eq!(run.max_plate_displacement_m, Some(0.01));
+    // A fused body is stopped whole, where a free plate would leave it.
+    let fused = crate::physics::run("k=1e5 x_stop=0.005");
+    assert_eq!(fused.max_plate_displacement_m, Some(5e-3));
+    assert!(
+        (crate::physics::run("x_stop=0.005").percent_of_baseline().unwrap() - 64.2).abs() < 0.5
+    );
 }
 
 #[test]
@@ -282,7 +292,8 @@ fn a_cancelled_run_keeps_its_partial_results() {
         if asked > 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })
     .unwrap();
-    assert_eq!(run.end, EndReason::Cancelled);
+    assert_eq!((run.end, run.outcome), (EndReason::Cancelled, Outcome::Moving));
+    assert!(run.at_least.penetration_m.unwrap() > 0.0);
     assert!(run.series.len() > 5 && (1..=5).contains(&run.cost.steps));
     assert!(run.warnings.contains(&Warning::EndedEarly(EndReason::Cancelled)));
 }

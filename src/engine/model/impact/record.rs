@@ -1,5 +1,7 @@
 //! What a run leaves: rows, events, work, milestones and extremes, each from the accepted steps.
 
+use std::array;
+
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{self, Contact, Hold, Mode, Touch};
@@ -52,14 +54,15 @@ pub(super) struct Loads {
     /// Of spring, damper and elastic stop, N.
     pub(super) mount_n: f64,
     /// Push and pull through the joined interface, over its strength in compression.
-    pub(super) push_ratio: Option<f64>,
-    pub(super) pull_ratio: f64,
+    pub(super) ratios: Option<[f64; 2]>,
     /// When a fused one was first pushed, and pulled, by more than its strength, s.
-    pub(super) push_exceeded_s: Option<f64>,
-    pub(super) pull_exceeded_s: Option<f64>,
+    pub(super) exceeded_s: [Option<f64>; 2],
     /// It has no strength.
     pub(super) no_strength: bool,
 }
+
+/// Signs of the mechanism's force where it pushes, and where it pulls.
+const WAYS: [f64; 2] = [1.0, -1.0];
 
 impl Record<'_> {
     /// Notes the first moment.
@@ -157,21 +160,19 @@ impl Record<'_> {
         let force_n = |state: &State| equations.mechanism_n(state.x_m, state.w_m_s);
         // A power law and a stop push most at an end of the step, where nothing else does: the plate turns only there.
         let at_ends = equations.is_undamped() && equations.mode.spring.power().is_some();
-        let most_n = |way: f64, known_n: f64| {
-            let force_n = |state: &State| way * force_n(state);
+        let known_n = self.loads.known_n(equations, path.end());
+        let most_n = array::from_fn(|way| {
+            let force_n = |state: &State| WAYS[way] * force_n(state);
             if at_ends {
                 larger(force_n(path.start()), force_n(path.end()))
             } else {
-                path.greatest(known_n, force_n)
+                path.greatest(known_n[way], force_n)
             }
-        };
-        let (push_n, pull_n) = self.loads.known_n(equations, path.end());
-        let (push_n, pull_n) = (most_n(1.0, push_n), most_n(-1.0, pull_n));
-        let first_s = |way: f64| {
-            let holds = if way > 0.0 { 1.0 } else { equations.setup.grip };
+        });
+        let first_s = |way: usize| {
             let gap_n = |state: &State| {
-                holds * equations.strength_n(path.end())
-                    - way * equations.setup.interface_fraction() * force_n(state)
+                equations.holds()[way] * equations.strength_n(path.end())
+                    - WAYS[way] * equations.setup.interface_fraction() * force_n(state)
             };
             let gaps_n = path.looks.each_ref().map(gap_n);
             match first_fall(&[gaps_n], |part, _| gap_n(&path.at(part))) {
@@ -179,33 +180,24 @@ impl Record<'_> {
                 Found::Nothing | Found::Unresolved(_) => path.end().t_s,
             }
         };
-        self.note_load(equations, path.end(), [push_n, pull_n]);
-        self.note_excess(equations, path.end(), [push_n, pull_n], first_s);
+        self.note_load(equations, path.end(), most_n);
+        self.note_excess(equations, path.end(), most_n, first_s);
     }
 
     /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it.
-    pub(super) fn note_load(
-        &mut self,
-        equations: &Equations<'_>,
-        state: &State,
-        [push_n, pull_n]: [f64; 2],
-    ) {
+    pub(super) fn note_load(&mut self, equations: &Equations<'_>, state: &State, most_n: [f64; 2]) {
         let loads = &mut self.loads;
         // Of the force that turns the plate back the mount takes what does not turn the mass geared to it.
         let part = 1.0 - equations.setup.turning_kg / equations.moving_kg();
-        loads.mount_n = larger(part * larger(push_n, pull_n), loads.mount_n);
-        let is_carried = equations.mode.contact == Contact::Joined && !equations.plate_rests();
-        if !is_carried || equations.setup.law != Law::Flow {
-            return;
-        }
-        let strength_n = equations.strength_n(state);
+        loads.mount_n = larger(part * larger(most_n[0], most_n[1]), loads.mount_n);
+        let Some(strength_n) = equations.joint_n(state) else { return };
         if strength_n <= 0.0 {
             loads.no_strength = true;
             return;
         }
         let part = equations.setup.interface_fraction() / strength_n;
-        loads.push_ratio = Some(larger(part * push_n, loads.push_ratio.unwrap_or(0.0)));
-        loads.pull_ratio = larger(part * pull_n, loads.pull_ratio);
+        let known = loads.ratios.unwrap_or_default();
+        loads.ratios = Some(array::from_fn(|way| larger(part * most_n[way], known[way])));
     }
 
     /// Notes when these forces ask too much of a fused interface for the first time.
@@ -213,25 +205,19 @@ impl Record<'_> {
         &mut self,
         equations: &Equations<'_>,
         state: &State,
-        [push_n, pull_n]: [f64; 2],
-        first_s: impl Fn(f64) -> f64,
+        most_n: [f64; 2],
+        first_s: impl Fn(usize) -> f64,
     ) {
-        let Equations { setup, mode } = equations;
-        let strength_n = equations.strength_n(state);
-        let is_joined = mode.contact == Contact::Joined && !equations.plate_rests();
-        if setup.plastic || !is_joined || strength_n <= 0.0 {
-            return;
-        }
-        let part = setup.interface_fraction() / strength_n;
-        if part * push_n > 1.0 && self.loads.push_exceeded_s.is_none() {
-            let t_s = first_s(1.0);
-            self.loads.push_exceeded_s = Some(t_s);
-            self.note(t_s, EventKind::InterfaceExceeded);
-        }
-        if part * pull_n > setup.grip && self.loads.pull_exceeded_s.is_none() {
-            let t_s = first_s(-1.0);
-            self.loads.pull_exceeded_s = Some(t_s);
-            self.note(t_s, EventKind::InterfaceExceeded);
+        let setup = equations.setup;
+        let joint_n = equations.joint_n(state).filter(|n| *n > 0.0 && !setup.plastic);
+        let Some(strength_n) = joint_n else { return };
+        for (way, holds) in equations.holds().into_iter().enumerate() {
+            let is_exceeded = setup.interface_fraction() * most_n[way] > holds * strength_n;
+            if is_exceeded && self.loads.exceeded_s[way].is_none() {
+                let t_s = first_s(way);
+                self.loads.exceeded_s[way] = Some(t_s);
+                self.note(t_s, EventKind::InterfaceExceeded);
+            }
         }
     }
 
@@ -386,19 +372,30 @@ impl Record<'_> {
 
 impl Loads {
     /// The greatest force of the mechanism forwards, and backwards, below which nothing new is known of mount and interface, N.
-    pub(super) fn known_n(&self, equations: &Equations<'_>, state: &State) -> (f64, f64) {
-        let strength_n = equations.strength_n(state);
-        let is_carried = equations.mode.contact == Contact::Joined && strength_n > 0.0;
-        if !is_carried {
-            return (self.mount_n, self.mount_n);
+    pub(super) fn known_n(&self, equations: &Equations<'_>, state: &State) -> [f64; 2] {
+        match equations.joint_n(state) {
+            Some(strength_n) if strength_n > 0.0 => {
+                let per_ratio_n = strength_n / equations.setup.interface_fraction();
+                let known = |ratio: f64| smaller(ratio * per_ratio_n, self.mount_n);
+                self.ratios.unwrap_or_default().map(known)
+            }
+            _ => [self.mount_n; 2],
         }
-        let per_ratio_n = strength_n / equations.setup.interface_fraction();
-        let known = |ratio: f64| smaller(ratio * per_ratio_n, self.mount_n);
-        (known(self.push_ratio.unwrap_or(0.0)), known(self.pull_ratio))
     }
 }
 
 impl Equations<'_> {
+    /// Parts of its strength in compression that the joined interface bears pushed and pulled.
+    fn holds(&self) -> [f64; 2] {
+        [1.0, self.setup.grip]
+    }
+
+    /// Strength of the interface through which the projectile moves with the plate, N; `None` where it does not.
+    fn joint_n(&self, state: &State) -> Option<f64> {
+        let is_joined = self.mode.contact == Contact::Joined && self.setup.law == Law::Flow;
+        (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
+    }
+
     /// Whether the nose rubs or cuts.
     fn slides(&self) -> bool {
         matches!(self.mode.contact, Contact::Deepening | Contact::Closing | Contact::PullingOut)

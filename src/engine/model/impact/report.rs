@@ -74,15 +74,15 @@ impl Course<'_> {
             [equations.push_at_most_n(state, energy_j), equations.pull_at_most_n(state, energy_j)];
         let most_n = bounds.map(|most_n| most_n / setup.interface_fraction());
         let known_n = record.loads.known_n(&equations, state);
-        let grows = |(most_n, known_n): (f64, f64)| most_n > known_n * (1.0 + GROWTH);
-        if !(grows((most_n[0], known_n.0)) || all && grows((most_n[1], known_n.1))) {
+        let grows = |way: usize| most_n[way] > known_n[way] * (1.0 + GROWTH);
+        if !(grows(0) || all && grows(1)) {
             return false;
         }
         let exceeds = all && is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
             || setup.stop.is_some()
             || setup.is_absorbing()
-            || (exceeds && record.loads.push_exceeded_s.is_none())
+            || (exceeds && record.loads.exceeded_s[0].is_none())
         {
             return true;
         }
@@ -265,11 +265,12 @@ impl Course<'_> {
                 Warning::HorizonNotReached { reason: end, t_s, horizon_s }
             }));
         }
-        if let (Some(t_s), Some(ratio)) = (loads.push_exceeded_s, loads.push_ratio) {
+        let [pushed_s, pulled_s] = loads.exceeded_s;
+        if let (Some(t_s), Some([ratio, _])) = (pushed_s, loads.ratios) {
             list.push(Warning::InterfacePush { ratio, t_s });
         }
         if let Some(ratio) = self.tension().filter(|ratio| *ratio > 1.0) {
-            match (loads.pull_exceeded_s, loads.push_exceeded_s) {
+            match (pulled_s, pushed_s) {
                 (Some(t_s), _) => list.push(Warning::InterfacePull { ratio, t_s }),
                 (None, None) => list.push(Warning::InterfaceRebound { ratio }),
                 (None, Some(_)) => {}
@@ -297,9 +298,9 @@ impl Course<'_> {
     /// can let go.
     fn tension(&self) -> Option<f64> {
         let loads = &self.record.loads;
-        loads.push_ratio.filter(|_| !self.setup.plastic)?;
-        Some(match (self.setup.grip > 0.0, loads.pull_ratio > 0.0) {
-            (true, _) => loads.pull_ratio / self.setup.grip,
+        let [_, pull] = loads.ratios.filter(|_| !self.setup.plastic)?;
+        Some(match (self.setup.grip > 0.0, pull > 0.0) {
+            (true, _) => pull / self.setup.grip,
             (false, true) => f64::INFINITY,
             (false, false) => 0.0,
         })
@@ -383,7 +384,7 @@ pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
         residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
         exit_time_s: record.exit.map(|exit| exit.t_s),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
-        interface_demand_ratio: record.loads.push_ratio,
+        interface_demand_ratio: record.loads.ratios.map(|[push, _]| push),
         interface_tension_ratio,
         series: record.series,
         events,
