@@ -140,9 +140,6 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         if observer(self.course.state.t_s).is_break() {
             return Some(EndReason::Cancelled);
         }
-        if let Some(window) = self.course.record.window {
-            window.show(|| report::gather(self.course.clone(), EndReason::Cancelled));
-        }
         let record = &self.course.record;
         let Cost { rhs_evaluations, events, turns, .. } = record.cost;
         if rhs_evaluations + S * (events + turns) > EVALUATIONS_MAX {
@@ -154,10 +151,13 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         }
         if let Some(event) = self.missed() {
             self.react(event, self.course.state);
-            None
-        } else {
-            self.advance()
+            return None;
         }
+        // Not before: an event replaces the row of the state on it.
+        if let Some(window) = self.course.record.window {
+            window.show(|| report::gather(self.course.clone(), EndReason::Cancelled));
+        }
+        self.advance()
     }
 
     /// What is known when all is decided; the rows and events stay with the run, which goes on.
