@@ -19,11 +19,10 @@ use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
 use crate::files::export::scenes;
 use crate::files::preset::Preset;
-use crate::model::impact::window::Window;
 use crate::model::run::Run;
 use crate::model::run::envelope::warnings;
 use crate::model::scene::{ContactModel, Scene};
-use crate::model::simulate::{self, Settings};
+use crate::model::simulate::{self, Look, Settings};
 use crate::model::units::{Dimension, engineering};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
@@ -59,48 +58,45 @@ pub(super) struct RunArguments {
     glyphs: Glyphs,
 }
 
-const DT_ROWS_MAX: usize = 5_000_000;
+const DT_ROWS_MAX: f64 = 5e6;
 /// Steps after which it is shown again how far a run is: a look at the clock costs a part of a step.
 const LOOK: u64 = 64;
 
 /// Compute a scene, and measure the time of the computation alone. The series is always kept: it costs little, and every
 /// output of one scene then shows the digits and events of one and the same computation.
 pub(super) fn compute(scene: &Arc<Scene>) -> Result<Run, VariableError> {
-    compute_openly(scene, &Window::default())
+    compute_by(scene, Settings::default())
 }
 
 /// The same with the series at equal time steps.
 fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
     variables::require_hydrodynamic(scene)?;
     variables::require_single(scene)?;
-    let window = Window::with_steps(dt_s, DT_ROWS_MAX);
-    let mut run = compute_openly(scene, &window)?;
-    let end_s = run.series.last().map_or(0.0, |row| row.t_s);
-    run.series = window.rows();
-    if run.series.len() >= DT_ROWS_MAX {
-        let least = engineering(end_s / (DT_ROWS_MAX as f64), "s", 2);
+    let end_s = compute(scene)?.series.last().map_or(0.0, |row| row.t_s);
+    if end_s >= DT_ROWS_MAX * dt_s {
+        let least = engineering(end_s / DT_ROWS_MAX, "s", 2);
         return Err(CliError::Option(format!(
             "--dt: more than {DT_ROWS_MAX} rows; write {least} or more"
         )));
     }
-    Ok(run)
+    Ok(compute_by(scene, Settings { every_s: Some(dt_s), ..Settings::default() })?)
 }
 
-fn compute_openly(scene: &Arc<Scene>, window: &Window) -> Result<Run, VariableError> {
+fn compute_by(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError> {
     let mut line = ProgressLine::begin();
     let mut steps = 0_u64;
-    let mut observer = |t_s: f64| {
+    let mut observer = |look: &Look<'_>| {
         steps += 1;
         if !steps.is_multiple_of(LOOK) {
             return ControlFlow::Continue(());
         }
         line.update(|elapsed_s| {
-            let at = engineering(t_s, "s", 4);
+            let at = engineering(look.t_s, "s", 4);
             format!("t = {at} after {}, {steps} steps", duration(elapsed_s))
         })
     };
     let start = Instant::now();
-    let mut run = simulate::simulate_openly(scene, &Settings::default(), &mut observer, window)?;
+    let mut run = simulate::simulate(scene, &settings, &mut observer)?;
     run.cost.took_s = Some(start.elapsed().as_secs_f64());
     let loads = [run.interface_demand_ratio, run.interface_tension_ratio];
     if run.end.is_complete() && loads.into_iter().flatten().any(|ratio| ratio > 1.0) {

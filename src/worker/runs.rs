@@ -8,10 +8,9 @@ use std::time::Duration;
 use super::studies::Found;
 use super::study::{BETWEEN, Reporter};
 use super::{JobProgress, ReportBody, Slot};
-use crate::model::impact::window::Window;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
-use crate::model::simulate::{self, Settings};
+use crate::model::simulate::{self, Look, Settings};
 
 /// A run that ends before this reports only that it has ended: no frame is spent on its beginning.
 const QUIET: Duration = Duration::from_millis(20);
@@ -34,45 +33,43 @@ pub(super) fn of_scene(
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
 ) -> Result<Found, Box<dyn Error>> {
-    run(slot, scene, reporter, |settings, observer, window| {
-        let run = simulate::simulate_openly(scene, settings, observer, window);
-        run.map_err(|error| error.to_string())
+    run(slot, scene, reporter, |settings, observer| {
+        simulate::simulate(scene, settings, observer).map_err(|error| error.to_string())
     })
 }
 
-/// Run a scene. The computation calls the observer after every step, which
-/// may end it, and shows the results so far in the window.
+/// Run a scene. The computation calls the observer before every step, which may end it, and look at the results so far.
 pub(super) fn run(
     slot: Slot,
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
-    compute: impl FnOnce(&Settings, simulate::Observer<'_>, &Window) -> Result<Run, String>,
+    compute: impl FnOnce(&Settings, simulate::Observer<'_>) -> Result<Run, String>,
 ) -> Result<Found, Box<dyn Error>> {
-    let (mut pulse, window) = (Pulse { pause: SLOW, ..Pulse::default() }, Window::default());
-    let mut observer = |t_s: f64| {
+    let mut pulse = Pulse { pause: SLOW, ..Pulse::default() };
+    let mut observer = |look: &Look<'_>| {
         reporter.goes_on()?;
-        if let Some(run) = window.take() {
+        if let Some(t_s) = pulse.beat(look.t_s, || reporter.elapsed()) {
+            let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());
+            (reporter.send)(ReportBody::Progress { progress, elapsed });
+        }
+        if slot == Slot::Current
+            && pulse.part_is_due()
+            && let Some(run) = (look.so_far)()
+        {
             // It is not to spend more than a small part of its time on them.
             pulse.pause = BETWEEN.max(PART_SHARE * reporter.elapsed().saturating_sub(pulse.asked));
             (reporter.send)(ReportBody::Part(run.into()));
         }
-        if let Some(t_s) = pulse.beat(t_s, || reporter.elapsed()) {
-            let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());
-            (reporter.send)(ReportBody::Progress { progress, elapsed });
-        }
-        if slot == Slot::Current && pulse.part_is_due() {
-            window.ask();
-        }
         ControlFlow::Continue(())
     };
-    let mut run = compute(&Settings::default(), &mut observer, &window)?;
+    let mut run = compute(&Settings::default(), &mut observer)?;
     // The time is that of the run by itself.
     let took = reporter.elapsed();
     reporter.took.set(Some(took));
     run.cost.took_s = Some(took.as_secs_f64());
     if run.end.is_complete() {
         let mut left = PLASTIC_STEPS;
-        let mut observer = |_| {
+        let mut observer = |_: &Look<'_>| {
             left = left.saturating_sub(1);
             if left == 0 { ControlFlow::Break(()) } else { reporter.goes_on() }
         };

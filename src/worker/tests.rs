@@ -13,7 +13,7 @@ use super::study::{Reporter, RowsSoFar};
 use super::{JobProgress, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::{InterfaceLaw, Scene};
-use crate::model::simulate;
+use crate::model::simulate::{self, Look};
 use crate::study::context::Context;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
@@ -43,13 +43,13 @@ fn slow_run(
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
 ) -> Result<Found, Box<dyn Error>> {
-    run(slot, scene, reporter, |settings, observer, _| {
-        let go_on = &mut |_| ControlFlow::Continue(());
+    run(slot, scene, reporter, |settings, observer| {
+        let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
         let mut run = simulate::simulate(scene, settings, go_on).map_err(|it| it.to_string())?;
         assert!(scene.title != "panics", "deliberate");
         let mut t_s = 0.0;
         if scene.title.starts_with("endless") {
-            while observer(t_s).is_continue() {
+            while observer(&Look { t_s, so_far: &|| None }).is_continue() {
                 t_s += 1e-9;
                 if scene.title.ends_with("counted") {
                     STEPS.fetch_add(1, Ordering::SeqCst);

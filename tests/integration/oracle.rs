@@ -66,9 +66,8 @@ struct Beside<'a> {
 }
 
 fn program(scene: &Scene) -> Run {
-    let settings = Settings::SERIES;
-    let goes_on = &mut |_| std::ops::ControlFlow::Continue(());
-    simulate(&std::sync::Arc::new(scene.clone()), &settings, goes_on).unwrap()
+    let scene = std::sync::Arc::new(scene.clone());
+    simulate(&scene, &Settings::SERIES, &mut |_| std::ops::ControlFlow::Continue(())).unwrap()
 }
 
 /// Rows where nothing jumps, evenly among all.

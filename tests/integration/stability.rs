@@ -92,9 +92,9 @@ struct Course {
 
 fn course_of(scene: &Arc<Scene>) -> Course {
     let (mut last_s, mut steps, mut forward) = (0.0, 0, true);
-    let run = simulate(scene, &Settings::BARE, &mut |t_s| {
-        forward &= t_s >= last_s;
-        last_s = t_s;
+    let run = simulate(scene, &Settings::BARE, &mut |look| {
+        forward &= look.t_s >= last_s;
+        last_s = look.t_s;
         steps += 1;
         ControlFlow::Continue(())
     });

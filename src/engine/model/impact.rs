@@ -9,14 +9,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
-use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
+use crate::model::run::{EndReason, EstimateBasis, Look, Observer, Run, Settings};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
-use run::Extent;
 pub use stepping::Stepping;
 use stepping::run_by;
-use window::Window;
 
 mod equations;
 mod events;
@@ -32,7 +30,6 @@ mod run;
 mod stepping;
 #[cfg(test)]
 mod tests;
-pub mod window;
 
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
 const LOCAL: f64 = 1e-2;
@@ -40,21 +37,12 @@ const LEAST: f64 = 1e-13;
 /// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
 const LOOSER: f64 = 10.0;
 const FLOOR: f64 = 1.0 / 30.0;
-/// How many times the usual horizon an undecided shot is followed.
-const LONG_HORIZONS: f64 = 50.0;
 
-/// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
-pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
-    let horizons = if settings.long { LONG_HORIZONS } else { 1.0 };
-    let keep_series = settings.series;
-    let extent = Extent { keep_series, window: Some(window), horizons, ..Extent::BARE };
+/// Simulate one impact on a valid scene.
+pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let stepping = Stepping::Collocation(local_tolerance(scene));
-    let run = run_by(scene, extent, stepping, observer);
-    if settings.estimate && run.end.is_complete() {
-        with_estimate(run, observer, window)
-    } else {
-        run
-    }
+    let run = run_by(scene, settings, stepping, observer);
+    if settings.estimate && run.end.is_complete() { with_estimate(run, observer) } else { run }
 }
 
 /// Error of each step for the tolerance of a scene.
@@ -63,16 +51,12 @@ fn local_tolerance(scene: &Scene) -> f64 {
 }
 
 /// The run with the estimates of its errors, from a second computation by another member of the family of methods.
-fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
+fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
     let scene = Arc::clone(&run.scene);
-    let mut show = |t_s: f64| {
-        window.show(|| run.clone());
-        observer(t_s)
-    };
+    let mut shown = |look: &Look<'_>| observer(&Look { so_far: &|| Some(run.clone()), ..*look });
     let tolerance = local_tolerance(&scene);
     let stepping = Stepping::Second(LOOSER * tolerance);
-    let extent = Extent { all_loads: false, ..Extent::BARE };
-    let second = run_by(&scene, extent, stepping, &mut show);
+    let second = run_by(&scene, Settings::BARE, stepping, &mut shown);
     if second.end != EndReason::Cancelled {
         let floor = larger(ROUNDING, FLOOR * tolerance);
         estimate::set(&mut run, &second, EstimateBasis::SecondComputation, floor);
@@ -86,7 +70,7 @@ fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn step_by(stepping: Stepping, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
-    let go_on = &mut |_: f64| ControlFlow::Continue(());
+    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
     let is_stepped = scene.contact.model != ContactModel::Appendix;
-    Ok(is_stepped.then(|| run_by(scene, Extent::BARE, stepping, go_on)))
+    Ok(is_stepped.then(|| run_by(scene, Settings::BARE, stepping, go_on)))
 }

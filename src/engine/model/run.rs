@@ -18,10 +18,12 @@ pub use crate::model::stack::StackRun;
 pub use warning::{NotModelled, Warning};
 
 /// The output that a run delivers besides its results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// Keep the series to draw from.
     pub series: bool,
+    /// Its rows at equal times so far apart, s, instead of at the solver's own steps.
+    pub every_s: Option<f64>,
     /// Compute the error estimate (a second computation of another order).
     pub estimate: bool,
     /// Follow a run that oscillates on undecided for many times as long as usual, where the scene has no horizon.
@@ -30,7 +32,7 @@ pub struct Settings {
 
 impl Settings {
     /// The results alone.
-    pub const BARE: Self = Self { series: false, estimate: false, long: false };
+    pub const BARE: Self = Self { series: false, every_s: None, estimate: false, long: false };
     /// The series too.
     pub const SERIES: Self = Self { series: true, ..Self::BARE };
 }
@@ -44,8 +46,17 @@ impl Default for Settings {
 /// The end of the time in which a contact is drawn, relative to its own end: a little beyond it, so that it is seen.
 pub const CONTACT_WINDOW: f64 = 1.1;
 
-/// Called before every step with the time reached, s; `Break` ends the run as cancelled.
-pub type Observer<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
+/// A look at a run that goes on.
+pub struct Look<'a> {
+    /// The time reached, s.
+    pub t_s: f64,
+    /// The run so far: as if it had been cancelled there, or whole but for its error estimate. `None` of the listing of Appendix A, and of
+    /// the plates of a stack behind the first.
+    pub so_far: &'a dyn Fn() -> Option<Run>,
+}
+
+/// Called before every step; `Break` ends the run as cancelled.
+pub type Observer<'a> = &'a mut dyn FnMut(&Look<'_>) -> ControlFlow<()>;
 
 /// One computed impact.
 #[derive(Clone, Debug, PartialEq, Default)]

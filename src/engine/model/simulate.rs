@@ -5,9 +5,9 @@
 use std::sync::Arc;
 
 use crate::model::appendix::listing;
-use crate::model::impact::{self, window::Window};
+use crate::model::impact;
 use crate::model::run::{EndReason, Run};
-pub use crate::model::run::{Observer, Settings};
+pub use crate::model::run::{Look, Observer, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
@@ -22,26 +22,13 @@ pub fn simulate(
     settings: &Settings,
     observer: Observer<'_>,
 ) -> Result<Run, VariableError> {
-    simulate_openly(scene, settings, observer, &Window::default())
-}
-
-/// As [`simulate`], with a window through which the observer can look at the run so far. The listing of Appendix A, and the
-/// plates of a stack behind the first, show nothing.
-///
-/// # Errors
-/// As [`simulate`].
-pub fn simulate_openly(
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    observer: Observer<'_>,
-    window: &Window,
-) -> Result<Run, VariableError> {
     variables::validate(scene)?;
     if scene.contact.model == ContactModel::Appendix {
         return Ok(listing::run(scene, *settings, observer));
     }
-    let mut run = impact::run(scene, *settings, observer, window);
-    let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, observer);
+    let mut run = impact::run(scene, *settings, observer);
+    let mut unseen = |look: &Look<'_>| observer(&Look { so_far: &|| None, ..*look });
+    let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, &mut unseen);
     run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
     Ok(run)
 }
@@ -64,6 +51,6 @@ pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
 /// A run without series and estimate, for tests.
 #[cfg(test)]
 pub(in crate::model) fn bare_run(scene: &Scene) -> Run {
-    let go_on = &mut |_: f64| std::ops::ControlFlow::Continue(());
+    let go_on = &mut |_: &Look<'_>| std::ops::ControlFlow::Continue(());
     simulate(&Arc::new(scene.clone()), &Settings::BARE, go_on).expect("a valid scene")
 }

@@ -4,6 +4,7 @@ use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::model::simulate::Look;
 use crate::study::parallel;
 pub use crate::study::parallel::Work;
 
@@ -110,9 +111,9 @@ impl<'w, P: ?Sized> Context<'w, P> {
     }
 
     /// Observes a run: stops it when the study is stopped.
-    pub fn observer(&mut self) -> impl FnMut(f64) -> ControlFlow<()> {
+    pub fn observer(&mut self) -> impl FnMut(&Look<'_>) -> ControlFlow<()> {
         let mut steps = 0_u64;
-        move |_t_s| {
+        move |_| {
             steps += 1;
             if steps.is_multiple_of(LOOK) { self.flow() } else { ControlFlow::Continue(()) }
         }
@@ -214,7 +215,8 @@ mod tests {
         assert!(!context.goes_on() && !context.goes_on() && context.is_stopped());
         assert!(!context.uncounted(ask));
         let mut observe = context.observer();
-        assert_eq!((0..64).filter(|_| observe(0.0).is_break()).count(), 1);
+        let look = Look { t_s: 0.0, so_far: &|| None };
+        assert_eq!((0..64).filter(|_| observe(&look).is_break()).count(), 1);
         drop(observe);
         let part = Some("part".to_owned());
         assert_eq!(seen, [(1, 2, None), (1, 2, part), (1, 5, None), (3, 5, None)]);

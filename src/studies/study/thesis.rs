@@ -162,7 +162,7 @@ impl Shots<'_> {
 
     fn simulate(&self, scene: Scene, series: bool) -> Run {
         let settings = Settings { series, ..Settings::BARE };
-        simulate::simulate(&Arc::new(scene), &settings, &mut |_t_s: f64| self.stop.flow())
+        simulate::simulate(&Arc::new(scene), &settings, &mut |_| self.stop.flow())
             .expect("the scenes of this study make physical sense")
     }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use cmra::files::preset;
 use cmra::model::run::{ErrorEstimate, EstimateBasis, Run};
 use cmra::model::scene::Scene;
-use cmra::model::simulate::{Settings, plastic_beside, simulate};
+use cmra::model::simulate::{Look, Settings, plastic_beside, simulate};
 use cmra::model::units::Bare;
 use cmra::model::variables::set_by_name;
 use cmra::tui::message::Message;
@@ -18,7 +18,7 @@ use super::bench::{Bench, done};
 
 /// The run of a scene as the worker computes it.
 fn real(scene: &Arc<Scene>) -> Run {
-    let go_on = &mut |_: f64| ControlFlow::Continue(());
+    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
     let mut run = simulate(scene, &Settings::SERIES, go_on).expect("a valid scene");
     run.plastic = plastic_beside(scene, go_on).map(Arc::new);
     // What depends on the method is not what these pictures are about.

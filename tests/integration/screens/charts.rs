@@ -153,8 +153,8 @@ fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
     };
     assert!(!is_marked(&bench), "{}", bench.screen());
     let job = bench.jobs().remove(0);
-    let go_on = &mut |_| ControlFlow::Continue(());
-    bench.reply(job.id, done(simulate(&scene, &Settings::default(), go_on).unwrap()));
+    let run = simulate(&scene, &Settings::default(), &mut |_| ControlFlow::Continue(()));
+    bench.reply(job.id, done(run.unwrap()));
     assert!(is_marked(&bench), "{}", bench.screen());
 }
 

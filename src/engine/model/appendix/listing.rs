@@ -10,8 +10,8 @@ use std::sync::Arc;
 use crate::model::appendix::{Plate, Refusal, Scheme, State};
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::run::{
-    Arrest, AtLeast, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, NotModelled, Observer,
-    Outcome, Run, Sample, Settings, Warning,
+    Arrest, AtLeast, Cost, EndReason, EstimateBasis, Event, EventKind, Look, Mode, NotModelled,
+    Observer, Outcome, Run, Sample, Settings, Warning,
 };
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Reading, Scene};
 use crate::numerics::larger;
@@ -91,6 +91,10 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
 }
 
 impl Work<'_> {
+    fn look(&self) -> Look<'static> {
+        Look { t_s: self.t_s, so_far: &|| None }
+    }
+
     fn sample(&self, mode: Mode) -> Sample {
         let state = &self.state;
         let (spring, damper) =
@@ -134,7 +138,7 @@ impl Work<'_> {
     /// The contact, to its end by the listing's own rule.
     fn contact(&mut self, observer: Observer<'_>) -> Result<Outcome, EndReason> {
         for step in 1..=STEPS_MAX {
-            if step.is_multiple_of(LOOK) && observer(self.t_s) == ControlFlow::Break(()) {
+            if step.is_multiple_of(LOOK) && observer(&self.look()) == ControlFlow::Break(()) {
                 return Err(EndReason::Cancelled);
             }
             let before = self.state;
@@ -240,7 +244,7 @@ impl Work<'_> {
                 self.run.max_plate_displacement_m = horizon_s.map(|_| self.max_displacement_m);
                 return if is_free || turned { EndReason::Decided } else { EndReason::Horizon };
             }
-            if step.is_multiple_of(LOOK) && observer(self.t_s) == ControlFlow::Break(()) {
+            if step.is_multiple_of(LOOK) && observer(&self.look()) == ControlFlow::Break(()) {
                 return EndReason::Cancelled;
             }
             let rising = y[1] > 0.0;

@@ -9,7 +9,7 @@ use crate::model::appendix::Scheme;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, Sample, Warning};
 use crate::model::scene::{Listing, Reading, Scene, SpringKind};
-use crate::model::simulate::{self, Settings};
+use crate::model::simulate::{self, Look, Settings};
 use crate::model::variables::scene_with;
 
 /// The travel of the default plate that is a unit of depth: it dishes by one diameter.
@@ -17,7 +17,7 @@ const TRAVEL_PER_DEPTH: f64 = (0.0254 + 2.0 * 0.00635) / 0.0254;
 const FORCE_MODELS: [&str; 3] = ["half-sine", "initial-velocity", "lumped"];
 
 fn run_of(scene: &Scene) -> Run {
-    let go_on = &mut |_: f64| ControlFlow::Continue(());
+    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
     simulate::simulate(&Arc::new(scene.clone()), &Settings::default(), go_on).unwrap()
 }
 

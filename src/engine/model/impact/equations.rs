@@ -7,6 +7,7 @@
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::contact_models::Law;
 use crate::model::impact::modes::{Contact, Hold, Mode, Touch};
+use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
 use crate::numerics::step::Slopes;
@@ -59,8 +60,8 @@ pub(super) struct Setup {
     pub(super) plastic: bool,
     /// The mount is rigid.
     pub(super) still: bool,
-    /// The plate is followed to its turn also where its energy says how far it goes.
-    pub(super) in_full: bool,
+    /// The method that steps, which says how far the plate is followed.
+    pub(super) stepping: Stepping,
     /// Error of a step relative to what moves.
     pub(super) tolerance: f64,
 }
@@ -117,7 +118,7 @@ impl Setup {
             closing_m_s,
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             still: scene.is_rigid(),
-            in_full: false,
+            stepping: Stepping::Collocation(tolerance),
             tolerance,
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::{Contact, Hold, Touch, limits_n};
+use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::model::scene::StopKind;
@@ -290,7 +291,8 @@ impl Equations<'_> {
                 _ => Farthest::Pending,
             };
         }
-        if setup.damper.is_absent() && setup.stop.is_none() && !setup.in_full {
+        let in_full = matches!(setup.stepping, Stepping::CollocationInFull(_));
+        if setup.damper.is_absent() && setup.stop.is_none() && !in_full {
             // Nothing but the spring turns the plate, if anything does.
             let is_gone = state.w_m_s < 0.0 && mode.spring.backward(x_m, energy_j).is_infinite();
             return match reach_m.is_finite() {

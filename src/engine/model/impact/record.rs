@@ -6,7 +6,6 @@ use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{self, Contact, Hold, Mode, Touch};
 use crate::model::impact::path::Path;
-use crate::model::impact::window::Window;
 use crate::model::run::{self, Arrest, Cost, Departure, EnergyLedger, Event, EventKind, Sample};
 use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::quadrature::GAUSS_16;
@@ -22,12 +21,12 @@ const NEAR_DEPTH: f64 = 1e-2;
 
 /// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Record<'a> {
+pub(super) struct Record {
     pub(super) keep_series: bool,
     /// No events are marked any more.
     pub(super) is_over: bool,
-    /// Where rows at equal times, and the run so far, are shown.
-    pub(super) window: Option<&'a Window>,
+    /// Rows are kept at equal times so far apart, s.
+    pub(super) every_s: Option<f64>,
     pub(super) series: Vec<Sample>,
     pub(super) events: Vec<Event>,
     /// The energies that have to be integrated; of the others nothing.
@@ -64,7 +63,7 @@ pub(super) struct Loads {
 /// Signs of the mechanism's force where it pushes, and where it pulls.
 const WAYS: [f64; 2] = [1.0, -1.0];
 
-impl Record<'_> {
+impl Record {
     /// Notes the first moment.
     pub(super) fn begin(&mut self, equations: &Equations<'_>, state: &State) {
         let x_m = equations.displacement_m(state.x_m);
@@ -226,12 +225,15 @@ impl Record<'_> {
         if !self.keep_series {
             return;
         }
-        if let Some(window) = self.window {
+        if let Some(every_s) = self.every_s {
             let (from_s, to_s) = (path.start().t_s, path.end().t_s);
-            window.fill(to_s, |t_s| {
+            while let t_s = self.series.len() as f64 * every_s
+                && t_s <= to_s
+            {
                 let state = State { t_s, ..path.at((t_s - from_s) / (to_s - from_s)) };
-                sample(equations, &state)
-            });
+                self.series.push(sample(equations, &state));
+            }
+            return;
         }
         let skipped = if self.series.len() < ROWS_MAX { 0 } else { states.len() - 1 };
         for state in &states[skipped..] {
@@ -240,12 +242,8 @@ impl Record<'_> {
     }
 
     fn row(&mut self, equations: &Equations<'_>, state: &State) {
-        if self.keep_series {
-            let row = sample(equations, state);
-            if let Some(window) = self.window {
-                window.fill(row.t_s, |_| row);
-            }
-            self.series.push(row);
+        if self.keep_series && (self.every_s.is_none() || self.series.is_empty()) {
+            self.series.push(sample(equations, state));
         }
     }
 
@@ -282,7 +280,10 @@ impl Record<'_> {
         if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
             self.cost.events += 1;
             self.row(after, to);
-        } else if let Some(row) = self.series.last_mut().filter(|_| self.keep_series) {
+        } else if let Some(row) = self.series.last_mut()
+            && self.keep_series
+            && self.every_s.is_none()
+        {
             *row = sample(after, to);
         }
     }

@@ -8,6 +8,7 @@ use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Contact, Mode};
 use crate::model::impact::outcome::Farthest;
 use crate::model::impact::record::Record;
+use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
@@ -35,7 +36,7 @@ pub(super) struct Course<'a> {
     pub(super) setup: &'a Setup,
     pub(super) mode: Mode,
     pub(super) state: State,
-    pub(super) record: Record<'a>,
+    pub(super) record: Record,
     /// Outcome and greatest displacement, once nothing can change them any more.
     pub(super) decided: Option<(Outcome, Farthest)>,
     /// When it ends at the latest, s.
@@ -60,9 +61,10 @@ impl Course<'_> {
 
     /// Whether what follows may load the mount, or the joined interface, more than they have been; or, if not all loads are asked for, push
     /// the interface more.
-    pub(super) fn loads_may_grow(&mut self, all: bool) -> bool {
+    pub(super) fn loads_may_grow(&mut self) -> bool {
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         let equations = Equations { setup, mode };
+        let all = !matches!(setup.stepping, Stepping::Second(_));
         let is_joined = mode.contact == Contact::Joined;
         let is_loaded = !(equations.plate_rests() || equations.creeps(state))
             && equations.drives_away(state).is_none();

@@ -10,8 +10,7 @@ use crate::model::impact::moving::{Moving, Places};
 use crate::model::impact::path::Path;
 use crate::model::impact::record::{Loads, Record};
 use crate::model::impact::report::{self, Course};
-use crate::model::impact::window::Window;
-use crate::model::run::{Cost, EndReason, Observer, Run};
+use crate::model::run::{Cost, EndReason, Look, Observer, Run, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::locate::{CELLS, Found, GAPS_MAX, first_fall};
 use crate::numerics::step::{Near, Step, Stepper};
@@ -35,28 +34,12 @@ const NO_TIME: f64 = 1e-15;
 const AT_ONCE: f64 = 1e-9;
 /// Turns and changes after which a run that has used up its work is said to oscillate on.
 const TURNS_MAX: usize = 100;
+/// How many times the usual horizon an undecided shot is followed that is followed for long.
+const LONG_HORIZONS: f64 = 50.0;
 /// Turns of the plate to which it is followed for its loads, forward and back, and steps for which it is drawn after the results are known: a
 /// stiff mount may oscillate a million times meanwhile.
 const TURNS_FOLLOWED: usize = 2;
 const STEPS_DRAWN: usize = 200;
-
-/// How far a run is followed, and what it keeps besides its results.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::model) struct Extent<'a> {
-    pub(in crate::model) keep_series: bool,
-    /// Where the run so far is shown.
-    pub(in crate::model) window: Option<&'a Window>,
-    /// How many times as long as usual a run is followed that oscillates on undecided.
-    pub(in crate::model) horizons: f64,
-    /// All loads are wanted: not only the push through the joined interface, of which alone the error is estimated.
-    pub(in crate::model) all_loads: bool,
-}
-
-impl Extent<'_> {
-    /// The results alone.
-    pub(in crate::model) const BARE: Self =
-        Self { keep_series: false, window: None, horizons: 1.0, all_loads: true };
-}
 
 /// A run in progress.
 struct Progress<'a, M, const S: usize> {
@@ -75,17 +58,18 @@ pub(super) fn run<const S: usize>(
     scene: &Arc<Scene>,
     setup: &Setup,
     stepper: &impl Stepper<S>,
-    extent: Extent<'_>,
+    settings: Settings,
     observer: Observer<'_>,
 ) -> Run {
     let (mode, state) = modes::first(setup);
     // Without a spring to bring it back a plate is followed to its stop, and until it has left that.
     let waits = setup.spring.is_absent() && setup.stop.is_some();
     let horizon_s = scene.run.horizon_s.unwrap_or_else(|| {
-        if waits { f64::INFINITY } else { extent.horizons * horizon::of(setup) }
+        let horizons = if settings.long { LONG_HORIZONS } else { 1.0 };
+        if waits { f64::INFINITY } else { horizons * horizon::of(setup) }
     });
-    let Extent { keep_series, window, .. } = extent;
-    let record = Record { keep_series, window, ..Record::default() };
+    let Settings { series: keep_series, every_s, .. } = settings;
+    let record = Record { keep_series, every_s, ..Record::default() };
     let mut progress = Progress {
         course: Course { scene, setup, mode, state, record, decided: None, horizon_s },
         stepper,
@@ -97,7 +81,7 @@ pub(super) fn run<const S: usize>(
     let mut end = progress.follow(observer);
     let course = progress.results();
     if end == EndReason::Decided {
-        end = progress.follow_on(extent.all_loads, observer);
+        end = progress.follow_on(observer);
     }
     report::gather(progress.completed(course), end)
 }
@@ -137,7 +121,16 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
 
     /// One step, or one event.
     fn go_on(&mut self, observer: Observer<'_>) -> Option<EndReason> {
-        if observer(self.course.state.t_s).is_break() {
+        let missed = self.missed();
+        let so_far = || {
+            let mut course = self.course.clone();
+            // An event replaces the row of the state on it.
+            if missed.is_some() {
+                course.record.series.pop();
+            }
+            Some(report::gather(course, EndReason::Cancelled))
+        };
+        if observer(&Look { t_s: self.course.state.t_s, so_far: &so_far }).is_break() {
             return Some(EndReason::Cancelled);
         }
         let record = &self.course.record;
@@ -149,15 +142,12 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
                 is_over && self.course.scene.run.horizon_s.is_none() && turns + events > TURNS_MAX;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
-        if let Some(event) = self.missed() {
+        if let Some(event) = missed {
             self.react(event, self.course.state);
-            return None;
+            None
+        } else {
+            self.advance()
         }
-        // Not before: an event replaces the row of the state on it.
-        if let Some(window) = self.course.record.window {
-            window.show(|| report::gather(self.course.clone(), EndReason::Cancelled));
-        }
-        self.advance()
     }
 
     /// What is known when all is decided; the rows and events stay with the run, which goes on.
@@ -178,7 +168,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
 
     /// Goes on after the results are known: for the greatest loads of mount and interface, to the second turn of the plate, and to draw the
     /// end of the contact and the way to the greatest displacement.
-    fn follow_on(&mut self, all_loads: bool, observer: Observer<'_>) -> EndReason {
+    fn follow_on(&mut self, observer: Observer<'_>) -> EndReason {
         let scene = self.course.scene;
         let is_drawn = self.course.record.keep_series && scene.run.horizon_s.is_none();
         let Cost { turns, steps, .. } = self.course.record.cost;
@@ -187,9 +177,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let mut end = EndReason::Decided;
         loop {
             let turned = self.course.record.cost.turns - turns;
-            if loads.is_none()
-                && (turned >= TURNS_FOLLOWED || !self.course.loads_may_grow(all_loads))
-            {
+            if loads.is_none() && (turned >= TURNS_FOLLOWED || !self.course.loads_may_grow()) {
                 loads = Some(self.course.record.loads);
             }
             let draws = is_drawn

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::model::impact::equations::Setup;
-use crate::model::impact::run::{Extent, run};
-use crate::model::run::{Observer, Run};
+use crate::model::impact::run::run;
+use crate::model::run::{Observer, Run, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
@@ -19,7 +19,8 @@ pub enum Stepping {
     Collocation(f64),
     /// The same; the plate is followed to its turn also where its energy says how far it goes.
     CollocationInFull(f64),
-    /// Radau IIA with seven stages, for the estimate of errors, to a tolerance.
+    /// Radau IIA with seven stages, to a tolerance, for the estimate of errors: of the loads only the push through the joined interface, of
+    /// which alone the error is estimated.
     Second(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
     Radau5(f64),
@@ -48,30 +49,30 @@ impl Stepping {
 /// One impact on a valid scene by a method, whatever its contact model but the listing of the Appendix.
 pub(super) fn run_by(
     scene: &Arc<Scene>,
-    extent: Extent<'_>,
+    settings: Settings,
     stepping: Stepping,
     observer: Observer<'_>,
 ) -> Run {
     let mut setup = Setup::of(scene, stepping.tolerance());
-    setup.in_full = matches!(stepping, Stepping::CollocationInFull(_));
+    setup.stepping = stepping;
     let setup = &setup;
     match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };
-            run(scene, setup, &stepper, extent, observer)
+            run(scene, setup, &stepper, settings, observer)
         }
         Stepping::Second(tolerance) => {
             let stepper = Collocation { member: &*SEVEN, tolerance };
-            run(scene, setup, &stepper, extent, observer)
+            run(scene, setup, &stepper, settings, observer)
         }
         Stepping::Radau5(tolerance) => {
             let stepper = Collocation { member: &*THREE, tolerance };
-            run(scene, setup, &stepper, extent, observer)
+            run(scene, setup, &stepper, settings, observer)
         }
-        Stepping::Dop853(tolerance) => run(scene, setup, &Dop853 { tolerance }, extent, observer),
-        Stepping::Rk4(step) => run(scene, setup, &Rk4 { step, locates: true }, extent, observer),
+        Stepping::Dop853(tolerance) => run(scene, setup, &Dop853 { tolerance }, settings, observer),
+        Stepping::Rk4(step) => run(scene, setup, &Rk4 { step, locates: true }, settings, observer),
         Stepping::Rk4WithoutEvents(step) => {
-            run(scene, setup, &Rk4 { step, locates: false }, extent, observer)
+            run(scene, setup, &Rk4 { step, locates: false }, settings, observer)
         }
     }
 }

@@ -3,21 +3,19 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::run::Extent;
 use super::stepping::{Stepping, run_by};
-use crate::model::impact::window::Window;
 use crate::model::run::{CONTACT_WINDOW, EndReason, Outcome, Run, Sample, Settings};
 use crate::model::scene::Scene;
-use crate::model::simulate::simulate;
+use crate::model::simulate::{Look, simulate};
 use crate::model::variables::scene_with;
 
-fn run_to_end(scene: &Arc<Scene>, stepping: Stepping, extent: Extent<'_>) -> Run {
-    run_by(scene, extent, stepping, &mut |_| ControlFlow::Continue(()))
+fn run_to_end(scene: &Arc<Scene>, stepping: Stepping, settings: Settings) -> Run {
+    run_by(scene, settings, stepping, &mut |_| ControlFlow::Continue(()))
 }
 
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
-    let found = run_to_end(&scene, Stepping::Collocation(1e-12), Extent::BARE);
+    let found = run_to_end(&scene, Stepping::Collocation(1e-12), Settings::BARE);
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -112,7 +110,7 @@ fn valid_every_method_steps_to_the_same_end() {
     for pairs in ["k=1e5", "k=1e5 interface=plastic gamma=0.8 b=50", "h=0.003 v_i=400 k=1e5"] {
         let scene = Arc::new(scene_with(pairs));
         let end = |stepping: Stepping| {
-            let run = run_to_end(&scene, stepping, Extent::BARE);
+            let run = run_to_end(&scene, stepping, Settings::BARE);
             assert!(run.end.is_complete(), "{pairs}: {stepping:?} {:?}", run.end);
             let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
             [time_s, run.final_penetration_m, run.peak_contact_force_n].map(Option::unwrap)
@@ -136,10 +134,9 @@ fn valid_every_method_steps_to_the_same_end() {
 #[test]
 fn valid_rows_at_equal_times_lie_on_the_motion() {
     let scene = Arc::new(scene_with("gamma=1 k=0"));
-    let window = Window::with_steps(1e-6, 1_000);
-    let extent = Extent { keep_series: true, window: Some(&window), ..Extent::BARE };
-    let found = run_to_end(&scene, Stepping::Collocation(1e-12), extent);
-    let rows = window.rows();
+    let found = run_to_end(&scene, Stepping::Collocation(1e-12), Settings::SERIES);
+    let settings = Settings { every_s: Some(1e-6), ..Settings::SERIES };
+    let rows = run_to_end(&scene, Stepping::Collocation(1e-12), settings).series;
     let end_s = CONTACT_WINDOW * found.first_arrest.unwrap().t_s;
     assert!((rows.len() as f64 - 1.0 - (end_s / 1e-6).floor()).abs() < 0.5, "{}", rows.len());
     for (index, row) in rows.iter().enumerate() {
@@ -165,10 +162,10 @@ fn results_do_not_depend_on_whether_a_series_is_kept() {
         "k=1e6 n=0.5 horizon=2ms",
     ] {
         let scene = Arc::new(scene_with(pairs));
-        let results = |keep_series: bool| {
-            let extent = Extent { keep_series, ..Extent::BARE };
-            let found = run_to_end(&scene, Stepping::Collocation(1e-12), extent);
-            assert_eq!(found.series.is_empty(), !keep_series);
+        let results = |series: bool| {
+            let settings = Settings { series, ..Settings::BARE };
+            let found = run_to_end(&scene, Stepping::Collocation(1e-12), settings);
+            assert_eq!(found.series.is_empty(), !series);
             Run { series: Vec::new(), events: Vec::new(), omitted: Vec::new(), ..found }
         };
         assert_eq!(results(true), results(false), "{pairs}");
@@ -222,11 +219,9 @@ fn valid_the_energy_ledger_closes() {
 /// because it is taken as linear near zero is within ten times the estimate.
 #[test]
 fn valid_a_plate_creeps_as_far_as_its_damper_lets_it() {
-    let window = Window::with_steps(1e-7, 4_000);
-    let extent = Extent { window: Some(&window), keep_series: true, ..Extent::BARE };
+    let settings = Settings { every_s: Some(1e-7), ..Settings::SERIES };
     let rigid = Arc::new(scene_with("mount=rigid"));
-    let _ = run_to_end(&rigid, Stepping::Collocation(1e-12), extent);
-    let rows = window.rows();
+    let rows = run_to_end(&rigid, Stepping::Collocation(1e-12), settings).series;
     for (b, m) in [(5e4, 0.1), (1e5, 0.1), (1.5e5, 0.1), (1e5, 0.05), (1e5, 0.2), (5e4, 0.3)] {
         let speed_m_s = |row: &Sample| (row.contact_force_n / b).powf(1.0 / m);
         let crept_m: f64 = rows.windows(2).map(|pair| 1e-7 * speed_m_s(&pair[0])).sum();
@@ -251,5 +246,32 @@ fn a_plate_that_creeps_comes_to_rest_on_its_stop() {
     ] {
         let reached_m = shot(pairs).max_plate_displacement_m.unwrap();
         assert!((reached_m - stop_m).abs() < 1e-15, "{pairs}: {reached_m}");
+    }
+}
+
+/// A run that oscillates on, ended after 6000 steps, has every row of the looks at it.
+#[test]
+fn every_row_of_a_look_is_one_of_the_runs_own_in_their_order() {
+    let (mut steps, mut parts) = (0, Vec::new());
+    let mut observer = |look: &Look<'_>| {
+        steps += 1;
+        if [500, 2_000, 5_000].contains(&steps) {
+            parts.extend((look.so_far)());
+        }
+        if steps > 6_000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let scene = Arc::new(scene_with("n=0.3 run.horizon_s=1000"));
+    let whole = simulate(&scene, &Settings::SERIES, &mut observer).unwrap();
+    assert!(parts.len() == 3 && whole.end == EndReason::Cancelled);
+    let is_in_order = |rows: &[Sample]| {
+        rows.windows(2).all(|pair| pair[0].t_s <= pair[1].t_s && pair[0] != pair[1])
+    };
+    assert!(is_in_order(&whole.series));
+    for part in parts {
+        assert!(part.series.len() > 3_000 && is_in_order(&part.series));
+        let mut own = whole.series.iter();
+        for row in &part.series {
+            assert!(own.any(|one| one == row), "{row:?}");
+        }
     }
 }

@@ -122,8 +122,7 @@ fn shoot(scene: Scene) -> Option<Shot> {
         let demand = Demand::of(&scene, first_contact::max_displacement_m(&scene, &end));
         return Some(Shot { verdict: ShotOutcome::of_contact(&scene, &end), demand });
     }
-    let go_on = &mut |_: f64| ControlFlow::Continue(());
-    let (run, verdict) = decide(&Arc::new(scene), go_on)?;
+    let (run, verdict) = decide(&Arc::new(scene), &mut |_| ControlFlow::Continue(()))?;
     let demand = Demand::of(&run.scene, run.max_plate_displacement_m);
     Some(Shot { verdict, demand })
 }

@@ -1,12 +1,11 @@
 //! Whether a shot goes through, and where that changes: the same rule for velocities and for thicknesses.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::contact_kernel::ContactEnd;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Criterion, Scene};
-use crate::model::simulate::{Settings, simulate};
+use crate::model::simulate::{Observer, Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::first_contact::is_through;
 
@@ -53,7 +52,7 @@ impl ShotOutcome {
 /// A shot and its verdict; one that is left undecided is followed for longer. `None` for a scene that makes no physical sense.
 pub(in crate::study) fn decide(
     scene: &Arc<Scene>,
-    observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    observer: Observer<'_>,
 ) -> Option<(Run, ShotOutcome)> {
     let mut run = simulate(scene, &Settings::BARE, observer).ok()?;
     if run.stack.is_none() && ShotOutcome::of(&run) == ShotOutcome::Undecided {
