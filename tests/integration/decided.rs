@@ -1,6 +1,6 @@
 //! What is decided when a run ends, and what is known of the rest.
 
-use cmra::model::run::{EndReason, Outcome, Run};
+use cmra::model::run::{AtLeast, EndReason, Outcome, Run};
 
 use crate::support::{assert_near, run, scene};
 
@@ -24,7 +24,7 @@ fn a_free_plate_that_leaves_its_elastic_stop_with_the_projectile_is_decided() {
     let found = of("k=0 interface=plastic x_stop=0.005 stop_kind=elastic");
     assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
     assert!(found.max_plate_displacement_m.unwrap() > 0.005);
-    assert!(found.at_least.is_empty());
+    assert_eq!(found.at_least, AtLeast::default());
 }
 
 /// It creeps to zero with b/k = 20 ms: its stroke is the cocking distance.

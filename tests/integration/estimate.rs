@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use cmra::model::impact::Stepping;
 use cmra::model::impact::step_by;
-use cmra::model::run::{EstimateBasis, Outcome, ResultError, Run};
+use cmra::model::run::{EstimateBasis, Outcome, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::quantities;
@@ -76,7 +76,7 @@ fn errors(scene: &Arc<Scene>) -> Option<(f64, f64, f64)> {
         if steps > STEPS_MAX { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     let run = run.unwrap();
-    let estimate = run.error_estimate?.relative;
+    let estimate = run.error_estimate?;
     let (outcome, value, off) = truth(scene).filter(|(_, _, off)| *off < UNCERTAINTY_MAX)?;
     let own = measure(&run)?;
     let error = if run.outcome == outcome { (own / value - 1.0).abs() } else { f64::INFINITY };
@@ -176,13 +176,12 @@ fn each_result_has_an_estimate_of_its_own_that_covers_its_error() {
             if own == 0.0 {
                 continue;
             }
-            let estimate = run.error_estimates.iter().find(|error| error.name == name).unwrap();
+            let estimate = run.error_of(name).unwrap();
             let error = (own / exact - 1.0).abs();
             // What is zero but for rounding has no error relative to itself.
             let is_none = name == "first_arrest_plate_velocity_m_s"
                 && exact.abs() < NOTHING * scene.projectile.velocity_m_s;
-            if error > BELOW * estimate.relative + NOTHING && !is_none {
-                let estimate = estimate.relative;
+            if error > BELOW * estimate + NOTHING && !is_none {
                 told.push(format!("{name}: {estimate:.1e}, not {error:.1e}: {}", typed(&changes)));
             }
         }
@@ -214,12 +213,11 @@ fn each_estimate_covers_the_difference_to_a_tight_run() {
         }
         judged += 1;
         perforated += usize::from(run.outcome == Outcome::Perforated);
-        for error in run.error_estimates.iter().filter(|error| error.relative < KNOWN_DIGITS) {
-            let column = quantities::find(error.name).unwrap();
+        for (name, relative) in run.error_estimates.iter().filter(|it| it.1 < KNOWN_DIGITS) {
+            let column = quantities::find(name).unwrap();
             let Some((own, exact)) = column.value(&run).zip(column.value(&tight)) else { continue };
             let off = (own / exact - 1.0).abs();
-            if off > BELOW * error.relative + NOTHING_ASKED * LOOSE {
-                let ResultError { name, relative } = error;
+            if off > BELOW * relative + NOTHING_ASKED * LOOSE {
                 told.push(format!("{name}: {relative:.1e}, not {off:.1e}: {}", typed(&changes)));
             }
         }
@@ -243,7 +241,7 @@ fn the_time_of_an_exit_just_above_the_rigid_limit_is_right_to_rounding() {
         let run = simulate(&Arc::new(own.clone()), &settings, &mut |_| ControlFlow::Continue(()));
         let run = run.unwrap();
         let error = (run.exit_time_s.unwrap() / EXIT_TIME_S - 1.0).abs();
-        let estimate = run.error_estimate.unwrap().relative;
+        let estimate = run.error_estimate.unwrap();
         assert!(error < 1e-13, "{error:e}");
         assert!(error <= BELOW * estimate, "{error:e} {estimate:e}");
     }
@@ -259,8 +257,7 @@ fn an_estimate_from_two_outcomes_is_unknown() {
     second.exit_time_s = Some(1.0);
     run.error_estimates.clear();
     cmra::model::estimate::set(&mut run, &second, EstimateBasis::SecondComputation, 0.0);
-    let estimate = run.error_estimate.unwrap();
-    assert_eq!(estimate.basis, EstimateBasis::OutcomeDiffers(Outcome::Perforated));
+    assert_eq!(run.estimate_basis, Some(EstimateBasis::OutcomeDiffers(Outcome::Perforated)));
     assert_eq!(quantities::find("error_estimate").unwrap().value(&run), None);
     assert!(run.error_estimates.is_empty());
 }

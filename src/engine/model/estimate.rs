@@ -4,7 +4,7 @@
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
 use crate::model::mechanism::Mechanism;
-use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, ResultError, Run};
+use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::numerics::larger;
 
 /// Rounding that no second computation can see, relative.
@@ -49,8 +49,8 @@ const ESTIMATED: [Estimated; 13] = [
 /// not end alike say nothing of each other.
 pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     if run.outcome != second.outcome {
-        let basis = EstimateBasis::OutcomeDiffers(second.outcome);
-        run.error_estimate = Some(ErrorEstimate { relative: f64::INFINITY, basis });
+        run.estimate_basis = Some(EstimateBasis::OutcomeDiffers(second.outcome));
+        run.error_estimate = Some(f64::INFINITY);
         return;
     }
     let factor = match basis {
@@ -80,8 +80,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
                 }
             };
             let off = factor * (value - other).abs();
-            let relative = relative(off, value, larger(floor, rounding))?;
-            Some(ResultError { name, relative })
+            Some((*name, relative(off, value, larger(floor, rounding))?))
         })
         .collect();
     // The depth of a perforation is the plate's own: what was computed is when it is reached.
@@ -89,8 +88,9 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
         Outcome::Perforated => "exit_time_s",
         Outcome::Arrested | Outcome::Separated | Outcome::Moving => "final_penetration_m",
     };
-    let found = run.error_estimates.iter().find(|error| error.name == main_result);
-    run.error_estimate = found.map(|error| ErrorEstimate { relative: error.relative, basis });
+    let found = run.error_estimates.iter().find(|error| error.0 == main_result);
+    run.error_estimate = found.map(|error| error.1);
+    run.estimate_basis = found.map(|_| basis);
 }
 
 /// What a value is off by, relative to it, which is not known better than to a floor; nothing for zero.

@@ -92,10 +92,12 @@ pub struct Run {
     /// Greatest tension that the fused interface carried up to the end of the run, over its strength `g A S_y`; infinite where
     /// there is no grip g, `None` where the interface can let go.
     pub interface_tension_ratio: Option<f64>,
-    /// Relative error estimate of the final penetration, and where it comes from.
-    pub error_estimate: Option<ErrorEstimate>,
-    /// Relative error estimates of the results, each by itself, as far as they exist.
-    pub error_estimates: Vec<ResultError>,
+    /// Error estimate of the final penetration (of the exit time, for a perforation), relative to it; infinite where it is not known.
+    pub error_estimate: Option<f64>,
+    /// How the estimates were obtained, where any were.
+    pub estimate_basis: Option<EstimateBasis>,
+    /// Error estimates of the results by their names, each relative to it, as far as they exist.
+    pub error_estimates: Vec<(&'static str, f64)>,
     /// The series to draw, in order of time; two samples at the same time where something jumps. Empty unless requested.
     pub series: Vec<Sample>,
     /// Located events, in order of time.
@@ -250,24 +252,6 @@ worded! {
     }
 }
 
-/// A relative error estimate of the final penetration.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ErrorEstimate {
-    /// Relative to the final penetration (to the exit time, for a perforation); infinite where it is not known.
-    pub relative: f64,
-    /// How it was obtained.
-    pub basis: EstimateBasis,
-}
-
-/// A relative error estimate of one result.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ResultError {
-    /// The result's name.
-    pub name: &'static str,
-    /// The estimate, relative to it.
-    pub relative: f64,
-}
-
 /// How an error estimate was obtained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateBasis {
@@ -337,13 +321,6 @@ pub struct AtLeast {
     pub penetration_m: Option<f64>,
     /// Greatest plate displacement so far, m.
     pub plate_displacement_m: Option<f64>,
-}
-
-impl AtLeast {
-    /// Whether there is none: every value is final.
-    pub fn is_empty(self) -> bool {
-        self == Self::default()
-    }
 }
 
 /// The load of the mechanism in a run.
@@ -422,7 +399,7 @@ impl Run {
     /// The relative error estimate of a result; of a stack, the greatest of its plates.
     pub fn error_of(&self, name: &str) -> Option<f64> {
         let errors = self.plates().flat_map(|run| &run.error_estimates);
-        errors.filter(|error| error.name == name).map(|error| error.relative).reduce(larger)
+        errors.filter(|error| error.0 == name).map(|error| error.1).reduce(larger)
     }
 
     /// The residual velocity behind the plate, or behind the base plate of a stack, m/s.

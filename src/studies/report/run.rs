@@ -168,14 +168,14 @@ pub fn json(name: &str, run: &Run) -> String {
     object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
     object["penetration_at_most_m"] = run.penetration_at_most_m.into();
     object["nose_protrusion_m"] = run.protrusion_m().into();
-    let basis = run.error_estimate.map(|estimate| match estimate.basis {
+    let basis = run.estimate_basis.map(|basis| match basis {
         EstimateBasis::SecondComputation => "second computation",
         EstimateBasis::HalfStep => "half the step",
         EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
     });
     object["error_estimate_basis"] = basis.into();
     let exists = |name| find(name).is_some_and(|it| run.stack.is_none() || it.value(run).is_some());
-    let names = run.error_estimates.iter().map(|error| error.name).filter(|name| exists(name));
+    let names = run.error_estimates.iter().map(|error| error.0).filter(|name| exists(name));
     let errors = names.map(|name| (name.to_owned(), run.error_of(name).into()));
     object["error_estimates"] = Value::Object(errors.collect());
     object["method"] = run.cost.method.into();

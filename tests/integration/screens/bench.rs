@@ -8,8 +8,8 @@ use std::time::Duration;
 
 use cmra::files::export::Destination;
 use cmra::model::run::{
-    Arrest, Cost, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis, Event, EventKind, Mode,
-    Outcome, Run, Sample, Warning,
+    Arrest, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind, Mode, Outcome, Run,
+    Sample, Warning,
 };
 use cmra::model::scene::{Mount, PlateSize, Scene};
 use cmra::study::sweep::Plan;
@@ -351,7 +351,6 @@ impl Shape {
 pub(crate) fn made(scene: &Arc<Scene>) -> Run {
     let rigid = scene.plate.mount == Mount::Rigid;
     let shape = Shape::of(scene);
-    let basis = EstimateBasis::SecondComputation;
     let arrest = shape.sample(ARREST_S);
     let mut run = Run {
         scene: Arc::clone(scene),
@@ -374,7 +373,8 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         separation: None,
         interface_demand_ratio: Some(0.108),
         interface_tension_ratio: Some(0.0),
-        error_estimate: Some(ErrorEstimate { relative: 3e-12, basis }),
+        error_estimate: Some(3e-12),
+        estimate_basis: Some(EstimateBasis::SecondComputation),
         error_estimates: Vec::new(),
         series: shape.series(TURN_S),
         events: vec![

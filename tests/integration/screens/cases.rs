@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files::preset;
-use cmra::model::run::{ErrorEstimate, EstimateBasis, Run};
+use cmra::model::run::{EstimateBasis, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Look, Settings, plastic_beside, simulate};
 use cmra::model::units::Bare;
@@ -22,8 +22,8 @@ fn real(scene: &Arc<Scene>) -> Run {
     let mut run = simulate(scene, &Settings::SERIES, go_on).expect("a valid scene");
     run.plastic = plastic_beside(scene, go_on).map(Arc::new);
     // What depends on the method is not what these pictures are about.
-    run.error_estimate =
-        Some(ErrorEstimate { relative: 4e-15, basis: EstimateBasis::SecondComputation });
+    run.error_estimate = Some(4e-15);
+    run.estimate_basis = Some(EstimateBasis::SecondComputation);
     run.omitted = vec!["damper", "stop"];
     run
 }

@@ -361,7 +361,7 @@ pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
     if baseline_penetration_m.is_none() && !course.scene.is_stack() {
         warnings.push(Warning::NoBaseline);
     }
-    if outcome == Outcome::Moving || !at_least.is_empty() {
+    if outcome == Outcome::Moving || at_least != AtLeast::default() {
         warnings.push(Warning::StillMoving { outcome, at_least });
     }
     let (mechanism, omitted) = (course.load(max_plate_displacement_m), course.omitted());

@@ -283,7 +283,7 @@ pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<String> {
 /// The estimate of the error, and what it rests on; `None` where nothing was estimated.
 fn error(run: &Run) -> Option<String> {
     let estimate = run.error_estimate?;
-    let basis = match estimate.basis {
+    let basis = match run.estimate_basis? {
         EstimateBasis::SecondComputation => "from a second computation with fewer stages",
         EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
         EstimateBasis::OutcomeDiffers(other) => {
@@ -294,16 +294,15 @@ fn error(run: &Run) -> Option<String> {
         }
     };
     let of = if run.outcome == Outcome::Perforated { "exit time" } else { "depth" };
-    Some(format!("{:.1e} of the {of} ({basis})", estimate.relative))
+    Some(format!("{estimate:.1e} of the {of} ({basis})"))
 }
 
 /// The greatest of all results' own estimates.
 fn largest_error(run: &Run) -> Option<String> {
     run.error_estimate?;
     let estimates = run.error_estimates.iter();
-    let error = estimates.max_by(|a, b| a.relative.total_cmp(&b.relative))?;
-    let quantity = quantities::find(error.name)?;
-    Some(format!("{:.1e} of all results ({})", error.relative, quantity.title()))
+    let (name, error) = estimates.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(format!("{error:.1e} of all results ({})", quantities::find(name)?.title()))
 }
 
 #[cfg(test)]

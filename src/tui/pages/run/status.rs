@@ -1,6 +1,6 @@
 //! What the Run tab says of its run: the selected variable, the crosshair, the status row.
 
-use crate::model::run::{EndReason, EstimateBasis, Outcome, Run};
+use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::units::in_unit;
 use crate::report::series::Channel;
 use crate::tui::app::notice::demand;
@@ -88,10 +88,10 @@ impl App {
     fn cost_words(&self) -> Option<StatusPart> {
         let shown = self.shown.as_ref()?;
         let took = show_duration(shown.took?);
-        let error = shown.run.error_estimate.map(|estimate| match estimate.basis {
-            EstimateBasis::OutcomeDiffers(_) => "error unknown".to_owned(),
-            _ if estimate.relative == 0.0 => "exact".to_owned(),
-            _ => format!("error {:.0e}", estimate.relative),
+        let error = shown.run.error_estimate.map(|error| match error {
+            f64::INFINITY => "error unknown".to_owned(),
+            0.0 => "exact".to_owned(),
+            _ => format!("error {error:.0e}"),
         });
         let text = error.map_or_else(|| took.clone(), |error| format!("{error}, {took}"));
         Some(part(Severity::Note, text))
