@@ -26,13 +26,6 @@ pub struct StackRun {
 }
 
 impl StackRun {
-    /// How many plates were perforated, the base plate included.
-    pub fn passed(&self) -> usize {
-        // The first was passed exactly when another was struck.
-        let struck = self.behind.len() + 1;
-        if self.outcome == Outcome::Perforated { struck } else { struck - 1 }
-    }
-
     /// The name of the plate with this number, 0 for the first.
     pub fn name(&self, plate: usize) -> String {
         if plate < self.elements {

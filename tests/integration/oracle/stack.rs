@@ -1,6 +1,6 @@
 //! Stacks, plate by plate, each struck with the velocity that the one before it has left.
 
-use cmra::model::run::Run;
+use cmra::model::run::{Outcome, Run};
 use cmra::model::scene::Scene;
 use cmra_oracle::Shot;
 
@@ -61,7 +61,8 @@ pub(crate) fn compare(words: &str) -> Vec<String> {
                 let deep = depth_m > fine.depth_m || near(depth_m, fine.depth_m, off_m);
                 let sums =
                     stack.penetration_m.is_some_and(|sum| near(sum, passed_m + depth_m, 0.0));
-                if !(deep && sums && stack.passed() == passed && struck.len() == passed + 1) {
+                let is_last = stack.outcome != Outcome::Perforated && struck.len() == passed + 1;
+                if !(deep && sums && is_last) {
                     found.push(format!("{depth_m} deep in plate {passed}, not {}", fine.depth_m));
                 }
             }
@@ -74,7 +75,8 @@ pub(crate) fn compare(words: &str) -> Vec<String> {
         passed_m += plate.target.thickness_m / plate.cos_obliquity();
         passed += 1;
     }
-    if stack.passed() != passed || stack.residual_velocity_m_s != Some(velocity) {
+    let is_through = stack.outcome == Outcome::Perforated && struck.len() == passed;
+    if !is_through || stack.residual_velocity_m_s != Some(velocity) {
         found.push(format!("{:?} left, not {velocity}", stack.residual_velocity_m_s));
     }
     found
