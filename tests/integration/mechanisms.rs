@@ -247,7 +247,7 @@ fn the_contact_kernel_leaves_curves_to_the_simulation() {
     for kind in SpringKind::ALL {
         let own = scene(&format!("spring={}", kind.word()));
         let quick = Contact::of(&own).and_then(|contact| contact.run(own.run.tolerance));
-        let is_curve = Mechanism::of(&own).spring.curve().is_some();
+        let is_curve = Mechanism::of(&own).spring.power().is_none();
         assert_eq!(quick.is_none(), is_curve, "{}", kind.word());
         if let Some(quick) = quick {
             assert_near(quick.penetration_m, run(own).first_arrest.unwrap().penetration_m, 1e-9);

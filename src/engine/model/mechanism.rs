@@ -147,7 +147,7 @@ impl Mechanism {
         let damper = laws.damper.law();
         let stop = laws.stop.position_m.filter(|_| sprung);
         Self {
-            spring: if sprung { Spring::of(laws) } else { Spring::NONE },
+            spring: if sprung { Spring::of(laws, 0.0) } else { Spring::NONE },
             damper: damper.only_if(sprung),
             stop: stop.map(|_| laws.stop),
             stop_at_m: stop.unwrap_or(f64::INFINITY),

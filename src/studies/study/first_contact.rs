@@ -102,6 +102,6 @@ pub(in crate::study) fn max_displacement_m(scene: &Scene, end: &ContactEnd) -> O
     let joined = if end.arrested { scene.projectile.mass_kg * cos * cos } else { 0.0 };
     let x = end.plate_displacement_m;
     let kinetic = 0.5 * (moving_plate_kg(scene) + joined) * w * w;
-    let reach = spring.forward(x, kinetic + spring.energy(x));
+    let reach = spring.reach(x, kinetic + spring.energy(x), 1.0);
     reach.is_finite().then(|| larger(reach, end.max_displacement_m))
 }

@@ -137,7 +137,7 @@ impl Setup {
     pub(super) fn crushed_at(&self, x_m: f64, before_m: f64) -> Option<(Spring, f64)> {
         let mechanism = self.absorber.as_ref()?;
         let crushed_m = mechanism.spring.law().absorber()?.crushed_by(x_m, before_m)?;
-        Some((Spring::after(mechanism, crushed_m), crushed_m))
+        Some((Spring::of(mechanism, crushed_m), crushed_m))
     }
 
     /// Part of the mechanism's force that the interface carries while the bodies move together.

@@ -28,7 +28,7 @@ pub(super) fn of(setup: &Setup) -> f64 {
     let energy_j = setup.initial_j() + spring.energy(setup.start_m);
     let speed = (2.0 * energy_j / setup.plate_kg).sqrt();
     // An absorber holds the plate on one side only.
-    let ways = [spring.forward(setup.start_m, energy_j), spring.backward(setup.start_m, energy_j)];
+    let ways = [1.0, -1.0].map(|way| spring.reach(setup.start_m, energy_j, way));
     let far_m = ways.map(f64::abs).into_iter().filter(|way| way.is_finite()).fold(0.0, larger);
     let oscillations = if setup.plastic { PLASTIC_OSCILLATIONS } else { OSCILLATIONS };
     let rest = [oscillations * QUARTERS * far_m / speed, creeping_s(setup, far_m)];

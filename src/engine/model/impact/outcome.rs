@@ -67,7 +67,7 @@ impl Equations<'_> {
 
     /// How far forward the plate goes at most from a state with this energy, m from the spring's zero.
     pub(super) fn reach_m(&self, state: &State, energy_j: f64) -> f64 {
-        let by_spring = self.mode.elastic.forward(self.displacement_m(state.x_m), energy_j);
+        let by_spring = self.mode.elastic.reach(self.displacement_m(state.x_m), energy_j, 1.0);
         if self.stops_rigidly() { smaller(by_spring, self.setup.stop_at_m) } else { by_spring }
     }
 
@@ -91,7 +91,8 @@ impl Equations<'_> {
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
         let reach_m = self.reach_m(state, energy_j);
         let x_m = self.displacement_m(state.x_m);
-        let elastic_n = mode.elastic.greatest_push(x_m, energy_j, reach_m);
+        let elastic_n =
+            mode.elastic.forces_between(mode.elastic.reach(x_m, energy_j, -1.0), reach_m).1;
         let stop = setup.stop.filter(|stop| stop.kind == StopKind::Elastic);
         let stop = stop.filter(|_| reach_m > setup.stop_at_m);
         let damping_n = stop.map_or(0.0, |stop| stop.damping_n_s_m * speed);
@@ -106,7 +107,8 @@ impl Equations<'_> {
         }
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
         let x_m = self.displacement_m(state.x_m);
-        let elastic_n = mode.elastic.greatest_pull(x_m, energy_j);
+        let [back_m, reach_m] = [-1.0, 1.0].map(|way| mode.elastic.reach(x_m, energy_j, way));
+        let elastic_n = -mode.elastic.forces_between(back_m, reach_m).0;
         setup.interface_fraction() * (elastic_n + setup.damper.force(speed))
     }
 
@@ -249,8 +251,8 @@ impl Equations<'_> {
             return self.accelerations(state).1 >= 0.0;
         }
         // The projectile flies away, and is beyond the plate's farthest place backwards.
-        let back_m = mode.elastic.backward(x_m, energy_j);
-        v < 0.0 && (x_m + back_m) * setup.cos < apart_m
+        let back_m = mode.elastic.reach(x_m, energy_j, -1.0);
+        v < 0.0 && (x_m - back_m) * setup.cos < apart_m
     }
 
     /// The greatest displacement, once the outcome is decided, of a plate that has been so far.
@@ -294,7 +296,7 @@ impl Equations<'_> {
         let in_full = matches!(setup.stepping, Stepping::CollocationInFull(_));
         if setup.damper.is_absent() && setup.stop.is_none() && !in_full {
             // Nothing but the spring turns the plate, if anything does.
-            let is_gone = state.w_m_s < 0.0 && mode.spring.backward(x_m, energy_j).is_infinite();
+            let is_gone = state.w_m_s < 0.0 && mode.spring.reach(x_m, energy_j, -1.0).is_infinite();
             return match reach_m.is_finite() {
                 _ if is_gone => Farthest::Known(so_far_m),
                 true => Farthest::Known(larger(reach_m, so_far_m)),

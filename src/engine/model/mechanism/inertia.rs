@@ -132,7 +132,7 @@ pub fn is_uncounted(scene: &Scene) -> bool {
 fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
     let energy_j_kg = scene.mechanism.specific_energy_j_kg()?;
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
-    let cocked_j = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);
+    let cocked_j = Spring::of(&alone, 0.0).energy(0.0 - scene.plate.cocking_m);
     let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
     let plate_kg = scene.plate_mass_kg();
     let momentum =

@@ -205,11 +205,6 @@ impl Spring {
         self.law().power_law(self)
     }
 
-    /// Its law as a curve, whatever its kind; an absorber is not crushed yet.
-    pub fn curve(&self) -> Curve {
-        self.law().curve(self, 0.0)
-    }
-
     /// The displacement at which it yields, m; `None` where other limits come first or it does not bend.
     pub fn yields_at_m(&self) -> Option<f64> {
         self.law().yields_at_m(self)

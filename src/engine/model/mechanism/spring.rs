@@ -1,14 +1,19 @@
-//! The spring as a run sees it: a power law, whose answers are closed forms, or a curve of any shape.
+//! The spring as a run sees it: a power law, or a curve of any shape. What is no closed form of a power law follows alike from the
+//! knots of either, and from its stations, between which its energy only rises or only falls.
 //!
 //! Power laws have a compiled path of their own; the choice costs one comparison.
 
 use std::sync::Arc;
 
-use crate::model::mechanism::PowerLaw;
-use crate::model::mechanism::curve::{Curve, SCALE_M};
+use crate::model::mechanism::curve::{self, Curve, SCALE_M};
 use crate::model::mechanism::piece::Piece;
+use crate::model::mechanism::{PowerLaw, sign};
 use crate::model::scene;
+use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
+
+/// Doublings on the way to where an energy ends, or a force is reached, beyond the last knot.
+const DOUBLINGS: i32 = 80;
 
 /// The force law of all springs together.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,13 +25,11 @@ pub enum Spring {
 }
 
 impl Spring {
-    /// The law of a valid scene's mechanism, whatever the mount.
-    pub fn of(mechanism: &scene::Mechanism) -> Self {
-        Self::after(mechanism, 0.0)
-    }
+    /// No spring.
+    pub const NONE: Self = Self::Power(PowerLaw::NONE);
 
-    /// The same where an absorber was crushed up to this displacement, m.
-    pub fn after(mechanism: &scene::Mechanism, crushed_m: f64) -> Self {
+    /// The law of a valid scene's mechanism, whatever the mount, after an absorber was crushed up to a displacement, m.
+    pub fn of(mechanism: &scene::Mechanism, crushed_m: f64) -> Self {
         let (first, second) = (&mechanism.spring, mechanism.second_law());
         let curve = || first.law().curve(first, crushed_m);
         match first.power_law() {
@@ -36,7 +39,11 @@ impl Spring {
                 let coefficient = law.coefficient + second.coefficient;
                 Self::Power(PowerLaw { coefficient, ..law })
             }
-            _ if second.is_absent() => Self::from(curve()),
+            _ if second.is_absent() => {
+                let spring = Self::Curve(Arc::new(curve()));
+                let has_force = !spring.is_slack(f64::NEG_INFINITY, f64::INFINITY);
+                if has_force { spring } else { Self::NONE }
+            }
             _ => Self::Curve(Arc::new(curve().parallel(&Curve::power(second)))),
         }
     }
@@ -44,22 +51,14 @@ impl Spring {
     /// It and a stop of a stiffness that begins at a displacement, together.
     #[must_use]
     pub fn beside_stop(&self, at_m: f64, stiffness_n_m: f64) -> Self {
-        let pieces = vec![Piece::line(at_m, 0.0, 0.0), Piece::line(at_m, 0.0, stiffness_n_m)];
-        let stop = Curve::new(vec![at_m], pieces, larger(at_m.abs(), SCALE_M));
+        let line = |slope_n_m| Piece::line(at_m, 0.0, slope_n_m);
+        let laws = vec![(f64::NEG_INFINITY, line(0.0)), (at_m, line(stiffness_n_m))];
+        let stop = Curve::new(laws, larger(at_m.abs(), SCALE_M));
         Self::Curve(Arc::new(match self {
             Self::Power(law) => Curve::power(*law).parallel(&stop),
             Self::Curve(curve) => curve.parallel(&stop),
         }))
     }
-
-    /// The law of a curve; none where that has no force.
-    fn from(curve: Curve) -> Self {
-        let is_none = curve.is_slack(f64::NEG_INFINITY, f64::INFINITY);
-        if is_none { Self::NONE } else { Self::Curve(Arc::new(curve)) }
-    }
-
-    /// No spring.
-    pub const NONE: Self = Self::Power(PowerLaw::NONE);
 
     /// The power law, where it is one.
     pub fn power(&self) -> Option<PowerLaw> {
@@ -69,46 +68,43 @@ impl Spring {
         }
     }
 
-    /// The curve, where it is one.
-    pub fn curve(&self) -> Option<&Curve> {
+    /// The ends of its analytic stretches, rising, m: of a power law zero, or none where it goes smoothly through that.
+    pub(super) fn knots_m(&self) -> &[f64] {
         match self {
-            Self::Power(_) => None,
-            Self::Curve(curve) => Some(curve),
+            Self::Power(law) if law.is_smooth_at_zero() => &[],
+            Self::Power(_) => &[0.0],
+            Self::Curve(curve) => &curve.knots_m,
         }
     }
 
-    /// The analytic stretch in which x lies; its end belongs to the stretch above it. A power law has one on either side of zero, or
-    /// one alone where it goes smoothly through it.
-    pub fn stretch(&self, x: f64) -> usize {
+    /// Its stations and extremes, and a length that it is made of, m.
+    fn marks(&self) -> (&[f64], &[f64], f64) {
         match self {
-            Self::Power(law) => usize::from(!law.is_smooth_at_zero() && x >= 0.0),
-            Self::Curve(curve) => curve.region(x),
+            Self::Power(_) => (&[0.0], &[], SCALE_M),
+            Self::Curve(curve) => (&curve.stations_m, &curve.extremes_m, curve.scale_m),
         }
+    }
+
+    /// The stretch in which x lies; its end belongs to the stretch above it.
+    pub fn stretch(&self, x: f64) -> usize {
+        curve::stretch(self.knots_m(), x)
     }
 
     /// The same, but an end belongs to the stretch below it.
     pub fn stretch_below(&self, x: f64) -> usize {
-        match self {
-            Self::Power(law) => usize::from(!law.is_smooth_at_zero() && x > 0.0),
-            Self::Curve(curve) => curve.region_below(x),
-        }
+        self.knots_m().partition_point(|knot| *knot < x)
     }
 
     /// The ends of a stretch, m; infinite where it has none.
     pub fn ends(&self, stretch: usize) -> (f64, f64) {
-        match self {
-            Self::Power(law) if law.is_smooth_at_zero() => (f64::NEG_INFINITY, f64::INFINITY),
-            Self::Power(_) if stretch == 0 => (f64::NEG_INFINITY, 0.0),
-            Self::Power(_) => (0.0, f64::INFINITY),
-            Self::Curve(curve) => curve.ends(stretch),
-        }
+        curve::ends(self.knots_m(), stretch)
     }
 
     /// Force at x by the law of a stretch, which goes on a little beyond its ends, N.
     pub fn force_in(&self, stretch: usize, x: f64) -> f64 {
         match self {
             Self::Power(law) => law.force_on(if stretch == 0 { -1.0 } else { 1.0 }, x),
-            Self::Curve(curve) => curve.piece(stretch).force(x),
+            Self::Curve(curve) => curve.pieces[stretch].force(x),
         }
     }
 
@@ -116,7 +112,7 @@ impl Spring {
     pub fn tangent_in(&self, stretch: usize, x: f64) -> f64 {
         match self {
             Self::Power(law) => law.tangent(x),
-            Self::Curve(curve) => curve.piece(stretch).tangent(x),
+            Self::Curve(curve) => curve.pieces[stretch].tangent(x),
         }
     }
 
@@ -124,108 +120,156 @@ impl Spring {
     pub fn is_steep_at_zero(&self) -> bool {
         match self {
             Self::Power(law) => law.is_steep_at_zero(),
-            Self::Curve(curve) => curve.is_steep_at_zero(),
+            Self::Curve(curve) => curve.is_steep,
         }
     }
 
     /// Whether there is no spring at all.
     pub fn is_absent(&self) -> bool {
-        matches!(self, Self::Power(law) if law.is_absent())
+        self.power().is_some_and(PowerLaw::is_absent)
     }
 
     /// Force at x, N.
     pub fn force(&self, x: f64) -> f64 {
         match self {
             Self::Power(law) => law.force(x),
-            Self::Curve(curve) => curve.force(x),
+            Self::Curve(curve) => curve.pieces[self.stretch(x)].force(x),
         }
     }
 
-    /// dF/dx at x, N/m.
+    /// dF/dx at x, N/m; above a knot at a knot.
     pub fn tangent(&self, x: f64) -> f64 {
-        match self {
-            Self::Power(law) => law.tangent(x),
-            Self::Curve(curve) => curve.tangent(x),
-        }
+        self.tangent_in(self.stretch(x), x)
     }
 
     /// Energy stored at x, J: zero at the lowest point.
     pub fn energy(&self, x: f64) -> f64 {
         match self {
             Self::Power(law) => law.integral(x),
-            Self::Curve(curve) => curve.energy(x),
+            Self::Curve(curve) => curve.energy_in(self.stretch(x), x),
         }
     }
 
     /// The greatest energy stored between two displacements, J.
     pub fn greatest_energy(&self, from_m: f64, to_m: f64) -> f64 {
-        match self {
-            Self::Power(law) => larger(law.integral(from_m), law.integral(to_m)),
-            Self::Curve(curve) => curve.greatest_energy(from_m, to_m),
+        let (low, high) = if from_m < to_m { (from_m, to_m) } else { (to_m, from_m) };
+        let inside = self.marks().0.iter().copied().filter(|x| (low..=high).contains(x));
+        inside.chain([low, high]).map(|x| self.energy(x)).fold(0.0, larger)
+    }
+
+    /// Where the plate can go from x with this much energy, motion and stored together, forward, 1, or back, -1, m; infinite where
+    /// nothing holds it.
+    #[inline]
+    pub fn reach(&self, x: f64, energy_j: f64, way: f64) -> f64 {
+        if let Self::Power(law) = self {
+            return way * law.at_integral(energy_j);
         }
+        let missing = |x: f64| self.energy(x) - energy_j;
+        let marks = ahead(self.marks().0, x, way);
+        self.first_place(x, way, marks, |missing| missing > 0.0, missing)
+            .unwrap_or(way * f64::INFINITY)
     }
 
-    /// How far forward a plate that is at x can go with this energy, m; infinite where nothing holds it.
-    pub fn forward(&self, x: f64, energy_j: f64) -> f64 {
-        match self {
-            Self::Power(law) => law.at_integral(energy_j),
-            Self::Curve(curve) => curve.reach(x, energy_j, 1.0),
+    /// The first place on the way from x, past these marks and on beyond them, where a function that is below zero before has
+    /// risen to zero, as `is_past` says of its value; x itself where it has already.
+    fn first_place(
+        &self,
+        x: f64,
+        way: f64,
+        marks: Vec<f64>,
+        is_past: impl Fn(f64) -> bool,
+        function: impl Fn(f64) -> f64,
+    ) -> Option<f64> {
+        let last = marks.last().copied().unwrap_or(x);
+        let scale_m = self.marks().2;
+        // Steps that double: 1, 3, 7, ... sizes of the law.
+        let beyond = (1..=DOUBLINGS).map(|i| last + way * scale_m * (2f64.powi(i) - 1.0));
+        let mut from = x;
+        for to in marks.into_iter().chain(beyond) {
+            if is_past(function(to)) {
+                return Some(if function(from) >= 0.0 {
+                    from
+                } else if from == 0.0 && self.is_steep_at_zero() {
+                    // What a steep law does next to its zero is spread over the logarithm of the place.
+                    let log = |l: f64| function(way * l.exp());
+                    way * in_bracket(f64::MIN_POSITIVE.ln(), (way * to).ln(), log).exp()
+                } else {
+                    in_bracket(from, to, function)
+                });
+            }
+            from = to;
         }
+        None
     }
 
-    /// Which way, 1 or -1, it drives the plate on from x for ever; no power law does.
-    pub fn drives_away(&self, x: f64) -> Option<f64> {
-        self.curve().and_then(|curve| curve.drives_away(x))
-    }
-
-    /// Where, ahead of x, nothing drives a plate forward any more that is driven so at x; x itself otherwise, m.
+    /// Where, ahead of x, nothing drives a plate forward any more that is driven so at x; x itself otherwise, infinite where nothing
+    /// ends that, m.
     pub fn rest_ahead(&self, x: f64) -> f64 {
-        match self {
-            Self::Power(law) if law.is_absent() => x,
-            Self::Power(_) => larger(x, 0.0),
-            Self::Curve(curve) => curve.rest_ahead(x),
+        let force = |x: f64| self.force(x);
+        if force(x) >= 0.0 {
+            return x;
         }
+        let marks = ahead(self.marks().0, x, 1.0);
+        self.first_place(x, 1.0, marks, |force| force >= 0.0, force).unwrap_or(f64::INFINITY)
     }
 
-    /// How far back of neutral it can go, m, positive backwards; infinite where nothing holds it.
-    pub fn backward(&self, x: f64, energy_j: f64) -> f64 {
-        match self {
-            Self::Power(law) => law.at_integral(energy_j),
-            Self::Curve(curve) => -curve.reach(x, energy_j, -1.0),
-        }
+    /// Which way, 1 or -1, it drives the plate on from x for ever: beyond the end of a table whose force runs away.
+    pub fn drives_away(&self, x: f64) -> Option<f64> {
+        let outward = -sign(self.force(x));
+        let ahead = self.marks().0.iter().any(|station| outward * (station - x) > 0.0);
+        let for_ever =
+            outward != 0.0 && !ahead && self.reach(x, self.energy(x), outward).is_infinite();
+        for_ever.then_some(outward)
     }
 
-    /// The displacement forward at which the force is this, m; infinite where it never is.
+    /// The least displacement forward at which the force is this, m; infinite where it never is.
     pub fn at_force(&self, force_n: f64) -> f64 {
-        match self {
-            Self::Power(law) => law.at_force(force_n),
-            Self::Curve(curve) => curve.at_force(force_n.abs()),
+        if let Self::Power(law) = self {
+            return law.at_force(force_n);
         }
+        let missing = |x: f64| self.force(x) - force_n.abs();
+        let (stations_m, extremes_m, _) = self.marks();
+        let mut all = [stations_m, extremes_m].concat();
+        all.sort_by(f64::total_cmp);
+        let marks = ahead(&all, 0.0, 1.0);
+        let place = self.first_place(0.0, 1.0, marks, |missing| missing >= 0.0, missing);
+        place.unwrap_or(f64::INFINITY)
+    }
+
+    /// The least and the greatest of zero and the forces between two displacements, N; infinite where it runs away on the way to an infinite one.
+    pub fn forces_between(&self, low_m: f64, high_m: f64) -> (f64, f64) {
+        if let Self::Power(law) = self {
+            return (smaller(law.force(low_m), 0.0), larger(law.force(high_m), 0.0));
+        }
+        let (stations_m, extremes_m, _) = self.marks();
+        let inside = stations_m.iter().chain(extremes_m).filter(|x| (low_m..=high_m).contains(*x));
+        let ends = [low_m, high_m].map(|x| self.force_towards(x)).into_iter();
+        ends.chain(inside.map(|x| self.force(*x)))
+            .fold((0.0, 0.0), |(least, most), it| (smaller(it, least), larger(it, most)))
     }
 
     /// Whether there is no force between two displacements.
     pub fn is_slack(&self, low_m: f64, high_m: f64) -> bool {
-        match self {
-            Self::Power(law) => law.is_absent(),
-            Self::Curve(curve) => curve.is_slack(low_m, high_m),
+        self.forces_between(low_m, high_m) == (0.0, 0.0)
+    }
+
+    /// The force at x, or what it goes to where x is infinite, N.
+    fn force_towards(&self, x: f64) -> f64 {
+        if x.is_finite() {
+            return self.force(x);
         }
+        let (stations_m, _, scale_m) = self.marks();
+        let edge = if x > 0.0 { stations_m.last() } else { stations_m.first() };
+        let far = edge.copied().unwrap_or(0.0) + sign(x) * scale_m;
+        let tangent = self.tangent(far);
+        if tangent == 0.0 { self.force(far) } else { tangent * x }
     }
+}
 
-    /// The least and the greatest of zero and the forces between two displacements, N.
-    fn forces_between(&self, low_m: f64, high_m: f64) -> (f64, f64) {
-        match self {
-            Self::Power(law) => (smaller(law.force(low_m), 0.0), larger(law.force(high_m), 0.0)),
-            Self::Curve(curve) => curve.forces_between(low_m, high_m),
-        }
+/// The places of a rising list that lie ahead of x, in their order on the way.
+fn ahead(places_m: &[f64], x: f64, way: f64) -> Vec<f64> {
+    if way > 0.0 {
+        return places_m[places_m.partition_point(|at| *at <= x)..].to_vec();
     }
-
-    /// The greatest force against the plate on the way from x with this energy, N, >= 0.
-    pub fn greatest_push(&self, x: f64, energy_j: f64, reach_m: f64) -> f64 {
-        self.forces_between(-self.backward(x, energy_j), reach_m).1
-    }
-
-    /// The greatest force forward on the way from x with this energy, N, >= 0.
-    pub fn greatest_pull(&self, x: f64, energy_j: f64) -> f64 {
-        0.0 - self.forces_between(-self.backward(x, energy_j), self.forward(x, energy_j)).0
-    }
+    places_m[..places_m.partition_point(|at| *at < x)].iter().rev().copied().collect()
 }

@@ -1,23 +1,31 @@
 //! Every kind of spring against its own definition: force, tangent, energy, limits.
 
-use super::curve::Curve;
 use super::*;
-use crate::model::scene::{Spring as Parameters, SpringKind};
+use crate::model::scene::{self, Combination, Second, Spring as Parameters, SpringKind};
 use crate::model::variables::scene_with;
 
+/// The law of a spring alone.
+fn law(spring: Parameters) -> Spring {
+    Spring::of(&scene::Mechanism { spring, ..scene::Mechanism::default() }, 0.0)
+}
+
+/// A kind with its default values.
+fn of_kind(kind: SpringKind) -> Parameters {
+    Parameters { kind, ..Parameters::default() }
+}
+
 /// Every kind with its default values, and combinations of unlike ones.
-fn curves() -> Vec<(String, Curve)> {
-    let mut list: Vec<(String, Curve)> = SpringKind::ALL
-        .into_iter()
-        .map(|kind| {
-            let spring = Parameters { kind, exponent: 1.4, ..Parameters::default() };
-            (kind.word().to_owned(), spring.curve())
-        })
-        .collect();
-    let kind = SpringKind::Bistable;
-    let bistable = Parameters { kind, ..Parameters::default() }.curve();
-    let steep = Curve::power(PowerLaw { coefficient: 1e7, exponent: 1.5 });
-    list.push(("bistable and power law".to_owned(), bistable.parallel(&steep)));
+fn springs() -> Vec<(&'static str, Spring)> {
+    let of_word =
+        |kind: SpringKind| (kind.word(), law(Parameters { exponent: 1.4, ..of_kind(kind) }));
+    let mut list: Vec<_> = SpringKind::ALL.into_iter().map(of_word).collect();
+    let mechanism = scene::Mechanism {
+        spring: of_kind(SpringKind::Bistable),
+        combination: Combination::Parallel,
+        second: Second { coefficient: 1e7, exponent: 1.5 },
+        ..scene::Mechanism::default()
+    };
+    list.push(("bistable and power law", Spring::of(&mechanism, 0.0)));
     list
 }
 
@@ -40,28 +48,28 @@ fn the_force_of_a_power_law_is_the_derivative_of_its_integral_and_its_tangent_th
 
 #[test]
 fn forces_are_slopes_of_energies_tangents_slopes_of_forces_and_both_are_continuous() {
-    for (name, curve) in curves() {
+    for (name, spring) in springs() {
         for i in -40..=40 {
             let x = 0.000_731 * f64::from(i) + 1.3e-5;
             let h = 1e-7;
-            assert!(curve.energy(x) >= -1e-12, "{name} at {x}");
+            assert!(spring.energy(x) >= -1e-12, "{name} at {x}");
             let far = |knot: &f64| (knot - x).abs() > 2.0 * h;
-            if !curve.knots_m().iter().all(far) {
+            if !spring.knots_m().iter().all(far) {
                 continue;
             }
-            let force = (curve.energy(x + h) - curve.energy(x - h)) / (2.0 * h);
-            let tangent = (curve.force(x + h) - curve.force(x - h)) / (2.0 * h);
-            let size = 1e-6 * (10.0 + curve.energy(x) / h.sqrt());
-            assert!((force - curve.force(x)).abs() < size, "{name} at {x}: {force}");
-            let close = (tangent - curve.tangent(x)).abs() < 1e-4 * (1e3 + tangent.abs());
-            assert!(close, "{name} at {x}: {tangent} is not {}", curve.tangent(x));
+            let force = (spring.energy(x + h) - spring.energy(x - h)) / (2.0 * h);
+            let tangent = (spring.force(x + h) - spring.force(x - h)) / (2.0 * h);
+            let size = 1e-6 * (10.0 + spring.energy(x) / h.sqrt());
+            assert!((force - spring.force(x)).abs() < size, "{name} at {x}: {force}");
+            let close = (tangent - spring.tangent(x)).abs() < 1e-4 * (1e3 + tangent.abs());
+            assert!(close, "{name} at {x}: {tangent} is not {}", spring.tangent(x));
         }
-        for (at, knot) in curve.knots_m().iter().enumerate() {
-            let (below, above) = (curve.piece(at).force(*knot), curve.piece(at + 1).force(*knot));
+        for (at, knot) in spring.knots_m().iter().enumerate() {
+            let (below, above) = (spring.force_in(at, *knot), spring.force_in(at + 1, *knot));
             assert!((below - above).abs() < 1e-9 * (1.0 + below.abs()), "{name} at {knot}");
             // Also around a knot at zero.
             let near = 1e-15 * (1e-3 + knot.abs());
-            let step = curve.energy(knot + near) - curve.energy(knot - near);
+            let step = spring.energy(knot + near) - spring.energy(knot - near);
             let moved = 4.0 * (near * below).abs();
             assert!(step.abs() < 1e-9 + moved, "{name} at {knot}: {step}");
         }
@@ -70,22 +78,25 @@ fn forces_are_slopes_of_energies_tangents_slopes_of_forces_and_both_are_continuo
 
 #[test]
 fn a_plate_goes_as_far_as_its_energy() {
-    for (name, curve) in curves() {
+    for (name, spring) in springs() {
         for x in [-0.003, 0.0, 0.004] {
-            let energy = curve.energy(x) + 5.0;
-            let (back, far) = (curve.reach(x, energy, -1.0), curve.reach(x, energy, 1.0));
+            let energy = spring.energy(x) + 5.0;
+            let (back, far) = (spring.reach(x, energy, -1.0), spring.reach(x, energy, 1.0));
             // An absorber only pushes: nothing holds the plate on its way back.
             let only_pushes = name == "crush";
             assert_eq!(back.is_infinite(), only_pushes, "{name} from {x}: {back}");
             let back = if only_pushes { x - 0.01 } else { back };
             for end in if only_pushes { [far, far] } else { [back, far] } {
-                assert!((curve.energy(end) / energy - 1.0).abs() < 1e-12, "{name} from {x}: {end}");
+                assert!(
+                    (spring.energy(end) / energy - 1.0).abs() < 1e-12,
+                    "{name} from {x}: {end}"
+                );
             }
             assert!(back < x && x < far, "{name}: {back} {far}");
             // Nothing on the way is higher.
             for i in 1..200 {
                 let at = back + (far - back) * f64::from(i) / 200.0;
-                assert!(curve.energy(at) <= energy * (1.0 + 1e-12), "{name} at {at}");
+                assert!(spring.energy(at) <= energy * (1.0 + 1e-12), "{name} at {at}");
             }
         }
     }
@@ -95,9 +106,9 @@ fn a_plate_goes_as_far_as_its_energy() {
 #[test]
 fn a_straight_stretch_of_a_table_is_one_piece() {
     let table = |points: Vec<[f64; 2]>| {
-        let mut spring = Parameters { kind: SpringKind::Table, ..Parameters::default() };
+        let mut spring = of_kind(SpringKind::Table);
         spring.table.points = points.into();
-        spring.curve()
+        law(spring)
     };
     let row = |i: i32| [1e-4 * f64::from(i), 10.0 * f64::from(i)];
     let straight = table((-1000..1000).map(row).collect());
@@ -112,31 +123,32 @@ fn a_straight_stretch_of_a_table_is_one_piece() {
 
 #[test]
 fn a_bistable_plate_does_not_pass_its_barrier_without_the_energy() {
-    let spring = Parameters { kind: SpringKind::Bistable, ..Parameters::default() };
-    let curve = spring.curve();
-    let barrier = curve.energy(0.01) - curve.energy(0.0);
-    assert!(curve.reach(0.0, curve.energy(0.0) + 0.99 * barrier, 1.0) < 0.01);
-    assert!(curve.reach(0.0, curve.energy(0.0) + 1.01 * barrier, 1.0) > 0.02);
+    let parameters = of_kind(SpringKind::Bistable);
+    let barrier_n = parameters.bistable.barrier_n;
+    let spring = law(parameters);
+    let barrier = spring.energy(0.01) - spring.energy(0.0);
+    assert!(spring.reach(0.0, spring.energy(0.0) + 0.99 * barrier, 1.0) < 0.01);
+    assert!(spring.reach(0.0, spring.energy(0.0) + 1.01 * barrier, 1.0) > 0.02);
     // The greatest force on the way out is the barrier's, and both wells are equally deep.
-    let most = (1..1000).map(|i| curve.force(1e-5 * f64::from(i))).fold(0.0, f64::max);
-    assert!((most / spring.bistable.barrier_n - 1.0).abs() < 1e-5, "{most}");
-    assert!(curve.energy(0.0).abs() < 1e-12 && curve.energy(0.02).abs() < 1e-12);
-    assert!(curve.force(0.0).abs() < 1e-12 && curve.force(0.02).abs() < 1e-9);
+    let most = (1..1000).map(|i| spring.force(1e-5 * f64::from(i))).fold(0.0, f64::max);
+    assert!((most / barrier_n - 1.0).abs() < 1e-5, "{most}");
+    assert!(spring.energy(0.0).abs() < 1e-12 && spring.energy(0.02).abs() < 1e-12);
+    assert!(spring.force(0.0).abs() < 1e-12 && spring.force(0.02).abs() < 1e-9);
 }
 
 /// Titanium of 4430 kg/m³ in Table 9.3's beam, of which 33/140 moves with the end; and 12 E I/l³ for each of two guided ones, of which
 /// the pseudo-rigid body is 4 % stiffer.
 #[test]
 fn valid_beams_are_as_heavy_and_as_stiff_as_their_material_and_beam_theory_have_them() {
-    let spring = Parameters { kind: SpringKind::Cantilever, ..Parameters::default() };
+    let spring = of_kind(SpringKind::Cantilever);
     let mass_kg = spring.law().mass_kg(&spring).unwrap();
     let moving_kg = spring.moving_part() * mass_kg;
     assert!((mass_kg - 0.598).abs() < 1e-3 && (moving_kg - 0.141).abs() < 1e-3);
-    let spring = Parameters { kind: SpringKind::FixedGuided, count: 2.0, ..Parameters::default() };
+    let spring = Parameters { count: 2.0, ..of_kind(SpringKind::FixedGuided) };
     let beam = &spring.beam;
     let inertia = beam.width_m * beam.height_m.powi(3) / 12.0;
     let theory = 2.0 * 12.0 * beam.modulus_pa * inertia / beam.length_m.powi(3);
-    let stiffness = spring.curve().tangent(0.0);
+    let stiffness = law(spring).tangent(0.0);
     assert!((stiffness / theory - 4.0 * 2.65 / 0.85 / 12.0).abs() < 1e-12, "{stiffness}");
 }
 

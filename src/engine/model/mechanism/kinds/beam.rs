@@ -94,8 +94,12 @@ impl Law for Beam {
         let link = self.link(spring.count * pivots * pivots);
         let limit = self.limit_m();
         let beyond = |x: f64| Piece::line(x, link.force(x), link.tangent(x));
-        let pieces = vec![beyond(-limit), link.clone(), beyond(limit)];
-        Curve::new(vec![-limit, limit], pieces, limit)
+        let laws = vec![
+            (f64::NEG_INFINITY, beyond(-limit)),
+            (-limit, link.clone()),
+            (limit, beyond(limit)),
+        ];
+        Curve::new(laws, limit)
     }
 
     fn bounds(&self, spring: &Spring) -> Vec<Bounds> {

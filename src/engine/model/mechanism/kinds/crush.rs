@@ -47,14 +47,14 @@ impl Law for Crush {
         let elastic = |at: f64| Piece::line(at, force, stiffness);
         // Exactly zero where the plate starts.
         let new = Piece::line(0.0, 0.0, stiffness);
-        let mut knots_m = vec![from - rise];
-        let mut pieces =
-            vec![Piece::line(0.0, 0.0, 0.0), if from > rise { elastic(from) } else { new }];
+        let mut laws = vec![
+            (f64::NEG_INFINITY, Piece::line(0.0, 0.0, 0.0)),
+            (from - rise, if from > rise { elastic(from) } else { new }),
+        ];
         if from < stroke {
-            knots_m.extend([from, stroke]);
-            pieces.extend([Piece::line(from, force, 0.0), elastic(stroke)]);
+            laws.extend([(from, Piece::line(from, force, 0.0)), (stroke, elastic(stroke))]);
         }
-        Curve::new(knots_m, pieces, stroke)
+        Curve::new(laws, stroke)
     }
 
     /// An absorber begins to be crushed before it is flat.

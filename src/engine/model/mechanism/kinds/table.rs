@@ -89,11 +89,10 @@ impl Law for Table {
         if self.is_odd() {
             return Curve::odd(&laws, scale_m);
         }
-        let begins_straight = straight_to(&points, &slopes, 0) > 0;
-        let knots_m = laws.iter().skip(usize::from(begins_straight)).map(|(from, _)| *from);
-        let beyond = (!begins_straight).then(|| end(0));
-        let pieces = beyond.into_iter().chain(laws.iter().map(|(_, piece)| piece.clone()));
-        Curve::new(knots_m.collect(), pieces.collect(), scale_m)
+        if straight_to(&points, &slopes, 0) == 0 {
+            laws.insert(0, (f64::NEG_INFINITY, end(0)));
+        }
+        Curve::new(laws, scale_m)
     }
 
     /// A table has enough points, which are finite, rise in x, and reach the rest position.
