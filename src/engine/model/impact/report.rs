@@ -291,7 +291,7 @@ impl Course<'_> {
         if !setup.still {
             let far_m = max_displacement_m.unwrap_or(self.record.farthest_m);
             let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
-            list.extend(load::exceeded(scene, at_m).into_iter().map(Warning::Limit));
+            list.extend(load::exceeded(scene, at_m).map(Warning::Limit));
         }
         list
     }

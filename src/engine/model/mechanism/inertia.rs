@@ -7,7 +7,7 @@
 //! projectile, plate and the spring's own moving part at common velocity, together.
 
 use crate::model::mechanism::Spring;
-use crate::model::scene::{self, OwnMass, Scene, SpringKind};
+use crate::model::scene::{self, OwnMass, Scene};
 use crate::numerics::larger;
 
 /// The additional mass that moves with the plate, kg.
@@ -26,15 +26,13 @@ pub struct Inertia {
 impl Inertia {
     /// Of a valid scene; nothing on a rigid mount.
     pub fn of(scene: &Scene) -> Self {
-        if scene.is_rigid() {
-            return Self::default();
-        }
         let spring = &scene.mechanism.spring;
+        let law = spring.law();
         let own_kg = mass_kg(scene);
-        let is_counted = spring.own_mass == OwnMass::Counted;
+        let counted_kg = own_kg.filter(|_| spring.own_mass == OwnMass::Counted);
         Self {
-            rotation_kg: spring.law().rotation_kg(),
-            springs_kg: own_kg.filter(|_| is_counted).map_or(0.0, |kg| spring.moving_part() * kg),
+            rotation_kg: if scene.is_rigid() { 0.0 } else { law.rotation_kg() },
+            springs_kg: counted_kg.map_or(0.0, |kg| law.moving_part(spring) * kg),
             // Of the second spring no mass is known.
             spring_mass_kg: own_kg.filter(|_| scene.mechanism.second_law().is_absent()),
             known_kg: own_kg.unwrap_or(0.0),
@@ -80,21 +78,19 @@ impl OmittedMass {
             return None;
         }
         let spring = &mechanism.spring;
-        let is_counted = spring.own_mass == OwnMass::Counted;
-        let part = spring.moving_part();
+        let part = spring.law().moving_part(spring);
         let of = |mass_kg, is_least| Self { mass_kg, is_least, moving_kg: part * mass_kg };
         let own_kg = mass_kg(scene);
-        let known = own_kg.filter(|_| !is_counted).map(|mass_kg| of(mass_kg, false));
-        let is_all_known = own_kg.is_some() || spring.is_absent();
-        let least = (!(is_all_known || is_counted) || !mechanism.second_law().is_absent())
+        let is_counted = spring.own_mass == OwnMass::Counted;
+        let (counted_kg, known_kg) = if is_counted { (own_kg, None) } else { (None, own_kg) };
+        let is_all_known = own_kg.is_some() || spring.is_absent() || is_counted;
+        let least_kg = (!is_all_known || !mechanism.second_law().is_absent())
             .then(|| mechanism.least_spring_kg(stored_j?))
             .flatten()
-            .map(|least_kg| {
-                let counted_kg = own_kg.filter(|_| is_counted).unwrap_or(0.0);
-                of(larger(least_kg - counted_kg, 0.0), true)
-            });
+            .map(|least_kg| larger(least_kg - counted_kg.unwrap_or(0.0), 0.0));
         // Each is a lower bound.
-        let both = [known, least].into_iter().flatten();
+        let known = known_kg.map(|mass_kg| of(mass_kg, false)).into_iter();
+        let both = known.chain(least_kg.map(|mass_kg| of(mass_kg, true)));
         both.max_by(|a, b| a.moving_kg.total_cmp(&b.moving_kg))
     }
 }
@@ -108,15 +104,8 @@ fn mass_kg(scene: &Scene) -> Option<f64> {
     }
     spring
         .mass_kg
-        .or_else(|| spring.law().mass_kg(spring))
-        .or_else(|| crush_kg(scene, spring))
+        .or_else(|| spring.law().mass_kg(spring, scene.mechanism.energy_j_kg))
         .or_else(|| coil_kg(scene, spring).filter(|_| spring.own_mass == OwnMass::Counted))
-}
-
-/// An absorber is as long as its stroke, whether or not a shot uses all of it.
-fn crush_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
-    let energy_j_kg = scene.mechanism.energy_j_kg.filter(|_| spring.kind == SpringKind::Crush)?;
-    Some(spring.count * spring.crush.force_n * spring.crush.stroke_m / energy_j_kg)
 }
 
 /// Whether the spring's mass is to count and is not known: it counts as nothing.
@@ -139,7 +128,7 @@ fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
         m_p * scene.projectile.velocity_m_s * cos + plate_kg * scene.plate_velocity_m_s();
     let bodies_kg = m_p * cos * cos + plate_kg;
     // m e = U_cocked + momentum²/(2 (bodies + part m)) is quadratic in m.
-    let part = spring.moving_part();
+    let part = spring.law().moving_part(spring);
     let half = 0.5 * (bodies_kg * energy_j_kg - part * cocked_j);
     let product = bodies_kg * cocked_j + 0.5 * momentum * momentum;
     let root = (half * half + part * energy_j_kg * product).sqrt();

@@ -122,15 +122,6 @@ kinds! {
     table: Table { Table = "table" }
 }
 
-/// The range of validity of a law.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::model) struct Bounds {
-    /// What happens beyond, in words.
-    pub(in crate::model) what: &'static str,
-    pub(in crate::model) low_m: f64,
-    pub(in crate::model) high_m: f64,
-}
-
 /// The law of a kind of spring. `self` are its own parameters, `spring` has those of every kind; both are valid.
 pub(in crate::model) trait Law {
     /// The power law it is by itself, if it is one.
@@ -148,13 +139,13 @@ pub(in crate::model) trait Law {
         Ok(())
     }
 
-    /// Its bounds, the nearest first.
-    fn bounds(&self, _: &Spring) -> Vec<Bounds> {
+    /// Up to which displacements on one side, 1 or -1, it is valid, m, and what happens beyond, in words; the nearest first.
+    fn limits(&self, _: &Spring, _side: f64) -> Vec<(f64, &'static str)> {
         Vec::new()
     }
 
-    /// Its own mass, where that follows from its parameters, kg.
-    fn mass_kg(&self, _: &Spring) -> Option<f64> {
+    /// Its own mass, where that follows from its parameters, or with them from its energy per mass where that is given, kg.
+    fn mass_kg(&self, _: &Spring, _energy_j_kg: Option<f64>) -> Option<f64> {
         None
     }
 
@@ -210,11 +201,6 @@ impl Spring {
         self.law().yields_at_m(self)
     }
 
-    /// The part of its mass that moves with its end.
-    pub fn moving_part(&self) -> f64 {
-        self.law().moving_part(self)
-    }
-
     /// Whether its mass counts and is not given.
     pub fn needs_mass(&self) -> bool {
         self.own_mass == OwnMass::Counted && self.mass_kg.is_none()
@@ -222,7 +208,7 @@ impl Spring {
 
     /// Whether the parameters of its kind give its mass, as those of beams do.
     pub fn has_own_mass(&self) -> bool {
-        self.law().mass_kg(self).is_some()
+        self.law().mass_kg(self, None).is_some()
     }
 }
 

@@ -88,7 +88,7 @@ impl Built {
     pub(super) fn failure(&self, scene: &Scene, demand: &Demand) -> Option<Failure> {
         let max_displacement_m =
             demand.max_displacement_m.filter(|_| scene.plate.mount == Mount::Sprung)?;
-        if let Some(limit) = exceeded(scene, max_displacement_m).first() {
+        if let Some(limit) = exceeded(scene, max_displacement_m).next() {
             return Some(Failure { word: "spring law", words: limit.what });
         }
         let is_full = |stored: &f64| *stored > self.capacity_j * (1.0 + SAME);

@@ -4,7 +4,7 @@
 //! moment at the root is `P (l - gamma l (1 - cos Theta))`. L. L. Howell, *Compliant Mechanisms* (2001), chapter 5; thesis
 //! section 9.5.2. A beam that is guided at its end is two half-length cantilevers, `2 K` at each of its two pivots.
 
-use super::{Bounds, Law, Spring, SpringKind};
+use super::{Law, Spring, SpringKind};
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::variables::part::parts;
@@ -79,11 +79,6 @@ impl Beam {
         let section = self.width_m * self.height_m * self.height_m / 6.0;
         self.link(1.0).force(x) * arm / section
     }
-
-    /// Its mass, kg.
-    pub fn mass_kg(&self) -> f64 {
-        self.density_kg_m3 * self.width_m * self.height_m * self.length_m
-    }
 }
 
 /// A number of beams in parallel.
@@ -102,18 +97,16 @@ impl Law for Beam {
         Curve::new(laws, limit)
     }
 
-    fn bounds(&self, spring: &Spring) -> Vec<Bounds> {
-        let yields = self.yields_at_m(spring).map(|at| {
-            let what = "the beam yields, and the law is elastic";
-            Bounds { what, low_m: -at, high_m: at }
-        });
+    fn limits(&self, spring: &Spring, side: f64) -> Vec<(f64, &'static str)> {
+        let yields = self.yields_at_m(spring);
+        let yields = yields.map(|at| (side * at, "the beam yields, and the law is elastic"));
         let what = "the pseudo-rigid body follows no beam farther; the force goes on straight";
-        let end = Bounds { what, low_m: -self.limit_m(), high_m: self.limit_m() };
-        yields.into_iter().chain([end]).collect()
+        yields.into_iter().chain([(side * self.limit_m(), what)]).collect()
     }
 
-    fn mass_kg(&self, spring: &Spring) -> Option<f64> {
-        Some(spring.count * Self::mass_kg(self))
+    fn mass_kg(&self, spring: &Spring, _: Option<f64>) -> Option<f64> {
+        let Self { density_kg_m3, width_m, height_m, length_m, .. } = self;
+        Some(spring.count * (density_kg_m3 * width_m * height_m * length_m))
     }
 
     fn moving_part(&self, spring: &Spring) -> f64 {

@@ -1,6 +1,6 @@
 //! An absorber that only pushes: it is crushed at a constant force and unloads elastically from where it was crushed to.
 
-use super::{Bounds, Law, Spring};
+use super::{Law, Spring};
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::units;
@@ -70,9 +70,14 @@ impl Law for Crush {
         )))
     }
 
-    fn bounds(&self, _: &Spring) -> Vec<Bounds> {
-        let what = "the absorber is crushed flat; it is solid from there on";
-        vec![Bounds { what, low_m: f64::NEG_INFINITY, high_m: self.stroke_m }]
+    fn limits(&self, _: &Spring, side: f64) -> Vec<(f64, &'static str)> {
+        let limit_m = if side > 0.0 { self.stroke_m } else { f64::NEG_INFINITY };
+        vec![(limit_m, "the absorber is crushed flat; it is solid from there on")]
+    }
+
+    /// It is as long as its stroke, whether or not a shot uses all of it.
+    fn mass_kg(&self, spring: &Spring, energy_j_kg: Option<f64>) -> Option<f64> {
+        Some(spring.count * self.force_n * self.stroke_m / energy_j_kg?)
     }
 
     fn absorber(&self) -> Option<&Crush> {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Bounds, Law, Spring};
+use super::{Law, Spring};
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::units;
@@ -134,12 +134,10 @@ impl Law for Table {
         Ok(())
     }
 
-    fn bounds(&self, _: &Spring) -> Vec<Bounds> {
-        let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else {
-            return Vec::new();
-        };
-        let low_m = if self.is_odd() { -last[0] } else { first[0] };
-        let what = "the table ends; the force goes on straight";
-        vec![Bounds { what, low_m, high_m: last[0] }]
+    fn limits(&self, _: &Spring, side: f64) -> Vec<(f64, &'static str)> {
+        let (first, last) = (self.points[0][0], self.points[self.points.len() - 1][0]);
+        let behind = if self.is_odd() { -last } else { first };
+        let limit_m = if side > 0.0 { last } else { behind };
+        vec![(limit_m, "the table ends; the force goes on straight")]
     }
 }
