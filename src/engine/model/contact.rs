@@ -10,8 +10,8 @@ use std::f64::consts::PI;
 
 use crate::model::scene::Scene;
 use crate::numerics::crossing::rise;
+use crate::numerics::larger;
 use crate::numerics::quadrature::gauss;
-use crate::numerics::{larger, smaller};
 
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
 /// differs from it by the 5/2 power of this, far below rounding, and its derivatives are singular there.
@@ -110,8 +110,10 @@ impl NoseGeometry {
         let radius_m = scene.projectile.tip_radius_m;
         let mut nose = Self { radius_m, sin, cos, partial_from_m: 0.0, partial_to_m: 0.0 };
         let (from, to) = (nose.cap_end_m(), nose.full_from_m());
-        let joint = if nose.is_normal() { 0.5 } else { JOINT } * (to - from);
-        (nose.partial_from_m, nose.partial_to_m) = (from + joint, to - joint);
+        let joint = JOINT * (to - from);
+        let middle = 0.5 * (from + to);
+        (nose.partial_from_m, nose.partial_to_m) =
+            if nose.is_normal() { (middle, middle) } else { (from + joint, to - joint) };
         nose
     }
 
@@ -144,12 +146,23 @@ impl NoseGeometry {
 
     /// Projected area, m², of the nose behind a face it has passed by the depth `p_m`.
     pub fn area_m2(&self, p_m: f64) -> f64 {
-        let r = self.radius_m;
-        match self.section(p_m) {
-            Section::None => 0.0,
-            Section::Cap => PI * self.cos * self.cos * p_m * (2.0 * r - p_m * self.cos),
-            Section::Partial => self.partial_m2(p_m),
-            Section::Full => PI * r * r,
+        self.polynomial(self.section(p_m), p_m, 1.0)[0]
+    }
+
+    /// Coefficients of the area near the depth `p_m` by the travel from there, at a depth per travel; of a partial section the first alone.
+    #[inline]
+    fn polynomial(&self, section: Section, p_m: f64, rate: f64) -> [f64; 3] {
+        let (r, c) = (self.radius_m, self.cos);
+        let factor = PI * c * c;
+        match section {
+            Section::None => [0.0; 3],
+            Section::Cap => [
+                factor * p_m * (2.0 * r - p_m * c),
+                factor * 2.0 * (r - p_m * c) * rate,
+                -factor * c * rate * rate,
+            ],
+            Section::Partial => [self.partial_m2(p_m), 0.0, 0.0],
+            Section::Full => [PI * r * r, 0.0, 0.0],
         }
     }
 
@@ -232,7 +245,7 @@ impl Geometry {
                 break;
             }
             let to = if q_m < piece.to_m { q_m } else { piece.to_m };
-            volume += piece.swept_m3(&self.nose, piece.from_m, to);
+            volume += piece.swept_before_m3(&self.nose, to, to - piece.from_m);
         }
         volume
     }
@@ -241,7 +254,7 @@ impl Geometry {
     pub fn travel_at_volume_m(&self, volume_m3: f64) -> Option<f64> {
         let mut before = 0.0;
         for piece in self.pieces() {
-            let whole = piece.swept_m3(&self.nose, piece.from_m, piece.to_m);
+            let whole = piece.swept_before_m3(&self.nose, piece.to_m, piece.to_m - piece.from_m);
             if volume_m3 < before + whole {
                 return Some(piece.travel_at_volume_m(&self.nose, volume_m3 - before, whole));
             }
@@ -254,20 +267,14 @@ impl Geometry {
     fn cut(&mut self) {
         let (h, end) = (self.thickness_m, self.thickness_m + self.nose.full_from_m());
         let (r, f) = (self.nose.partial_from_m, self.nose.partial_to_m);
-        if self.nose.is_normal() {
-            // Tip and cylinder are met at one and the same depth.
-            self.cut_at(&[smaller(r, h), larger(r, h), end]);
-        } else {
-            let mut depths = [r, f, h, h + r, h + f, end];
+        let mut depths = [r, f, h, h + r, h + f, end];
+        // In a thick plate they are in order.
+        if f > h {
             depths.sort_unstable_by(f64::total_cmp);
-            self.cut_at(&depths);
         }
-    }
-
-    fn cut_at(&mut self, depths: &[f64]) {
         let mut from_m = 0.0;
         for depth in depths {
-            let to_m = self.travel_m(*depth);
+            let to_m = self.travel_m(depth);
             if to_m > from_m {
                 let law = self.law(from_m, to_m);
                 self.pieces[self.count] = AreaPiece { from_m, to_m, law };
@@ -295,21 +302,9 @@ impl Geometry {
         let origin_m =
             if leaving { self.travel_m(self.thickness_m + nose.cap_end_m()) } else { from_m };
         let depth = self.depth_m(origin_m);
-        let shape = |section: Section, p: f64| match section {
-            Section::None | Section::Partial => [0.0; 3],
-            Section::Full => [PI * nose.radius_m * nose.radius_m, 0.0, 0.0],
-            Section::Cap => {
-                let (r, c) = (nose.radius_m, nose.cos);
-                let factor = PI * c * c;
-                [
-                    factor * p * (2.0 * r - p * c),
-                    factor * 2.0 * (r - p * c) * rate,
-                    -factor * c * rate * rate,
-                ]
-            }
-        };
-        let (inside, outside) = (shape(entry, depth), shape(exit, depth - self.thickness_m));
-        let mut a = [inside[0] - outside[0], inside[1] - outside[1], inside[2] - outside[2]];
+        let inside = nose.polynomial(entry, depth, rate);
+        let outside = nose.polynomial(exit, depth - self.thickness_m, rate);
+        let mut a = std::array::from_fn(|i| inside[i] - outside[i]);
         if leaving && nose.is_normal() {
             (a[0], a[1]) = (0.0, 0.0);
         }
@@ -332,7 +327,7 @@ impl AreaPiece {
         let (mut low, mut high) = (self.from_m, self.to_m);
         let mut q = low + (high - low) * (volume_m3 / whole_m3);
         for _ in 0..100 {
-            let gap = self.swept_m3(nose, self.from_m, q) - volume_m3;
+            let gap = self.swept_before_m3(nose, q, q - self.from_m) - volume_m3;
             if gap > 0.0 {
                 high = q;
             } else {
@@ -346,11 +341,6 @@ impl AreaPiece {
             q = next;
         }
         q
-    }
-
-    /// Integral of the area from `from_m` to `to_m` within the piece, m³.
-    pub fn swept_m3(&self, nose: &NoseGeometry, from_m: f64, to_m: f64) -> f64 {
-        self.swept_before_m3(nose, to_m, to_m - from_m)
     }
 
     /// Integral of the area over the last `width` before `to_m`, m³: exact in `width` however small it is.
@@ -467,6 +457,9 @@ mod tests {
                 let back = geometry.travel_at_volume_m(geometry.swept_m3(q)).unwrap();
                 assert!((back / q - 1.0).abs() < 1e-12, "{part}: {back} {q}");
             }
+            for q in [-0.001, 0.0, 0.01, geometry.bend_m, 0.05] {
+                assert!((geometry.travel_m(geometry.depth_m(q)) - q).abs() < 1e-16);
+            }
             assert!((geometry.depth_m(geometry.bend_m) - geometry.thickness_m).abs() < 1e-17);
             assert_eq!(geometry.travel_at_volume_m(1.0), None);
         }
@@ -485,14 +478,5 @@ mod tests {
                 assert!(difference < 1e-15, "{pairs} {q}: {difference}");
             }
         }
-    }
-
-    #[test]
-    fn depth_is_continuous_and_invertible() {
-        let geometry = Geometry::of(&Scene::default());
-        for q in [-0.001, 0.0, 0.01, geometry.bend_m, 0.05] {
-            assert!((geometry.travel_m(geometry.depth_m(q)) - q).abs() < 1e-16);
-        }
-        assert!((geometry.depth_m(geometry.bend_m) - geometry.thickness_m).abs() < 1e-17);
     }
 }
