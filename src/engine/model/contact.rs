@@ -232,11 +232,6 @@ impl Geometry {
         found.copied().unwrap_or_else(|| AreaPiece::free(self.exit_m, f64::INFINITY))
     }
 
-    /// The piece that holds just before travel `q_m`, for a projectile that is pulled out.
-    pub fn piece_behind(&self, q_m: f64) -> Option<&AreaPiece> {
-        self.pieces().iter().rev().find(|piece| piece.from_m < q_m)
-    }
-
     /// Volume swept from first contact to travel `q_m`: the integral of the area over travel, m³.
     pub fn swept_m3(&self, q_m: f64) -> f64 {
         let mut volume = 0.0;

@@ -117,13 +117,7 @@ impl PowerLaw {
 
 /// Sign of a number, zero for zero.
 pub fn sign(z: f64) -> f64 {
-    if z > 0.0 {
-        1.0
-    } else if z < 0.0 {
-        -1.0
-    } else {
-        0.0
-    }
+    if z == 0.0 { 0.0 } else { z.signum() }
 }
 
 /// The mechanism that carries the plate.
@@ -135,8 +129,6 @@ pub struct Mechanism {
     pub damper: PowerLaw,
     /// The stop, if there is one.
     pub stop: Option<Stop>,
-    /// Where the stop is, m; infinite when there is none.
-    pub stop_at_m: f64,
 }
 
 impl Mechanism {
@@ -144,13 +136,10 @@ impl Mechanism {
     pub fn of(scene: &Scene) -> Self {
         let laws = &scene.mechanism;
         let sprung = !scene.is_rigid();
-        let damper = laws.damper.law();
-        let stop = laws.stop.position_m.filter(|_| sprung);
         Self {
             spring: if sprung { Spring::of(laws, 0.0) } else { Spring::NONE },
-            damper: damper.only_if(sprung),
-            stop: stop.map(|_| laws.stop),
-            stop_at_m: stop.unwrap_or(f64::INFINITY),
+            damper: laws.damper.law().only_if(sprung),
+            stop: laws.stop.position_m.filter(|_| sprung).map(|_| laws.stop),
         }
     }
 

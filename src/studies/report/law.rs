@@ -42,8 +42,8 @@ impl Law {
     /// Stiffness of the elastic stop and how deep it is pressed in, where it acts.
     fn stop(&self, x_m: f64) -> Option<(f64, f64)> {
         let stop = self.mechanism.elastic_stop()?;
-        let acts = stop.position_m.is_some_and(|at| x_m > at);
-        acts.then_some((stop.stiffness_n_m, x_m - self.mechanism.stop_at_m))
+        let pressed_m = x_m - stop.position_m?;
+        (pressed_m > 0.0).then_some((stop.stiffness_n_m, pressed_m))
     }
 
     /// Force of springs and elastic stop on the mount, N.
@@ -80,7 +80,8 @@ impl Law {
     pub fn marks(&self) -> Vec<Mark<'static>> {
         let mut marks = vec![Mark::new(self.reached_m, "greatest displacement").tag("max")];
         marks.extend((self.start_m < 0.0).then(|| Mark::new(self.start_m, "cocked")));
-        marks.extend(self.mechanism.stop.map(|_| Mark::new(self.mechanism.stop_at_m, "stop")));
+        let stop_at_m = self.mechanism.stop.and_then(|stop| stop.position_m);
+        marks.extend(stop_at_m.map(|at_m| Mark::new(at_m, "stop")));
         marks.extend(self.yield_m.map(|at| Mark::new(at, "yield")));
         marks
     }

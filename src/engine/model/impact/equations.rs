@@ -103,7 +103,7 @@ impl Setup {
             absorber: absorber.map(|_| Box::new(scene.mechanism.clone())),
             damper: mechanism.damper,
             stop: mechanism.stop,
-            stop_at_m: mechanism.stop_at_m,
+            stop_at_m: mechanism.stop.and_then(|stop| stop.position_m).unwrap_or(f64::INFINITY),
             projectile_kg,
             plate_kg,
             turning_kg: Inertia::of(scene).rotation_kg,

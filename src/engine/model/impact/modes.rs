@@ -313,7 +313,7 @@ fn unload(setup: &Setup, mode: &mut Mode, state: &State) {
     let Some((spring, crushed_m)) = setup.crushed_at(x_m, mode.crushed_m) else { return };
     mode.crushed_j += mode.spring.energy(x_m) - spring.energy(x_m);
     mode.crushed_m = crushed_m;
-    mode.stretch = spring.stretch_below(x_m);
+    mode.stretch = spring.stretch(x_m.next_down());
     mode.elastic = setup.with_stop(&spring);
     mode.spring = spring;
 }
@@ -346,9 +346,8 @@ fn push_in(setup: &Setup, mode: &mut Mode, state: &State) {
 
 /// The nose goes back where it is, or is out.
 fn pull_out(setup: &Setup, mode: &mut Mode, state: &State) {
-    let piece = setup.geometry.piece_behind(state.q_m);
-    mode.contact = if piece.is_some() { Contact::PullingOut } else { Contact::Apart };
-    mode.piece = piece.copied().unwrap_or_else(|| setup.geometry.piece(-1.0));
+    mode.contact = if state.q_m > 0.0 { Contact::PullingOut } else { Contact::Apart };
+    mode.piece = setup.geometry.piece(state.q_m.next_down());
 }
 
 /// The force that the interface can carry forwards and backwards while joined, N.
@@ -445,7 +444,7 @@ fn release(setup: &Setup, mode: &mut Mode, state: &State) {
 fn leave_stop(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.hold = Hold::Free;
     mode.w_side = -1.0;
-    mode.stretch = mode.spring.stretch_below(mode.origin_m + state.x_m);
+    mode.stretch = mode.spring.stretch((mode.origin_m + state.x_m).next_down());
     debug_assert!(setup.stop.is_some(), "only a stop lets go");
 }
 
@@ -500,7 +499,7 @@ mod tests {
         let (first, state) = first(&setup);
         let mut mode = Mode { contact, deepest_m: 5e-3, ..first };
         if contact == Contact::PullingOut {
-            mode.piece = *setup.geometry.piece_behind(q_m).unwrap();
+            mode.piece = setup.geometry.piece(q_m.next_down());
         }
         let mut state = State { q_m, u_m_s, x_m, w_m_s, ..state };
         (after(&setup, &mode, event, &mut state), state)

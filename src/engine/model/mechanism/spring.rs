@@ -90,11 +90,6 @@ impl Spring {
         curve::stretch(self.knots_m(), x)
     }
 
-    /// The same, but an end belongs to the stretch below it.
-    pub fn stretch_below(&self, x: f64) -> usize {
-        self.knots_m().partition_point(|knot| *knot < x)
-    }
-
     /// The ends of a stretch, m; infinite where it has none.
     pub fn ends(&self, stretch: usize) -> (f64, f64) {
         curve::ends(self.knots_m(), stretch)
@@ -165,21 +160,23 @@ impl Spring {
             return way * law.at_integral(energy_j);
         }
         let missing = |x: f64| self.energy(x) - energy_j;
-        let marks = ahead(self.marks().0, x, way);
-        self.first_place(x, way, marks, |missing| missing > 0.0, missing)
-            .unwrap_or(way * f64::INFINITY)
+        let stations = self.marks().0.iter();
+        let place = self.first_place(x, way, stations, |missing| missing > 0.0, missing);
+        place.unwrap_or(way * f64::INFINITY)
     }
 
-    /// The first place on the way from x, past these marks and on beyond them, where a function that is below zero before has
-    /// risen to zero, as `is_past` says of its value; x itself where it has already.
-    fn first_place(
+    /// The first place on the way from x, past those of these marks that lie ahead and on beyond them, where a function that is below zero
+    /// before has risen to zero, as `is_past` says of its value; x itself where it has already.
+    fn first_place<'a>(
         &self,
         x: f64,
         way: f64,
-        marks: Vec<f64>,
+        marks: impl Iterator<Item = &'a f64>,
         is_past: impl Fn(f64) -> bool,
         function: impl Fn(f64) -> f64,
     ) -> Option<f64> {
+        let mut marks: Vec<f64> = marks.copied().filter(|at| way * (at - x) > 0.0).collect();
+        marks.sort_by(|a, b| (way * a).total_cmp(&(way * b)));
         let last = marks.last().copied().unwrap_or(x);
         let scale_m = self.marks().2;
         // Steps that double: 1, 3, 7, ... sizes of the law.
@@ -209,8 +206,8 @@ impl Spring {
         if force(x) >= 0.0 {
             return x;
         }
-        let marks = ahead(self.marks().0, x, 1.0);
-        self.first_place(x, 1.0, marks, |force| force >= 0.0, force).unwrap_or(f64::INFINITY)
+        let stations = self.marks().0.iter();
+        self.first_place(x, 1.0, stations, |force| force >= 0.0, force).unwrap_or(f64::INFINITY)
     }
 
     /// Which way, 1 or -1, it drives the plate on from x for ever: beyond the end of a table whose force runs away.
@@ -229,9 +226,7 @@ impl Spring {
         }
         let missing = |x: f64| self.force(x) - force_n.abs();
         let (stations_m, extremes_m, _) = self.marks();
-        let mut all = [stations_m, extremes_m].concat();
-        all.sort_by(f64::total_cmp);
-        let marks = ahead(&all, 0.0, 1.0);
+        let marks = stations_m.iter().chain(extremes_m);
         let place = self.first_place(0.0, 1.0, marks, |missing| missing >= 0.0, missing);
         place.unwrap_or(f64::INFINITY)
     }
@@ -264,12 +259,4 @@ impl Spring {
         let tangent = self.tangent(far);
         if tangent == 0.0 { self.force(far) } else { tangent * x }
     }
-}
-
-/// The places of a rising list that lie ahead of x, in their order on the way.
-fn ahead(places_m: &[f64], x: f64, way: f64) -> Vec<f64> {
-    if way > 0.0 {
-        return places_m[places_m.partition_point(|at| *at <= x)..].to_vec();
-    }
-    places_m[..places_m.partition_point(|at| *at < x)].iter().rev().copied().collect()
 }

@@ -98,40 +98,38 @@ impl Law for Table {
     /// A table has enough points, which are finite, rise in x, and reach the rest position.
     fn check(&self, path: &str) -> Result<(), VariableError> {
         let points = &self.points;
-        let refuse = |what: String| Err(VariableError::new(format!("{path}.table{what}")));
         let count = points.len();
-        if !(2..=POINTS_MAX).contains(&count) {
-            return refuse(format!(
+        let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
+        let does_not_rise = |pair: &[[f64; 2]]| pair[1][0] <= pair[0][0];
+        let wrong = if !(2..=POINTS_MAX).contains(&count) {
+            format!(
                 " has {count} points: it must have 2 to {POINTS_MAX}; write points = [[x, F], ...] in m and N, or file = \
                  \"curve.csv\""
-            ));
-        }
-        let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
-        if let Some(at) = points.iter().position(|point| !is_finite(point)) {
-            return refuse(format!(
+            )
+        } else if let Some(at) = points.iter().position(|point| !is_finite(point)) {
+            format!(
                 ": point {} is not finite: every x (m) and F (N) must be a number; remove the point",
                 at + 1
-            ));
-        }
-        if let Some(at) = points.windows(2).position(|pair| pair[1][0] <= pair[0][0]) {
-            return refuse(format!(
+            )
+        } else if let Some(at) = points.windows(2).position(does_not_rise) {
+            format!(
                 ": x = {} m of point {} does not exceed x = {} m of the point before it: a table must rise in x; sort the points \
                  and leave only one at each x",
                 units::shortest(points[at + 1][0]),
                 at + 2,
                 units::shortest(points[at][0])
-            ));
-        }
-        let ([first, force], [last, _]) = (points[0], points[count - 1]);
-        if first > 0.0 || last < 0.0 {
-            return refuse(format!(
+            )
+        } else if points[0][0] > 0.0 || points[count - 1][0] < 0.0 {
+            format!(
                 ": it goes from x = {} m, F = {} N to x = {} m, and the force at rest, x = 0, is not measured; add the point [0, 0], or subtract the first point from all",
-                units::shortest(first),
-                units::shortest(force),
-                units::shortest(last)
-            ));
-        }
-        Ok(())
+                units::shortest(points[0][0]),
+                units::shortest(points[0][1]),
+                units::shortest(points[count - 1][0])
+            )
+        } else {
+            return Ok(());
+        };
+        Err(VariableError::new(format!("{path}.table{wrong}")))
     }
 
     fn limits(&self, _: &Spring, side: f64) -> Vec<(f64, &'static str)> {
