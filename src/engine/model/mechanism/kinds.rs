@@ -5,8 +5,9 @@
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::Curve;
+use crate::model::mechanism::piece::Piece;
 use crate::model::scene::{OwnMass, Scene, Wire};
-use crate::model::variables::part::{parts, placed};
+use crate::model::variables::part::{NO_VALUES, parts, placed};
 use crate::model::variables::visible::is_sprung;
 use crate::model::variables::{Group, Variable, VariableError};
 use crate::model::worded::worded;

@@ -4,10 +4,7 @@
 //! moment at the root is `P (l - gamma l (1 - cos Theta))`. L. L. Howell, *Compliant Mechanisms* (2001), chapter 5; thesis
 //! section 9.5.2. A beam that is guided at its end is two half-length cantilevers, `2 K` at each of its two pivots.
 
-use super::{Law, Spring, SpringKind};
-use crate::model::mechanism::curve::Curve;
-use crate::model::mechanism::piece::Piece;
-use crate::model::variables::part::parts;
+use super::{Curve, Law, Piece, Spring, SpringKind, parts};
 use crate::numerics::root::in_bracket;
 use crate::numerics::smaller;
 

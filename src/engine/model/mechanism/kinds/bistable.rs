@@ -1,11 +1,7 @@
 //! A spring with two stable positions, the first at x = 0.
 
-use super::{Law, Spring};
-use crate::model::mechanism::curve::Curve;
-use crate::model::mechanism::piece::Piece;
+use super::{Curve, Law, NO_VALUES, Piece, Spring, VariableError, parts};
 use crate::model::units;
-use crate::model::variables::VariableError;
-use crate::model::variables::part::{NO_VALUES, parts};
 
 parts! {
     /// Two stable positions and the barrier between them.

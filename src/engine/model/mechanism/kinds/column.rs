@@ -1,9 +1,6 @@
 //! A column that buckles, or a notched tube that folds, elastically: it goes back the way it came.
 
-use super::{Law, Spring};
-use crate::model::mechanism::curve::Curve;
-use crate::model::mechanism::piece::Piece;
-use crate::model::variables::part::{NO_VALUES, parts};
+use super::{Curve, Law, NO_VALUES, Piece, Spring, parts};
 use crate::numerics::monotone;
 
 parts! {

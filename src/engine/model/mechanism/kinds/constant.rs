@@ -1,9 +1,6 @@
 //! A force that rises linearly and then stays.
 
-use super::{Law, Spring};
-use crate::model::mechanism::curve::Curve;
-use crate::model::mechanism::piece::Piece;
-use crate::model::variables::part::{NO_VALUES, parts};
+use super::{Curve, Law, NO_VALUES, Piece, Spring, parts};
 
 parts! {
     /// A constant force and the way to it.

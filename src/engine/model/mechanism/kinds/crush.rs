@@ -1,11 +1,7 @@
 //! An absorber that only pushes: it is crushed at a constant force and unloads elastically from where it was crushed to.
 
-use super::{Law, Spring};
-use crate::model::mechanism::curve::Curve;
-use crate::model::mechanism::piece::Piece;
+use super::{Curve, Law, Piece, Spring, VariableError, parts};
 use crate::model::units;
-use crate::model::variables::VariableError;
-use crate::model::variables::part::parts;
 use crate::numerics::{larger, smaller};
 
 /// Crushing below this part of the displacement is rounding.

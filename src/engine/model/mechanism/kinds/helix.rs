@@ -1,8 +1,6 @@
 //! A helical spring whose plate turns as it yields.
 
-use super::{Law, Spring};
-use crate::model::mechanism::PowerLaw;
-use crate::model::variables::part::{NO_VALUES, parts};
+use super::{Law, NO_VALUES, PowerLaw, Spring, parts};
 
 parts! {
     /// A linear spring that turns the plate.

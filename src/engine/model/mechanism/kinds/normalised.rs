@@ -1,8 +1,6 @@
 //! `F_ref |x/x_ref|^n sgn(x)`: a power law that stays the same when units change.
 
-use super::{Law, Spring};
-use crate::model::mechanism::PowerLaw;
-use crate::model::variables::part::parts;
+use super::{Law, PowerLaw, Spring, parts};
 
 parts! {
     /// A power law by its force at a displacement.

@@ -1,7 +1,6 @@
 //! The thesis's spring, `k |x|^n sgn(x)`, from the coefficient and the exponent that every spring has.
 
-use super::{Law, Spring};
-use crate::model::mechanism::PowerLaw;
+use super::{Law, PowerLaw, Spring};
 
 pub(super) struct Plain;
 

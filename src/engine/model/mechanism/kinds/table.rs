@@ -2,12 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{Law, Spring};
-use crate::model::mechanism::curve::Curve;
-use crate::model::mechanism::piece::Piece;
+use super::{Curve, Law, Piece, Spring, VariableError, parts};
 use crate::model::units;
-use crate::model::variables::VariableError;
-use crate::model::variables::part::parts;
 use crate::numerics::{larger, monotone, smaller};
 
 /// Most points of a table: a measurement has fewer, and each is an event of the run.
