@@ -188,18 +188,34 @@ impl Geometry {
         let lag_m = if scene.dishing() { 2.0 * nose.radius_m } else { 0.0 };
         let bend_m = thickness_m + lag_m;
         let slope = thickness_m / bend_m;
-        let exit_depth = thickness_m + nose.full_from_m();
+        let (h, r, f) = (thickness_m, nose.partial_from_m, nose.partial_to_m);
+        let end = h + nose.full_from_m();
         let mut geometry = Self {
             nose,
             thickness_m,
             slope,
             bend_m,
             lag_m,
-            exit_m: exit_depth + lag_m,
+            exit_m: end + lag_m,
             pieces: [AreaPiece::free(0.0, 0.0); PIECES_MAX],
             count: 0,
         };
-        geometry.cut();
+        // The passage is cut where a face meets the tip, the cylinder or the end of the nose, or the plate its own rear face. In a
+        // thick plate these depths are in order.
+        let mut depths = [r, f, h, h + r, h + f, end];
+        if f > h {
+            depths.sort_unstable_by(f64::total_cmp);
+        }
+        let mut from_m = 0.0;
+        for depth in depths {
+            let to_m = geometry.travel_m(depth);
+            if to_m > from_m {
+                let law = geometry.law(from_m, to_m);
+                geometry.pieces[geometry.count] = AreaPiece { from_m, to_m, law };
+                geometry.count += 1;
+                from_m = to_m;
+            }
+        }
         geometry
     }
 
@@ -256,27 +272,6 @@ impl Geometry {
             before += whole;
         }
         None
-    }
-
-    /// Cut the passage where a face meets the tip, the cylinder or the end of the nose, or the plate its own rear face.
-    fn cut(&mut self) {
-        let (h, end) = (self.thickness_m, self.thickness_m + self.nose.full_from_m());
-        let (r, f) = (self.nose.partial_from_m, self.nose.partial_to_m);
-        let mut depths = [r, f, h, h + r, h + f, end];
-        // In a thick plate they are in order.
-        if f > h {
-            depths.sort_unstable_by(f64::total_cmp);
-        }
-        let mut from_m = 0.0;
-        for depth in depths {
-            let to_m = self.travel_m(depth);
-            if to_m > from_m {
-                let law = self.law(from_m, to_m);
-                self.pieces[self.count] = AreaPiece { from_m, to_m, law };
-                self.count += 1;
-                from_m = to_m;
-            }
-        }
     }
 
     fn law(&self, from_m: f64, to_m: f64) -> AreaLaw {
