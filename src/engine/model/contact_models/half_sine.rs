@@ -14,31 +14,23 @@ use crate::model::scene::Scene;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) struct History {
     pub(in crate::model) duration_s: f64,
-    /// Of the projectile at first contact.
-    mass_kg: f64,
-    velocity_m_s: f64,
+    amplitude_n: f64,
+    /// How far the projectile comes on a rigid mount, m.
+    pub(super) travel_m: f64,
 }
 
 impl History {
     pub(super) fn of(scene: &Scene) -> Self {
         let (mass_kg, velocity_m_s) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
-        Self { duration_s: duration_s(scene), mass_kg, velocity_m_s }
-    }
-
-    fn angle(&self, t_s: f64) -> f64 {
-        PI * t_s / self.duration_s
-    }
-
-    fn amplitude_n(&self) -> f64 {
-        0.5 * PI * self.mass_kg * self.velocity_m_s / self.duration_s
+        let duration_s = duration_s(scene);
+        Self {
+            duration_s,
+            amplitude_n: 0.5 * PI * mass_kg * velocity_m_s / duration_s,
+            travel_m: 0.5 * velocity_m_s * duration_s,
+        }
     }
 
     pub(in crate::model) fn force_n(&self, t_s: f64) -> f64 {
-        self.amplitude_n() * self.angle(t_s).sin()
-    }
-
-    /// How far the projectile has come at the end of it, m.
-    pub(super) fn travel_m(&self) -> f64 {
-        0.5 * self.velocity_m_s * self.duration_s
+        self.amplitude_n * (PI * t_s / self.duration_s).sin()
     }
 }

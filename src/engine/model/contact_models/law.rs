@@ -32,21 +32,13 @@ impl Law {
         }
     }
 
-    /// Travel that stands for the depth on a rigid mount, m, of the models that have an interface of their own.
-    pub(in crate::model) fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+    /// How long the contact lasts on a rigid mount, about, s, and the travel that stands for its depth, m, of the models that have an
+    /// interface of their own.
+    pub(in crate::model) fn on_rigid_mount(&self) -> Option<(f64, f64)> {
         match self {
             Self::Flow | Self::AtOnce => None,
-            Self::History(history) => Some(history.travel_m()),
-            Self::Lumped(lumped) => Some(lumped.dent_m(lumped.pressed_on_rigid_mount_m())),
-        }
-    }
-
-    /// How long the contact lasts, about, s, of those models.
-    pub(in crate::model) fn duration_s(&self) -> Option<f64> {
-        match self {
-            Self::Flow | Self::AtOnce => None,
-            Self::History(history) => Some(history.duration_s),
-            Self::Lumped(lumped) => Some(lumped.duration_s()),
+            Self::History(history) => Some((history.duration_s, history.travel_m)),
+            Self::Lumped(lumped) => Some(lumped.on_rigid_mount()),
         }
     }
 

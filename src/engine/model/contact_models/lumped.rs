@@ -30,11 +30,6 @@ impl Lumped {
         }
     }
 
-    /// How long it is pressed in and springs back, at most, s.
-    pub(super) fn duration_s(&self) -> f64 {
-        2.0 * (self.mass_kg / self.load_n_m).sqrt()
-    }
-
     /// The dent that is left by a travel, m.
     pub(super) fn dent_m(&self, deepest_m: f64) -> f64 {
         deepest_m * (1.0 - self.load_n_m / self.unload_n_m)
@@ -67,8 +62,9 @@ impl Lumped {
         0.5 * force_n * force_n / self.unload_n_m
     }
 
-    /// How far the interface is pressed in on a rigid mount: m q'' + b q' + k q = 0 from q = 0 at the impact velocity.
-    pub(super) fn pressed_on_rigid_mount_m(&self) -> f64 {
+    /// How long it is pressed in and springs back on a rigid mount, at most, s, and the dent that is left, m: of m q'' + b q' + k q = 0
+    /// from q = 0 at the impact velocity.
+    pub(super) fn on_rigid_mount(&self) -> (f64, f64) {
         let (m, v) = (self.mass_kg, self.velocity_m_s);
         let rate = 0.5 * self.damping_n_s_m / m;
         let square = self.load_n_m / m - rate * rate;
@@ -81,6 +77,7 @@ impl Lumped {
         } else {
             1.0 / rate
         };
-        v * (-rate * to_turn_s).exp() / (self.load_n_m / m).sqrt()
+        let pressed_m = v * (-rate * to_turn_s).exp() / (self.load_n_m / m).sqrt();
+        (2.0 * (m / self.load_n_m).sqrt(), self.dent_m(pressed_m))
     }
 }

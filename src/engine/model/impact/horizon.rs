@@ -20,7 +20,8 @@ const DECAY_MAX: f64 = 50.0;
 /// damper, s.
 pub(super) fn of(setup: &Setup) -> f64 {
     let passage_s = setup.geometry.exit_m / setup.closing_m_s;
-    let contact_s = PASSAGES * setup.law.duration_s().unwrap_or(passage_s);
+    let contact_s =
+        PASSAGES * setup.law.on_rigid_mount().map_or(passage_s, |(duration_s, _)| duration_s);
     if setup.still {
         return contact_s;
     }

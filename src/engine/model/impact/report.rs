@@ -198,7 +198,7 @@ impl Course<'_> {
     fn baseline_m(&self) -> Option<f64> {
         let geometry = &self.setup.geometry;
         if !self.flows() {
-            return self.setup.law.hole_on_rigid_mount_m().map(|q_m| geometry.depth_m(q_m));
+            return self.setup.law.on_rigid_mount().map(|(_, q_m)| geometry.depth_m(q_m));
         }
         Passage::rigid(self.scene, geometry).arrest_m().map(|q_m| geometry.depth_m(q_m))
     }
