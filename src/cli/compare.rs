@@ -128,7 +128,7 @@ fn page(name: &str, report: &Report) -> String {
     let say = |page: &mut String, text: &str| *page += &hanging("", text, INDENT);
     say(&mut page, &tables::verdict(report));
     let criterion = report.scene.target.criterion;
-    if criterion != Criterion::default() {
+    if criterion != Criterion::Passage {
         say(&mut page, &format!("criterion: {}", criterion.label()));
     }
     if let Some(caution) = report.caution() {

@@ -19,7 +19,6 @@ const SLOW_M_S: f64 = 0.01;
 
 worded! {
     /// Why the scheme gives no answer.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Refusal: words {
         NoPowerLaw = "not applicable: only a massless spring k |x|^n",
         /// The plate meets its stop within the contact, which the listing does not contain.

@@ -213,7 +213,11 @@ mod tests {
     use super::*;
     use crate::model::reference::Stored;
     use crate::model::simulate::bare_run;
-    use crate::model::variables::scene_without_spring as scene;
+    use crate::model::variables::changed_free_plate;
+
+    fn scene(pairs: &str) -> Scene {
+        changed_free_plate(pairs).unwrap()
+    }
 
     /// (time, depth) by the simulation.
     fn full(scene: &Scene) -> (f64, f64) {

@@ -8,7 +8,6 @@ use crate::model::worded::worded;
 
 worded! {
     /// Which library, by the name of its file.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Library: file {
         Threats = "threats",
         Materials = "materials",
@@ -39,7 +38,6 @@ impl Library {
 
 worded! {
     /// How well the values of an entry are known.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Status: word {
         Measured = "measured",
         Standard = "standard",
@@ -73,9 +71,6 @@ pub struct Entry {
 
 impl Entry {
     /// Takes its values into a scene and notes where they come from. A material takes the closure that suits the plate.
-    ///
-    /// # Errors
-    /// [`VariableError`] where a value makes no physical sense.
     pub fn apply(&self, scene: &mut Scene) -> Result<(), VariableError> {
         for (key, value) in &self.values {
             variables::find(key)?.set(scene, *value)?;
@@ -85,14 +80,13 @@ impl Entry {
             note_closure(scene);
         }
         let (start, warns) = (format!("{}: ", self.library.word()), self.library.warning_start());
-        let mut notes: Vec<&str> = scene.notes.lines().collect();
-        notes.retain(|line| !line.starts_with(&start) && !line.starts_with(&warns));
-        let own = format!("{start}{}. {}", self.title, self.evidence());
-        notes.push(&own);
-        let warning: Vec<&str> = self.warning.split_whitespace().collect();
-        let warning = format!("{warns}{}: {}", self.name, warning.join(" "));
+        let is_other = |line: &&str| !line.starts_with(&start) && !line.starts_with(&warns);
+        let mut notes: Vec<String> =
+            scene.notes.lines().filter(is_other).map(str::to_owned).collect();
+        notes.push(format!("{start}{}. {}", self.title, self.evidence()));
         if !self.warning.is_empty() {
-            notes.push(&warning);
+            let warning: Vec<&str> = self.warning.split_whitespace().collect();
+            notes.push(format!("{warns}{}: {}", self.name, warning.join(" ")));
         }
         scene.notes = notes.join("\n");
         Ok(())

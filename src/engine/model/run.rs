@@ -120,7 +120,7 @@ pub struct Run {
 
 worded! {
     /// The outcome of the shot.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    #[derive(Default)]
     pub enum Outcome: word {
         Arrested = "arrested",
         Perforated = "perforated",
@@ -133,7 +133,7 @@ worded! {
 
 worded! {
     /// Why the computation ended.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    #[derive(Default)]
     pub enum EndReason: words {
         #[default]
         Decided = "outcome decided",
@@ -179,7 +179,7 @@ pub struct Departure {
 
 worded! {
     /// The mode of motion.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    #[derive(Default)]
     pub enum Mode: word {
         #[default]
         Penetrating = "penetrating",
@@ -231,7 +231,6 @@ pub struct Event {
 
 worded! {
     /// The kinds of events a person wants marked on a chart.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum EventKind: words {
         FirstArrest = "projectile first stops",
         Arrest = "arrest",

@@ -51,9 +51,9 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct RunSettings at (run) {
         pub tolerance: f64 = 1e-9 => "tol", "tolerance", "relative error tolerance of depth and time",
-            number(Number, Between(1e-14, 1e-2)).also(&["tolerance"]).log().from("default of this program");
+            number(Number, Between(1e-14, 1e-2)).aliases(&["tolerance"]).is_log(true).source("default of this program");
         pub horizon_s: Option<f64> = None => "horizon", "end of the run", "the time the run goes on to",
-            optional(Time, Positive, "auto").from("absent: chosen from the scene");
+            optional(Time, Positive, "auto").source("absent: chosen from the scene");
     }
 
     /// The elements behind the scene's own plate.
@@ -61,16 +61,16 @@ parts! {
     pub struct Stack at (stack) {
         pub base_thickness_m: Option<f64> = None => "h_base", "base thickness",
             "thickness of a base plate behind the elements, on a rigid mount",
-            optional(Length, Positive, "none").also(&["base"]).seldom()
-            .from("thesis section 6.2.8; no value there. none: the plate stands alone");
+            optional(Length, Positive, "none").aliases(&["base"]).is_seldom(true)
+            .source("thesis section 6.2.8; no value there. none: the plate stands alone");
         pub base_strength_pa: Option<f64> = None => "S_base", "base strength", "flow strength of the base plate",
-            optional(Pressure, NonNegative, "plate").seldom().listed_when(is_stack).from("plate: that of the scene's plate");
+            optional(Pressure, NonNegative, "plate").is_seldom(true).listed(is_stack).source("plate: that of the scene's plate");
         pub elements: f64 = 1.0 => "elements", "elements",
             "how many equal elements, each a plate on its mechanism, stand one behind the other",
-            number(Number, Between(1.0, 50.0)).seldom().listed_when(is_stack).from("thesis section 6.2.8; 1 throughout chapter 9");
+            number(Number, Between(1.0, 50.0)).is_seldom(true).listed(is_stack).source("thesis section 6.2.8; 1 throughout chapter 9");
         pub gap_m: Option<f64> = None => "gap", "gap",
             "clear distance behind each plate: a warning where a plate travels farther",
-            optional(Length, Positive, "none").seldom().listed_when(is_stack).from("none: enough");
+            optional(Length, Positive, "none").is_seldom(true).listed(is_stack).source("none: enough");
         /// Further elements that are not like the first, in order.
         pub layers: Vec<Layer> = Vec::new();
     }

@@ -32,10 +32,7 @@ pub enum Bare {
     Stored,
 }
 
-/// Read a quantity; the result is in the stored unit (SI, degrees for angles).
-///
-/// # Errors
-/// When the text is empty, no number, not finite, or has a unit of another kind: why, with the cure. Columns count from 1.
+/// Read a quantity; the result is in the stored unit (SI, degrees for angles). A refusal has its cure, and counts columns from 1.
 pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, String> {
     let trimmed = text.trim();
     let example = quantity.example();
@@ -110,9 +107,6 @@ pub fn one_bare_end(low: &str, high: &str, quantity: Dimension) -> Option<String
 /// Read what may also be relative to `old`: `*2`, `/3`, `+5%`, `-5%`, else as [`parse`].
 ///
 /// A leading sign without `%` is an ordinary number, so that `-3` stays minus three.
-///
-/// # Errors
-/// As [`parse`].
 pub fn parse_relative(
     text: &str,
     old: f64,

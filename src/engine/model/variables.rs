@@ -36,15 +36,18 @@ pub struct Variable {
     pub label: &'static str,
     /// Its name in words where its key does not give it; else empty.
     pub own_name: &'static str,
+    /// Whether a list shows it at all: what belongs to another kind of spring or contact model is not even dimmed.
+    pub listed: fn(&Scene) -> bool,
+    /// Whether it has any effect: rows without are dimmed in the editor.
+    pub used: fn(&Scene) -> bool,
+    /// Both: whether a list shows it, and then it has an effect.
+    pub when: fn(&Scene) -> bool,
+    /// The first two of its part of the scene.
+    pub part: [fn(&Scene) -> bool; 2],
     /// Other short words `--set` accepts.
     pub aliases: &'static [&'static str],
     /// Whether a file has it only where its value is not the default.
     pub is_seldom: bool,
-    /// Whether a list shows it at all, by its part of the scene and by itself: what belongs to another kind of spring or contact
-    /// model is not even dimmed.
-    pub listed: [fn(&Scene) -> bool; 2],
-    /// Whether it has any effect, by its part of the scene and by itself: rows without are dimmed in the editor.
-    pub used: [fn(&Scene) -> bool; 2],
     /// The group of the editor it stands in.
     pub group: Group,
     /// Its meaning, as a sentence.
@@ -61,7 +64,6 @@ pub struct Variable {
 
 worded! {
     /// The groups of the editor, in order.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Group: title {
         Projectile = "Projectile",
         /// The plate's material.
@@ -196,10 +198,7 @@ impl Variable {
         }
     }
 
-    /// Set the value, refusing what makes no physical sense by itself.
-    ///
-    /// # Errors
-    /// [`VariableError`]; the scene is unchanged then.
+    /// Set the value, refusing what makes no physical sense by itself; the scene is unchanged then.
     pub fn set(&self, scene: &mut Scene, value: Value) -> Result<(), VariableError> {
         match (&self.kind, value) {
             (Kind::Number(number), Value::Number(new)) => {
@@ -223,9 +222,6 @@ impl Variable {
 
     /// Read a text as a value of this variable; numbers may be relative to the scene's present value. Whether a number makes sense
     /// is found when it is set.
-    ///
-    /// # Errors
-    /// [`VariableError`] that names variable, text, what is allowed and the cure.
     pub fn parse(&self, scene: &Scene, text: &str, bare: Bare) -> Result<Value, VariableError> {
         let word = text.trim();
         match &self.kind {
@@ -356,10 +352,7 @@ fn show_value(value: Value) -> String {
     }
 }
 
-/// Set a variable by name from text, as `--set NAME=VALUE` does.
-///
-/// # Errors
-/// [`VariableError`]; the scene is unchanged then.
+/// Set a variable by name from text, as `--set NAME=VALUE` does; the scene is unchanged where that is refused.
 pub fn set_by_name(
     scene: &mut Scene,
     name: &str,
@@ -371,10 +364,7 @@ pub fn set_by_name(
     variable.set(scene, value)
 }
 
-/// Check every value and the rules between values.
-///
-/// # Errors
-/// The first [`VariableError`] found, in the order of the table.
+/// Check every value and the rules between values, in the order of the table.
 pub fn validate(scene: &Scene) -> Result<(), VariableError> {
     for variable in VARIABLES.iter() {
         let (Kind::Number(number), Value::Number(value)) = (&variable.kind, variable.value(scene))
@@ -389,9 +379,6 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
 }
 
 /// A scene with variables changed, as `--set` takes them: `k=1e5 n=0.5`.
-///
-/// # Errors
-/// A [`VariableError`] when a change is not understood.
 pub fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
     for change in changes.split_whitespace() {
         let (name, value) = change.split_once('=').unwrap_or((change, ""));
@@ -401,13 +388,8 @@ pub fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> 
 }
 
 /// As [`changed`], of Table 9.1 with gamma = 1 and neither spring nor damper.
-///
-/// # Errors
-/// A [`VariableError`] when a change is not understood.
 pub fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
-    let mut scene = Scene::default();
-    scene.mechanism.spring.coefficient = 0.0;
-    changed(scene, changes)
+    changed(Scene::default(), &format!("k=0 {changes}"))
 }
 
 /// Every value that is legal yet outside the range the thesis searched. Another shot or target than that of the thesis has nothing to
@@ -431,10 +413,4 @@ pub fn range_warnings(scene: &Scene) -> Vec<String> {
 #[cfg(test)]
 pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
     changed(Scene::default(), pairs).expect("values the variables take")
-}
-
-/// The same without a spring unless one is given.
-#[cfg(test)]
-pub(in crate::model) fn scene_without_spring(pairs: &str) -> Scene {
-    changed_free_plate(pairs).expect("values the variables take")
 }

@@ -10,6 +10,7 @@ macro_rules! worded {
         }
     ) => {
         $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum $name {
             $($(#[$doc])* #[doc = concat!("`", $word, "`")] $variant,)+
         }

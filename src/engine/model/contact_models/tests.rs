@@ -205,7 +205,7 @@ fn valid_depths_are_those_of_an_independent_port_by_either_coupling() {
 /// The relative travel of a free plate is that of one at rest and a slower shot; as printed the first step takes the shot's own velocity.
 #[test]
 fn valid_a_plate_that_moves_at_first_contact() {
-    let fixed = Listing::coupled(1e-7, Reading::Corrected);
+    let fixed = Listing::coupled(1e-7);
     let depth_mm = |pairs: &str| depth_mm(&listed(&format!("dt=1e-7 k=0 {pairs}"), fixed));
     let (moving, resting) = (depth_mm("v_i=100 w_0=20"), depth_mm("v_i=80"));
     assert!(close(moving, resting, 1e-9), "{moving}, not {resting}");
@@ -264,7 +264,10 @@ fn a_listing_without_a_stop_time_says_how_far_the_plate_is_when_its_steps_are_us
 
 #[test]
 fn valid_every_error_corrected_the_listing_converges_to_the_simulation() {
-    let own = listed("b=100 dt=1e-7", Listing::corrected(1e-7));
+    let put_right = Reading::Corrected;
+    let (stopping, afterwards, scheme) = (put_right, put_right, put_right);
+    let corrected = Listing { stopping, afterwards, scheme, ..Listing::coupled(1e-7) };
+    let own = listed("b=100 dt=1e-7", corrected);
     let reference = run("b=100 S_y=1.516e8");
     assert!(close(depth_mm(&own), depth_mm(&reference), 1e-6));
     let travel = reference.max_plate_displacement_m.unwrap();

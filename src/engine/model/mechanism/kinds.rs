@@ -46,10 +46,8 @@ macro_rules! kinds {
 
         worded! {
             /// The spring's force law.
-            #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
             pub enum SpringKind: word {
                 $(#[$plain_meta])*
-                #[default]
                 PowerLaw = $plain,
                 $($($(#[$kind_meta])* $kind = $word,)+)+
             }
@@ -86,27 +84,27 @@ kinds! {
     #[derive(Clone, Debug, PartialEq)]
     pub struct Spring {
         pub kind: SpringKind = SpringKind::PowerLaw => "spring", "force law", "the spring's force law",
-            choice().called("spring_kind").from("thesis equation 9.3, chapters 5 and 6");
+            choice().own_name("spring_kind").source("thesis equation 9.3, chapters 5 and 6");
         pub coefficient: f64 = 1e5 => "k", "stiffness", "spring coefficient: the spring's force is k |x|^n sgn(x)",
-            number(SpringCoefficient, NonNegative).called("stiffness").searched(0.0, 7.5e6).log()
+            number(SpringCoefficient, NonNegative).own_name("stiffness").thesis_range(Some((0.0, 7.5e6))).is_log(true)
             .when(|scene| scene.mechanism.spring.kind == SpringKind::PowerLaw)
-            .from("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
+            .source("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
         pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
-            number(Number, Positive).searched(0.1, 3.0).log()
-            .listed_when(|scene| scene.mechanism.spring.has_exponent())
-            .used_when(|scene| scene.mechanism.spring.has_exponent() && !scene.mechanism.spring.is_absent())
-            .from("thesis Table 9.2 (range searched)");
+            number(Number, Positive).thesis_range(Some((0.1, 3.0))).is_log(true)
+            .listed(|scene| scene.mechanism.spring.has_exponent())
+            .used(|scene| scene.mechanism.spring.has_exponent() && !scene.mechanism.spring.is_absent())
+            .source("thesis Table 9.2 (range searched)");
         pub count: f64 = 1.0 => "N_spring", "springs", "number of equal springs that act in parallel",
             number(Number, Positive)
             .when(|scene| scene.mechanism.spring.kind != SpringKind::PowerLaw || !scene.mechanism.spring.is_single())
-            .from("thesis Figure 6.9; 1 unless given");
+            .source("thesis Figure 6.9; 1 unless given");
         pub own_mass: OwnMass = OwnMass::Ignored => "own_mass", "spring inertia",
             "whether the part of the spring that moves with the plate adds to its mass",
-            choice().seldom().from("thesis section 8.3.1: springs are massless");
+            choice().is_seldom(true).source("thesis section 8.3.1: springs are massless");
         pub mass_kg: Option<f64> = None => "m_spring", "spring mass", "the spring's whole mass",
             optional(Mass, NonNegative, "auto")
             .when(|scene| scene.mechanism.spring.own_mass == OwnMass::Counted || scene.mechanism.spring.mass_kg.is_some())
-            .from("auto: of its beams, U/e_spring, or of a coil 4 rho G U/tau^2 (thesis section 9.5.1)");
+            .source("auto: of its beams, U/e_spring, or of a coil 4 rho G U/tau^2 (thesis section 9.5.1)");
         /// The wire it is wound of, where its mass follows from that.
         pub wire: Wire = Wire::default();
     }

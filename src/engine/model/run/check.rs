@@ -4,7 +4,6 @@ use crate::model::worded::worded;
 
 worded! {
     /// One row of the table.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Check: label {
         Thickness = "h/D",
         Material = "material",

@@ -52,7 +52,6 @@ pub const OUTSIDE: &str = "outside validity: ";
 
 worded! {
     /// On which side the answer errs.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Direction: word {
         /// The real plate resists more: limits come out too low, depths too great.
         Conservative = "conservative",

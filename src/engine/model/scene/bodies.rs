@@ -12,84 +12,82 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Projectile at (projectile) {
         pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass",
-            number(Mass, Positive).called("projectile_mass").from(TABLE_9_1);
+            number(Mass, Positive).own_name("projectile_mass").source(TABLE_9_1);
         pub tip_radius_m: f64 = 0.00635 => "R", "tip radius", "radius of the hemispherical tip and of the body behind it",
-            number(Length, Positive).called("radius").from(TABLE_9_1);
+            number(Length, Positive).own_name("radius").source(TABLE_9_1);
         pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity",
-            number(Velocity, Positive).also(&["vi"]).from(TABLE_9_1);
+            number(Velocity, Positive).aliases(&["vi"]).source(TABLE_9_1);
         pub obliquity_deg: f64 = 0.0 => "theta", "obliquity", "obliquity, between the projectile's axis and the plate's normal",
-            number(Angle, Below(0.0, 90.0)).from("thesis Appendix A.1; 0 throughout chapter 9");
+            number(Angle, Below(0.0, 90.0)).source("thesis Appendix A.1; 0 throughout chapter 9");
         pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, for the warnings of ricochet (by Tate, of a rod m_p/(rho_p pi R^2) long) and of a nose sphere heavier than m_p",
-            number(Density, Positive).called("projectile_density")
+            number(Density, Positive).own_name("projectile_density")
             .when(|scene| is_oblique(scene) || scene.projectile.nose_sphere_kg() > scene.projectile.mass_kg)
-            .from("assumption: steel");
+            .source("assumption: steel");
         pub strength_pa: f64 = 1e9 => "Y_p", "yield strength", "projectile strength, used for the ricochet warning only",
-            number(Pressure, Positive).called("projectile_strength").when(is_oblique).from("assumption: 1 GPa");
+            number(Pressure, Positive).own_name("projectile_strength").when(is_oblique).source("assumption: 1 GPa");
         pub nose: Nose = Nose::Hemispherical => "nose", "nose shape",
             "shape of the nose; the law is for a hemisphere, other shapes cause a warning",
-            choice().seldom().listed_when(|scene| scene.projectile.nose != Nose::Hemispherical).from("assumption of the model");
+            choice().is_seldom(true).listed(|scene| scene.projectile.nose != Nose::Hemispherical).source("assumption of the model");
     }
 
     /// The plate as a target.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Target at (target) {
         pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", number(Length, Positive)
-            .used_when(|scene| penetrates(scene) || gives_mass(scene)).from(TABLE_9_1);
+            .used(|scene| penetrates(scene) || gives_mass(scene)).source(TABLE_9_1);
         pub density_kg_m3: f64 = 2710.0 => "rho", "plate density", "plate density",
-            number(Density, Positive).used_when(|scene| resists(scene) || gives_mass(scene)).from("thesis Table 9.1 (the Appendix has 2780)");
+            number(Density, Positive).used(|scene| resists(scene) || gives_mass(scene)).source("thesis Table 9.1 (the Appendix has 2780)");
         /// What counts is [`Scene::flow_strength_pa`].
         pub flow_strength_pa: f64 = 1.52e8 => "S_y", "flow strength", "dynamic flow strength of the plate",
-            number(Pressure, NonNegative).also(&["Sy"]).used_when(|scene| resists(scene) && scene.target.closure == Closure::Given)
-            .from("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
+            number(Pressure, NonNegative).aliases(&["Sy"]).used(|scene| resists(scene) && scene.target.closure == Closure::Given)
+            .source("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
         pub closure: Closure = Closure::Given => "closure", "source of S_y",
             "where S_y comes from: given, 2 Y (with dishing), cavity expansion (without dishing), or the one of them that suits h",
-            choice().seldom().used_when(resists).from("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
+            choice().is_seldom(true).used(resists).source("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
         pub yield_pa: f64 = 75.8e6 => "Y", "yield strength", "static yield strength, for a closure",
-            number(Pressure, Positive).called("yield_strength").seldom()
-            .listed_when(|scene| scene.target.closure != Closure::Given)
-            .used_when(|scene| resists(scene) && scene.target.closure != Closure::Given)
-            .from("thesis Appendix A.1: 75.8 MPa");
+            number(Pressure, Positive).own_name("yield_strength").is_seldom(true)
+            .listed(|scene| scene.target.closure != Closure::Given)
+            .used(|scene| resists(scene) && scene.target.closure != Closure::Given)
+            .source("thesis Appendix A.1: 75.8 MPa");
         pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for the closure by cavity expansion",
-            number(Pressure, Positive).seldom().listed_when(may_expand).used_when(|scene| resists(scene) && may_expand(scene))
-            .from("aluminium 2024; the thesis needs none");
+            number(Pressure, Positive).is_seldom(true).listed(may_expand).used(|scene| resists(scene) && may_expand(scene))
+            .source("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
-            is(DRAG).also(&["Cd"])
-            .used_when(|scene| resists(scene) && (scene.target.closure != Closure::ByThickness || scene.target.drag == DragSource::Given))
-            .from(TABLE_9_1);
+            is(DRAG).aliases(&["Cd"])
+            .used(|scene| resists(scene) && (scene.target.closure != Closure::ByThickness || scene.target.drag == DragSource::Given))
+            .source(TABLE_9_1);
         pub drag: DragSource = DragSource::Closure => "drag", "source of C_d",
             "where C_d comes from with closure = by-thickness: the closure, or given; setting C_d makes it given",
-            choice().seldom().when(|scene| resists(scene) && scene.target.closure == Closure::ByThickness)
-            .from("0.5 with 2 Y (Virostek), 1 with cavity expansion (a hemisphere)");
+            choice().is_seldom(true).when(|scene| resists(scene) && scene.target.closure == Closure::ByThickness)
+            .source("0.5 with 2 Y (Virostek), 1 with cavity expansion (a hemisphere)");
         pub dishing: bool = true => "dishing", "dishing",
             "the plate's local bulge takes up about one projectile diameter of travel",
-            is(DISHING).used_when(|scene| penetrates(scene) && scene.target.closure != Closure::ByThickness).from("thesis section 8.3.1 and Appendix A.2");
+            is(DISHING).used(|scene| penetrates(scene) && scene.target.closure != Closure::ByThickness).source("thesis section 8.3.1 and Appendix A.2");
         pub criterion: Criterion = Criterion::Passage => "criterion", "criterion",
             "when the plate counts as perforated: passage (navy: the nose is clear of the rear face) or protrusion (army: it stands out)",
-            choice().seldom().used_when(penetrates).from("passage: the thesis");
+            choice().is_seldom(true).used(penetrates).source("passage: the thesis");
     }
 
     /// The plate as a body.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Plate at (plate) {
         pub mount: Mount = Mount::Sprung => "mount", "mount", "sprung: carried by spring and damper; rigid: it cannot move",
-            choice().from("thesis section 9.3 (rigid: the baseline)");
+            choice().source("thesis section 9.3 (rigid: the baseline)");
         /// What gives the plate its size.
         pub size: PlateSize = PlateSize::Ratio(1.0) => each(sizes);
         pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d",
-            number(Length, NonNegative).searched(0.0, 0.5)
-            .used_when(|scene| is_sprung(scene) && (scene.mechanism.has_springs() || has_stop(scene))).from(TABLE_9_2);
+            number(Length, NonNegative).thesis_range(Some((0.0, 0.5)))
+            .used(|scene| is_sprung(scene) && (scene.mechanism.has_springs() || has_stop(scene))).source(TABLE_9_2);
         pub velocity_m_s: f64 = 0.0 => "w_0", "plate speed", "plate velocity at first contact, away from the shot",
-            number(Velocity, Closing).called("plate_velocity").seldom().used_when(is_sprung)
-            .from("thesis Appendix A.1, y(2), and section 4.3.2; 0 throughout chapter 9; in a stack it is that of the first plate");
+            number(Velocity, Closing).own_name("plate_velocity").is_seldom(true).used(is_sprung)
+            .source("thesis Appendix A.1, y(2), and section 4.3.2; 0 throughout chapter 9; in a stack it is that of the first plate");
     }
 }
 
 worded! {
     /// The shape of a projectile's nose.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Nose: word {
-        #[default]
         Hemispherical = "hemispherical",
         /// An ogive or a cone.
         Pointed = "pointed",
@@ -100,10 +98,8 @@ worded! {
 
 worded! {
     /// Where the flow strength comes from.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Closure: word {
         /// It is given: `S_y`.
-        #[default]
         Given = "given",
         /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
         DoubleYield = "double-yield",
@@ -117,10 +113,8 @@ worded! {
 
 worded! {
     /// When a plate counts as perforated.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Criterion: word {
         /// The nose is clear of the rear face: complete passage.
-        #[default]
         Passage = "passage",
         /// The nose stands out of the rear face.
         Protrusion = "protrusion",
@@ -141,10 +135,8 @@ impl Criterion {
 
 worded! {
     /// Where the drag coefficient comes from under a closure by thickness.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum DragSource: word {
         /// The closure in effect has its own.
-        #[default]
         Closure = "closure",
         /// It is given, as under every other closure.
         Given = "given",
@@ -153,9 +145,7 @@ worded! {
 
 worded! {
     /// How the plate is carried.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Mount: word {
-        #[default]
         Sprung = "sprung",
         Rigid = "rigid",
     }
@@ -272,17 +262,17 @@ fn sizes() -> Vec<Variable> {
     let rows = [
         row! {
             (plate) mass_ratio: f64, ["gamma", "mass ratio", "mass ratio, plate mass over projectile mass"],
-            is(Kind::Number(gamma)).searched(0.8, 7.0).used_when(is_sprung).from(TABLE_9_2)
+            is(Kind::Number(gamma)).thesis_range(Some((0.8, 7.0))).used(is_sprung).source(TABLE_9_2)
         },
         row! {
             (plate) mass_kg: f64, ["m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it"],
-            is(Kind::Number(size!(Mass, Mass))).called("plate_mass").also(&["m2"]).seldom().used_when(is_sprung)
-            .listed_when(|scene| matches!(scene.plate.size, PlateSize::Mass(_))).from("none: gamma gives the mass")
+            is(Kind::Number(size!(Mass, Mass))).own_name("plate_mass").aliases(&["m2"]).is_seldom(true).used(is_sprung)
+            .listed(|scene| matches!(scene.plate.size, PlateSize::Mass(_))).source("none: gamma gives the mass")
         },
         row! {
             (plate) face_m: f64, ["face", "plate side", "side of the plate's square face; gamma = rho h face^2/m_p follows from it"],
-            is(Kind::Number(size!(Length, Face))).seldom().used_when(is_sprung)
-            .listed_when(|scene| matches!(scene.plate.size, PlateSize::Face(_))).from("none: gamma gives the mass")
+            is(Kind::Number(size!(Length, Face))).is_seldom(true).used(is_sprung)
+            .listed(|scene| matches!(scene.plate.size, PlateSize::Face(_))).source("none: gamma gives the mass")
         },
     ];
     rows.concat()

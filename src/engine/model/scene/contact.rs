@@ -11,21 +11,21 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Contact at (contact) {
         pub model: ContactModel = ContactModel::Hydrodynamic => "model", "contact model",
-            "how the force between projectile and plate is modelled", choice().from("thesis section 8.2 and Table 8.1");
+            "how the force between projectile and plate is modelled", choice().source("thesis section 8.2 and Table 8.1");
         pub duration_s: Option<f64> = None => "t_d", "pulse duration", "duration of the half-sine force history",
             optional(Time, Positive, "auto").when(|scene| scene.contact.model == HalfSine)
-            .from("thesis equation 8.9; auto: the hydrodynamic contact on a rigid mount");
+            .source("thesis equation 8.9; auto: the hydrodynamic contact on a rigid mount");
         pub load_stiffness_n_m: Option<f64> = None => "k_load", "loading",
             "stiffness of the lumped interface while it is pressed in",
             optional(Stiffness, Positive, "auto").when(|scene| scene.contact.model == Lumped)
-            .from("thesis Figure 8.6; auto: as deep as the hydrodynamic model on a rigid mount");
+            .source("thesis Figure 8.6; auto: as deep as the hydrodynamic model on a rigid mount");
         pub unload_stiffness_n_m: Option<f64> = None => "k_unload", "unloading",
             "stiffness of the lumped interface while it springs back, k_load or more",
             optional(Stiffness, Positive, "auto").when(|scene| scene.contact.model == Lumped)
-            .from("thesis Figure 8.6; auto: 100 k_load, an assumption");
+            .source("thesis Figure 8.6; auto: 100 k_load, an assumption");
         pub damping_n_s_m: f64 = 0.0 => "b_2", "interface damper", "damper of the lumped interface",
-            number(Damping, NonNegative).called("interface_damping").log().when(|scene| scene.contact.model == Lumped)
-            .from("thesis Figure 8.4; Wu has none");
+            number(Damping, NonNegative).own_name("interface_damping").is_log(true).when(|scene| scene.contact.model == Lumped)
+            .source("thesis Figure 8.4; Wu has none");
         /// The listing of Appendix A.
         pub appendix: Listing = Listing::default();
     }
@@ -34,7 +34,7 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Listing at (contact.appendix) {
         pub step_s: f64 = 1e-6 => "dt", "time step", "time step of the listing",
-            number(Time, Positive).log().from("thesis Appendix A.1");
+            number(Time, Positive).is_log(true).source("thesis Appendix A.1");
         /// A.2: depth subtracts the plate's last increment only, or its whole motion.
         pub coupling: Reading = Reading::Printed;
         /// A.7 and A.9: the damper's force has no sign, or it resists.
@@ -57,19 +57,17 @@ parts! {
     pub struct Interface at (interface) {
         pub law: InterfaceLaw = InterfaceLaw::Fused => "interface", "interface law",
             "fused: joined for good once the projectile stops; plastic: carries forces up to its strength",
-            choice().called("interface_law").also(&["law"]).from("fused: the thesis; plastic: a rigid-plastic interface");
+            choice().own_name("interface_law").aliases(&["law"]).source("fused: the thesis; plastic: a rigid-plastic interface");
         pub grip: f64 = 0.1 => "g", "grip", "it lets go above a pull of g x hole area x strength; 0.1 is a guess",
-            number(Number, NonNegative).also(&["grip"])
-            .used_when(|scene| scene.interface.law == InterfaceLaw::Plastic || is_sprung(scene)).from("assumption: 0.1");
+            number(Number, NonNegative).aliases(&["grip"])
+            .used(|scene| scene.interface.law == InterfaceLaw::Plastic || is_sprung(scene)).source("assumption: 0.1");
     }
 }
 
 worded! {
     /// The interface between projectile and plate.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum InterfaceLaw: word {
         /// The thesis: once together, together for good.
-        #[default]
         Fused = "fused",
         /// Rigid-plastic: pushes up to `A S_y`, pulls up to `g A S_y`.
         Plastic = "plastic",
@@ -78,10 +76,8 @@ worded! {
 
 worded! {
     /// How the force between projectile and plate is modelled.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum ContactModel: word {
         /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
-        #[default]
         Hydrodynamic = "hydrodynamic",
         /// A prescribed half-sine force history, equation 8.9.
         HalfSine = "half-sine",
@@ -104,16 +100,11 @@ pub enum Reading {
 }
 
 impl Listing {
-    /// As printed, but for depth, damper and obliquity, which are read so: corrected, depth follows from the whole relative
-    /// travel, the damper resists, and both couplings have obliquity's cosine.
-    pub fn coupled(step_s: f64, reading: Reading) -> Self {
-        Self { step_s, coupling: reading, damper: reading, obliquity: reading, ..Self::default() }
-    }
-
-    /// Everything put right that can be, with the same step.
-    pub fn corrected(step_s: f64) -> Self {
-        let reading = Reading::Corrected;
-        let coupled = Self::coupled(step_s, reading);
-        Self { stopping: reading, afterwards: reading, scheme: reading, ..coupled }
+    /// As printed, but for depth, damper and obliquity: depth follows from the whole relative travel, the damper resists, and both
+    /// couplings have obliquity's cosine.
+    pub fn coupled(step_s: f64) -> Self {
+        let put_right = Reading::Corrected;
+        let (coupling, damper, obliquity) = (put_right, put_right, put_right);
+        Self { step_s, coupling, damper, obliquity, ..Self::default() }
     }
 }

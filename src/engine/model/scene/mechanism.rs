@@ -16,13 +16,13 @@ parts! {
         pub spring: Spring = Spring::default();
         pub combination: Combination = Combination::Alone => "combine", "second spring",
             "a second spring: none (alone), or a power law parallel to the first spring (parallel)",
-            choice().seldom().from("thesis section 6.2.8; one spring in chapter 9");
+            choice().is_seldom(true).source("thesis section 6.2.8; one spring in chapter 9");
         /// Without effect where the first spring is alone.
         pub second: Second = Second::default();
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
             "energy per mass of the spring or absorber, which gives its least mass; without it only that of coils is known",
-            optional(SpecificEnergy, Positive, "auto").also(&["energy_j"]).seldom().listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
-            .from("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
+            optional(SpecificEnergy, Positive, "auto").aliases(&["energy_j"]).is_seldom(true).listed(|scene| scene.mechanism.energy_j_kg.is_some())
+            .source("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
         /// The stop.
         pub stop: Stop = Stop::default();
     }
@@ -31,54 +31,52 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Second at (mechanism.second) {
         pub coefficient: f64 = 1e5 => "k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)",
-            number(SpringCoefficient, NonNegative).log().from("thesis section 6.2.8");
+            number(SpringCoefficient, NonNegative).is_log(true).source("thesis section 6.2.8");
         pub exponent: f64 = 1.0 => "n_2", "second exponent", "exponent of the second spring",
-            number(Number, Positive).log().used_when(|scene| scene.mechanism.second.coefficient > 0.0).from("thesis section 6.2.8");
+            number(Number, Positive).is_log(true).used(|scene| scene.mechanism.second.coefficient > 0.0).source("thesis section 6.2.8");
     }
 
     /// A power-law damper.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Damper at (mechanism.damper) {
         pub coefficient: f64 = 0.0 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
-            number(DamperCoefficient, NonNegative).called("damping").searched(0.0, 2000.0).log().from(TABLE_9_2);
+            number(DamperCoefficient, NonNegative).own_name("damping").thesis_range(Some((0.0, 2000.0))).is_log(true).source(TABLE_9_2);
         pub exponent: f64 = 1.0 => "m", "damper exponent", "damper exponent",
-            number(Number, Positive).log().used_when(|scene| !scene.mechanism.damper.is_absent())
-            .from("thesis section 9.2.2: 1");
+            number(Number, Positive).is_log(true).used(|scene| !scene.mechanism.damper.is_absent())
+            .source("thesis section 9.2.2: 1");
     }
 
     /// A mechanical stop, which acts on the plate.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Stop at (mechanism.stop) {
         pub position_m: Option<f64> = None => "x_stop", "stop position", "where the plate meets a mechanical stop",
-            optional(Length, Any, "none").also(&["stop"]).from("thesis sections 9.5.1 and 9.6");
+            optional(Length, Any, "none").aliases(&["stop"]).source("thesis sections 9.5.1 and 9.6");
         pub kind: StopKind = StopKind::Rigid => "stop_kind", "kind of stop",
             "rigid: an impact with restitution; elastic: a one-sided spring and damper",
-            choice().used_when(has_stop).from("assumption: the thesis names no kind");
+            choice().used(has_stop).source("assumption: the thesis names no kind");
         pub restitution: f64 = 0.0 => "e", "restitution", "restitution of a rigid stop: w becomes -e w",
-            number(Number, Between(0.0, 1.0)).used_when(|scene| has_stop_of(scene, StopKind::Rigid));
+            number(Number, Between(0.0, 1.0)).used(|scene| has_stop_of(scene, StopKind::Rigid));
         pub stiffness_n_m: f64 = 1e8 => "k_stop", "stop stiffness", "stiffness of an elastic stop",
-            number(Stiffness, Positive).log().used_when(|scene| has_stop_of(scene, StopKind::Elastic));
+            number(Stiffness, Positive).is_log(true).used(|scene| has_stop_of(scene, StopKind::Elastic));
         pub damping_n_s_m: f64 = 0.0 => "b_stop", "stop damping", "damping of an elastic stop (it only pushes)",
-            number(Damping, NonNegative).log().used_when(|scene| has_stop_of(scene, StopKind::Elastic));
+            number(Damping, NonNegative).is_log(true).used(|scene| has_stop_of(scene, StopKind::Elastic));
     }
 
     /// The material a spring is wound of: spring steel.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Wire at (mechanism.spring.wire) {
         pub density_kg_m3: f64 = 7850.0 => "rho_wire", "wire density", "density of the wire",
-            number(Density, Positive).seldom().from("spring steel");
+            number(Density, Positive).is_seldom(true).source("spring steel");
         pub shear_modulus_pa: f64 = 79.3e9 => "G_wire", "shear modulus", "shear modulus of the wire",
-            number(Pressure, Positive).seldom().from("spring steel");
+            number(Pressure, Positive).is_seldom(true).source("spring steel");
         pub shear_strength_pa: f64 = 700e6 => "tau_wire", "wire strength", "shear stress the wire may have",
-            number(Pressure, Positive).seldom().from("spring steel");
+            number(Pressure, Positive).is_seldom(true).source("spring steel");
     }
 }
 
 worded! {
     /// How the first and the second spring act together.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Combination: word {
-        #[default]
         Alone = "alone",
         /// Both are displaced alike: their forces add.
         Parallel = "parallel",
@@ -87,9 +85,7 @@ worded! {
 
 worded! {
     /// Whether a spring's own mass counts.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum OwnMass: word {
-        #[default]
         Ignored = "ignored",
         /// The part that moves with the plate adds to the plate's.
         Counted = "counted",
@@ -98,9 +94,7 @@ worded! {
 
 worded! {
     /// The kind of stop.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum StopKind: word {
-        #[default]
         Rigid = "rigid",
         Elastic = "elastic",
     }

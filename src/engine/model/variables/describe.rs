@@ -3,30 +3,17 @@
 use super::{VARIABLES, Value, Variable, changed, is_listed, is_used};
 use crate::model::scene::Scene;
 
-/// How keys end in their units, the longer before its own end.
-const UNITS: [&str; 13] = [
-    "_kg_m3", "_kg_m2", "_n_s_m", "_rad_m", "_j_kg", "_n_m", "_m_s", "_deg", "_kg", "_pa", "_m",
-    "_s", "_n",
-];
-
 impl Variable {
     /// Its name in words: `velocity`, `thickness`, `stop_position`. Accepted wherever the symbol is.
     pub fn name(&self) -> String {
         if !self.own_name.is_empty() {
             return self.own_name.to_owned();
         }
-        let parts: Vec<&str> = self.key.split('.').skip(1).collect();
-        let name = parts.join("_");
-        let unit = UNITS.iter().find(|unit| name.ends_with(**unit));
-        let stem = unit.and_then(|unit| name.strip_suffix(unit)).filter(|stem| !stem.is_empty());
-        stem.unwrap_or(&name).to_owned()
+        let key: Vec<&str> = self.key.split('.').skip(1).collect();
+        let name = key.join("_");
+        let end = format!("_{}", self.unit().to_lowercase().replace(['/', ' '], "_"));
+        name.strip_suffix(&end).unwrap_or(&name).to_owned()
     }
-}
-
-/// The variable with this name in words, with blanks, `-` or `_` between them.
-pub(super) fn named(name: &str) -> Option<&'static Variable> {
-    let spelled = name.to_lowercase().replace([' ', '-'], "_");
-    VARIABLES.iter().find(|variable| variable.name() == spelled)
 }
 
 /// Changes that bring variables into use or out of it, in words and as they are set.
@@ -42,22 +29,19 @@ const CHANGES: [(&str, &str); 9] = [
     ("face given", "face=0.1"),
 ];
 
-/// Each other word of each choice, in words and as it is set.
-fn choices(base: &Scene) -> Vec<(String, String)> {
+/// The scenes that have another word of one choice, each with that in words.
+fn choices(base: &Scene) -> Vec<(String, Scene)> {
     let mut list = Vec::new();
     for variable in VARIABLES.iter().filter(|variable| is_used(variable, base)) {
-        let (symbol, own) = (variable.symbol, variable.show(base));
-        let others = variable.words().iter().filter(|word| **word != own);
-        list.extend(others.map(|word| (format!("{symbol} = {word}"), format!("{symbol}={word}"))));
+        let own = variable.value(base);
+        for word in variable.words().iter().filter(|word| Value::Word(word) != own) {
+            let mut scene = base.clone();
+            if variable.set(&mut scene, Value::Word(word)).is_ok() {
+                list.push((format!("{} = {word}", variable.symbol), scene));
+            }
+        }
     }
     list
-}
-
-/// A scene with each of some changes in turn, and the words for it.
-fn scenes(base: &Scene, changes: Vec<(String, String)>) -> impl Iterator<Item = (String, Scene)> {
-    let with =
-        |(text, change): (String, String)| Some((text, changed(base.clone(), &change).ok()?));
-    changes.into_iter().filter_map(with)
 }
 
 /// Whether a scene uses a variable once it has a value.
@@ -80,19 +64,19 @@ pub fn used_when(variable: &Variable) -> Option<String> {
 
 /// The changes of a scene that does not use a variable which bring it into use: one, or two together.
 pub fn used_where(variable: &Variable, scene: &Scene) -> String {
-    let acting = |base: &Scene, changes: Vec<(String, String)>| -> Vec<String> {
-        let scenes = scenes(base, changes).filter(|(_, scene)| acts(variable, scene));
-        scenes.map(|(text, _)| text).collect()
+    let acting = |scenes: &[(String, Scene)]| -> Vec<String> {
+        let acting = scenes.iter().filter(|(_, scene)| acts(variable, scene));
+        acting.map(|(text, _)| text.clone()).collect()
     };
-    let owned = |(text, change): (&str, &str)| (text.to_owned(), change.to_owned());
-    let changes: Vec<(String, String)> =
-        CHANGES.into_iter().map(owned).chain(choices(scene)).collect();
-    let single = acting(scene, changes.clone());
+    let given = CHANGES.iter().filter_map(|(text, change)| {
+        Some(((*text).to_owned(), changed(scene.clone(), change).ok()?))
+    });
+    let scenes: Vec<(String, Scene)> = given.chain(choices(scene)).collect();
+    let single = acting(&scenes);
     if !single.is_empty() {
         return format!("where {}", single.join(" or "));
     }
-    let mut pairs =
-        scenes(scene, changes).map(|(first, base)| (first, acting(&base, choices(&base))));
+    let mut pairs = scenes.into_iter().map(|(first, scene)| (first, acting(&choices(&scene))));
     pairs.find(|(_, double)| !double.is_empty()).map_or_else(
         || "in few scenes: see its meaning".to_owned(),
         |(first, double)| format!("where {first} and {}", double.join(" or ")),

@@ -1,51 +1,43 @@
 //! Variables found by the names people write, and the nearest names where there is none.
 
-use super::{VARIABLES, Variable, VariableError, describe};
+use super::{VARIABLES, Variable, VariableError};
 
 /// The symbols of the thesis, which are used most.
 const USUAL: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
 
-/// The variable with this symbol, alias or full key.
-///
-/// # Errors
-/// [`VariableError`], with the nearest names.
+/// The variable with this symbol, alias, full key or name in words; else the nearest names.
 pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
     let exact = VARIABLES.iter().find(|variable| {
         variable.symbol == name || variable.key == name || variable.aliases.contains(&name)
     });
+    let spelled = name.to_lowercase().replace([' ', '-'], "_");
     exact
-        .or_else(|| describe::named(name))
+        .or_else(|| VARIABLES.iter().find(|variable| variable.name() == spelled))
         .ok_or_else(|| VariableError(format!("`{name}` is not a variable: {}", nearest(name))))
 }
 
 /// A hint that names the variables meant by `name`: by symbol, synonym and field before spelling.
 pub fn nearest(name: &str) -> String {
     let lower = name.to_lowercase();
-    let meant: Vec<(usize, &str)> =
-        VARIABLES.iter().filter(|it| is_meant(it, &lower)).map(|it| (0, it.symbol)).collect();
-    if let Some(hint) = close(name, meant) {
-        return hint;
-    }
-    let ranked: Vec<(usize, &str)> = VARIABLES
-        .iter()
-        .flat_map(|variable| {
-            let last = variable.key.rsplit('.').next().unwrap_or(variable.key);
-            let distance =
-                |candidate: &str| strsim::osa_distance(&lower, &candidate.to_lowercase());
-            [
-                (distance(variable.symbol), variable.symbol),
-                (distance(variable.key).min(distance(last) + 1), variable.key),
-            ]
-        })
-        .collect();
-    close(name, ranked)
+    let meant = VARIABLES.iter().filter(|it| is_meant(it, &lower)).map(|it| (0, it.symbol));
+    let distance = |candidate: &str| strsim::osa_distance(&lower, &candidate.to_lowercase());
+    let spelled = VARIABLES.iter().flat_map(|it| {
+        let by_key = distance(it.key).min(distance(field(it)) + 1);
+        [(distance(it.symbol), it.symbol), (by_key, it.key)]
+    });
+    close(name, meant.collect())
+        .or_else(|| close(name, spelled.collect()))
         .unwrap_or_else(|| format!("the usual ones are {USUAL}; `cmra explain` lists all"))
+}
+
+/// The last part of the key.
+fn field(variable: &Variable) -> &'static str {
+    variable.key.rsplit('.').next().unwrap_or(variable.key)
 }
 
 /// Whether a symbol begins with a name, `v_i` with `v`, or a synonym or the field of the full key has it as a word.
 fn is_meant(variable: &Variable, lower: &str) -> bool {
-    let field = variable.key.rsplit('.').next().unwrap_or(variable.key);
-    let mut synonyms = variable.aliases.iter().chain([&field]);
+    let mut synonyms = variable.aliases.iter().copied().chain([field(variable)]);
     variable.symbol.to_lowercase().split('_').next() == Some(lower)
         || synonyms.any(|synonym| synonym.split(['_', '-']).any(|word| word == lower))
 }

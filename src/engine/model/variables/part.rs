@@ -26,7 +26,7 @@ macro_rules! parts {
                 $(#[$doc:meta])*
                 pub $field:ident: $type:ty = $default:expr
                     $(=> $($symbol:literal, $label:literal, $meaning:literal,)?
-                        $kind:ident($($of_kind:tt)*) $(.$more:ident($($value:expr),*))*)?;
+                        $kind:ident($($of_kind:tt)*) $(.$attribute:ident($value:expr))*)?;
             )+
         }
     )+) => {$(
@@ -50,7 +50,7 @@ macro_rules! parts {
             pub(in crate::model) fn rows() -> Vec<$crate::model::variables::Variable> {
                 let rows: &[Vec<_>] = &[$($($crate::model::variables::part::row! {
                     $place $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
-                    $(.$more($($value),*))*
+                    $(.$attribute($value))*
                 },)?)+];
                 rows.concat()
             }
@@ -65,54 +65,15 @@ macro_rules! row {
     };
     (
         ($($place:ident).+) $field:ident: $type:ty, [$symbol:literal, $label:literal, $meaning:literal],
-        $kind:ident($($of_kind:tt)*) $(.$more:ident($($value:expr),*))*
+        $kind:ident($($of_kind:tt)*) $(.$attribute:ident($value:expr))*
     ) => {{
         let row = &mut $crate::model::variables::Variable::new(
             [concat!($(stringify!($place), ".",)+ stringify!($field)), $symbol, $label, $meaning],
             $crate::model::variables::part::kind!($($place).+.$field: $type, $kind($($of_kind)*)),
         );
-        $($crate::model::variables::part::attribute!(row.$more($($value),*));)*
+        $(row.$attribute = $value;)*
         vec![*row]
     }};
-}
-
-/// Sets a further attribute of a row.
-macro_rules! attribute {
-    // Its name in words where its key does not give it.
-    ($row:ident.called($name:expr)) => {
-        $row.own_name = $name
-    };
-    ($row:ident.also($aliases:expr)) => {
-        $row.aliases = $aliases
-    };
-    // Where the default comes from.
-    ($row:ident.from($source:expr)) => {
-        $row.source = $source
-    };
-    // A file has it only where its value is not the default.
-    ($row:ident.seldom()) => {
-        $row.is_seldom = true
-    };
-    // Listed only here.
-    ($row:ident.listed_when($here:expr)) => {
-        $row.listed[1] = $here
-    };
-    // With an effect only here.
-    ($row:ident.used_when($here:expr)) => {
-        $row.used[1] = $here
-    };
-    ($row:ident.when($here:expr)) => {
-        $row.listed[1] = $here;
-        $row.used[1] = $here
-    };
-    // The range the thesis searched.
-    ($row:ident.searched($low:expr, $high:expr)) => {
-        $row.thesis_range = Some(($low, $high))
-    };
-    // The editor's arrow keys multiply it.
-    ($row:ident.log()) => {
-        $row.is_log = true
-    };
 }
 
 /// The kind of a variable that is a field of a scene, with its access.
@@ -150,7 +111,7 @@ macro_rules! kind {
     };
 }
 
-pub(in crate::model) use {attribute, kind, parts, row};
+pub(in crate::model) use {kind, parts, row};
 
 /// The rows of a part of a scene in a group of the editor: whether a list shows them at all, and whether they then have any effect.
 pub(in crate::model) fn placed(
@@ -160,7 +121,7 @@ pub(in crate::model) fn placed(
     mut rows: Vec<Variable>,
 ) -> Vec<Variable> {
     for row in &mut rows {
-        (row.group, row.listed[0], row.used[0]) = (group, listed, used);
+        (row.group, row.part) = (group, [listed, used]);
     }
     rows
 }
@@ -176,8 +137,10 @@ impl Variable {
             own_name: "",
             aliases: &[],
             is_seldom: false,
-            listed: [|_| true; 2],
-            used: [|_| true; 2],
+            listed: |_| true,
+            used: |_| true,
+            when: |_| true,
+            part: [|_| true; 2],
             group: Group::Run,
             meaning,
             source: "assumption",

@@ -5,12 +5,13 @@ use crate::model::scene::{Combination, ContactModel, Mount, PlateSize, Scene, St
 
 /// Whether a variable has any effect on this scene.
 pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
-    (variable.listed[0])(scene) && variable.used.iter().all(|is_used| is_used(scene))
+    let Variable { when, used, part: [is_there, acts], .. } = variable;
+    is_there(scene) && acts(scene) && when(scene) && used(scene)
 }
 
 /// Whether a list shows the variable at all.
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
-    variable.listed.iter().all(|is_listed| is_listed(scene))
+    (variable.part[0])(scene) && (variable.when)(scene) && (variable.listed)(scene)
 }
 
 /// Whether the variable is one of those that each give the plate its size: of them the one that was set last counts.

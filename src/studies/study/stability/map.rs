@@ -246,7 +246,7 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
         return Cell::Unknown;
     };
     // The listing as meant, with the thesis's scheme or Runge-Kutta on both bodies.
-    let meant = Listing::coupled(dt_s, Reading::Corrected);
+    let meant = Listing::coupled(dt_s);
     let scheme = Scheme::of(scene, Listing { scheme: method.scheme(), ..meant });
     let fastest_m_s = RUNS_AWAY_FROM * target.speed_m_s;
     let mut state = scheme.start();

@@ -28,17 +28,17 @@ parts! {
     /// A rectangular beam: that of Table 9.3 of the thesis, titanium 6-4, whose density it does not give.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Beam at (mechanism.spring.beam) {
-        pub length_m: f64 = 0.3 => "l_beam", "beam length", "length of a beam", number(Length, Positive).from(TABLE_9_3);
+        pub length_m: f64 = 0.3 => "l_beam", "beam length", "length of a beam", number(Length, Positive).source(TABLE_9_3);
         pub width_m: f64 = 0.03 => "w_beam", "beam width", "width of a beam, across the bending",
-            number(Length, Positive).from(TABLE_9_3);
+            number(Length, Positive).source(TABLE_9_3);
         pub height_m: f64 = 0.015 => "h_beam", "beam height", "height of a beam, in the direction of bending",
-            number(Length, Positive).from(TABLE_9_3);
+            number(Length, Positive).source(TABLE_9_3);
         pub modulus_pa: f64 = 113.8e9 => "E_beam", "beam modulus", "modulus of elasticity of a beam",
-            number(Pressure, Positive).from(TITANIUM);
+            number(Pressure, Positive).source(TITANIUM);
         pub yield_pa: f64 = 880e6 => "Y_beam", "beam strength", "yield strength of a beam",
-            number(Pressure, Positive).from(TITANIUM);
+            number(Pressure, Positive).source(TITANIUM);
         pub density_kg_m3: f64 = 4430.0 => "rho_beam", "beam density", "density of a beam",
-            number(Density, Positive).from("titanium 6-4; Table 9.3 does not give it");
+            number(Density, Positive).source("titanium 6-4; Table 9.3 does not give it");
     }
 }
 

@@ -8,12 +8,12 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Bistable at (mechanism.spring.bistable) {
         pub second_m: f64 = 0.02 => "x_2", "second position", "second stable position; the first is x = 0",
-            number(Length, Positive).from(NO_VALUES);
+            number(Length, Positive).source(NO_VALUES);
         pub unstable_m: Option<f64> = None => "x_u", "unstable point",
             "unstable position between the stable ones: near 0 means much energy stored in the first",
-            optional(Length, Positive, "midway").from("absent: midway, both equally deep");
+            optional(Length, Positive, "midway").source("absent: midway, both equally deep");
         pub barrier_n: f64 = 1e3 => "F_bar", "barrier force",
-            "greatest force on the way out of the first stable position", number(Force, Positive).log().from(NO_VALUES);
+            "greatest force on the way out of the first stable position", number(Force, Positive).is_log(true).source(NO_VALUES);
     }
 }
 

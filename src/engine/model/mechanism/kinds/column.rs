@@ -8,11 +8,11 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Column at (mechanism.spring.column) {
         pub stiffness_n_m: f64 = 5e6 => "k_col", "column stiffness", "stiffness of the column before it buckles",
-            number(Stiffness, Positive).log().from(NO_VALUES);
+            number(Stiffness, Positive).is_log(true).source(NO_VALUES);
         pub critical_n: f64 = 5e3 => "F_crit", "buckling force", "force at which the column buckles",
-            number(Force, Positive).log().from(NO_VALUES);
+            number(Force, Positive).is_log(true).source(NO_VALUES);
         pub plateau_n: f64 = 3e3 => "F_plat", "plateau force", "force of the buckled column",
-            number(Force, NonNegative).log();
+            number(Force, NonNegative).is_log(true);
         pub fall_m: f64 = 2e-3 => "x_fall", "fall length", "displacement over which the force goes from F_crit to F_plat",
             number(Length, Positive);
     }

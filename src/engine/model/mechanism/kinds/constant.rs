@@ -7,7 +7,7 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct ConstantForce at (mechanism.spring.constant) {
         pub force_n: f64 = 2e3 => "F_c", "constant force", "the constant force",
-            number(Force, NonNegative).log().from(NO_VALUES);
+            number(Force, NonNegative).is_log(true).source(NO_VALUES);
         pub rise_m: f64 = 1e-3 => "x_c", "ramp length", "displacement over which the constant force is reached",
             number(Length, Positive);
     }

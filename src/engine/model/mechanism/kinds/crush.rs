@@ -12,11 +12,11 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Crush at (mechanism.spring.crush) {
         pub force_n: f64 = 5e3 => "F_crush", "crush force", "force at which the absorber is crushed",
-            number(Force, Positive).log();
+            number(Force, Positive).is_log(true);
         pub stroke_m: f64 = 0.05 => "x_crush", "crush length", "displacement at which the absorber is flat and solid",
             number(Length, Positive);
         pub stiffness_n_m: f64 = 1e7 => "k_crush", "crush stiffness",
-            "stiffness before the absorber is crushed and when it unloads", number(Stiffness, Positive).log();
+            "stiffness before the absorber is crushed and when it unloads", number(Stiffness, Positive).is_log(true);
     }
 }
 

@@ -7,11 +7,11 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Helix at (mechanism.spring.helix) {
         pub stiffness_n_m: f64 = 1e5 => "k_helix", "helix stiffness", "axial stiffness of the helical rotating spring",
-            number(Stiffness, NonNegative).log().from(NO_VALUES);
+            number(Stiffness, NonNegative).is_log(true).source(NO_VALUES);
         pub twist_rad_m: f64 = 50.0 => "twist", "twist", "turn of the plate per displacement", number(Twist, Any);
         pub inertia_kg_m2: f64 = 5e-6 => "I_z", "inertia",
             "moment of inertia of what turns: the plate gains I_z twist^2",
-            number(Inertia, NonNegative).log().from("thesis section 6.2.7; values are assumptions");
+            number(Inertia, NonNegative).is_log(true).source("thesis section 6.2.7; values are assumptions");
     }
 }
 

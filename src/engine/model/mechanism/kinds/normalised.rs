@@ -8,7 +8,7 @@ parts! {
     pub struct Normalised at (mechanism.spring.normalised) {
         pub force_n: f64 = 1e3 => "F_ref", "reference force",
             "force of the normalised power law at x_ref: F_ref |x/x_ref|^n sgn(x)",
-            number(Force, NonNegative).log().from("assumption: the law that no unit changes");
+            number(Force, NonNegative).is_log(true).source("assumption: the law that no unit changes");
         pub displacement_m: f64 = 0.01 => "x_ref", "reference travel",
             "displacement at which the normalised power law has the force F_ref", number(Length, Positive);
     }
