@@ -131,7 +131,7 @@ impl Scheme {
         let plate = (!scene.is_rigid()).then(|| Plate {
             mass_kg: scene.plate_mass_kg(),
             spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
-            damper: scene.mechanism.damper.law(),
+            damper: scene.mechanism.damper,
             signed: listing.damper == Reading::Corrected,
         });
         Self {

@@ -138,7 +138,7 @@ impl Mechanism {
         let sprung = !scene.is_rigid();
         Self {
             spring: if sprung { Spring::of(laws, 0.0) } else { Spring::NONE },
-            damper: laws.damper.law().only_if(sprung),
+            damper: laws.damper.only_if(sprung),
             stop: laws.stop.position_m.filter(|_| sprung).map(|_| laws.stop),
         }
     }

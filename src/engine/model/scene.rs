@@ -17,7 +17,8 @@ pub use bodies::{
     Closure, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile, Target,
 };
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing, Reading};
-pub use mechanism::{Combination, Damper, Mechanism, OwnMass, Second, Stop, StopKind, Wire};
+pub use mechanism::{Combination, Mechanism, OwnMass, Stop, StopKind, Wire};
+pub(in crate::model) use mechanism::{damper_rows, second_rows};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]

@@ -4,26 +4,54 @@
 //! not in [`VARIABLES`] does not exist for a user. Values outside the range the thesis searched are legal and
 //! earn a warning; values without physical sense are refused with name, value, what is allowed and the cure.
 
+use std::sync::LazyLock;
+
 use thiserror::Error;
 
-use crate::model::scene::Scene;
+use crate::model::mechanism::kinds::spring_rows;
+use crate::model::scene::{
+    Contact, Interface, Listing, Mechanism, Plate, Projectile, RunSettings, Scene, Stack, Stop,
+    Target, damper_rows, second_rows,
+};
 use crate::model::units::{self, Bare, Dimension};
 use crate::model::worded::worded;
+
+use part::placed;
+use visible::{has_second, is_hydrodynamic, is_listing, is_sprung, may_stop};
 
 mod describe;
 mod names;
 pub(in crate::model) mod part;
 mod rules;
-mod table;
 pub(in crate::model) mod visible;
 
 pub use describe::{used_when, used_where};
 pub use names::{close, find, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
-pub use table::VARIABLES;
 pub use visible::{
     exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size, sizes_plate,
 };
+
+/// Every variable there is, in the order of the editor: the group of each part of a scene, and when it is listed and, of that, used.
+pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
+    let always = |_: &Scene| true;
+    [
+        placed(Group::Projectile, always, always, Projectile::rows()),
+        placed(Group::Target, always, always, Target::rows()),
+        placed(Group::Plate, always, always, Plate::rows()),
+        placed(Group::Mechanism, always, is_sprung, damper_rows()),
+        spring_rows(),
+        placed(Group::Mechanism, always, is_sprung, Mechanism::rows()),
+        placed(Group::Mechanism, has_second, always, second_rows()),
+        placed(Group::Stop, always, may_stop, Stop::rows()),
+        placed(Group::Stack, always, always, Stack::rows()),
+        placed(Group::Interface, always, always, Contact::rows()),
+        placed(Group::Interface, is_listing, always, Listing::rows()),
+        placed(Group::Interface, always, is_hydrodynamic, Interface::rows()),
+        placed(Group::Run, always, always, RunSettings::rows()),
+    ]
+    .concat()
+});
 
 /// One row of the table.
 #[derive(Clone, Copy)]
@@ -180,13 +208,7 @@ pub enum Value {
 /// Why a variable cannot be set, or values make no sense together, with the cure.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{0}")]
-pub struct VariableError(String);
-
-impl VariableError {
-    pub(in crate::model) fn new(text: String) -> Self {
-        Self(text)
-    }
-}
+pub struct VariableError(pub(in crate::model) String);
 
 impl Variable {
     /// Read the value from a scene.

@@ -1,14 +1,14 @@
 //! Enums whose variants have a word each, or a few, in files and on screens.
 
-/// Defines an enum, its variants and their words in order, and the method that gives a variant's. The words are its documentation
-/// where they say enough.
+/// Defines enums, their variants and the words of these in order, and the method that gives a variant's. The words are its
+/// documentation where they say enough.
 macro_rules! worded {
-    (
+    ($(
         $(#[$meta:meta])*
         pub enum $name:ident: $method:ident {
             $($(#[$doc:meta])* $variant:ident = $word:literal,)+
         }
-    ) => {
+    )+) => {$(
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum $name {
@@ -26,7 +26,7 @@ macro_rules! worded {
                 Self::WORDS[self as usize]
             }
         }
-    };
+    )+};
 }
 
 pub(in crate::model) use worded;

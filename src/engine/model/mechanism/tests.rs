@@ -1,7 +1,7 @@
 //! Every kind of spring against its own definition: force, tangent, energy, limits.
 
 use super::*;
-use crate::model::scene::{self, Combination, Second, Spring as Parameters, SpringKind};
+use crate::model::scene::{self, Combination, Spring as Parameters, SpringKind};
 use crate::model::variables::scene_with;
 
 /// The law of a spring alone.
@@ -22,7 +22,7 @@ fn springs() -> Vec<(&'static str, Spring)> {
     let mechanism = scene::Mechanism {
         spring: of_kind(SpringKind::Bistable),
         combination: Combination::Parallel,
-        second: Second { coefficient: 1e7, exponent: 1.5 },
+        second: PowerLaw { coefficient: 1e7, exponent: 1.5 },
         ..scene::Mechanism::default()
     };
     list.push(("bistable and power law", Spring::of(&mechanism, 0.0)));

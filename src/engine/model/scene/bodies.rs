@@ -94,9 +94,7 @@ worded! {
         /// Flat, or nearly so: it shears out a plug.
         Blunt = "blunt",
     }
-}
 
-worded! {
     /// Where the flow strength comes from.
     pub enum Closure: word {
         /// It is given: `S_y`.
@@ -109,15 +107,27 @@ worded! {
         /// The first of them for plates thinner than the projectile's diameter, the second from there on.
         ByThickness = "by-thickness",
     }
-}
 
-worded! {
     /// When a plate counts as perforated.
     pub enum Criterion: word {
         /// The nose is clear of the rear face: complete passage.
         Passage = "passage",
         /// The nose stands out of the rear face.
         Protrusion = "protrusion",
+    }
+
+    /// Where the drag coefficient comes from under a closure by thickness.
+    pub enum DragSource: word {
+        /// The closure in effect has its own.
+        Closure = "closure",
+        /// It is given, as under every other closure.
+        Given = "given",
+    }
+
+    /// How the plate is carried.
+    pub enum Mount: word {
+        Sprung = "sprung",
+        Rigid = "rigid",
     }
 }
 
@@ -130,24 +140,6 @@ impl Criterion {
             }
             Self::Protrusion => "protrusion: the nose stands out of the rear face (army criterion)",
         }
-    }
-}
-
-worded! {
-    /// Where the drag coefficient comes from under a closure by thickness.
-    pub enum DragSource: word {
-        /// The closure in effect has its own.
-        Closure = "closure",
-        /// It is given, as under every other closure.
-        Given = "given",
-    }
-}
-
-worded! {
-    /// How the plate is carried.
-    pub enum Mount: word {
-        Sprung = "sprung",
-        Rigid = "rigid",
     }
 }
 

@@ -72,9 +72,7 @@ worded! {
         /// Rigid-plastic: pushes up to `A S_y`, pulls up to `g A S_y`.
         Plastic = "plastic",
     }
-}
 
-worded! {
     /// How the force between projectile and plate is modelled.
     pub enum ContactModel: word {
         /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.

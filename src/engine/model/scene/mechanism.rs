@@ -2,7 +2,8 @@
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::kinds::{Spring, SpringKind};
-use crate::model::variables::part::{TABLE_9_2, parts};
+use crate::model::variables::Variable;
+use crate::model::variables::part::{TABLE_9_2, parts, row};
 use crate::model::variables::visible::{has_stop, has_stop_of};
 use crate::model::worded::worded;
 
@@ -11,39 +12,20 @@ parts! {
     #[derive(Clone, Debug, PartialEq)]
     pub struct Mechanism at (mechanism) {
         /// The damper.
-        pub damper: Damper = Damper::default();
+        pub damper: PowerLaw = PowerLaw::NONE;
         /// The first spring.
         pub spring: Spring = Spring::default();
         pub combination: Combination = Combination::Alone => "combine", "second spring",
             "a second spring: none (alone), or a power law parallel to the first spring (parallel)",
             choice().is_seldom(true).source("thesis section 6.2.8; one spring in chapter 9");
         /// Without effect where the first spring is alone.
-        pub second: Second = Second::default();
+        pub second: PowerLaw = PowerLaw { coefficient: 1e5, exponent: 1.0 };
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
             "energy per mass of the spring or absorber, which gives its least mass; without it only that of coils is known",
             optional(SpecificEnergy, Positive, "auto").aliases(&["energy_j"]).is_seldom(true).listed(|scene| scene.mechanism.energy_j_kg.is_some())
             .source("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
         /// The stop.
         pub stop: Stop = Stop::default();
-    }
-
-    /// The power law beside the first spring.
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Second at (mechanism.second) {
-        pub coefficient: f64 = 1e5 => "k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)",
-            number(SpringCoefficient, NonNegative).is_log(true).source("thesis section 6.2.8");
-        pub exponent: f64 = 1.0 => "n_2", "second exponent", "exponent of the second spring",
-            number(Number, Positive).is_log(true).used(|scene| scene.mechanism.second.coefficient > 0.0).source("thesis section 6.2.8");
-    }
-
-    /// A power-law damper.
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Damper at (mechanism.damper) {
-        pub coefficient: f64 = 0.0 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
-            number(DamperCoefficient, NonNegative).own_name("damping").thesis_range(Some((0.0, 2000.0))).is_log(true).source(TABLE_9_2);
-        pub exponent: f64 = 1.0 => "m", "damper exponent", "damper exponent",
-            number(Number, Positive).is_log(true).used(|scene| !scene.mechanism.damper.is_absent())
-            .source("thesis section 9.2.2: 1");
     }
 
     /// A mechanical stop, which acts on the plate.
@@ -81,18 +63,14 @@ worded! {
         /// Both are displaced alike: their forces add.
         Parallel = "parallel",
     }
-}
 
-worded! {
     /// Whether a spring's own mass counts.
     pub enum OwnMass: word {
         Ignored = "ignored",
         /// The part that moves with the plate adds to the plate's.
         Counted = "counted",
     }
-}
 
-worded! {
     /// The kind of stop.
     pub enum StopKind: word {
         Rigid = "rigid",
@@ -100,16 +78,34 @@ worded! {
     }
 }
 
-impl Damper {
-    /// Whether there is none.
-    pub fn is_absent(&self) -> bool {
-        self.coefficient == 0.0
-    }
+/// The damper's rows.
+pub(in crate::model) fn damper_rows() -> Vec<Variable> {
+    [
+        row! {
+            (mechanism.damper) coefficient: f64, ["b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)"],
+            number(DamperCoefficient, NonNegative).own_name("damping").thesis_range(Some((0.0, 2000.0))).is_log(true).source(TABLE_9_2)
+        },
+        row! {
+            (mechanism.damper) exponent: f64, ["m", "damper exponent", "damper exponent"],
+            number(Number, Positive).is_log(true).used(|scene| !scene.mechanism.damper.is_absent()).source("thesis section 9.2.2: 1")
+        },
+    ]
+    .concat()
+}
 
-    /// The force law of a valid damper.
-    pub fn law(&self) -> PowerLaw {
-        PowerLaw { coefficient: self.coefficient, exponent: self.exponent }
-    }
+/// The rows of the power law beside the first spring.
+pub(in crate::model) fn second_rows() -> Vec<Variable> {
+    [
+        row! {
+            (mechanism.second) coefficient: f64, ["k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)"],
+            number(SpringCoefficient, NonNegative).is_log(true).source("thesis section 6.2.8")
+        },
+        row! {
+            (mechanism.second) exponent: f64, ["n_2", "second exponent", "exponent of the second spring"],
+            number(Number, Positive).is_log(true).used(|scene| scene.mechanism.second.coefficient > 0.0).source("thesis section 6.2.8")
+        },
+    ]
+    .concat()
 }
 
 impl Wire {
@@ -124,8 +120,7 @@ impl Wire {
 impl Mechanism {
     /// The second spring where it acts, else none.
     pub fn second_law(&self) -> PowerLaw {
-        let Second { coefficient, exponent } = self.second;
-        PowerLaw { coefficient, exponent }.only_if(self.combination == Combination::Parallel)
+        self.second.only_if(self.combination == Combination::Parallel)
     }
 
     /// Leave the springs out, and with them what they weigh and turn.

@@ -37,7 +37,7 @@ impl Law for Bistable {
         let Some(unstable) = self.unstable_m.filter(|unstable| *unstable >= self.second_m) else {
             return Ok(());
         };
-        Err(VariableError::new(format!(
+        Err(VariableError(format!(
             "x_u ({path}.bistable.unstable_m) = {} m does not lie between the stable positions 0 and x_2 = {} m: it must be less \
              than x_2; reduce it, or write `midway`",
             units::shortest(unstable),

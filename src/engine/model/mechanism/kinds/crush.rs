@@ -58,7 +58,7 @@ impl Law for Crush {
         if self.stroke_m > self.rise_m() {
             return Ok(());
         }
-        Err(VariableError::new(format!(
+        Err(VariableError(format!(
             "x_crush ({path}.crush.stroke_m) = {} m does not exceed F_crush/k_crush = {} m, where it begins to be crushed: it must \
              be more; raise x_crush or k_crush",
             units::shortest(self.stroke_m),

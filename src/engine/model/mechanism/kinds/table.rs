@@ -125,7 +125,7 @@ impl Law for Table {
         } else {
             return Ok(());
         };
-        Err(VariableError::new(format!("{path}.table{wrong}")))
+        Err(VariableError(format!("{path}.table{wrong}")))
     }
 
     fn limits(&self, _: &Spring, side: f64) -> Vec<(f64, &'static str)> {
