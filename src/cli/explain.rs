@@ -9,7 +9,7 @@ use crate::cli::{CliError, output};
 use crate::model::run::envelope::Check;
 use crate::model::scene::Scene;
 use crate::model::units::shortest;
-use crate::model::variables::{Group, VARIABLES, Variable, find, nearest, used_when};
+use crate::model::variables::{Group, VARIABLES, Variable, find, nearest, used_where};
 use crate::study::quantities::{self, QUANTITIES, Quantity};
 use crate::tui::widgets::text::wrap;
 
@@ -69,7 +69,7 @@ fn variable_page(variable: &Variable) -> String {
         let unit = variable.unit();
         line("thesis", format!("{} to {} {unit}", shortest(low), shortest(high)).trim_end());
     }
-    if let Some(used) = used_when(variable) {
+    if let Some(used) = used_where(variable, &Scene::default()) {
         line("used", &used);
     }
     line("source", variable.source);

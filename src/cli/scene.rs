@@ -130,6 +130,7 @@ impl Changes {
                     "has no effect on this scene"
                 };
                 let used = used_where(variable, scene);
+                let used = used.unwrap_or_else(|| "where it has a value".to_owned());
                 output::note(&format!("warning: {symbol} {lacks}: it is used {used}"));
             } else if let Some(law) = bent_law(variable, value, scene) {
                 let (unit, exponent) = (variable.unit(), law.exponent);

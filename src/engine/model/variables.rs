@@ -25,7 +25,7 @@ pub(in crate::model) mod part;
 mod rules;
 pub(in crate::model) mod visible;
 
-pub use describe::{used_when, used_where};
+pub use describe::used_where;
 pub use names::{close, find, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use visible::{

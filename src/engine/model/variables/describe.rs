@@ -55,15 +55,11 @@ fn acts(variable: &Variable, scene: &Scene) -> bool {
     is_used(variable, &scene) && is_listed(variable, &scene)
 }
 
-/// Where scenes use a variable that the usual one does not, in words: read off [`is_used`] by changing that scene in one place, or in
-/// two.
-pub fn used_when(variable: &Variable) -> Option<String> {
-    let usual = Scene::default();
-    (!acts(variable, &usual)).then(|| used_where(variable, &usual))
-}
-
-/// The changes of a scene that does not use a variable which bring it into use: one, or two together.
-pub fn used_where(variable: &Variable, scene: &Scene) -> String {
+/// Where scenes use a variable that this one does not, in words: read off [`is_used`] by changing the scene in one place, or in two.
+pub fn used_where(variable: &Variable, scene: &Scene) -> Option<String> {
+    if acts(variable, scene) {
+        return None;
+    }
     let acting = |scenes: &[(String, Scene)]| -> Vec<String> {
         let acting = scenes.iter().filter(|(_, scene)| acts(variable, scene));
         acting.map(|(text, _)| text.clone()).collect()
@@ -74,13 +70,14 @@ pub fn used_where(variable: &Variable, scene: &Scene) -> String {
     let scenes: Vec<(String, Scene)> = given.chain(choices(scene)).collect();
     let single = acting(&scenes);
     if !single.is_empty() {
-        return format!("where {}", single.join(" or "));
+        return Some(format!("where {}", single.join(" or ")));
     }
     let mut pairs = scenes.into_iter().map(|(first, scene)| (first, acting(&choices(&scene))));
-    pairs.find(|(_, double)| !double.is_empty()).map_or_else(
+    let found = pairs.find(|(_, double)| !double.is_empty());
+    Some(found.map_or_else(
         || "in few scenes: see its meaning".to_owned(),
         |(first, double)| format!("where {first} and {}", double.join(" or ")),
-    )
+    ))
 }
 
 #[cfg(test)]
@@ -119,7 +116,7 @@ mod tests {
     #[test]
     fn use_is_described_in_words() {
         let of = |name: &str| find(name).unwrap();
-        let when = |name: &str| used_when(of(name)).unwrap_or_default();
+        let when = |name: &str| used_where(of(name), &Scene::default()).unwrap_or_default();
         for (name, words) in [
             ("v_i", ""),
             ("m", "where b > 0"),
@@ -132,6 +129,6 @@ mod tests {
         }
         assert!(when("l_beam").contains("spring = "), "{}", when("l_beam"));
         let rigid = crate::model::variables::scene_with("face=0.1 mount=rigid");
-        assert_eq!(used_where(of("face"), &rigid), "where mount = sprung");
+        assert_eq!(used_where(of("face"), &rigid).as_deref(), Some("where mount = sprung"));
     }
 }
