@@ -214,7 +214,7 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
             has_curve = true;
             continue;
         }
-        let set = variables::set_by_name(scene, name, value, Bare::Si);
+        let set = variables::set_by_name(scene, name, value);
         set.map_err(|problem| refuse(&problem.to_string()))?;
     }
     let spring = &scene.mechanism.spring;

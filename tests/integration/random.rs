@@ -4,7 +4,6 @@
 use std::sync::Arc;
 
 use cmra::model::scene::Scene;
-use cmra::model::units::Bare;
 use cmra::model::variables;
 
 /// `SplitMix64`: Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
@@ -70,7 +69,7 @@ impl Random {
 pub(crate) fn scene(changes: &[(&'static str, f64)]) -> Arc<Scene> {
     let mut scene = Scene::default();
     for (name, value) in changes {
-        variables::set_by_name(&mut scene, name, &word(name, *value), Bare::Si).unwrap();
+        variables::set_by_name(&mut scene, name, &word(name, *value)).unwrap();
     }
     Arc::new(scene)
 }

@@ -183,7 +183,7 @@ fn read_quantity(text: &str) -> Result<(), String> {
 fn read_setting(text: &str) -> Result<(), String> {
     let (name, value) = text.split_once('=').ok_or("no assignment")?;
     let mut scene = Scene::default();
-    variables::set_by_name(&mut scene, name, value, Bare::Si).map_err(|error| error.to_string())
+    variables::set_by_name(&mut scene, name, value).map_err(|error| error.to_string())
 }
 
 fn read_tolerance(text: &str) -> Result<(), String> {

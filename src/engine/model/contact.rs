@@ -185,7 +185,7 @@ impl Geometry {
     pub fn of(scene: &Scene) -> Self {
         let nose = NoseGeometry::of(scene);
         let thickness_m = scene.effective_thickness_m();
-        let lag_m = if scene.dishing() { 2.0 * nose.radius_m } else { 0.0 };
+        let lag_m = if scene.target_in_effect().dishing { 2.0 * nose.radius_m } else { 0.0 };
         let bend_m = thickness_m + lag_m;
         let slope = thickness_m / bend_m;
         let (h, r, f) = (thickness_m, nose.partial_from_m, nose.partial_to_m);

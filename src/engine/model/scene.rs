@@ -21,27 +21,20 @@ pub use mechanism::{Combination, Mechanism, OwnMass, Stop, StopKind, Wire};
 pub(in crate::model) use mechanism::{damper_rows, second_rows};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
+#[expect(missing_docs, reason = "each part says what it is")]
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Scene {
     /// A short name for people.
     pub title: String,
     /// Where the numbers come from and what to expect.
     pub notes: String,
-    /// The projectile.
     pub projectile: Projectile,
-    /// The plate's material and thickness.
     pub target: Target,
-    /// The plate's mass and how it is carried.
     pub plate: Plate,
-    /// Spring, damper and stop behind the plate.
     pub mechanism: Mechanism,
-    /// The strength of the interface between projectile and plate once they move together.
     pub interface: Interface,
-    /// How the contact force is modelled.
     pub contact: Contact,
-    /// How the run is computed.
     pub run: RunSettings,
-    /// The stack behind the plate.
     pub stack: Stack,
     /// The sweep this scene is the base of, if any.
     pub sweep: Option<Sweep>,
@@ -113,14 +106,12 @@ impl SweepAxis {
 /// Most further elements that a scene may list: the time of a run and of a key grows with the square of their number.
 pub const LAYERS_MAX: usize = 50;
 
-/// One element of a stack: a plate on its mechanism.
+/// One element of a stack: a plate on its mechanism or mount.
+#[expect(missing_docs, reason = "each part says what it is")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
-    /// The plate's material.
     pub target: Target,
-    /// The plate as a body.
     pub plate: Plate,
-    /// The mechanism or mount that carries it.
     pub mechanism: Mechanism,
 }
 
@@ -187,16 +178,6 @@ impl Scene {
         self.target_in_effect().closure
     }
 
-    /// Whether the plate dishes.
-    pub fn dishing(&self) -> bool {
-        self.target_in_effect().dishing
-    }
-
-    /// The drag coefficient in effect.
-    pub fn drag_coefficient(&self) -> f64 {
-        self.target_in_effect().drag_coefficient
-    }
-
     /// The flow strength in the contact force, Pa: given, or from Y and E by the closure.
     pub fn flow_strength_pa(&self) -> f64 {
         let Target { flow_strength_pa, yield_pa: y, modulus_pa: e, .. } = self.target;
@@ -221,6 +202,6 @@ impl Scene {
 
     /// `c = C_d rho / 2`, kg/m³.
     pub fn drag_kg_m3(&self) -> f64 {
-        0.5 * self.drag_coefficient() * self.target.density_kg_m3
+        0.5 * self.target_in_effect().drag_coefficient * self.target.density_kg_m3
     }
 }

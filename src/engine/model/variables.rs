@@ -19,17 +19,16 @@ use crate::model::worded::worded;
 use part::placed;
 use visible::{has_second, is_hydrodynamic, is_listing, is_sprung, may_stop};
 
-mod describe;
 mod names;
 pub(in crate::model) mod part;
 mod rules;
 pub(in crate::model) mod visible;
 
-pub use describe::used_where;
 pub use names::{close, find, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use visible::{
     exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size, sizes_plate,
+    used_where,
 };
 
 /// Every variable there is, in the order of the editor: the group of each part of a scene, and when it is listed and, of that, used.
@@ -222,22 +221,16 @@ impl Variable {
 
     /// Set the value, refusing what makes no physical sense by itself; the scene is unchanged then.
     pub fn set(&self, scene: &mut Scene, value: Value) -> Result<(), VariableError> {
+        self.check(value)?;
         match (&self.kind, value) {
-            (Kind::Number(number), Value::Number(new)) => {
-                if !number.allowed.contains(new) {
-                    return Err(self.impossible(number, new));
-                }
-                (number.set)(scene, Some(new));
-            }
-            (Kind::Number(number), Value::Absent) if number.absent.is_some() => {
-                (number.set)(scene, None);
-            }
+            (Kind::Number(number), Value::Number(new)) => (number.set)(scene, Some(new)),
+            (Kind::Number(Number { absent: Some(_), set, .. }), Value::Absent) => set(scene, None),
             (Kind::Choice { words, set, .. }, Value::Word(word)) => {
                 let index = words.iter().position(|it| *it == word);
                 set(scene, index.ok_or_else(|| self.not_a_choice(word))?);
             }
             (Kind::Switch { set, .. }, Value::Switch(on)) => set(scene, on),
-            (_, other) => return Err(self.not_a_choice(&show_value(other))),
+            (_, other) => return Err(self.not_a_choice(&self.written(other))),
         }
         Ok(())
     }
@@ -269,18 +262,22 @@ impl Variable {
         }
     }
 
-    /// The unit of a bare number under this name: the full key ends in its unit.
-    pub fn bare(&self, name: &str, otherwise: Bare) -> Bare {
-        if name == self.key { Bare::Stored } else { otherwise }
+    /// The unit of a bare number under this name on the command line: the full key ends in its unit.
+    pub fn bare(&self, name: &str) -> Bare {
+        if name == self.key { Bare::Stored } else { Bare::Si }
     }
 
     /// The value as text that [`Variable::parse`] reads back exactly: shortest digits, no unit.
     pub fn show(&self, scene: &Scene) -> String {
-        match self.value(scene) {
-            Value::Absent => {
-                self.number().and_then(|number| number.absent).unwrap_or("none").to_owned()
-            }
-            value => show_value(value),
+        self.written(self.value(scene))
+    }
+
+    fn written(&self, value: Value) -> String {
+        match value {
+            Value::Number(number) => units::shortest(number),
+            Value::Absent => self.number().and_then(|it| it.absent).unwrap_or("none").to_owned(),
+            Value::Word(word) => word.to_owned(),
+            Value::Switch(on) => on.to_string(),
         }
     }
 
@@ -337,65 +334,47 @@ impl Variable {
         VariableError(format!("{symbol} ({key}) = `{text}` is not one of {}", self.allowed()))
     }
 
-    fn impossible(&self, number: &Number, value: f64) -> VariableError {
-        let unit = number.quantity.unit();
-        let cure = match (number.quantity, number.allowed) {
-            (Dimension::Angle, _) if value >= 90.0 => {
+    /// Refuses a number that makes no physical sense by itself.
+    fn check(&self, value: Value) -> Result<(), VariableError> {
+        let (Kind::Number(number), Value::Number(value)) = (&self.kind, value) else {
+            return Ok(());
+        };
+        let Number { quantity, allowed, get, .. } = number;
+        if allowed.contains(value) {
+            return Ok(());
+        }
+        let cure = match get(&Scene::default()) {
+            _ if *quantity == Dimension::Angle && value >= 90.0 => {
                 "write degrees as for example `30deg`".to_owned()
             }
-            (_, Allowed::Positive | Allowed::NonNegative) if value < 0.0 => {
+            _ if matches!(allowed, Allowed::Positive | Allowed::NonNegative) && value < 0.0 => {
                 format!("did you mean {}?", units::shortest(-value))
             }
-            _ => {
-                let default = (number.get)(&Scene::default());
-                default.map_or_else(
-                    || "omit it to have none".to_owned(),
-                    |value| format!("the default is {}", units::shortest(value)),
-                )
-            }
+            Some(default) => format!("the default is {}", units::shortest(default)),
+            None => "omit it to have none".to_owned(),
         };
         let written = if value.is_finite() { units::shortest(value) } else { value.to_string() };
         let (value, allowed) =
-            (format!("{written} {unit}"), number.allowed.describe(number.quantity));
+            (format!("{written} {}", quantity.unit()), allowed.describe(*quantity));
         let Self { symbol, key, meaning, .. } = self;
-        VariableError(format!(
+        Err(VariableError(format!(
             "{symbol} ({key}) = {} is impossible: {meaning} must be {allowed}; {cure}",
             value.trim_end()
-        ))
-    }
-}
-
-fn show_value(value: Value) -> String {
-    match value {
-        Value::Number(number) => units::shortest(number),
-        Value::Absent => "none".to_owned(),
-        Value::Word(word) => word.to_owned(),
-        Value::Switch(on) => on.to_string(),
+        )))
     }
 }
 
 /// Set a variable by name from text, as `--set NAME=VALUE` does; the scene is unchanged where that is refused.
-pub fn set_by_name(
-    scene: &mut Scene,
-    name: &str,
-    text: &str,
-    bare: Bare,
-) -> Result<(), VariableError> {
+pub fn set_by_name(scene: &mut Scene, name: &str, text: &str) -> Result<(), VariableError> {
     let variable = find(name.trim())?;
-    let value = variable.parse(scene, text, variable.bare(name.trim(), bare))?;
+    let value = variable.parse(scene, text, variable.bare(name.trim()))?;
     variable.set(scene, value)
 }
 
 /// Check every value and the rules between values, in the order of the table.
 pub fn validate(scene: &Scene) -> Result<(), VariableError> {
     for variable in VARIABLES.iter() {
-        let (Kind::Number(number), Value::Number(value)) = (&variable.kind, variable.value(scene))
-        else {
-            continue;
-        };
-        if !number.allowed.contains(value) {
-            return Err(variable.impossible(number, value));
-        }
+        variable.check(variable.value(scene))?;
     }
     rules::check(scene)
 }
@@ -404,7 +383,7 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
 pub fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
     for change in changes.split_whitespace() {
         let (name, value) = change.split_once('=').unwrap_or((change, ""));
-        set_by_name(&mut scene, name, value, Bare::Si)?;
+        set_by_name(&mut scene, name, value)?;
     }
     Ok(scene)
 }

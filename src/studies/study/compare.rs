@@ -288,12 +288,10 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
     if candidate == Candidate::Solid {
         own.target.thickness_m = areal_kg_m2? / scene.target.density_kg_m3;
     }
-    (own.plate.cocking_m, own.plate.velocity_m_s) = (0.0, 0.0);
     own.plate.mount = if candidate == Candidate::Free { Mount::Sprung } else { Mount::Rigid };
-    own.mechanism.stop.position_m = None;
-    own.mechanism.remove_springs();
-    own.mechanism.damper.coefficient = 0.0;
-    Some(own)
+    let nothing_behind =
+        "d=0 w_0=0 x_stop=none combine=alone spring=power-law k=0 own_mass=ignored b=0";
+    variables::changed(own, nothing_behind).ok()
 }
 
 /// A spring whose mass is counted by the energy of the shot keeps the mass that the design shot gives it.

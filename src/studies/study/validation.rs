@@ -259,7 +259,9 @@ fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
             Some(limit::closed_form(scene)? / limit::closed_form(&straight)?)
         }
         MeasuredQuantity::Strength => Some(scene.flow_strength_pa()),
-        MeasuredQuantity::Bulge => scene.dishing().then_some(2.0 * scene.projectile.tip_radius_m),
+        MeasuredQuantity::Bulge => {
+            scene.target_in_effect().dishing.then_some(2.0 * scene.projectile.tip_radius_m)
+        }
         MeasuredQuantity::Depth => plain_run(scene)?.final_penetration_m,
     }
 }

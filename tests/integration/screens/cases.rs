@@ -8,7 +8,6 @@ use cmra::files::preset;
 use cmra::model::run::{EstimateBasis, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Look, Settings, plastic_beside, simulate};
-use cmra::model::units::Bare;
 use cmra::model::variables::set_by_name;
 use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
@@ -45,7 +44,7 @@ fn answer(bench: &mut Bench) {
 fn shown(changes: &[(&str, &str)], size: (u16, u16)) -> Bench {
     let mut scene = preset::baseline().expect("bundled").scene;
     for (name, value) in changes {
-        set_by_name(&mut scene, name, value, Bare::Si).expect("a valid change");
+        set_by_name(&mut scene, name, value).expect("a valid change");
     }
     let mut bench = Bench::closed(GlyphSet::Ascii, size);
     bench.app.scene = Arc::new(scene);

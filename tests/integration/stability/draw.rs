@@ -6,7 +6,6 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 use cmra::model::scene::Scene;
-use cmra::model::units::Bare;
 use cmra::model::variables;
 
 /// One base a dimension.
@@ -176,7 +175,7 @@ pub(super) fn typed(changes: &[(&'static str, String)]) -> String {
 pub(super) fn scene(changes: &[(&'static str, String)]) -> Arc<Scene> {
     let mut scene = Scene::default();
     for (name, value) in changes {
-        variables::set_by_name(&mut scene, name, value, Bare::Si)
+        variables::set_by_name(&mut scene, name, value)
             .unwrap_or_else(|error| panic!("{name}={value}: {error}"));
     }
     Arc::new(scene)

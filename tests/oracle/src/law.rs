@@ -385,7 +385,11 @@ impl<'a> Shot<'a> {
     /// How deep the nose is at a travel, m.
     pub fn depth_m(&self, q: f64) -> f64 {
         let h = self.thickness_m;
-        let lag = if self.scene.dishing() { 2.0 * self.scene.projectile.tip_radius_m } else { 0.0 };
+        let lag = if self.scene.target_in_effect().dishing {
+            2.0 * self.scene.projectile.tip_radius_m
+        } else {
+            0.0
+        };
         if q <= h + lag { q * h / (h + lag) } else { q - lag }
     }
 
@@ -449,7 +453,7 @@ impl<'a> Shot<'a> {
 /// Travel at which the nose is clear of the rear face.
 fn exit_m(scene: &Scene) -> f64 {
     let (r, cos) = (scene.projectile.tip_radius_m, scene.cos_obliquity());
-    let lag = if scene.dishing() { 2.0 * r } else { 0.0 };
+    let lag = if scene.target_in_effect().dishing { 2.0 * r } else { 0.0 };
     scene.effective_thickness_m() + r * (1.0 + (1.0 - cos.powi(2)).sqrt()) / cos + lag
 }
 

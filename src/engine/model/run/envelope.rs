@@ -13,7 +13,7 @@ use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
 use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{
-    Closure, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Projectile, Scene,
+    Closure, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Projectile, Scene, Target,
 };
 use crate::model::units::significant;
 use crate::model::variables;
@@ -206,7 +206,7 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         return None;
     }
     let (ratio, yield_pa) = (thickness_ratio(scene), equivalent_yield_pa(scene));
-    let (dishes, closure) = (scene.dishing(), scene.closure());
+    let Target { dishing: dishes, closure, .. } = scene.target_in_effect();
     let (direction, text) = if yield_pa >= HARD_PA && ratio < HARD_THICKNESS {
         let text = format!(
             " of a hard plate, Y = {} MPa: below about {HARD_THICKNESS} it fails by plugging; limits of rolled armour came out up to \

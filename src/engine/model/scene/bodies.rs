@@ -217,10 +217,12 @@ impl PlateSize {
 }
 
 /// What is in effect is shown: a closure by thickness chooses both.
-const DISHING: Kind =
-    Kind::Switch { get: Scene::dishing, set: |scene, on| scene.target.dishing = on };
+const DISHING: Kind = Kind::Switch {
+    get: |scene| scene.target_in_effect().dishing,
+    set: |scene, on| scene.target.dishing = on,
+};
 const DRAG: Kind = Kind::Number(Number {
-    get: |scene| Some(scene.drag_coefficient()),
+    get: |scene| Some(scene.target_in_effect().drag_coefficient),
     set: |scene, value| {
         scene.target.drag_coefficient = value.unwrap_or_default();
         scene.target.give_drag();

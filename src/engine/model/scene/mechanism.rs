@@ -123,14 +123,6 @@ impl Mechanism {
         self.second.only_if(self.combination == Combination::Parallel)
     }
 
-    /// Leave the springs out, and with them what they weigh and turn.
-    pub fn remove_springs(&mut self) {
-        self.combination = Combination::Alone;
-        self.spring.kind = SpringKind::PowerLaw;
-        self.spring.coefficient = 0.0;
-        self.spring.own_mass = OwnMass::Ignored;
-    }
-
     /// Whether there is a spring at all.
     pub fn has_springs(&self) -> bool {
         !(self.spring.is_absent() && self.second_law().is_absent())

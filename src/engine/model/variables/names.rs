@@ -1,9 +1,22 @@
-//! Variables found by the names people write, and the nearest names where there is none.
+//! The names of variables: in words, as people write them, and the nearest where there is none.
 
 use super::{VARIABLES, Variable, VariableError};
 
 /// The symbols of the thesis, which are used most.
 const USUAL: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
+
+impl Variable {
+    /// Its name in words: `velocity`, `thickness`, `stop_position`. Accepted wherever the symbol is.
+    pub fn name(&self) -> String {
+        if !self.own_name.is_empty() {
+            return self.own_name.to_owned();
+        }
+        let key: Vec<&str> = self.key.split('.').skip(1).collect();
+        let name = key.join("_");
+        let end = format!("_{}", self.unit().to_lowercase().replace(['/', ' '], "_"));
+        name.strip_suffix(&end).unwrap_or(&name).to_owned()
+    }
+}
 
 /// The variable with this symbol, alias, full key or name in words; else the nearest names.
 pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
@@ -72,6 +85,34 @@ mod tests {
         {
             let hint = nearest(name);
             assert!(hint.starts_with(&format!("did you mean {meant}")), "{name}: {hint}");
+        }
+    }
+
+    /// A name that two variables had would lead to the first.
+    #[test]
+    fn each_name_leads_to_its_variable_and_ends_in_no_unit() {
+        const UNITS: [&str; 11] = ["kg", "j", "m", "m2", "m3", "s", "n", "pa", "deg", "rad", "hz"];
+        for variable in VARIABLES.iter() {
+            let name = variable.name();
+            let names = [variable.symbol, variable.key, &name];
+            for name in names.iter().chain(variable.aliases) {
+                assert_eq!(find(name).map(|found| found.key), Ok(variable.key), "{name}");
+            }
+            let last = name.rsplit('_').next().unwrap_or_default();
+            assert!(!UNITS.contains(&last), "{name}: {}", variable.key);
+        }
+        for (name, symbol) in [
+            ("velocity", "v_i"),
+            ("thickness", "h"),
+            ("stiffness", "k"),
+            ("obliquity", "theta"),
+            ("density", "rho"),
+            ("mass_ratio", "gamma"),
+            ("stop_position", "x_stop"),
+            // The name it had before.
+            ("energy_j", "e_spring"),
+        ] {
+            assert_eq!(find(name).map(|found| found.symbol), Ok(symbol), "{name}");
         }
     }
 }

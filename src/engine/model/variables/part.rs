@@ -11,10 +11,11 @@ pub(in crate::model) const TABLE_9_2: &str = "thesis Table 9.2 (range searched)"
 pub(in crate::model) const NO_VALUES: &str = "assumption: the thesis gives no values";
 
 /// Defines structs whose fields are variables, each with its place in a scene. A field has its type, its default value, its symbol, its
-/// label (a noun of at most sixteen letters), its meaning, the kind of its value, and its further attributes:
+/// label (a noun of at most sixteen letters), its meaning, the kind of its value, and its further attributes, which are
+/// fields of the row:
 ///
 /// ```text
-/// pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity", number(Velocity, Positive).from(TABLE_9_1);
+/// pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity", number(Velocity, Positive).source(TABLE_9_1);
 /// ```
 ///
 /// A field without a row is a part by itself, or `each(function)` lists rows for it.

@@ -2,7 +2,7 @@
 
 use super::VariableError;
 use crate::model::scene::{
-    Closure, Combination, Contact, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target,
+    Closure, Combination, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target,
 };
 use crate::model::units::{shortest, significant};
 
@@ -13,18 +13,10 @@ fn require(holds: bool, otherwise: impl FnOnce() -> String) -> Result<(), Variab
 
 /// All rules between values, in the order in which they are reported.
 pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
-    check_start(scene)?;
-    check_closure(scene)?;
-    check_interface_spring(&scene.contact)?;
-    check_springs(scene)?;
-    check_stack(scene)
-}
-
-/// The plate starts in front of its stop, and the projectile reaches it.
-fn check_start(scene: &Scene) -> Result<(), VariableError> {
+    let Scene { projectile, plate, mechanism, contact, .. } = scene;
     // Not `-d`, which is written as -0 where nothing is cocked.
-    let start = 0.0 - scene.plate.cocking_m;
-    let position = scene.mechanism.stop.position_m.unwrap_or(start);
+    let start = 0.0 - plate.cocking_m;
+    let position = mechanism.stop.position_m.unwrap_or(start);
     require(position >= start, || {
         let (position, start) = (shortest(position), shortest(start));
         format!(
@@ -33,23 +25,44 @@ fn check_start(scene: &Scene) -> Result<(), VariableError> {
         )
     })?;
     require(scene.closing_velocity_m_s() > 0.0, || {
-        let most_m_s = scene.projectile.velocity_m_s / scene.cos_obliquity();
         format!(
             "w_0 (plate.velocity_m_s) = {} m/s takes the plate away before the projectile reaches it: it must be below \
              v_i / cos(theta) = {} m/s; reduce w_0 or raise v_i",
-            shortest(scene.plate.velocity_m_s),
-            significant(most_m_s, 6)
+            shortest(plate.velocity_m_s),
+            significant(projectile.velocity_m_s / scene.cos_obliquity(), 6)
         )
-    })
+    })?;
+    check_closure(scene)?;
+    let both = contact.load_stiffness_n_m.zip(contact.unload_stiffness_n_m);
+    let lumped = both.filter(|_| contact.model == ContactModel::Lumped);
+    require(lumped.is_none_or(|(load, unload)| unload >= load), || {
+        let (load, unload) = lumped.unwrap_or_default();
+        let (load, unload) = (shortest(load), shortest(unload));
+        format!(
+            "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
+             more than it took; it must be {load} N/m or more, or `auto`"
+        )
+    })?;
+    if !scene.is_rigid() {
+        mechanism.spring.law().check("mechanism.spring")?;
+        require(contact.model != ContactModel::Appendix || mechanism.is_plain(), || {
+            format!(
+                "model (contact.model) = appendix needs a power law, and {} is not one: set model = hydrodynamic, or \
+                 spring = power-law, combine = alone, own_mass = ignored",
+                described(mechanism)
+            )
+        })?;
+    }
+    check_stack(scene)
 }
 
 /// The two closures for the flow strength each contain the bulge in their own way: never both.
 fn check_closure(scene: &Scene) -> Result<(), VariableError> {
-    let Target { yield_pa, modulus_pa, .. } = scene.target;
-    if scene.closure() != Closure::Cavity {
+    let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target_in_effect();
+    if closure != Closure::Cavity {
         return Ok(());
     }
-    require(!scene.dishing(), || {
+    require(!dishing, || {
         "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
          material that holds it back: set dishing = off, or closure = double-yield"
             .to_owned()
@@ -60,35 +73,6 @@ fn check_closure(scene: &Scene) -> Result<(), VariableError> {
              body; for steel E is about 2e11 Pa, for aluminium 7e10 Pa",
             shortest(modulus_pa),
             shortest(yield_pa)
-        )
-    })
-}
-
-/// The interface cannot give back more than it took.
-fn check_interface_spring(contact: &Contact) -> Result<(), VariableError> {
-    let both = contact.load_stiffness_n_m.zip(contact.unload_stiffness_n_m);
-    let (load, unload) = both.filter(|_| contact.model == ContactModel::Lumped).unwrap_or_default();
-    require(unload >= load, || {
-        let (load, unload) = (shortest(load), shortest(unload));
-        format!(
-            "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
-             more than it took; it must be {load} N/m or more, or `auto`"
-        )
-    })
-}
-
-/// The rules between the values of the springs, and between them and the contact model.
-fn check_springs(scene: &Scene) -> Result<(), VariableError> {
-    let mechanism = &scene.mechanism;
-    if scene.is_rigid() {
-        return Ok(());
-    }
-    mechanism.spring.law().check("mechanism.spring")?;
-    require(scene.contact.model != ContactModel::Appendix || mechanism.is_plain(), || {
-        format!(
-            "model (contact.model) = appendix needs a power law, and {} is not one: set model = hydrodynamic, or spring = power-law, \
-             combine = alone, own_mass = ignored",
-            described(mechanism)
         )
     })
 }

@@ -1,6 +1,7 @@
-//! When a list shows a variable, and when it has any effect: predicates on the scene, named by each part and in its rows.
+//! When a list shows a variable, and when it has any effect: predicates on the scene, named by each part and in its rows, and read off
+//! them in words.
 
-use super::{Group, Variable};
+use super::{Group, VARIABLES, Value, Variable, changed};
 use crate::model::scene::{Combination, ContactModel, Mount, PlateSize, Scene, StopKind};
 
 /// Whether a variable has any effect on this scene.
@@ -96,9 +97,73 @@ pub(in crate::model) fn has_stop_of(scene: &Scene, kind: StopKind) -> bool {
     has_stop(scene) && scene.mechanism.stop.kind == kind
 }
 
+/// Changes that bring variables into use or out of it, in words and as they are set.
+const CHANGES: [(&str, &str); 9] = [
+    ("b > 0", "b=1"),
+    ("theta > 0", "theta=30deg"),
+    ("m_p below that of the nose sphere", "m_p=1g"),
+    ("x_stop given", "x_stop=0.01"),
+    ("e_spring = auto", "e_spring=auto"),
+    ("e_spring given", "e_spring=2e4"),
+    ("a base plate or more elements", "h_base=0.01"),
+    ("m_2 given", "m_2=0.1"),
+    ("face given", "face=0.1"),
+];
+
+/// The scenes that have another word of one choice, each with that in words.
+fn choices(base: &Scene) -> Vec<(String, Scene)> {
+    let mut list = Vec::new();
+    for variable in VARIABLES.iter().filter(|variable| is_used(variable, base)) {
+        let own = variable.value(base);
+        for word in variable.words().iter().filter(|word| Value::Word(word) != own) {
+            let mut scene = base.clone();
+            if variable.set(&mut scene, Value::Word(word)).is_ok() {
+                list.push((format!("{} = {word}", variable.symbol), scene));
+            }
+        }
+    }
+    list
+}
+
+/// Whether a scene uses a variable once it has a value.
+fn acts(variable: &Variable, scene: &Scene) -> bool {
+    let mut scene = scene.clone();
+    if let Some(number) = variable.number()
+        && variable.value(&scene) == Value::Absent
+    {
+        (number.set)(&mut scene, Some(1.0));
+    }
+    is_used(variable, &scene) && is_listed(variable, &scene)
+}
+
+/// Where scenes use a variable that this one does not, in words: read off [`is_used`] by changing the scene in one place, or in two.
+pub fn used_where(variable: &Variable, scene: &Scene) -> Option<String> {
+    if acts(variable, scene) {
+        return None;
+    }
+    let acting = |scenes: &[(String, Scene)]| -> Vec<String> {
+        let acting = scenes.iter().filter(|(_, scene)| acts(variable, scene));
+        acting.map(|(text, _)| text.clone()).collect()
+    };
+    let given = CHANGES.iter().filter_map(|(text, change)| {
+        Some(((*text).to_owned(), changed(scene.clone(), change).ok()?))
+    });
+    let scenes: Vec<(String, Scene)> = given.chain(choices(scene)).collect();
+    let single = acting(&scenes);
+    if !single.is_empty() {
+        return Some(format!("where {}", single.join(" or ")));
+    }
+    let mut pairs = scenes.into_iter().map(|(first, scene)| (first, acting(&choices(&scene))));
+    let found = pairs.find(|(_, double)| !double.is_empty());
+    Some(found.map_or_else(
+        || "in few scenes: see its meaning".to_owned(),
+        |(first, double)| format!("where {first} and {}", double.join(" or ")),
+    ))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::is_used;
+    use super::*;
     use crate::model::variables::{find, scene_with};
 
     /// Depth is travel times h/(h + 2 R) whatever gives the force; the start at -d is as far from a stop as from a spring's zero.
@@ -129,5 +194,24 @@ mod tests {
         ] {
             assert_eq!(is_used(find(name).unwrap(), &scene_with(scene)), used, "{scene}: {name}");
         }
+    }
+
+    #[test]
+    fn use_is_described_in_words() {
+        let of = |name: &str| find(name).unwrap();
+        let when = |name: &str| used_where(of(name), &Scene::default()).unwrap_or_default();
+        for (name, words) in [
+            ("v_i", ""),
+            ("m", "where b > 0"),
+            ("k_stop", "where x_stop given and stop_kind = elastic"),
+            ("k_2", "where combine = parallel"),
+            ("Y", "where closure = double-yield or closure = cavity or closure = by-thickness"),
+            ("rho_p", "where theta > 0 or m_p below that of the nose sphere"),
+        ] {
+            assert_eq!(when(name), words, "{name}");
+        }
+        assert!(when("l_beam").contains("spring = "), "{}", when("l_beam"));
+        let rigid = scene_with("face=0.1 mount=rigid");
+        assert_eq!(used_where(of("face"), &rigid).as_deref(), Some("where mount = sprung"));
     }
 }

@@ -31,7 +31,7 @@ impl Closures {
         let mut by = |closure: Closure| {
             let own = Arc::new(by_closure(scene, closure));
             let limit = alone(&own, context).ok();
-            (limit.and_then(super::Limit::velocity_m_s), own.drag_coefficient())
+            (limit.and_then(super::Limit::velocity_m_s), own.target.drag_coefficient)
         };
         let (double_yield_m_s, double_yield_drag) = by(Closure::DoubleYield);
         let (cavity_m_s, cavity_drag) = by(Closure::Cavity);

@@ -23,7 +23,7 @@ impl Axis {
         let (name, rest) = argument.split_once('=').ok_or_else(form)?;
         let name = name.trim();
         let (variable, number) = numeric(name)?;
-        let (quantity, bare) = (number.quantity, variable.bare(name, Bare::Si));
+        let (quantity, bare) = (number.quantity, variable.bare(name));
         if let Some((low, rest)) = rest.split_once("..") {
             let (high, count, log) = high_end(rest, counts).map_err(refuse)?;
             let missing = || refuse(format!("COUNT is missing; {FORM}"));
