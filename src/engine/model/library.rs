@@ -118,7 +118,7 @@ pub fn warnings(scene: &Scene) -> impl Iterator<Item = &str> {
 
 /// Whether a warning ends in an advice such as `: set C_d=0.212` that would change nothing.
 fn is_followed(warning: &str, scene: &Scene) -> bool {
-    let advice = warning.rsplit_once(": set ").map(|(_, changes)| changes);
-    let advised = advice.and_then(|changes| variables::changed(scene.clone(), changes).ok());
-    advised.is_some_and(|advised| advised == *scene)
+    warning.rsplit_once(": set ").is_some_and(|(_, changes)| {
+        variables::changed(scene.clone(), changes).is_ok_and(|advised| advised == *scene)
+    })
 }

@@ -136,7 +136,7 @@ pub fn in_unit(value: f64, unit: &str, quantity: Dimension) -> Option<f64> {
 /// A unit other than the stored one by its usual name; `None` where it is none of this kind, or has an unusual prefix.
 pub fn unit_named(name: &str, quantity: Dimension) -> Option<&'static str> {
     let name = squeezed(name);
-    let mut accepted = quantity.accepted().split(", ").filter(|_| !is_stored(&name, quantity));
+    let mut accepted = quantity.accepted().split(", ").filter(|_| name != quantity.unit());
     accepted.find(|accepted| squeezed(accepted) == name)
 }
 
@@ -145,30 +145,21 @@ pub fn written_unit(text: &str) -> Option<&str> {
     expression(text.trim()).map(|(_, rest)| rest.trim())
 }
 
-/// The name of a unit without blanks.
+/// The name of a unit without blanks and in plain letters.
 fn squeezed(unit: &str) -> String {
-    unit.chars()
-        .filter(|c| !c.is_whitespace())
-        .collect::<String>()
-        .replace(['µ', 'μ'], "u")
-        .replace('·', "*")
-}
-
-/// Whether this is the stored unit, as a bare number is.
-fn is_stored(squeezed: &str, quantity: Dimension) -> bool {
-    let other = match quantity {
-        Dimension::Angle => "°",
-        Dimension::Density => "kg/m³",
-        _ => "",
-    };
-    [other, quantity.unit(), ""].contains(&squeezed)
+    let mut name: String = unit.chars().filter(|c| !c.is_whitespace()).collect();
+    for (sign, plain) in [("µ", "u"), ("μ", "u"), ("·", "*"), ("°", "deg"), ("²", "2"), ("³", "3")]
+    {
+        name = name.replace(sign, plain);
+    }
+    name
 }
 
 /// One of the unit with this name, or of the stored one where there is none, is the first number, divided by the second, in the
 /// stored unit.
 fn factor(unit: &str, quantity: Dimension) -> Option<(f64, f64)> {
     let name = squeezed(unit);
-    if is_stored(&name, quantity) {
+    if [quantity.unit(), ""].contains(&&*name) {
         return Some((1.0, 1.0));
     }
     let (mut name, mut stored) = (name, quantity.unit());
@@ -303,7 +294,7 @@ impl Prefix {
     /// 1000 m3.
     pub fn for_unit(value: f64, unit: &str) -> Self {
         let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
-        let is_plain = leading.chars().all(|c| c.is_alphabetic() && c != '²' && c != '³');
+        let is_plain = leading.chars().all(char::is_alphabetic);
         let takes_prefix = is_plain && !matches!(leading, "" | "kg" | "deg" | "rad");
         if takes_prefix { Self::of(value) } else { Self::NONE }
     }

@@ -207,12 +207,11 @@ impl PlateSize {
 
     /// The key of the input that gives it.
     pub fn key(self) -> &'static str {
-        let [ratio, mass, face] = Self::KEYS;
-        match self {
-            Self::Ratio(_) => ratio,
-            Self::Mass(_) => mass,
-            Self::Face(_) => face,
-        }
+        Self::KEYS[match self {
+            Self::Ratio(_) => 0,
+            Self::Mass(_) => 1,
+            Self::Face(_) => 2,
+        }]
     }
 }
 

@@ -101,8 +101,7 @@ impl Listing {
     /// As printed, but for depth, damper and obliquity: depth follows from the whole relative travel, the damper resists, and both
     /// couplings have obliquity's cosine.
     pub fn coupled(step_s: f64) -> Self {
-        let put_right = Reading::Corrected;
-        let (coupling, damper, obliquity) = (put_right, put_right, put_right);
-        Self { step_s, coupling, damper, obliquity, ..Self::default() }
+        let it = Reading::Corrected;
+        Self { step_s, coupling: it, damper: it, obliquity: it, ..Self::default() }
     }
 }

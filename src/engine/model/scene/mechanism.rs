@@ -147,10 +147,7 @@ impl Mechanism {
 
     /// The least mass of springs that store this energy, J, kg; `None` where their specific energy is not known.
     pub fn least_spring_kg(&self, stored_j: f64) -> Option<f64> {
-        if stored_j == 0.0 {
-            return Some(0.0);
-        }
-        Some(stored_j / self.specific_energy_j_kg()?)
+        if stored_j == 0.0 { Some(0.0) } else { Some(stored_j / self.specific_energy_j_kg()?) }
     }
 
     /// Whether it is the thesis's: one power law `k |x|^n` that weighs nothing.
