@@ -143,6 +143,17 @@ fn elements_may_differ_and_are_kept() {
     assert_eq!(meets.count(), 3);
 }
 
+/// rho h face^2 of 2710 kg/m3, 5 mm and 0.1 m is 0.1355 kg, whatever strikes it.
+#[test]
+fn an_element_of_a_given_face_keeps_its_mass_under_another_projectile() {
+    let text = "format = 1\nplate.face_m = 0.1\n[stack]\nbase_thickness_m = 0.02\n\
+                [[stack.layer]]\ntarget.thickness_m = 0.005\n";
+    let mut own = read::scene(text, "own.toml").unwrap();
+    variables::set_by_name(&mut own, "m_p", "50g").unwrap();
+    let element = &cmra::model::stack::plates(&own)[1];
+    assert!((element.plate_mass_kg() - 0.1355).abs() < 1e-15, "{}", element.plate_mass_kg());
+}
+
 #[test]
 fn a_stack_without_a_base_is_refused_and_so_are_studies_of_one_plate() {
     let refused = |pairs: &str| variables::validate(&scene(pairs)).unwrap_err().to_string();
