@@ -2,7 +2,7 @@
 
 use crate::model::scene::Scene;
 use crate::model::units::Dimension;
-use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts, row};
+use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts, rows};
 use crate::model::variables::visible::{has_stop, is_oblique, is_sprung, penetrates, resists};
 use crate::model::variables::{Allowed, Kind, Number, Variable};
 use crate::model::worded::worded;
@@ -252,21 +252,14 @@ fn sizes() -> Vec<Variable> {
     }
     let gamma =
         Number { absent: None, get: |scene| Some(scene.mass_ratio()), ..size!(Number, Ratio) };
-    let rows = [
-        row! {
-            (plate) mass_ratio: f64, ["gamma", "mass ratio", "mass ratio, plate mass over projectile mass"],
-            is(Kind::Number(gamma)).thesis_range(Some((0.8, 7.0))).used(is_sprung).source(TABLE_9_2)
-        },
-        row! {
-            (plate) mass_kg: f64, ["m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it"],
+    rows! { (plate)
+        mass_ratio: f64 => "gamma", "mass ratio", "mass ratio, plate mass over projectile mass",
+            is(Kind::Number(gamma)).thesis_range(Some((0.8, 7.0))).used(is_sprung).source(TABLE_9_2);
+        mass_kg: f64 => "m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it",
             is(Kind::Number(size!(Mass, Mass))).own_name("plate_mass").aliases(&["m2"]).is_seldom(true).used(is_sprung)
-            .listed(|scene| matches!(scene.plate.size, PlateSize::Mass(_))).source("none: gamma gives the mass")
-        },
-        row! {
-            (plate) face_m: f64, ["face", "plate side", "side of the plate's square face; gamma = rho h face^2/m_p follows from it"],
+            .listed(|scene| matches!(scene.plate.size, PlateSize::Mass(_))).source("none: gamma gives the mass");
+        face_m: f64 => "face", "plate side", "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
             is(Kind::Number(size!(Length, Face))).is_seldom(true).used(is_sprung)
-            .listed(|scene| matches!(scene.plate.size, PlateSize::Face(_))).source("none: gamma gives the mass")
-        },
-    ];
-    rows.concat()
+            .listed(|scene| matches!(scene.plate.size, PlateSize::Face(_))).source("none: gamma gives the mass");
+    }
 }

@@ -49,14 +49,24 @@ macro_rules! parts {
         impl $name {
             /// The rows of its fields, in order.
             pub(in crate::model) fn rows() -> Vec<$crate::model::variables::Variable> {
-                let rows: &[Vec<_>] = &[$($($crate::model::variables::part::row! {
-                    $place $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
-                    $(.$attribute($value))*
-                },)?)+];
-                rows.concat()
+                $crate::model::variables::part::rows! {
+                    $place $($($field: $type => $($symbol, $label, $meaning,)?
+                        $kind($($of_kind)*) $(.$attribute($value))*;)?)+
+                }
             }
         }
     )+};
+}
+
+/// The rows of the fields of a part of a scene.
+macro_rules! rows {
+    ($place:tt $($field:ident: $type:ty => $($symbol:literal, $label:literal, $meaning:literal,)?
+        $kind:ident($($of_kind:tt)*) $(.$attribute:ident($value:expr))*;)*) => {{
+        let rows: &[Vec<_>] = &[$($crate::model::variables::part::row! {
+            $place $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*) $(.$attribute($value))*
+        }),*];
+        rows.concat()
+    }};
 }
 
 /// The rows that belong to a field: one with a symbol, or those a function lists.
@@ -99,20 +109,20 @@ macro_rules! kind {
         })
     }};
     // One of a few words.
-    ($($field:ident).+: $type:ty, choice()) => {{
+    ($($field:ident).+: $type:ty, choice()) => {
         $crate::model::variables::Kind::Choice {
             words: &<$type>::WORDS,
             get: |scene| scene.$($field).+ as usize,
             set: |scene, index| scene.$($field).+ = <$type>::ALL[index],
         }
-    }};
+    };
     // Anything else.
     ($($field:ident).+: $type:ty, is($kind:expr)) => {
         $kind
     };
 }
 
-pub(in crate::model) use {kind, parts, row};
+pub(in crate::model) use {kind, parts, row, rows};
 
 /// The rows of a part of a scene in a group of the editor: whether a list shows them at all, and whether they then have any effect.
 pub(in crate::model) fn placed(
