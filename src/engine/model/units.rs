@@ -273,22 +273,18 @@ pub struct Prefix {
 
 impl Prefix {
     /// None.
-    pub const NONE: Self = Self::new(1.0, 1.0, "");
+    pub const NONE: Self = Self { size: 1.0, in_one: 1.0, letter: "" };
     const ALL: [Self; 9] = [
-        Self::new(1e9, 1e-9, "G"),
-        Self::new(1e6, 1e-6, "M"),
-        Self::new(1e3, 1e-3, "k"),
+        Self { size: 1e9, in_one: 1e-9, letter: "G" },
+        Self { size: 1e6, in_one: 1e-6, letter: "M" },
+        Self { size: 1e3, in_one: 1e-3, letter: "k" },
         Self::NONE,
-        Self::new(1e-3, 1e3, "m"),
-        Self::new(1e-6, 1e6, "u"),
-        Self::new(1e-9, 1e9, "n"),
-        Self::new(1e-12, 1e12, "p"),
-        Self::new(1e-15, 1e15, "f"),
+        Self { size: 1e-3, in_one: 1e3, letter: "m" },
+        Self { size: 1e-6, in_one: 1e6, letter: "u" },
+        Self { size: 1e-9, in_one: 1e9, letter: "n" },
+        Self { size: 1e-12, in_one: 1e12, letter: "p" },
+        Self { size: 1e-15, in_one: 1e15, letter: "f" },
     ];
-
-    const fn new(size: f64, in_one: f64, letter: &'static str) -> Self {
-        Self { size, in_one, letter }
-    }
 
     /// The same where the unit takes a prefix: none does that begins with kg, a power, an angle, a number or nothing. km3 is not
     /// 1000 m3.
@@ -319,8 +315,8 @@ pub fn fixed_significant(value: f64, digits: usize) -> String {
         return "0".to_owned();
     }
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let exponent = scientific.rsplit_once('e').and_then(|(_, it)| it.parse::<i64>().ok());
-    let exponent = exponent.unwrap_or(0);
+    let exponent: i64 =
+        scientific.rsplit_once('e').and_then(|(_, it)| it.parse().ok()).unwrap_or(0);
     if !(-4..=6).contains(&exponent) {
         return scientific;
     }
