@@ -11,9 +11,9 @@ use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::mechanism::{Mechanism, PowerLaw, Spring};
 use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::{larger, smaller};
-use expansion::{Constants, Series, StepTime};
+use expansion::{Constants, Series, Clock};
 use integration::{Accuracy, Progress};
-use law::{Linear, Power};
+use law::Law;
 use start::Start;
 
 mod expansion;
@@ -118,7 +118,7 @@ impl Contact {
 
     /// Run it to the relative accuracy `tolerance`; `None` where the simulation is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
-        self.run_to(Accuracy { tolerance, plate_m: f64::INFINITY })
+        self.run_minding_plate(tolerance)
     }
 
     /// As [`Contact::run`], with the plate's displacement, too, to this accuracy relative to itself.
@@ -148,7 +148,7 @@ impl Contact {
         let begin = Progress {
             t_s: 0.0,
             state: [0.0, velocity_m_s, start_m, 0.0],
-            clock: StepTime::Even { unit_s },
+            clock: Clock { unit_s, grade: 0.0 },
             piece: 0,
             max_displacement_m: start_m,
             steps: 0,
@@ -174,24 +174,17 @@ impl Contact {
         if self.steep_reach_m.is_some() && self.radians_ahead(t_s, state[2]) > RADIANS_MAX {
             return None;
         }
-        let s = t_s.cbrt();
         let inside = state[0] < self.geometry.pieces().first()?.to_m && state[1] > 0.0;
-        let clock = StepTime::Graded { s, unit: GRADED_UNIT * s };
+        let clock = Clock { unit_s: 3.0 * GRADED_UNIT * t_s, grade: GRADED_UNIT };
         inside.then_some(Progress { t_s, state, clock, steps: 1, ..begin })
     }
 
     /// The contact from its beginning without spring and damper, but with the preload of a cocked spring.
     fn without_laws(&self, begin: &Progress) -> Option<Series> {
-        let (state, rates, area) = (begin.state, begin.clock.rates(), self.area_law(begin.piece)?);
-        let none = Linear(0.0);
-        Some(if self.start_m == 0.0 {
-            self.constants.expand::<false>(none, none, state, rates, area)
-        } else if self.has_linear_spring {
-            let spring = Linear(self.spring.coefficient);
-            self.constants.expand::<false>(spring, none, state, rates, area)
-        } else {
-            self.constants.expand::<false>(Power::of(self.spring), none, state, rates, area)
-        })
+        let area = self.area_law(begin.piece)?;
+        let none = Law::of(PowerLaw::NONE);
+        let spring = Law::of(self.spring.only_if(self.start_m != 0.0));
+        Some(self.constants.expand(spring, none, begin.state, begin.clock, area))
     }
 
     /// By how many radians the plate will oscillate on a spring that starts at zero, if it is at `plate_m` by the time `t_s`: the

@@ -105,59 +105,27 @@ pub(super) struct Area {
     pub(super) a: [f64; 3],
 }
 
-/// Time along a step.
+/// Time along a step, t = (s + unit · sigma)³, or in proportion to sigma where it is not graded.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum StepTime {
-    /// t = start + unit · sigma.
-    Even { unit_s: f64 },
-    /// t = (s + unit · sigma)³.
-    Graded {
-        /// s^(1/3).
-        s: f64,
-        /// s^(1/3).
-        unit: f64,
-    },
+pub(super) struct Clock {
+    /// dt/dsigma at first, s.
+    pub(super) unit_s: f64,
+    /// unit/s; zero of a clock that is not graded.
+    pub(super) grade: f64,
 }
 
-impl StepTime {
-    /// The first three coefficients of dt/dsigma, s.
-    pub(super) fn rates(self) -> [f64; 3] {
-        match self {
-            Self::Even { unit_s } => [unit_s, 0.0, 0.0],
-            Self::Graded { s, unit } => {
-                [3.0 * unit * s * s, 6.0 * unit * unit * s, 3.0 * unit * unit * unit]
-            }
-        }
-    }
-
+impl Clock {
     /// The time that passes up to `span`, s.
     pub(super) fn elapsed_s(self, span: f64) -> f64 {
-        match self {
-            Self::Even { unit_s } => span * unit_s,
-            Self::Graded { s, unit } => {
-                let d = span * unit;
-                d * (3.0 * s * (s + d) + d * d)
-            }
-        }
+        let part = self.grade * span;
+        self.unit_s * span * (1.0 + part * (1.0 + part / 3.0))
     }
 
     /// The time of the next step, after one that was trusted up to `trusted` and ended at `span`.
     pub(super) fn next(self, span: f64, trusted: f64) -> Self {
-        match self {
-            Self::Even { unit_s } => Self::Even { unit_s: unit_s * trusted },
-            Self::Graded { s, unit } => {
-                let next = s + span * unit;
-                Self::Graded { s: next, unit: unit * trusted * next / s }
-            }
-        }
-    }
-
-    /// The same start with another unit.
-    pub(super) fn shorter(self, factor: f64) -> Self {
-        match self {
-            Self::Even { unit_s } => Self::Even { unit_s: unit_s * factor },
-            Self::Graded { s, unit } => Self::Graded { s, unit: unit * factor },
-        }
+        let farther = 1.0 + self.grade * span;
+        let unit_s = self.unit_s * trusted * farther * farther * farther;
+        Self { unit_s, grade: self.grade * trusted }
     }
 }
 
@@ -177,12 +145,12 @@ impl Constants {
 
     /// Expand from a state on a piece of this area.
     #[inline(always)]
-    pub(super) fn expand<const GRADED: bool>(
+    pub(super) fn expand(
         &self,
-        mut spring: impl Law,
-        mut damper: impl Law,
+        mut spring: Law,
+        mut damper: Law,
         state: State,
-        rates: [f64; 3],
+        clock: Clock,
         Area { origin_m, a }: Area,
     ) -> Series {
         let zero = [0.0; TERMS];
@@ -191,14 +159,13 @@ impl Constants {
         let (mut slowing, mut driving) = (zero, zero);
         (s.travel[0], s.slip[0], s.plate[0], s.speed[0]) = (state[0], state[1], state[2], state[3]);
         // Velocities that pressure and mechanism would give in a unit of the clock.
-        let unit_s = rates[0];
+        let Clock { unit_s, grade } = clock;
         let (strength, drag) = (
             self.strength_pa * self.slip_mobility * unit_s,
             self.drag_kg_m3 * self.slip_mobility * unit_s,
         );
         let per_force = self.plate_mobility * unit_s;
         let share = self.cos * self.plate_mobility / self.slip_mobility;
-        let rates = [unit_s, rates[1] / unit_s, rates[2] / unit_s];
         offset[0] = state[0] - origin_m;
         area[0] = a[0] + offset[0] * (a[1] + a[2] * offset[0]);
         // What a coefficient of the slip adds to that of the pressure, and to that of the force.
@@ -224,10 +191,10 @@ impl Constants {
                 slowing[J] = self.cos * g - f;
                 driving[J] = share * f - g;
                 let per_order = 1.0 / (J + 1) as f64;
-                s.travel[J + 1] = along::<J, GRADED>(&s.slip, rates) * (unit_s * per_order);
-                s.slip[J + 1] = along::<J, GRADED>(&slowing, rates) * per_order;
-                s.plate[J + 1] = along::<J, GRADED>(&s.speed, rates) * (unit_s * per_order);
-                s.speed[J + 1] = along::<J, GRADED>(&driving, rates) * per_order;
+                s.travel[J + 1] = along::<J>(&s.slip, grade) * (unit_s * per_order);
+                s.slip[J + 1] = along::<J>(&slowing, grade) * per_order;
+                s.plate[J + 1] = along::<J>(&s.speed, grade) * (unit_s * per_order);
+                s.speed[J + 1] = along::<J>(&driving, grade) * per_order;
             } )* };
         }
         orders!(0 1 2 3 4 5 6 7 8 9 10 11 12);
@@ -237,13 +204,13 @@ impl Constants {
 
 /// Coefficient J of dz/dt · dt/dsigma, in units of the clock's first rate.
 #[inline(always)]
-fn along<const J: usize, const GRADED: bool>(z: &Coefficients, rates: [f64; 3]) -> f64 {
-    if const { GRADED && J >= 2 } {
-        (rates[2] * z[J - 2] + rates[1] * z[J - 1]) + z[J]
-    } else if const { GRADED && J == 1 } {
-        rates[1] * z[0] + z[1]
-    } else {
+fn along<const J: usize>(z: &Coefficients, grade: f64) -> f64 {
+    if const { J == 0 } || !(grade > 0.0) {
         z[J]
+    } else if const { J == 1 } {
+        2.0 * grade * z[0] + z[1]
+    } else {
+        grade * (grade * z[J - 2] + 2.0 * z[J - 1]) + z[J]
     }
 }
 

@@ -4,8 +4,8 @@
 use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
-use crate::model::contact_kernel::expansion::{Area, Series, State, StepTime, slope};
-use crate::model::contact_kernel::law::{Law, Linear, Power};
+use crate::model::contact_kernel::expansion::{Area, Series, State, Clock, slope};
+use crate::model::contact_kernel::law::Law;
 use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::numerics::crossing::{dips, rise, zero};
 use crate::numerics::larger;
@@ -25,7 +25,7 @@ const STEEP_PART: f64 = 0.2;
 pub(super) struct Progress {
     pub(super) t_s: f64,
     pub(super) state: State,
-    pub(super) clock: StepTime,
+    pub(super) clock: Clock,
     pub(super) piece: usize,
     pub(super) max_displacement_m: f64,
     pub(super) steps: usize,
@@ -43,37 +43,22 @@ pub(super) struct Accuracy {
 impl Contact {
     /// Go on by steps to the end; `None` where the simulation must take over.
     pub(super) fn integrate(&self, progress: Progress, accuracy: Accuracy) -> Option<ContactEnd> {
-        let (spring, damper) = (Linear(self.spring.coefficient), Linear(self.damper.coefficient));
-        let (power_spring, power_damper) = (|| Power::of(self.spring), || Power::of(self.damper));
-        let is_graded = matches!(progress.clock, StepTime::Graded { .. });
-        // A singular damper always starts on a graded clock.
-        match (self.has_linear_spring, self.has_linear_damper, is_graded) {
-            (true, true, _) => self.by_laws::<false>(spring, damper, progress, accuracy),
-            (false, true, false) => {
-                self.by_laws::<false>(power_spring(), damper, progress, accuracy)
-            }
-            (false, true, true) => self.by_laws::<true>(power_spring(), damper, progress, accuracy),
-            (true, false, _) => self.by_laws::<true>(spring, power_damper(), progress, accuracy),
-            (false, false, _) => {
-                self.by_laws::<true>(power_spring(), power_damper(), progress, accuracy)
-            }
-        }
+        self.by_laws(progress, accuracy)
     }
 
-    fn by_laws<const GRADED: bool>(
+    fn by_laws(
         &self,
-        spring: impl Law,
-        damper: impl Law,
         mut progress: Progress,
         accuracy: Accuracy,
     ) -> Option<ContactEnd> {
         let velocity_m_s = self.constants.velocity_m_s;
+        let (spring, damper) = (Law::of(self.spring), Law::of(self.damper));
         while progress.steps < STEPS_MAX {
             let area = self.area_law(progress.piece)?;
             progress.steps += 1;
             let Progress { state, clock, .. } = progress;
             let series =
-                self.constants.expand::<GRADED>(spring, damper, state, clock.rates(), area);
+                self.constants.expand(spring, damper, state, clock, area);
             let plate_m = self.plate_scale_m(state[2], accuracy);
             let trusted = series.trusted(accuracy.tolerance, velocity_m_s, plate_m);
             if let ControlFlow::Break(end) = self.advance(&mut progress, trusted, &series) {
@@ -111,7 +96,9 @@ impl Contact {
     ) -> ControlFlow<Option<ContactEnd>> {
         if trusted < SHORT {
             // The unit is far too long for what happens now.
-            progress.clock = progress.clock.shorter(larger(2.0 * trusted, SHORTER_MIN));
+            let part = larger(2.0 * trusted, SHORTER_MIN);
+            progress.clock.unit_s *= part;
+            progress.clock.grade *= part;
             return ControlFlow::Continue(());
         }
         let to_m = self.geometry.pieces()[progress.piece].to_m;

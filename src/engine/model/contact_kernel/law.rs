@@ -1,29 +1,13 @@
-//! The force laws of the contact kernel, one Taylor coefficient at a time, each compiled for itself. They know no step and no
-//! event.
+//! The force laws of the contact kernel, one Taylor coefficient at a time. They know no step and no event.
 
 use crate::model::contact_kernel::expansion::{Coefficients, TERMS};
 use crate::model::mechanism::PowerLaw;
 
-pub(super) trait Law: Copy {
-    /// Coefficient J of the force, given the argument's coefficients up to J.
-    fn term<const J: usize>(&mut self, z: &Coefficients) -> f64;
-}
-
-/// coefficient · z; zero for no law at all.
+/// coefficient · |z|^exponent sgn(z), away from zero unless it is linear.
 #[derive(Clone, Copy)]
-pub(super) struct Linear(pub(super) f64);
-
-impl Law for Linear {
-    #[inline(always)]
-    fn term<const J: usize>(&mut self, z: &Coefficients) -> f64 {
-        self.0 * z[J]
-    }
-}
-
-/// coefficient · |z|^exponent sgn(z), away from zero.
-#[derive(Clone, Copy)]
-pub(super) struct Power {
+pub(super) struct Law {
     law: PowerLaw,
+    is_linear: bool,
     inverse: f64,
     tangent: f64,
     force: Coefficients,
@@ -31,16 +15,19 @@ pub(super) struct Power {
     slope: Coefficients,
 }
 
-impl Power {
+impl Law {
     pub(super) fn of(law: PowerLaw) -> Self {
-        Self { law, inverse: 0.0, tangent: 0.0, force: [0.0; TERMS], slope: [0.0; TERMS] }
+        let zero = [0.0; TERMS];
+        Self { law, is_linear: law.is_linear(), inverse: 0.0, tangent: 0.0, force: zero, slope: zero }
     }
-}
 
-impl Law for Power {
-    /// From z f' = exponent f z': j `z[0]` `f[j]` = sum over i of (exponent (i) - (j - i)) `z[i]` `f[j - i]`.
+    /// Coefficient J of the force, given the argument's coefficients up to J: from z f' = exponent f z',
+    /// j `z[0]` `f[j]` = sum over i of (exponent (i) - (j - i)) `z[i]` `f[j - i]`.
     #[inline(always)]
-    fn term<const J: usize>(&mut self, z: &Coefficients) -> f64 {
+    pub(super) fn term<const J: usize>(&mut self, z: &Coefficients) -> f64 {
+        if self.is_linear {
+            return self.law.coefficient * z[J];
+        }
         let exponent = self.law.exponent;
         if const { J == 0 } {
             self.inverse = 1.0 / z[0];
@@ -72,7 +59,6 @@ impl Law for Power {
         self.force[J]
     }
 }
-
 /// Coefficient J of a² but for the part of a\[J\], 2 a\[0\] a\[J\]; the newest coefficients come last, so that the
 /// processor can add the others while it waits for them.
 #[inline(always)]
