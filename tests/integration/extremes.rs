@@ -254,7 +254,7 @@ fn a_sweep_and_a_run_agree_within_the_tolerance() {
             own.mechanism.spring.exponent = 0.5 + 1.5 * random.unit();
             own.mechanism.damper.coefficient = random.log_or_zero(0.5, 1.0, 2e3);
             own.run.tolerance = tolerance;
-            let end = Contact::of(&own).unwrap().run_minding_plate(0.3 * tolerance);
+            let end = Contact::of(&own).unwrap().run(0.3 * tolerance);
             let (Some(end), Some(arrest)) = (end, without_series(&own).first_arrest) else {
                 continue;
             };

@@ -1,40 +1,30 @@
 //! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps
 //! and searches that request nothing else.
 //!
-//! The contact's Taylor recurrence is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`) and
-//! integrated step by step (`integration.rs`). A law that is singular where the plate starts is put in a moment later (`start.rs`).
-//! Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back through a singular point, one
-//! that a spring or damper holds too stiffly for its steps) are left to the simulation: [`Contact::of`] or [`Contact::run`] returns
-//! `None`. Free and rigid plates are integrated like others: their closed form takes longer, for its time is a quadrature.
+//! The contact is expanded in Taylor series from step to step (`expansion.rs`). A law that is singular where the plate starts is put
+//! in a moment later (`start.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back
+//! through a singular point, one that a spring or damper holds too stiffly for its steps) are left to the simulation: [`Contact::of`]
+//! or [`Contact::run`] returns `None`. Free and rigid plates are integrated like others: their closed form takes longer, for its time
+//! is a quadrature.
 
 use crate::model::contact::{AreaLaw, Geometry};
-use crate::model::mechanism::{Mechanism, PowerLaw, Spring};
+use crate::model::mechanism::{Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{ContactModel, Scene};
+use crate::numerics::crossing::{dips, rise, zero};
 use crate::numerics::{larger, smaller};
-use expansion::{Constants, Series, Clock};
-use integration::{Accuracy, Progress};
-use law::Law;
-use start::Start;
+use expansion::State;
 
 mod expansion;
-mod integration;
-mod law;
 mod start;
 
 /// Part of the force that is reached at least, if it grew as at first contact.
 const GROWN_PART: f64 = 0.3;
-/// The least velocity of the plate that counts, as part of that of the projectile: less is within rounding.
-const PLATE_PART_MIN: f64 = 1e-4;
-/// First unit of a step, relative to the contact's duration and, on a graded clock, to where it starts.
-const EVEN_UNIT: f64 = 0.5;
-const GRADED_UNIT: f64 = 0.6;
-/// Time up to which a plate is expanded without its singular laws, as part of the contact's duration.
-const MOMENT_MAX: f64 = 0.1;
-
+/// Steps, and radians by which the plate oscillates or decays, after which the simulation is the faster method.
+const STEPS_MAX: usize = 2000;
 /// Exponent below which the plate oscillates on its spring so fast at first that every step must follow it.
 const STEEP_BELOW: f64 = 0.5;
-/// Radians by which a plate may oscillate ahead.
-const RADIANS_MAX: f64 = 2.0 * integration::STEPS_MAX as f64;
+/// Part of the tolerance for each of the many steps of a plate that oscillates fast.
+const STEEP_PART: f64 = 0.2;
 
 /// One contact, prepared: everything that does not change during the contact.
 #[derive(Clone, Debug)]
@@ -42,17 +32,19 @@ pub struct Contact {
     geometry: Geometry,
     spring: PowerLaw,
     damper: PowerLaw,
-    /// Or none at all.
-    has_linear_spring: bool,
-    has_linear_damper: bool,
-    constants: Constants,
+    strength_pa: f64,
+    drag_kg_m3: f64,
+    /// What a unit of contact force takes from the slip, 1/kg.
+    slip_mobility: f64,
+    /// What a unit of force gives the plate, 1/kg; zero if it cannot move.
+    plate_mobility: f64,
+    cos: f64,
+    velocity_m_s: f64,
     start_m: f64,
     /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
     scale_s: f64,
-    /// A part of the contact force that is reached for certain, along the plate's way, N.
-    reached_n: f64,
-    /// How far the plate comes at least on a spring that starts steep at zero, m.
-    steep_reach_m: Option<f64>,
+    /// How far a plate that is not cocked comes at least on its spring, m; infinite without one.
+    reach_m: f64,
 }
 
 /// How a contact ended.
@@ -88,116 +80,119 @@ impl Contact {
         }
         let geometry = Geometry::of(scene);
         let AreaLaw::Quadratic { a, .. } = geometry.pieces().first()?.law else { return None };
-        let constants = Constants::of(scene, geometry.nose.cos);
-        let Constants { strength_pa, drag_kg_m3, velocity_m_s: v, .. } = constants;
+        let plate_mobility = if scene.is_rigid() { 0.0 } else { 1.0 / moving_plate_kg(scene) };
+        let (cos, v) = (geometry.nose.cos, scene.projectile.velocity_m_s);
+        let slip_mobility = 1.0 / scene.projectile.mass_kg + cos * cos * plate_mobility;
+        let (strength_pa, drag_kg_m3) = (scene.flow_strength_pa(), scene.drag_kg_m3());
         // How fast the contact force grows at first, N/s.
         let growth_n_s = a[1] * v * (strength_pa + drag_kg_m3 * v * v);
         let start_m = scene.start_m();
-        let preload = spring.force(start_m).abs() * constants.plate_mobility;
-        let by_contact = (2.0 * v / (growth_n_s * constants.slip_mobility)).sqrt();
+        let preload = spring.force(start_m).abs() * plate_mobility;
+        let by_contact = (2.0 * v / (growth_n_s * slip_mobility)).sqrt();
         let scale_s = smaller(smaller(by_contact, v / preload), geometry.exit_m / v);
-        if !(scale_s > 0.0 && scale_s.is_finite()) {
-            return None;
-        }
-        let mut contact = Self {
+        let reached_n = GROWN_PART * growth_n_s * scale_s * cos;
+        let on_spring_m = if start_m == 0.0 { spring.at_force(reached_n) } else { f64::INFINITY };
+        let reach_m = smaller(on_spring_m, v * scale_s);
+        (scale_s > 0.0 && scale_s.is_finite()).then_some(Self {
+            geometry,
             spring,
             damper,
-            has_linear_spring: spring.is_linear(),
-            has_linear_damper: damper.is_linear(),
+            strength_pa,
+            drag_kg_m3,
+            slip_mobility,
+            plate_mobility,
+            cos,
+            velocity_m_s: v,
             start_m,
             scale_s,
-            reached_n: GROWN_PART * growth_n_s * scale_s * constants.cos,
-            steep_reach_m: None,
-            geometry,
-            constants,
-        };
-        let is_steep = contact.is_singular_spring() && spring.exponent < STEEP_BELOW;
-        contact.steep_reach_m = is_steep.then(|| contact.reach_m());
-        Some(contact)
-    }
-
-    /// Run it to the relative accuracy `tolerance`; `None` where the simulation is needed.
-    pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
-        self.run_minding_plate(tolerance)
-    }
-
-    /// As [`Contact::run`], with the plate's displacement, too, to this accuracy relative to itself.
-    pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
-        let moves = self.constants.plate_mobility > 0.0 && self.start_m == 0.0;
-        let minds = moves && !self.spring.is_absent();
-        self.run_to(Accuracy {
-            tolerance,
-            plate_m: if minds { self.reach_m() } else { f64::INFINITY },
+            reach_m,
         })
     }
 
-    fn run_to(&self, accuracy: Accuracy) -> Option<ContactEnd> {
-        self.integrate(self.begin(accuracy)?, accuracy)
-    }
-
-    /// Whether the spring is singular where the plate starts.
-    fn is_singular_spring(&self) -> bool {
-        self.start_m == 0.0 && !self.has_linear_spring
-    }
-
-    /// The first moment of the contact: first contact itself, or a little later where a law is singular there.
-    fn begin(&self, accuracy: Accuracy) -> Option<Progress> {
-        let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
-        let (start_m, scale_s) = (self.start_m, self.scale_s);
-        let unit_s = EVEN_UNIT * scale_s;
-        let begin = Progress {
-            t_s: 0.0,
-            state: [0.0, velocity_m_s, start_m, 0.0],
-            clock: Clock { unit_s, grade: 0.0 },
-            piece: 0,
-            max_displacement_m: start_m,
-            steps: 0,
-        };
-        if self.has_linear_damper && !self.is_singular_spring() {
-            return Some(begin);
-        }
-        let series = self.without_laws(&begin)?;
-        let plate_m_s = smaller(accuracy.plate_m / scale_s, velocity_m_s);
-        let start = Start {
-            spring: self.spring.only_if(start_m == 0.0),
-            damper: self.damper,
-            plate_kg: 1.0 / plate_mobility,
-            cos,
-            from_m: start_m,
-            tolerance: accuracy.tolerance,
-            scale_m_s: larger(plate_m_s, PLATE_PART_MIN * velocity_m_s),
-            duration_s: scale_s,
-        };
-        let trusted = series.trusted(accuracy.tolerance, velocity_m_s, f64::INFINITY);
-        let (t_s, state) =
-            start.place(&series, unit_s, smaller(trusted, MOMENT_MAX / EVEN_UNIT))?;
-        if self.steep_reach_m.is_some() && self.radians_ahead(t_s, state[2]) > RADIANS_MAX {
+    /// Run it to this accuracy of depth, time and displacement, each relative to itself; `None` where the simulation is needed.
+    pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
+        let (mut t_s, mut state, mut clock) = self.begin(tolerance)?;
+        // A law that is steep where it begins holds the plate most stiffly at first.
+        let span_s = if t_s > 0.0 { t_s } else { self.scale_s };
+        if self.rate_per_s(&state) * span_s > STEPS_MAX as f64 {
             return None;
         }
-        let inside = state[0] < self.geometry.pieces().first()?.to_m && state[1] > 0.0;
-        let clock = Clock { unit_s: 3.0 * GRADED_UNIT * t_s, grade: GRADED_UNIT };
-        inside.then_some(Progress { t_s, state, clock, steps: 1, ..begin })
+        let (mut pieces, mut max_displacement_m) = (self.geometry.pieces().iter(), self.start_m);
+        let mut piece = pieces.next()?;
+        // The first moment of a singular law counts as one.
+        for steps in 1 + usize::from(t_s > 0.0)..=STEPS_MAX {
+            let series = self.expand([self.spring, self.damper], state, clock, piece.law)?;
+            let plate_m = self.plate_scale_m(state[2]);
+            let trusted = series.trusted(tolerance, self.velocity_m_s, plate_m);
+            let (mut span, mut next) = (trusted, series.state(trusted));
+            let stops = next[1] <= 0.0;
+            if stops {
+                span = zero(&series.slip, span);
+                next = series.state(span);
+            } else if dips(&series.slip, span) {
+                return None;
+            }
+            // Travel only grows up to the arrest: the piece's end may lie before it.
+            let at_end = next[0] >= piece.to_m;
+            if at_end {
+                span = rise(&series.travel, piece.to_m, span);
+                next = series.state(span);
+                next[0] = piece.to_m;
+            }
+            // A step is shorter than half an oscillation, so there is one maximum at most.
+            if state[3] > 0.0 && next[3] < 0.0 {
+                let top = series.state(zero(&series.speed, span));
+                max_displacement_m = larger(max_displacement_m, top[2]);
+            }
+            max_displacement_m = larger(max_displacement_m, next[2]);
+            t_s += clock.elapsed_s(span);
+            (state, clock) = (next, clock.next(span, trusted));
+            if !self.holds_at(&state) {
+                return None;
+            }
+            let is_out = at_end && pieces.len() == 0;
+            if is_out || (stops && !at_end) {
+                let [travel_m, _, plate_displacement_m, plate_velocity_m_s] = state;
+                return Some(ContactEnd {
+                    arrested: !is_out,
+                    t_s,
+                    penetration_m: self.geometry.depth_m(travel_m),
+                    plate_displacement_m,
+                    plate_velocity_m_s,
+                    max_displacement_m,
+                    steps,
+                });
+            }
+            if at_end {
+                piece = pieces.next()?;
+            }
+        }
+        None
     }
 
-    /// The contact from its beginning without spring and damper, but with the preload of a cocked spring.
-    fn without_laws(&self, begin: &Progress) -> Option<Series> {
-        let area = self.area_law(begin.piece)?;
-        let none = Law::of(PowerLaw::NONE);
-        let spring = Law::of(self.spring.only_if(self.start_m != 0.0));
-        Some(self.constants.expand(spring, none, begin.state, begin.clock, area))
+    /// Against what the plate's displacement is measured at `plate_m`, m. On a spring that is steep at zero it oscillates about a place
+    /// that is tiny at first; its oscillations fade more slowly than that grows, and no step may lose the plate.
+    fn plate_scale_m(&self, plate_m: f64) -> f64 {
+        let is_steep = self.spring.is_steep_at_zero() && self.spring.exponent < STEEP_BELOW;
+        if self.start_m == 0.0 && is_steep {
+            STEEP_PART * (plate_m * larger(self.reach_m, plate_m)).sqrt()
+        } else {
+            self.reach_m
+        }
     }
 
-    /// By how many radians the plate will oscillate on a spring that starts at zero, if it is at `plate_m` by the time `t_s`: the
-    /// rate grows with the power (n - 1)/(2 n) of time.
-    fn radians_ahead(&self, t_s: f64, plate_m: f64) -> f64 {
-        let rate = (self.spring.tangent(plate_m) * self.constants.plate_mobility).sqrt();
-        let power = 1.5 - 0.5 / self.spring.exponent;
-        rate * t_s * ((self.scale_s / t_s).powf(power) - 1.0) / power
+    /// By how many radians a second the plate oscillates on its spring and decays by its damper at a state.
+    fn rate_per_s(&self, [_, _, plate_m, speed_m_s]: &State) -> f64 {
+        let by_spring = self.spring.tangent(*plate_m) * self.plate_mobility;
+        by_spring.sqrt() + self.damper.tangent(*speed_m_s) * self.plate_mobility
     }
 
-    /// How far the plate comes at least, m.
-    fn reach_m(&self) -> f64 {
-        self.spring.at_force(self.reached_n)
+    /// Whether the laws hold at a state: a plate stays on the side of zero on which it started, and goes forward, unless they are linear.
+    fn holds_at(&self, [travel_m, _, plate_m, speed_m_s]: &State) -> bool {
+        let on_its_side = if self.start_m < 0.0 { *plate_m < 0.0 } else { *plate_m > 0.0 };
+        travel_m.is_finite()
+            && (on_its_side || self.spring.is_linear())
+            && (*speed_m_s > 0.0 || self.damper.is_linear())
     }
 }
 
@@ -274,7 +269,7 @@ mod tests {
             scene.run.tolerance = 1e-12;
             let (t_s, depth_m) = full(&scene);
             for tolerance in [1e-6, 1e-8, 1e-10] {
-                let end = Contact::of(&scene).unwrap().run_minding_plate(tolerance).unwrap();
+                let end = Contact::of(&scene).unwrap().run(tolerance).unwrap();
                 let errors = [end.t_s / t_s - 1.0, end.penetration_m / depth_m - 1.0];
                 let holds = errors.iter().all(|e| e.abs() < tolerance);
                 assert!(holds, "{pairs} {tolerance:e} {errors:?}");

@@ -63,12 +63,9 @@ impl Kernel {
             return None;
         }
         let (contact, tolerance) = (Contact::of(scene)?, TOLERANCE_FRACTION * scene.run.tolerance);
-        let (end, max_displacement_m) = if self.displacement {
-            let end = contact.run_minding_plate(tolerance)?;
-            (end, max_displacement_m(scene, &end))
-        } else {
-            (contact.run(tolerance)?, None)
-        };
+        let end = contact.run(tolerance)?;
+        let max_displacement_m =
+            if self.displacement { max_displacement_m(scene, &end) } else { None };
         // The mount of a plate that never moves bears the contact force, which takes a simulation.
         if self.force && holds_still(scene, max_displacement_m) {
             return None;
