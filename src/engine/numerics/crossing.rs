@@ -4,8 +4,6 @@
 const ROUNDS_MAX: usize = 60;
 /// A relative move of Halley's method after which what is left is less than rounding.
 const SETTLED: f64 = 1e-6;
-/// The cubic term moves a guess by this part of it at most.
-const MOVED_MOST: f64 = 0.2;
 
 /// Where a rising series reaches `level`, between 0 and `end`.
 pub(crate) fn rise<const N: usize>(c: &[f64; N], level: f64, end: f64) -> f64 {
@@ -25,15 +23,18 @@ pub(crate) fn dips<const N: usize>(c: &[f64; N], end: f64) -> bool {
     below <= 0.0 && c[1] < 0.0 && jet(c, end).1 > 0.0
 }
 
-/// The zero between 0 and `end`, where the series has opposite signs: Halley's method from a guess, kept inside the bracket by
-/// bisection.
+/// The zero between 0 and `end`, where the series has opposite signs: Halley's method, kept inside the bracket by
+/// bisection, from the parabola's zero moved by what the cubic term changes to second order.
 pub(crate) fn zero<const N: usize>(c: &[f64; N], end: f64) -> f64 {
     let (mut low, mut high) = (0.0, end);
-    let mut s = guess(c);
-    if !(s > low && s < high) {
-        s = middle(end);
-    }
+    let steep = (c[1] * c[1] - 4.0 * c[0] * c[2]).sqrt().copysign(c[1]);
+    let parabola = -2.0 * c[0] / (c[1] + steep);
+    let moved = -c[3] / steep * (parabola * parabola);
+    let mut s = parabola * (1.0 + moved * (1.0 + 2.5 * moved));
     for _ in 0..ROUNDS_MAX {
+        if !(s > low && s < high) {
+            s = 0.5 * (low + high);
+        }
         let (value, slope, half_bend) = jet(c, s);
         if (value > 0.0) == (c[0] > 0.0) {
             low = s;
@@ -45,38 +46,16 @@ pub(crate) fn zero<const N: usize>(c: &[f64; N], end: f64) -> f64 {
         if (halley - s).abs() <= SETTLED * s {
             return halley;
         }
-        s = if halley > low && halley < high { halley } else { 0.5 * (low + high) };
+        s = halley;
     }
     s
 }
 
-/// Out of line, so that a good guess is not kept waiting by its own check.
-#[cold]
-#[inline(never)]
-fn middle(end: f64) -> f64 {
-    0.5 * end
-}
-
-/// The parabola's zero, moved by what the cubic term changes to second order: exactly so where the slope at 0 is zero, nearly
-/// elsewhere; NaN where the parabola has no zero.
-fn guess<const N: usize>(c: &[f64; N]) -> f64 {
-    // The parabola's slope at its zero.
-    let slope = (c[1] * c[1] - 4.0 * c[0] * c[2]).sqrt().copysign(c[1]);
-    let zero = -2.0 * c[0] / (c[1] + slope);
-    let moved = -c[3] / slope * (zero * zero);
-    if moved.abs() < MOVED_MOST { zero * (1.0 + moved * (1.0 + 2.5 * moved)) } else { zero }
-}
-
 /// The series, its slope and half its second derivative at `s`.
 fn jet<const N: usize>(c: &[f64; N], s: f64) -> (f64, f64, f64) {
-    let (mut value, mut slope, mut half_bend) = (c[N - 1], 0.0, 0.0);
-    for (j, c) in c.iter().enumerate().rev().skip(1) {
-        // Terms that are still nothing are not waited for.
-        half_bend = if j + 3 < N { half_bend * s + slope } else { slope };
-        slope = if j + 2 < N { slope * s + value } else { value };
-        value = value * s + c;
-    }
-    (value, slope, half_bend)
+    c.iter().rev().fold((0.0, 0.0, 0.0), |(value, slope, half_bend), c| {
+        (value * s + c, slope * s + value, half_bend * s + slope)
+    })
 }
 
 #[cfg(test)]
