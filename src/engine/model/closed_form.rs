@@ -5,10 +5,11 @@
 //! u² = [(S + c v²) exp(-2 c V/mu) - S]/c: the shot stops where V = mu/(2c) ln(1 + c v²/S), and has its ballistic limit at
 //! v² = (S/c) (exp(2 c V/mu) - 1) with V the volume of the whole passage. Time is one quadrature.
 
-use crate::model::contact::Geometry;
+use crate::model::contact::{AreaPiece, Geometry};
 use crate::model::mechanism::moving_plate_kg;
 use crate::model::scene::Scene;
 use crate::numerics::quadrature::resolved;
+use crate::numerics::{larger, smaller};
 
 /// The part of its value to which the integrand of a time is resolved: the error is about the square of it, which is rounding.
 const RESOLUTION: f64 = 1e-8;
@@ -68,58 +69,46 @@ impl<'a> Passage<'a> {
         self.stopping_volume_m3().and_then(|volume| self.geometry.travel_at_volume_m(volume))
     }
 
-    /// 2 c V/mu of a swept volume: what the drag takes.
-    #[inline]
-    fn exponent(&self, volume_m3: f64) -> f64 {
-        2.0 * self.drag_kg_m3 * self.mobility_per_kg * volume_m3
+    /// u² before a volume is swept, m²/s², where it is `left` (m/s)² after that.
+    fn slip_squared_before(&self, volume_m3: f64, left: f64) -> f64 {
+        let (s, c) = (self.strength_pa, self.drag_kg_m3);
+        if c == 0.0 {
+            return left + 2.0 * s * volume_m3 * self.mobility_per_kg;
+        }
+        left + (s / c + left) * (2.0 * c * self.mobility_per_kg * volume_m3).exp_m1()
     }
 
     /// The ballistic limit, m/s: relative impact velocities above it perforate.
     pub fn limit_velocity_m_s(&self) -> f64 {
-        let volume = self.geometry.swept_m3(self.geometry.exit_m);
-        let (s, c) = (self.strength_pa, self.drag_kg_m3);
-        if c == 0.0 {
-            return (2.0 * s * volume * self.mobility_per_kg).sqrt();
-        }
-        (s / c * self.exponent(volume).exp_m1()).sqrt()
+        self.slip_squared_before(self.geometry.swept_m3(self.geometry.exit_m), 0.0).sqrt()
     }
 
-    /// u² at travel `q_m`, m²/s², from the start; negative beyond the arrest.
-    fn slip_squared(&self, q_m: f64) -> f64 {
-        let (s, c, v) = (self.strength_pa, self.drag_kg_m3, self.velocity_m_s);
-        let volume = self.geometry.swept_m3(q_m);
-        if c == 0.0 {
-            return v * v - 2.0 * s * volume * self.mobility_per_kg;
-        }
-        let shrink = (-self.exponent(volume)).exp_m1();
-        v * v + (s / c + v * v) * shrink
-    }
-
-    /// u² at the distance `ahead_m` before the end, where it is `left` (m/s)², without cancellation near an arrest.
-    fn slip_squared_before(&self, ahead_m: f64, end_m: f64, left: f64) -> f64 {
-        let mut volume = 0.0;
-        for piece in self.geometry.pieces().iter().filter(|piece| piece.from_m < end_m) {
+    /// The volume swept in the last `ahead_m` before `end_m`, m³, without cancellation.
+    fn swept_before_m3(&self, ahead_m: f64, end_m: f64) -> f64 {
+        let swept = |piece: &AreaPiece| {
             // Distances of the piece's ends from the end, the nearer one first.
-            let near = if piece.to_m < end_m { end_m - piece.to_m } else { 0.0 };
-            let far = if end_m - piece.from_m < ahead_m { end_m - piece.from_m } else { ahead_m };
-            if far > near {
-                volume += piece.swept_before_m3(&self.geometry.nose, end_m - near, far - near);
-            }
-        }
-        let (s, c) = (self.strength_pa, self.drag_kg_m3);
-        if c == 0.0 {
-            return left + 2.0 * s * volume * self.mobility_per_kg;
-        }
-        left + (s / c + left) * self.exponent(volume).exp_m1()
+            let near = larger(end_m - piece.to_m, 0.0);
+            let far = smaller(end_m - piece.from_m, ahead_m);
+            let is_swept = far > near;
+            is_swept.then(|| piece.swept_before_m3(&self.geometry.nose, end_m - near, far - near))
+        };
+        self.geometry.pieces().iter().filter_map(swept).sum()
     }
 
     /// How long it takes to the arrest at this travel, or to the exit, to rounding, s: with q = end (1 - s²) the integrand 2 end s/u is
     /// smooth up to an arrest.
     pub fn time_s(&self, arrest_m: Option<f64>) -> f64 {
         let end_m = arrest_m.unwrap_or(self.geometry.exit_m);
-        let left_m_s = if arrest_m.is_some() { 0.0 } else { self.slip_squared(end_m).sqrt() };
-        let left = left_m_s * left_m_s;
-        let slip = |s: f64| self.slip_squared_before(end_m * s * s, end_m, left).sqrt();
+        let left = match arrest_m {
+            Some(_) => 0.0,
+            None => {
+                let volume_m3 = self.geometry.swept_m3(end_m);
+                self.slip_squared_before(-volume_m3, self.velocity_m_s * self.velocity_m_s)
+            }
+        };
+        let slip = |s: f64| {
+            self.slip_squared_before(self.swept_before_m3(end_m * s * s, end_m), left).sqrt()
+        };
         let joints = self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m);
         let joints = joints.map(|piece| ((end_m - piece.to_m) / end_m).sqrt());
         let bounds: Vec<f64> = [1.0].into_iter().chain(joints).chain([0.0]).collect();
