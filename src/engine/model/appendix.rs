@@ -29,19 +29,6 @@ worded! {
     }
 }
 
-/// The end of a contact by the scheme.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactEnd {
-    /// Arrested or perforated.
-    pub outcome: Outcome,
-    /// When, s.
-    pub t_s: f64,
-    /// The greatest depth until then, m.
-    pub depth_m: f64,
-    /// Steps taken.
-    pub steps: usize,
-}
-
 /// Where the scheme is.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct State {
@@ -140,10 +127,7 @@ impl Scheme {
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: scene.projectile.velocity_m_s,
-            cos: match listing.obliquity {
-                Reading::Printed => 1.0,
-                Reading::Corrected => geometry.nose.cos,
-            },
+            cos: if listing.obliquity == Reading::Printed { 1.0 } else { geometry.nose.cos },
             geometry,
             start: [scene.start_m(), scene.plate_velocity_m_s()],
             plate,
@@ -156,10 +140,8 @@ impl Scheme {
 
     /// First contact. As printed, the relative velocity of the first step is the projectile's own.
     pub fn start(&self) -> State {
-        let plate_m_s = match self.listing.coupling {
-            Reading::Printed => 0.0,
-            Reading::Corrected => self.cos * self.start[1],
-        };
+        let is_printed = self.listing.coupling == Reading::Printed;
+        let plate_m_s = if is_printed { 0.0 } else { self.cos * self.start[1] };
         State {
             velocity_m_s: self.velocity_m_s,
             plate: self.start,
@@ -178,17 +160,16 @@ impl Scheme {
             Reading::Printed => self.step_as_printed(state)?,
             Reading::Corrected => self.step_by_runge_kutta(state)?,
         }
-        let finite =
-            state.force_n.is_finite() && state.slip_m_s.is_finite() && state.plate[0].is_finite();
-        if finite { Ok(()) } else { Err(Refusal::NonFinite) }
+        let is_finite =
+            [state.force_n, state.slip_m_s, state.plate[0]].iter().all(|x| x.is_finite());
+        if is_finite { Ok(()) } else { Err(Refusal::NonFinite) }
     }
 
     fn step_as_printed(&self, state: &mut State) -> Result<(), Refusal> {
         let dt_s = self.listing.step_s;
-        let increment = state.plate[0] - state.plate_before[0];
         state.pen_m += state.velocity_m_s * dt_s;
         state.travel_m += state.slip_m_s * dt_s;
-        self.load(state, increment)?;
+        self.load(state)?;
         state.velocity_m_s -=
             dt_s * 0.5 * (state.force_n + state.force_before_n) / self.projectile_kg;
         state.plate_before = state.plate;
@@ -211,16 +192,16 @@ impl Scheme {
         };
         let [x, w] = state.plate;
         let y = [state.pen_m, state.travel_m, state.velocity_m_s, x, w];
-        let [pen_m, travel_m, velocity_m_s, x, w] = runge_kutta(y, self.listing.step_s, rate);
         state.plate_before = state.plate;
-        state.plate = [x, w];
-        (state.pen_m, state.travel_m, state.velocity_m_s) = (pen_m, travel_m, velocity_m_s);
-        state.slip_m_s = velocity_m_s - self.cos * w;
-        self.load(state, x - state.plate_before[0])
+        [state.pen_m, state.travel_m, state.velocity_m_s, state.plate[0], state.plate[1]] =
+            runge_kutta(y, self.listing.step_s, rate);
+        state.slip_m_s = state.velocity_m_s - self.cos * state.plate[1];
+        self.load(state)
     }
 
     /// Depth, area and force at the present travels.
-    fn load(&self, state: &mut State, increment_m: f64) -> Result<(), Refusal> {
+    fn load(&self, state: &mut State) -> Result<(), Refusal> {
+        let increment_m = state.plate[0] - state.plate_before[0];
         state.depth_m = self.depth_m(state.pen_m, state.travel_m, increment_m);
         if state.depth_m < 0.0 {
             return Err(Refusal::Separated);
@@ -240,48 +221,46 @@ impl Scheme {
     fn force_n(&self, depth_m: f64, slip_m_s: f64) -> (f64, f64) {
         let Geometry { nose, thickness_m, .. } = &self.geometry;
         let overwritten = self.listing.jumps == Reading::Printed && depth_m > nose.full_from_m();
-        let area = if overwritten {
-            f64::NAN
-        } else {
-            nose.area_m2(depth_m) - nose.area_m2(depth_m - thickness_m)
-        };
+        let engaged = nose.area_m2(depth_m) - nose.area_m2(depth_m - thickness_m);
+        let area = if overwritten { f64::NAN } else { engaged };
         (area, area * (self.drag_kg_m3 * slip_m_s * slip_m_s + self.strength_pa))
     }
 
     /// Whether, and how, the contact has ended.
     pub fn ended(&self, state: &State) -> Option<Outcome> {
-        let slow = match self.listing.stopping {
+        let is_slow = match self.listing.stopping {
             Reading::Printed => state.slip_m_s < SLOW_M_S,
             Reading::Corrected => state.slip_m_s <= 0.0,
         };
-        if state.area_m2 <= 0.0 {
-            Some(Outcome::Perforated)
-        } else {
-            slow.then_some(Outcome::Arrested)
-        }
+        let is_out = state.area_m2 <= 0.0;
+        is_out.then_some(Outcome::Perforated).or(is_slow.then_some(Outcome::Arrested))
     }
 }
 
-/// Run the contact phase of the listing as printed with steps of `dt_s` and at most `steps_max` of them.
+/// Run the contact phase of the listing as printed with steps of `dt_s` and at most `steps_max` of them: how it ends, the greatest depth
+/// until then, m, and the steps taken.
 ///
 /// # Errors
 /// A [`Refusal`] when it does not come to an end, or diverges.
-pub fn contact(scene: &Scene, dt_s: f64, steps_max: usize) -> Result<ContactEnd, Refusal> {
+pub fn contact(
+    scene: &Scene,
+    dt_s: f64,
+    steps_max: usize,
+) -> Result<(Outcome, f64, usize), Refusal> {
     let scheme = Scheme::of(scene, Listing { step_s: dt_s, ..Listing::default() });
     if scheme.plate.is_some() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }
     let stop_m = scene.mechanism.stop.position_m.filter(|_| scheme.plate.is_some());
     let (mut state, mut deepest) = (scheme.start(), 0.0);
-    for i in 0..steps_max {
+    for step in 1..=steps_max {
         scheme.step(&mut state)?;
         deepest = larger(state.depth_m, deepest);
         if stop_m.is_some_and(|stop| state.plate[0] >= stop) {
             return Err(Refusal::StopWithinContact);
         }
         if let Some(outcome) = scheme.ended(&state) {
-            let steps = i + 1;
-            return Ok(ContactEnd { outcome, t_s: steps as f64 * dt_s, depth_m: deepest, steps });
+            return Ok((outcome, deepest, step));
         }
     }
     Err(Refusal::StepBudget)

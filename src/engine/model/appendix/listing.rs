@@ -197,11 +197,8 @@ impl Work<'_> {
     fn note_ending(&mut self, ending: Outcome) {
         self.run.outcome = ending;
         // The listing writes the projectile's state after a step with the time before it.
-        let late_s = match self.scheme.listing.stopping {
-            Reading::Printed => self.scheme.listing.step_s,
-            Reading::Corrected => 0.0,
-        };
-        let t_s = self.t_s - late_s;
+        let Listing { stopping, step_s, .. } = self.scheme.listing;
+        let t_s = self.t_s - if stopping == Reading::Printed { step_s } else { 0.0 };
         let kind = if ending == Outcome::Perforated {
             self.run.exit_time_s = Some(t_s);
             self.run.residual_velocity_m_s = Some(self.state.velocity_m_s);

@@ -304,9 +304,9 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
 
 fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
     let end = appendix::contact(scene, dt_s, STEPS_MAX);
-    let end = end.map_err(Refusal::Listing)?;
-    let depth_m = (end.outcome == Outcome::Arrested).then_some(end.depth_m);
-    Ok(of_contact(end.outcome, depth_m, end.t_s, (end.steps, 5 * end.steps)))
+    let (outcome, depth_m, steps) = end.map_err(Refusal::Listing)?;
+    let depth_m = (outcome == Outcome::Arrested).then_some(depth_m);
+    Ok(of_contact(outcome, depth_m, steps as f64 * dt_s, (steps, 5 * steps)))
 }
 
 fn of_contact(
