@@ -384,7 +384,8 @@ fn guess<const D: usize>(law: &impl Acceleration<D>, start: &Point<D>, h: f64) -
     })
 }
 
-/// A matrix of `D` times `D` blocks of `S`, factored by Gaussian elimination with partial pivoting, for several right-hand sides.
+/// A matrix of `D` times `D` blocks of `S`, factored by Gauss and Jordan's elimination with partial pivoting, for several right-hand
+/// sides.
 struct Factored<const D: usize, const S: usize> {
     /// Of those on the diagonal the reciprocals.
     columns: [[Stages<D, S>; S]; D],
@@ -392,41 +393,25 @@ struct Factored<const D: usize, const S: usize> {
 }
 
 impl<const D: usize, const S: usize> Factored<D, S> {
-    const SIZE: usize = D * S;
-
     fn zero() -> Self {
         Self { columns: [[[[0.0; S]; D]; S]; D], pivots: [[0; S]; D] }
     }
 
     fn factor(&mut self) {
         let (columns, pivots) = (self.columns.as_flattened_mut(), self.pivots.as_flattened_mut());
-        for at in 0..Self::SIZE {
+        for (at, pivot) in pivots.iter_mut().enumerate() {
             let (done, rest) = columns.split_at_mut(at + 1);
             let column = done[at].as_flattened_mut();
-            let mut pivot = at;
-            for row in at + 1..Self::SIZE {
-                if column[row].abs() > column[pivot].abs() {
-                    pivot = row;
+            *pivot = at;
+            for row in at + 1..column.len() {
+                if column[row].abs() > column[*pivot].abs() {
+                    *pivot = row;
                 }
             }
-            pivots[at] = pivot;
-            if pivot != at {
-                column.swap(at, pivot);
-                for other in rest.iter_mut() {
-                    other.as_flattened_mut().swap(at, pivot);
-                }
-            }
+            column.swap(at, *pivot);
             column[at] = 1.0 / column[at];
-            let (inverse, factors) = (column[at], &mut column[at + 1..]);
-            for factor in factors.iter_mut() {
-                *factor *= inverse;
-            }
             for other in rest {
-                let other = other.as_flattened_mut();
-                let above = other[at];
-                for (value, factor) in other[at + 1..].iter_mut().zip(&*factors) {
-                    *value -= factor * above;
-                }
+                eliminate(&done[at], (at, *pivot), other);
             }
         }
     }
@@ -434,25 +419,26 @@ impl<const D: usize, const S: usize> Factored<D, S> {
     /// The solution replaces the right-hand side; `false` where it is not finite.
     fn solve(&self, right: &mut Stages<D, S>) -> bool {
         let (columns, pivots) = (self.columns.as_flattened(), self.pivots.as_flattened());
-        let right = right.as_flattened_mut();
         for (at, (column, pivot)) in columns.iter().zip(pivots).enumerate() {
-            right.swap(at, *pivot);
-            let above = right[at];
-            for (value, factor) in right[at + 1..].iter_mut().zip(&column.as_flattened()[at + 1..])
-            {
-                *value -= factor * above;
-            }
+            eliminate(column, (at, *pivot), right);
         }
-        for (at, column) in columns.iter().enumerate().rev() {
-            let column = column.as_flattened();
-            right[at] *= column[at];
-            let below = right[at];
-            for (value, factor) in right[..at].iter_mut().zip(column) {
-                *value -= factor * below;
-            }
-        }
-        right.iter().all(|value| value.is_finite())
+        right.as_flattened().iter().all(|value| value.is_finite())
     }
+}
+
+/// Takes the unknown of a column, whose row is exchanged for the pivot's, out of all other rows.
+fn eliminate<const D: usize, const S: usize>(
+    column: &Stages<D, S>,
+    (at, pivot): (usize, usize),
+    values: &mut Stages<D, S>,
+) {
+    let (column, values) = (column.as_flattened(), values.as_flattened_mut());
+    values.swap(at, pivot);
+    let unknown = values[at] * column[at];
+    for (value, factor) in values.iter_mut().zip(column) {
+        *value -= factor * unknown;
+    }
+    values[at] = unknown;
 }
 
 #[cfg(test)]

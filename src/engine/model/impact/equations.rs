@@ -296,10 +296,18 @@ impl Equations<'_> {
         (self.mode.spring.tangent_in(self.mode.stretch, x_m) + k, by_speed + b)
     }
 
-    /// Force of the mechanism on its mount, N: it is the mount that turns what turns with the plate.
+    /// Force on the mount, N: that of the mechanism and of what it turns with the plate, or what a plate that is held does not take.
     pub(super) fn mount_n(&self, state: &State) -> f64 {
-        self.mechanism_n(state.x_m, state.w_m_s)
-            + self.setup.turning_kg * self.accelerations(state).1
+        match self.mode.hold {
+            Hold::Mount => 0.0,
+            Hold::OnStop | Hold::Spring => self.contact_n(state) * self.setup.cos,
+            Hold::Free => {
+                let turning_kg = self.setup.turning_kg;
+                let turns = turning_kg > 0.0;
+                let turning_n = if turns { turning_kg * self.accelerations(state).1 } else { 0.0 };
+                self.mechanism_n(state.x_m, state.w_m_s) + turning_n
+            }
+        }
     }
 
     /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.

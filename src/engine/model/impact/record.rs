@@ -103,7 +103,7 @@ impl Record {
         let moves = !equations.plate_rests();
         let is_damped = moves && !equations.setup.damper.is_absent();
         let is_pressed = moves && equations.mode.touch == Touch::Pressed;
-        let slides = equations.slides();
+        let slides = equations.is_touching();
         if !(slides || is_damped || is_pressed) {
             return;
         }
@@ -128,45 +128,28 @@ impl Record {
 
     /// The greatest forces of contact, mount and interface on a step.
     fn note_forces(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
-        let contact_n = |state: &State| equations.contact_n(state);
         // Friction is no peak.
         let flows = equations.setup.law == Law::Flow;
-        if equations.mode.contact == Contact::Deepening || (!flows && equations.slides()) {
+        if equations.goes_in() || (!flows && equations.is_touching()) {
+            let contact_n = |state: &State| equations.contact_n(state);
             let peak_n = path.greatest(self.peak_contact_n, contact_n);
             self.peak_contact_n = larger(peak_n, self.peak_contact_n);
         }
-        match equations.mode.hold {
-            Hold::Mount => {}
-            // What a plate that is held does not take, the mount does.
-            Hold::OnStop | Hold::Spring => {
-                let push_n = |state: &State| contact_n(state) * equations.setup.cos;
-                let known_n = self.loads.mount_n;
-                self.loads.mount_n = larger(path.greatest(known_n, push_n), known_n);
-            }
-            Hold::Free => {
-                self.note_mechanism(equations, path);
-                if equations.setup.turning_kg > 0.0 {
-                    let mount_n = |state: &State| equations.mount_n(state).abs();
-                    let known_n = self.loads.mount_n;
-                    self.loads.mount_n = larger(path.greatest(known_n, mount_n), known_n);
-                }
-            }
+        if equations.is_touching() && !equations.setup.still {
+            let mount_n = |state: &State| equations.mount_n(state).abs();
+            let known_n = self.loads.mount_n;
+            self.loads.mount_n = larger(most_n(equations, path, known_n, mount_n), known_n);
+        } else if equations.mode.hold == Hold::Free {
+            self.note_mechanism(equations, path);
         }
     }
 
-    /// The greatest forces of the mechanism on a step.
+    /// The greatest forces of the mechanism on a step on which nothing else acts on the plate.
     fn note_mechanism(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
         let force_n = |state: &State| equations.mechanism_n(state.x_m, state.w_m_s);
-        // A power law and a stop push most at an end of the step, where nothing else does: the plate turns only there.
-        let at_ends = equations.is_undamped() && equations.mode.spring.power().is_some();
         let known_n = self.loads.known_n(equations, path.end());
-        let most_n = array::from_fn(|way| {
-            let force_n = |state: &State| WAYS[way] * force_n(state);
-            if at_ends {
-                larger(force_n(path.start()), force_n(path.end()))
-            } else {
-                path.greatest(known_n[way], force_n)
-            }
+        let greatest_n = array::from_fn(|way| {
+            most_n(equations, path, known_n[way], |state| WAYS[way] * force_n(state))
         });
         let first_s = |way: usize| {
             let gap_n = |state: &State| {
@@ -179,8 +162,8 @@ impl Record {
                 Found::Nothing | Found::Unresolved(_) => path.end().t_s,
             }
         };
-        self.note_load(equations, path.end(), most_n);
-        self.note_excess(equations, path.end(), most_n, first_s);
+        self.note_load(equations, path.end(), greatest_n);
+        self.note_excess(equations, path.end(), greatest_n, first_s);
     }
 
     /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it.
@@ -397,16 +380,26 @@ impl Equations<'_> {
         (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
     }
 
-    /// Whether the nose rubs or cuts.
-    fn slides(&self) -> bool {
-        matches!(self.mode.contact, Contact::Deepening | Contact::Closing | Contact::PullingOut)
-    }
-
     /// Kinetic energy of both bodies, J.
     pub(super) fn kinetic_j(&self, state: &State) -> f64 {
         let Setup { projectile_kg, plate_kg, .. } = *self.setup;
         let (v, w) = (self.setup.projectile_m_s(state), state.w_m_s);
         0.5 * (projectile_kg * v * v + plate_kg * w * w)
+    }
+}
+
+/// The greatest value of a force of the mechanism on a step. A power law and a stop push most at an end of it: the plate turns only there.
+fn most_n(
+    equations: &Equations<'_>,
+    path: &Path<'_>,
+    known_n: f64,
+    force_n: impl Fn(&State) -> f64,
+) -> f64 {
+    let is_elastic = equations.is_undamped() && equations.mode.spring.power().is_some();
+    if is_elastic && equations.mode.hold == Hold::Free && equations.setup.turning_kg == 0.0 {
+        larger(force_n(path.start()), force_n(path.end()))
+    } else {
+        path.greatest(known_n, force_n)
     }
 }
 
