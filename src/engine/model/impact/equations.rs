@@ -6,7 +6,7 @@
 
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::contact_models::Law;
-use crate::model::impact::modes::{Contact, Hold, Mode, Touch};
+use crate::model::impact::modes::{Contact, Hold, Mode};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
@@ -271,7 +271,16 @@ impl Equations<'_> {
 
     /// Force of the elastic stop while it is pressed.
     fn pressed_stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
-        if self.mode.touch == Touch::Pressed { self.stop_n(x_m, w_m_s) } else { 0.0 }
+        if self.mode.is_pressed { self.stop_n(x_m, w_m_s) } else { 0.0 }
+    }
+
+    /// Displacement beyond the stop, or, of a plate that goes back, beyond where an elastic stop has come back to.
+    pub(super) fn beyond_following_stop_m(&self, state: &State) -> f64 {
+        let lag_s = self.setup.stop.map_or(0.0, |stop| match stop.kind {
+            StopKind::Elastic => stop.damping_n_s_m / stop.stiffness_n_m,
+            StopKind::Rigid => 0.0,
+        });
+        self.beyond_stop_m(state.x_m) + lag_s * smaller(state.w_m_s, 0.0)
     }
 
     /// The force that the elastic stop would have if it could pull as well.
@@ -283,8 +292,8 @@ impl Equations<'_> {
 
     /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
     pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
-        let (k, b) = match (self.mode.touch, self.setup.stop) {
-            (Touch::Pressed, Some(stop)) => (stop.stiffness_n_m, stop.damping_n_s_m),
+        let (k, b) = match self.setup.stop {
+            Some(stop) if self.mode.is_pressed => (stop.stiffness_n_m, stop.damping_n_s_m),
             _ => (0.0, 0.0),
         };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);

@@ -2,8 +2,7 @@
 
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::{Contact, Event, Hold, Mode, Touch, limits_n};
-use crate::model::scene::StopKind;
+use crate::model::impact::modes::{Contact, Event, Hold, Mode, limits_n};
 use crate::numerics::larger;
 use crate::numerics::locate::GAPS_MAX;
 
@@ -38,13 +37,10 @@ impl Events {
         if below.is_finite() {
             events.add(&[Event::KnotBehind]);
         }
-        match (setup.stop.map(|stop| stop.kind), mode.touch) {
-            (Some(_), Touch::Away) => events.add(&[Event::StopReached]),
-            (Some(StopKind::Elastic), Touch::Pressed) => events.add(&[Event::StopSlack]),
-            (Some(StopKind::Elastic), Touch::Slack) => {
-                events.add(&[Event::StopCleared, Event::StopPressed]);
-            }
-            _ => {}
+        if mode.is_pressed {
+            events.add(&[Event::StopSlack]);
+        } else if setup.stop.is_some() {
+            events.add(&[Event::StopReached]);
         }
         events
     }
@@ -104,10 +100,8 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::KnotAhead => equations.knots_m().1 - state.x_m,
         Event::KnotBehind => state.x_m - equations.knots_m().0,
         Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
-        Event::StopReached => -equations.beyond_stop_m(state.x_m),
+        Event::StopReached => -equations.beyond_following_stop_m(state),
         Event::StopSlack => equations.stop_n(state.x_m, state.w_m_s),
-        Event::StopCleared => equations.beyond_stop_m(state.x_m),
-        Event::StopPressed => -equations.stop_n(state.x_m, state.w_m_s),
         Event::StopRelease => equations.push_on_stop_n(state),
         // The loop asks for these between steps: they are not waited for.
         Event::ZeroPassed | Event::SpringHolds => 1.0,
@@ -136,31 +130,31 @@ mod tests {
     use crate::model::impact::modes::first;
     use crate::model::variables::scene_with;
 
-    /// Scene, contact and touch, and the events that can end them.
+    /// Scene, contact, whether the elastic stop is pressed, and the events that can end them.
     #[rustfmt::skip]
-    const MODES: [(&str, Contact, Touch, &[Event]); 15] = [
-        ("k=1e5", Contact::Deepening, Touch::Away, &[Event::PieceEnd, Event::SlipZero, Event::SpeedZero]),
-        ("k=1e5 n=2", Contact::Closing, Touch::Away, &[Event::PieceEnd, Event::SlipZero, Event::Bottom, Event::SpeedZero, Event::KnotBehind]),
-        ("k=1e5 n=3", Contact::PullingOut, Touch::Away, &[Event::PieceStart, Event::SlipZero, Event::SpeedZero]),
-        ("k=1e5", Contact::Apart, Touch::Away, &[Event::Recontact, Event::SpeedZero]),
-        ("k=1e5", Contact::Joined, Touch::Away, &[Event::SpeedZero]),
-        ("k=1e5 interface=plastic", Contact::Joined, Touch::Away, &[Event::PushLimit, Event::PullLimit, Event::SpeedZero]),
-        ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Gone, Touch::Pressed, &[Event::SpeedZero, Event::StopSlack]),
-        ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Gone, Touch::Slack, &[Event::SpeedZero, Event::StopCleared, Event::StopPressed]),
-        ("spring=bistable d=1mm", Contact::Gone, Touch::Away, &[Event::SpeedZero, Event::KnotAhead]),
-        ("spring=bistable", Contact::Gone, Touch::Away, &[Event::SpeedZero, Event::KnotAhead, Event::KnotBehind]),
-        ("spring=table", Contact::Gone, Touch::Away, &[Event::SpeedZero]),
-        ("model=half-sine", Contact::Deepening, Touch::Away, &[Event::HistoryEnd, Event::SlipZero, Event::SpeedZero]),
-        ("model=lumped", Contact::Deepening, Touch::Away, &[Event::SlipZero, Event::SpeedZero]),
-        ("model=lumped", Contact::PullingOut, Touch::Away, &[Event::ContactLost, Event::Bottom, Event::SpeedZero]),
-        ("model=lumped", Contact::Apart, Touch::Away, &[Event::Recontact, Event::SpeedZero]),
+    const MODES: [(&str, Contact, bool, &[Event]); 15] = [
+        ("k=1e5", Contact::Deepening, false, &[Event::PieceEnd, Event::SlipZero, Event::SpeedZero]),
+        ("k=1e5 n=2", Contact::Closing, false, &[Event::PieceEnd, Event::SlipZero, Event::Bottom, Event::SpeedZero, Event::KnotBehind]),
+        ("k=1e5 n=3", Contact::PullingOut, false, &[Event::PieceStart, Event::SlipZero, Event::SpeedZero]),
+        ("k=1e5", Contact::Apart, false, &[Event::Recontact, Event::SpeedZero]),
+        ("k=1e5", Contact::Joined, false, &[Event::SpeedZero]),
+        ("k=1e5 interface=plastic", Contact::Joined, false, &[Event::PushLimit, Event::PullLimit, Event::SpeedZero]),
+        ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Gone, true, &[Event::SpeedZero, Event::StopSlack]),
+        ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Gone, false, &[Event::SpeedZero, Event::StopReached]),
+        ("spring=bistable d=1mm", Contact::Gone, false, &[Event::SpeedZero, Event::KnotAhead]),
+        ("spring=bistable", Contact::Gone, false, &[Event::SpeedZero, Event::KnotAhead, Event::KnotBehind]),
+        ("spring=table", Contact::Gone, false, &[Event::SpeedZero]),
+        ("model=half-sine", Contact::Deepening, false, &[Event::HistoryEnd, Event::SlipZero, Event::SpeedZero]),
+        ("model=lumped", Contact::Deepening, false, &[Event::SlipZero, Event::SpeedZero]),
+        ("model=lumped", Contact::PullingOut, false, &[Event::ContactLost, Event::Bottom, Event::SpeedZero]),
+        ("model=lumped", Contact::Apart, false, &[Event::Recontact, Event::SpeedZero]),
     ];
 
     #[test]
     fn a_mode_has_the_events_that_can_end_it() {
-        for (pairs, contact, touch, expected) in MODES {
+        for (pairs, contact, is_pressed, expected) in MODES {
             let setup = Setup::of(&scene_with(pairs), 1e-12);
-            let mode = Mode { contact, touch, ..first(&setup).0 };
+            let mode = Mode { contact, is_pressed, ..first(&setup).0 };
             assert_eq!(Events::of(&setup, &mode).list(), expected, "{pairs} {contact:?}");
         }
         let setup = Setup::of(&scene_with("mount=rigid"), 1e-12);
@@ -175,7 +169,7 @@ mod tests {
     type Case = (&'static str, Contact, Event, [f64; 4], [f64; 4]);
 
     #[rustfmt::skip]
-    const GAPS: [Case; 14] = [
+    const GAPS: [Case; 15] = [
         ("k=1e5", Contact::Deepening, Event::PieceEnd, [1e-3, 9.0, 0.0, 1.0], [2e-2, 9.0, 0.0, 1.0]),
         ("k=1e5", Contact::Deepening, Event::SlipZero, [1e-3, 9.0, 0.0, 1.0], [1e-3, -9.0, 0.0, 1.0]),
         ("k=1e5", Contact::PullingOut, Event::SlipZero, [1e-3, -9.0, 0.0, 1.0], [1e-3, 9.0, 0.0, 1.0]),
@@ -185,6 +179,8 @@ mod tests {
         ("k=1e7 interface=plastic", Contact::Joined, Event::PullLimit, [5e-3, 0.0, -1e-4, 1.0], [5e-3, 0.0, -1e-3, 1.0]),
         ("k=1e5", Contact::Deepening, Event::SpeedZero, [5e-3, 9.0, 0.0, 1.0], [5e-3, 9.0, 0.0, -1.0]),
         ("k=1e5 x_stop=1mm", Contact::Deepening, Event::StopReached, [5e-3, 9.0, 0.0, 1.0], [5e-3, 9.0, 2e-3, 1.0]),
+        // An elastic stop follows within a millisecond.
+        ("k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6 b_stop=1e3", Contact::Deepening, Event::StopReached, [5e-3, 9.0, 2e-3, -2.0], [5e-3, 9.0, 2e-3, -0.5]),
         ("spring=constant x_c=1mm", Contact::Gone, Event::KnotAhead, [5e-3, 9.0, 9e-4, 1.0], [5e-3, 9.0, 1.1e-3, 1.0]),
         ("spring=constant x_c=1mm", Contact::Gone, Event::KnotBehind, [5e-3, 9.0, -9e-4, -1.0], [5e-3, 9.0, -1.1e-3, -1.0]),
         // A hundredth of 5 mm springs back; a damper holds the interface off its spring, and lets go of it.

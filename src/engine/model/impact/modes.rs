@@ -48,16 +48,6 @@ pub(super) enum Hold {
     Mount,
 }
 
-/// The plate and its elastic stop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Touch {
-    /// Before it, or there is none.
-    Away,
-    Pressed,
-    /// Beyond its place, but returning faster than it follows.
-    Slack,
-}
-
 /// What holds between two events.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Mode {
@@ -65,7 +55,8 @@ pub(super) struct Mode {
     pub(super) hold: Hold,
     /// Displacement that a steep spring that holds it does not let it exceed, m.
     pub(super) held_m: f64,
-    pub(super) touch: Touch,
+    /// The plate is pressed on its elastic stop.
+    pub(super) is_pressed: bool,
     /// The stretch of the area law in which the nose is.
     pub(super) piece: AreaPiece,
     /// Greatest travel so far, as far as the contact is beyond it only while it deepens.
@@ -112,13 +103,10 @@ pub(super) enum Event {
     KnotBehind,
     /// The plate turns.
     SpeedZero,
+    /// The plate comes to its stop, or an elastic one catches up with it.
     StopReached,
     /// The elastic stop does not press any more.
     StopSlack,
-    /// The plate is before its elastic stop again.
-    StopCleared,
-    /// The elastic stop presses again a plate that was not clear of it.
-    StopPressed,
     /// Nothing presses the plate on its rigid stop any more.
     StopRelease,
     /// The plate comes through the zero of a spring that is not smooth there.
@@ -134,8 +122,8 @@ impl Event {
     pub(super) fn is_undone_by(self, other: Self) -> bool {
         matches!(
             (self, other),
-            (Self::StopSlack, Self::StopPressed)
-                | (Self::StopPressed, Self::StopSlack)
+            (Self::StopSlack, Self::StopReached)
+                | (Self::StopReached, Self::StopSlack)
                 | (Self::ContactLost, Self::Recontact)
                 | (Self::Recontact, Self::ContactLost)
         )
@@ -148,7 +136,7 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         contact: Contact::Deepening,
         hold: if setup.still { Hold::Mount } else { Hold::Free },
         held_m: setup.held_m(),
-        touch: Touch::Away,
+        is_pressed: false,
         piece: setup.geometry.piece(0.0),
         deepest_m: 0.0,
         origin_m: 0.0,
@@ -202,11 +190,12 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
                 (next.origin_m, state.x_m) = (0.0, x_m);
             }
         }
-        Event::StopReached
-        | Event::StopSlack
-        | Event::StopCleared
-        | Event::StopPressed
-        | Event::StopRelease => at_stop(setup, mode, event, (&mut next, state)),
+        Event::StopReached => reach_stop(setup, &mut next, state),
+        Event::StopSlack => next.is_pressed = false,
+        Event::StopRelease => {
+            state.x_m = setup.stop_at_m - mode.origin_m;
+            release(setup, &mut next, state);
+        }
         Event::ZeroPassed => {
             // What the spring takes on one side it gives on the other.
             let x_m = mode.origin_m + state.x_m;
@@ -281,26 +270,6 @@ fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mod
         Event::PushLimit => push_in(setup, next, state),
         Event::PullLimit => pull_out(setup, next, state),
         _ => {}
-    }
-}
-
-/// What follows an event of the stop.
-fn at_stop(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mode, &mut State)) {
-    let equations = Equations { setup, mode };
-    if event != Event::StopPressed && event != Event::StopRelease {
-        // Slack, the plate may be beyond its stop still.
-        let is_beyond = event == Event::StopSlack && equations.beyond_stop_m(state.x_m) > 0.0;
-        if is_beyond && damps(setup) {
-            next.touch = Touch::Slack;
-            return;
-        }
-        state.x_m = setup.stop_at_m - mode.origin_m;
-    }
-    match event {
-        Event::StopReached => reach_stop(setup, next, state),
-        Event::StopPressed => next.touch = Touch::Pressed,
-        Event::StopRelease => release(setup, next, state),
-        _ => next.touch = Touch::Away,
     }
 }
 
@@ -388,9 +357,13 @@ fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
 /// The plate meets its stop, of either kind.
 fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     let Some(stop) = setup.stop else { return };
-    (mode.origin_m, state.x_m) = (setup.stop_at_m, 0.0);
-    if stop.kind == StopKind::Elastic {
-        mode.touch = Touch::Pressed;
+    let is_elastic = stop.kind == StopKind::Elastic;
+    // Only a plate that goes back is caught up with beyond the stop's place.
+    let is_beyond = is_elastic && state.w_m_s < 0.0;
+    let beyond_m = Equations { setup, mode }.beyond_stop_m(state.x_m);
+    (mode.origin_m, state.x_m) = (setup.stop_at_m, if is_beyond { beyond_m } else { 0.0 });
+    if is_elastic {
+        mode.is_pressed = true;
         // Its damper pushes at once.
         if mode.contact == Contact::Joined {
             settle(setup, mode, state);
@@ -446,10 +419,6 @@ fn leave_stop(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.w_side = -1.0;
     mode.stretch = mode.spring.stretch((mode.origin_m + state.x_m).next_down());
     debug_assert!(setup.stop.is_some(), "only a stop lets go");
-}
-
-fn damps(setup: &Setup) -> bool {
-    setup.stop.is_some_and(|stop| stop.damping_n_s_m > 0.0)
 }
 
 /// The way on which a plate at rest goes on, and the stretch of the spring into which one at the end of a stretch does.
@@ -634,14 +603,15 @@ mod tests {
     #[test]
     fn an_elastic_stop_presses_lets_go_and_is_left() {
         let pairs = "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e6 b_stop=1e3";
-        let touch = |event, x_m, w_m_s| {
-            after_event(pairs, Contact::Deepening, event, [5e-3, 7.0, x_m, w_m_s]).0.touch
+        let after = |event, x_m, w_m_s| {
+            let state = [5e-3, 7.0, x_m, w_m_s];
+            let (mode, state) = after_event(pairs, Contact::Deepening, event, state);
+            (mode.is_pressed, mode.origin_m + state.x_m)
         };
-        assert_eq!(touch(Event::StopReached, 1e-3, 2.0), Touch::Pressed);
-        assert_eq!(touch(Event::StopSlack, 2e-3, -1.0), Touch::Slack);
-        assert_eq!(touch(Event::StopSlack, 1e-3, -1.0), Touch::Away);
-        assert_eq!(touch(Event::StopCleared, 1e-3, -1.0), Touch::Away);
-        assert_eq!(touch(Event::StopPressed, 2e-3, -1.0), Touch::Pressed);
+        assert_eq!(after(Event::StopReached, 1e-3 + 1e-18, 2.0), (true, 1e-3));
+        assert_eq!(after(Event::StopReached, 2e-3, -1.0), (true, 2e-3));
+        assert_eq!(after(Event::StopSlack, 2e-3, -1.0), (false, 2e-3));
+        assert_eq!(after(Event::StopSlack, 1e-3, -1.0), (false, 1e-3));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Whether a run is decided: bounds by the energy that is left, as pure functions of mode and state.
 
 use crate::model::impact::equations::{Equations, State};
-use crate::model::impact::modes::{Contact, Hold, Touch, limits_n};
+use crate::model::impact::modes::{Contact, Hold, limits_n};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
@@ -284,7 +284,7 @@ impl Equations<'_> {
         if reach_m - far_m <= NEGLIGIBLE * stroke_m {
             return Farthest::Known(far_m);
         }
-        let coasts = mode.touch == Touch::Away && state.w_m_s > 0.0;
+        let coasts = !mode.is_pressed && state.w_m_s > 0.0;
         if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
             let far_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
             return match (far_m < setup.stop_at_m, far_m.is_finite()) {

@@ -4,7 +4,7 @@ use std::array;
 
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::{self, Contact, Hold, Mode, Touch};
+use crate::model::impact::modes::{self, Contact, Hold, Mode};
 use crate::model::impact::path::Path;
 use crate::model::run::{self, Arrest, Cost, Departure, EnergyLedger, Event, EventKind, Sample};
 use crate::numerics::locate::{Found, first_fall};
@@ -102,7 +102,7 @@ impl Record {
     fn add_work(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
         let moves = !equations.plate_rests();
         let is_damped = moves && !equations.setup.damper.is_absent();
-        let is_pressed = moves && equations.mode.touch == Touch::Pressed;
+        let is_pressed = moves && equations.mode.is_pressed;
         let slides = equations.is_touching();
         if !(slides || is_damped || is_pressed) {
             return;
@@ -259,7 +259,7 @@ impl Record {
             self.note_load(after, to, [force_n, -force_n]);
             self.note_excess(after, to, [force_n, -force_n], |_| to.t_s);
         }
-        let acts = |mode: &Mode| (mode.contact, mode.hold, mode.touch);
+        let acts = |mode: &Mode| (mode.contact, mode.hold, mode.is_pressed);
         if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
             self.cost.events += 1;
             self.row(after, to);
@@ -438,7 +438,7 @@ fn sample(equations: &Equations<'_>, state: &State) -> Sample {
         damper_force_n: equations.damper_n(w_m_s),
         stop_force_n: match mode.hold {
             Hold::OnStop => contact_n * setup.cos - spring_n,
-            _ if mode.touch == Touch::Pressed => equations.stop_n(state.x_m, w_m_s),
+            _ if mode.is_pressed => equations.stop_n(state.x_m, w_m_s),
             _ => 0.0,
         },
     }
