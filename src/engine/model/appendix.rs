@@ -233,7 +233,7 @@ impl Scheme {
             Reading::Corrected => state.slip_m_s <= 0.0,
         };
         let is_out = state.area_m2 <= 0.0;
-        is_out.then_some(Outcome::Perforated).or(is_slow.then_some(Outcome::Arrested))
+        is_out.then_some(Outcome::Perforated).or_else(|| is_slow.then_some(Outcome::Arrested))
     }
 }
 

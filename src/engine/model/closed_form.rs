@@ -99,12 +99,11 @@ impl<'a> Passage<'a> {
     /// smooth up to an arrest.
     pub fn time_s(&self, arrest_m: Option<f64>) -> f64 {
         let end_m = arrest_m.unwrap_or(self.geometry.exit_m);
-        let left = match arrest_m {
-            Some(_) => 0.0,
-            None => {
-                let volume_m3 = self.geometry.swept_m3(end_m);
-                self.slip_squared_before(-volume_m3, self.velocity_m_s * self.velocity_m_s)
-            }
+        let left = if arrest_m.is_some() {
+            0.0
+        } else {
+            let whole_m3 = self.geometry.swept_m3(end_m);
+            self.slip_squared_before(-whole_m3, self.velocity_m_s * self.velocity_m_s)
         };
         let slip = |s: f64| {
             self.slip_squared_before(self.swept_before_m3(end_m * s * s, end_m), left).sqrt()
