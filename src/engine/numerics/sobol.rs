@@ -113,18 +113,13 @@ mod tests {
     #[test]
     fn halves_of_every_dimension_are_independent() {
         for d in 1..=DIMENSIONS {
-            let row = |axis: usize| {
-                (0..d).fold(0u32, |row, digit| row | (DIRECTIONS[axis][digit] >> 31) << digit)
-            };
-            let mut rows: Vec<u32> = (0..d).map(row).collect();
-            for digit in 0..d {
-                let pivot = (digit..d).find(|at| rows[*at] >> digit & 1 == 1);
-                rows.swap(digit, pivot.unwrap_or_else(|| panic!("{d} {digit}")));
-                for at in digit + 1..d {
-                    if rows[at] >> digit & 1 == 1 {
-                        rows[at] ^= rows[digit];
-                    }
-                }
+            // What is left of each row less those before it, of which none has the first digit of another.
+            let mut basis: Vec<u32> = Vec::new();
+            for directions in &DIRECTIONS[..d] {
+                let row = (0..d).fold(0, |row, digit| row | (directions[digit] >> 31) << digit);
+                let left = basis.iter().fold(row, |left, base| left.min(left ^ base));
+                assert_ne!(left, 0, "{d}");
+                basis.push(left);
             }
         }
     }

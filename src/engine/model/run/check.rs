@@ -74,6 +74,14 @@ const ROWS: [(Check, &str, &str); Check::ALL.len()] = [
       is an assumption): the projectile may come loose and strike again. Unconservative. Cure: interface=plastic."),
 ];
 
+const _: () = {
+    let mut at = 0;
+    while at < ROWS.len() {
+        assert!(ROWS[at].0 as usize == at, "the rows are in the order of the checks");
+        at += 1;
+    }
+};
+
 impl Check {
     /// Whether it is of what the design itself has to bear, not of the model's choice.
     pub fn is_of_load(self) -> bool {
