@@ -197,7 +197,7 @@ impl Equations<'_> {
     fn pressure(&self) -> (f64, f64) {
         let Setup { strength_pa, drag_kg_m3, grip, .. } = *self.setup;
         match self.mode.contact {
-            Contact::Deepening => (strength_pa, drag_kg_m3),
+            Contact::Penetrating => (strength_pa, drag_kg_m3),
             Contact::Closing => (grip * strength_pa, 0.0),
             _ => (-grip * strength_pa, 0.0),
         }
@@ -225,12 +225,12 @@ impl Equations<'_> {
 
     /// Whether the bodies push on each other without being one.
     pub(super) fn is_touching(&self) -> bool {
-        !matches!(self.mode.contact, Contact::Apart | Contact::Gone | Contact::Joined)
+        !matches!(self.mode.contact, Contact::FreeFlight | Contact::Perforated | Contact::Fused)
     }
 
     /// Whether the nose goes deeper than ever.
     pub(super) fn goes_in(&self) -> bool {
-        self.mode.contact == Contact::Deepening
+        self.mode.contact == Contact::Penetrating
     }
 
     /// What a contact that comes to rest without joining the bodies gives back, J; `None` of those that join them.
@@ -321,11 +321,7 @@ impl Equations<'_> {
 
     /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.
     pub(super) fn moving_kg(&self) -> f64 {
-        if self.mode.contact == Contact::Joined {
-            self.setup.joined_kg
-        } else {
-            self.setup.plate_kg
-        }
+        if self.mode.contact == Contact::Fused { self.setup.joined_kg } else { self.setup.plate_kg }
     }
 
     /// Whether the plate stays where it is.
@@ -344,7 +340,7 @@ impl Equations<'_> {
             (contact * setup.cos - mechanism) / self.moving_kg()
         };
         let slip = match self.mode.contact {
-            Contact::Joined => 0.0,
+            Contact::Fused => 0.0,
             _ => -contact / setup.projectile_kg - plate * setup.cos,
         };
         (slip, plate)

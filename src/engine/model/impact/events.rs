@@ -48,24 +48,24 @@ impl Events {
     /// Those of the contact.
     fn add_contact(&mut self, setup: &Setup, mode: &Mode) {
         match (setup.law, mode.contact) {
-            (_, Contact::Gone) | (Law::AtOnce, _) => {}
-            (_, Contact::Joined) => {
+            (_, Contact::Perforated) | (Law::AtOnce, _) => {}
+            (_, Contact::Fused) => {
                 if setup.plastic && mode.hold == Hold::Free {
                     self.add(&[Event::PushLimit, Event::PullLimit]);
                 }
             }
-            (Law::Flow, Contact::Deepening) => self.add(&[Event::PieceEnd, Event::SlipZero]),
+            (Law::Flow, Contact::Penetrating) => self.add(&[Event::PieceEnd, Event::SlipZero]),
             (Law::Flow, Contact::Closing) => {
                 self.add(&[Event::PieceEnd, Event::SlipZero, Event::Bottom]);
             }
-            (Law::Flow, Contact::PullingOut) => self.add(&[Event::PieceStart, Event::SlipZero]),
+            (Law::Flow, Contact::Withdrawing) => self.add(&[Event::PieceStart, Event::SlipZero]),
             // On a plate at rest the slip is zero at the end of the history alone, where it is quadratic in time.
             (Law::History(_), _) if mode.hold == Hold::Free => {
                 self.add(&[Event::HistoryEnd, Event::SlipZero]);
             }
             (Law::History(_), _) => self.add(&[Event::HistoryEnd]),
-            (_, Contact::Apart) => self.add(&[Event::Recontact]),
-            (Law::Lumped(_), Contact::Deepening) => self.add(&[Event::SlipZero]),
+            (_, Contact::FreeFlight) => self.add(&[Event::Recontact]),
+            (Law::Lumped(_), Contact::Penetrating) => self.add(&[Event::SlipZero]),
             (Law::Lumped(_), _) => self.add(&[Event::ContactLost, Event::Bottom]),
         }
     }
@@ -90,7 +90,7 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::PieceEnd => mode.piece.to_m - state.q_m,
         Event::PieceStart => state.q_m - mode.piece.from_m,
         Event::Bottom => mode.deepest_m - state.q_m,
-        Event::SlipZero if mode.contact == Contact::PullingOut => -state.u_m_s,
+        Event::SlipZero if mode.contact == Contact::Withdrawing => -state.u_m_s,
         Event::SlipZero => state.u_m_s,
         Event::Recontact => recontact(setup, mode, state),
         Event::ContactLost => equations.contact_n(state),
@@ -133,21 +133,21 @@ mod tests {
     /// Scene, contact, whether the elastic stop is pressed, and the events that can end them.
     #[rustfmt::skip]
     const MODES: [(&str, Contact, bool, &[Event]); 15] = [
-        ("k=1e5", Contact::Deepening, false, &[Event::PieceEnd, Event::SlipZero, Event::SpeedZero]),
+        ("k=1e5", Contact::Penetrating, false, &[Event::PieceEnd, Event::SlipZero, Event::SpeedZero]),
         ("k=1e5 n=2", Contact::Closing, false, &[Event::PieceEnd, Event::SlipZero, Event::Bottom, Event::SpeedZero, Event::KnotBehind]),
-        ("k=1e5 n=3", Contact::PullingOut, false, &[Event::PieceStart, Event::SlipZero, Event::SpeedZero]),
-        ("k=1e5", Contact::Apart, false, &[Event::Recontact, Event::SpeedZero]),
-        ("k=1e5", Contact::Joined, false, &[Event::SpeedZero]),
-        ("k=1e5 interface=plastic", Contact::Joined, false, &[Event::PushLimit, Event::PullLimit, Event::SpeedZero]),
-        ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Gone, true, &[Event::SpeedZero, Event::StopSlack]),
-        ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Gone, false, &[Event::SpeedZero, Event::StopReached]),
-        ("spring=bistable d=1mm", Contact::Gone, false, &[Event::SpeedZero, Event::KnotAhead]),
-        ("spring=bistable", Contact::Gone, false, &[Event::SpeedZero, Event::KnotAhead, Event::KnotBehind]),
-        ("spring=table", Contact::Gone, false, &[Event::SpeedZero]),
-        ("model=half-sine", Contact::Deepening, false, &[Event::HistoryEnd, Event::SlipZero, Event::SpeedZero]),
-        ("model=lumped", Contact::Deepening, false, &[Event::SlipZero, Event::SpeedZero]),
-        ("model=lumped", Contact::PullingOut, false, &[Event::ContactLost, Event::Bottom, Event::SpeedZero]),
-        ("model=lumped", Contact::Apart, false, &[Event::Recontact, Event::SpeedZero]),
+        ("k=1e5 n=3", Contact::Withdrawing, false, &[Event::PieceStart, Event::SlipZero, Event::SpeedZero]),
+        ("k=1e5", Contact::FreeFlight, false, &[Event::Recontact, Event::SpeedZero]),
+        ("k=1e5", Contact::Fused, false, &[Event::SpeedZero]),
+        ("k=1e5 interface=plastic", Contact::Fused, false, &[Event::PushLimit, Event::PullLimit, Event::SpeedZero]),
+        ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Perforated, true, &[Event::SpeedZero, Event::StopSlack]),
+        ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Perforated, false, &[Event::SpeedZero, Event::StopReached]),
+        ("spring=bistable d=1mm", Contact::Perforated, false, &[Event::SpeedZero, Event::KnotAhead]),
+        ("spring=bistable", Contact::Perforated, false, &[Event::SpeedZero, Event::KnotAhead, Event::KnotBehind]),
+        ("spring=table", Contact::Perforated, false, &[Event::SpeedZero]),
+        ("model=half-sine", Contact::Penetrating, false, &[Event::HistoryEnd, Event::SlipZero, Event::SpeedZero]),
+        ("model=lumped", Contact::Penetrating, false, &[Event::SlipZero, Event::SpeedZero]),
+        ("model=lumped", Contact::Withdrawing, false, &[Event::ContactLost, Event::Bottom, Event::SpeedZero]),
+        ("model=lumped", Contact::FreeFlight, false, &[Event::Recontact, Event::SpeedZero]),
     ];
 
     #[test]
@@ -170,23 +170,23 @@ mod tests {
 
     #[rustfmt::skip]
     const GAPS: [Case; 15] = [
-        ("k=1e5", Contact::Deepening, Event::PieceEnd, [1e-3, 9.0, 0.0, 1.0], [2e-2, 9.0, 0.0, 1.0]),
-        ("k=1e5", Contact::Deepening, Event::SlipZero, [1e-3, 9.0, 0.0, 1.0], [1e-3, -9.0, 0.0, 1.0]),
-        ("k=1e5", Contact::PullingOut, Event::SlipZero, [1e-3, -9.0, 0.0, 1.0], [1e-3, 9.0, 0.0, 1.0]),
+        ("k=1e5", Contact::Penetrating, Event::PieceEnd, [1e-3, 9.0, 0.0, 1.0], [2e-2, 9.0, 0.0, 1.0]),
+        ("k=1e5", Contact::Penetrating, Event::SlipZero, [1e-3, 9.0, 0.0, 1.0], [1e-3, -9.0, 0.0, 1.0]),
+        ("k=1e5", Contact::Withdrawing, Event::SlipZero, [1e-3, -9.0, 0.0, 1.0], [1e-3, 9.0, 0.0, 1.0]),
         ("k=1e5", Contact::Closing, Event::Bottom, [4e-3, 9.0, 0.0, 1.0], [6e-3, 9.0, 0.0, 1.0]),
-        ("k=1e5", Contact::Apart, Event::Recontact, [-1e-3, 9.0, 0.0, 1.0], [1e-3, 9.0, 0.0, 1.0]),
-        ("k=1e7 interface=plastic", Contact::Joined, Event::PushLimit, [5e-3, 0.0, 1e-3, 1.0], [5e-3, 0.0, 5e-3, 1.0]),
-        ("k=1e7 interface=plastic", Contact::Joined, Event::PullLimit, [5e-3, 0.0, -1e-4, 1.0], [5e-3, 0.0, -1e-3, 1.0]),
-        ("k=1e5", Contact::Deepening, Event::SpeedZero, [5e-3, 9.0, 0.0, 1.0], [5e-3, 9.0, 0.0, -1.0]),
-        ("k=1e5 x_stop=1mm", Contact::Deepening, Event::StopReached, [5e-3, 9.0, 0.0, 1.0], [5e-3, 9.0, 2e-3, 1.0]),
+        ("k=1e5", Contact::FreeFlight, Event::Recontact, [-1e-3, 9.0, 0.0, 1.0], [1e-3, 9.0, 0.0, 1.0]),
+        ("k=1e7 interface=plastic", Contact::Fused, Event::PushLimit, [5e-3, 0.0, 1e-3, 1.0], [5e-3, 0.0, 5e-3, 1.0]),
+        ("k=1e7 interface=plastic", Contact::Fused, Event::PullLimit, [5e-3, 0.0, -1e-4, 1.0], [5e-3, 0.0, -1e-3, 1.0]),
+        ("k=1e5", Contact::Penetrating, Event::SpeedZero, [5e-3, 9.0, 0.0, 1.0], [5e-3, 9.0, 0.0, -1.0]),
+        ("k=1e5 x_stop=1mm", Contact::Penetrating, Event::StopReached, [5e-3, 9.0, 0.0, 1.0], [5e-3, 9.0, 2e-3, 1.0]),
         // An elastic stop follows within a millisecond.
-        ("k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6 b_stop=1e3", Contact::Deepening, Event::StopReached, [5e-3, 9.0, 2e-3, -2.0], [5e-3, 9.0, 2e-3, -0.5]),
-        ("spring=constant x_c=1mm", Contact::Gone, Event::KnotAhead, [5e-3, 9.0, 9e-4, 1.0], [5e-3, 9.0, 1.1e-3, 1.0]),
-        ("spring=constant x_c=1mm", Contact::Gone, Event::KnotBehind, [5e-3, 9.0, -9e-4, -1.0], [5e-3, 9.0, -1.1e-3, -1.0]),
+        ("k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6 b_stop=1e3", Contact::Penetrating, Event::StopReached, [5e-3, 9.0, 2e-3, -2.0], [5e-3, 9.0, 2e-3, -0.5]),
+        ("spring=constant x_c=1mm", Contact::Perforated, Event::KnotAhead, [5e-3, 9.0, 9e-4, 1.0], [5e-3, 9.0, 1.1e-3, 1.0]),
+        ("spring=constant x_c=1mm", Contact::Perforated, Event::KnotBehind, [5e-3, 9.0, -9e-4, -1.0], [5e-3, 9.0, -1.1e-3, -1.0]),
         // A hundredth of 5 mm springs back; a damper holds the interface off its spring, and lets go of it.
-        ("model=lumped", Contact::PullingOut, Event::ContactLost, [4.96e-3, -9.0, 0.0, 1.0], [4.94e-3, -9.0, 0.0, 1.0]),
-        ("model=lumped", Contact::Apart, Event::Recontact, [4.94e-3, 9.0, 0.0, 1.0], [4.96e-3, 9.0, 0.0, 1.0]),
-        ("model=lumped k_load=1e6 b_2=1e3", Contact::Apart, Event::Recontact, [4.96e-3, -9.0, 0.0, 1.0], [4.96e-3, -0.9, 0.0, 1.0]),
+        ("model=lumped", Contact::Withdrawing, Event::ContactLost, [4.96e-3, -9.0, 0.0, 1.0], [4.94e-3, -9.0, 0.0, 1.0]),
+        ("model=lumped", Contact::FreeFlight, Event::Recontact, [4.94e-3, 9.0, 0.0, 1.0], [4.96e-3, 9.0, 0.0, 1.0]),
+        ("model=lumped k_load=1e6 b_2=1e3", Contact::FreeFlight, Event::Recontact, [4.96e-3, -9.0, 0.0, 1.0], [4.96e-3, -0.9, 0.0, 1.0]),
     ];
 
     #[test]

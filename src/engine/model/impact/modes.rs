@@ -8,6 +8,8 @@ use crate::model::contact::AreaPiece;
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::mechanism::{Spring, sign};
+/// The contact of projectile and plate, which is what a row of the series calls its mode.
+pub(super) use crate::model::run::Mode as Contact;
 use crate::model::scene::StopKind;
 use crate::numerics::larger;
 
@@ -17,23 +19,6 @@ const RATTLE: f64 = 1e-13;
 /// Part of the work of the whole hole below which a joined body that strikes a stop is stopped whole: its interface would yield by
 /// less than that part of the travel.
 const SOFT_BLOW: f64 = 1e-13;
-
-/// The contact of projectile and plate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Contact {
-    /// The nose goes deeper than ever.
-    Deepening,
-    /// In a hole that is deeper, forwards.
-    Closing,
-    /// In the hole, backwards.
-    PullingOut,
-    /// Before the plate.
-    Apart,
-    /// Through the plate.
-    Gone,
-    /// No slip.
-    Joined,
-}
 
 /// What holds the plate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,7 +118,7 @@ impl Event {
 /// The mode and the state at first contact.
 pub(super) fn first(setup: &Setup) -> (Mode, State) {
     let mut mode = Mode {
-        contact: Contact::Deepening,
+        contact: Contact::Penetrating,
         hold: if setup.still { Hold::Mount } else { Hold::Free },
         held_m: setup.held_m(),
         is_pressed: false,
@@ -233,7 +218,7 @@ fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mod
             next.piece = setup.geometry.piece(state.q_m);
             if state.q_m >= setup.geometry.exit_m {
                 next.deepest_m = larger(mode.deepest_m, state.q_m);
-                next.contact = Contact::Gone;
+                next.contact = Contact::Perforated;
             }
         }
         Event::PieceStart => {
@@ -251,13 +236,13 @@ fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mod
             }
             push_in(setup, next, state);
         }
-        Event::ContactLost => next.contact = Contact::Apart,
+        Event::ContactLost => next.contact = Contact::FreeFlight,
         Event::SlipZero | Event::HistoryEnd => {
             if mode.hold == Hold::Spring {
                 next.hold = Hold::Free;
                 (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
             }
-            if mode.contact == Contact::Deepening {
+            if mode.contact == Contact::Penetrating {
                 next.deepest_m = larger(mode.deepest_m, state.q_m);
             }
             if event == Event::HistoryEnd {
@@ -298,7 +283,7 @@ fn join(setup: &Setup, mode: &mut Mode, state: &mut State) {
     if state.w_m_s != 0.0 {
         mode.w_side = sign(state.w_m_s);
     }
-    mode.contact = Contact::Joined;
+    mode.contact = Contact::Fused;
 }
 
 /// The nose goes forward where it is. The lumped interface is on its steeper branch above the greatest travel, whichever way it goes;
@@ -306,16 +291,16 @@ fn join(setup: &Setup, mode: &mut Mode, state: &mut State) {
 fn push_in(setup: &Setup, mode: &mut Mode, state: &State) {
     let at_bottom = state.q_m >= mode.deepest_m;
     mode.contact = match setup.law {
-        Law::Lumped(_) if !at_bottom => Contact::PullingOut,
+        Law::Lumped(_) if !at_bottom => Contact::Withdrawing,
         Law::Flow if !at_bottom => Contact::Closing,
-        _ => Contact::Deepening,
+        _ => Contact::Penetrating,
     };
     mode.piece = setup.geometry.piece(state.q_m);
 }
 
 /// The nose goes back where it is, or is out.
 fn pull_out(setup: &Setup, mode: &mut Mode, state: &State) {
-    mode.contact = if state.q_m > 0.0 { Contact::PullingOut } else { Contact::Apart };
+    mode.contact = if state.q_m > 0.0 { Contact::Withdrawing } else { Contact::FreeFlight };
     mode.piece = setup.geometry.piece(state.q_m.next_down());
 }
 
@@ -329,11 +314,11 @@ pub(super) fn limits_n(setup: &Setup, mode: &Mode, q_m: f64) -> (f64, f64) {
 /// What follows where the slip is zero: together, unless the interface cannot carry what it must.
 fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.contact = match (setup.law, mode.contact) {
-        (Law::History(_), Contact::PullingOut) => Contact::Deepening,
-        (Law::History(_) | Law::Lumped(_), Contact::Deepening) => Contact::PullingOut,
-        _ => Contact::Joined,
+        (Law::History(_), Contact::Withdrawing) => Contact::Penetrating,
+        (Law::History(_) | Law::Lumped(_), Contact::Penetrating) => Contact::Withdrawing,
+        _ => Contact::Fused,
     };
-    if mode.contact != Contact::Joined {
+    if mode.contact != Contact::Fused {
         return;
     }
     if mode.hold == Hold::OnStop {
@@ -365,12 +350,12 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     if is_elastic {
         mode.is_pressed = true;
         // Its damper pushes at once.
-        if mode.contact == Contact::Joined {
+        if mode.contact == Contact::Fused {
             settle(setup, mode, state);
         }
         return;
     }
-    let joined = mode.contact == Contact::Joined;
+    let joined = mode.contact == Contact::Fused;
     let before = state.w_m_s;
     mode.w_side = -1.0;
     let blow_j = 0.5 * setup.joined_kg * before * before;
@@ -380,7 +365,7 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     if !(joined && (is_soft || !setup.plastic)) {
         state.u_m_s += (before - state.w_m_s) * setup.cos;
         match mode.contact {
-            Contact::Joined | Contact::PullingOut if state.u_m_s > 0.0 => {
+            Contact::Fused | Contact::Withdrawing if state.u_m_s > 0.0 => {
                 push_in(setup, mode, state);
             }
             _ => {}
@@ -389,7 +374,7 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     if state.w_m_s == 0.0 {
         mode.hold = Hold::OnStop;
         let in_contact =
-            matches!(mode.contact, Contact::Joined | Contact::PullingOut) && setup.law == Law::Flow;
+            matches!(mode.contact, Contact::Fused | Contact::Withdrawing) && setup.law == Law::Flow;
         if in_contact && state.u_m_s == 0.0 {
             settle(setup, mode, state);
         }
@@ -409,7 +394,7 @@ fn rebound(setup: &Setup, mode: &Mode, restitution: f64, state: &State) -> f64 {
 /// The plate leaves a rigid stop on which it rested.
 fn release(setup: &Setup, mode: &mut Mode, state: &State) {
     leave_stop(setup, mode, state);
-    if mode.contact == Contact::Joined {
+    if mode.contact == Contact::Fused {
         settle(setup, mode, state);
     }
 }
@@ -467,7 +452,7 @@ mod tests {
         let setup = Setup::of(&scene_with(pairs), 1e-12);
         let (first, state) = first(&setup);
         let mut mode = Mode { contact, deepest_m: 5e-3, ..first };
-        if contact == Contact::PullingOut {
+        if contact == Contact::Withdrawing {
             mode.piece = setup.geometry.piece(q_m.next_down());
         }
         let mut state = State { q_m, u_m_s, x_m, w_m_s, ..state };
@@ -478,28 +463,28 @@ mod tests {
     /// 1.5 kN that it can pull.
     #[rustfmt::skip]
     const TRANSITIONS: [(&str, Contact, Event, [f64; 4], Contact); 21] = [
-        ("k=1e5", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 0.0, 20.0], Contact::Joined),
-        ("k=1e7", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Joined),
-        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::Joined),
-        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Deepening),
-        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, -5e-3, 1.0], Contact::PullingOut),
+        ("k=1e5", Contact::Penetrating, Event::SlipZero, [5e-3, 0.0, 0.0, 20.0], Contact::Fused),
+        ("k=1e7", Contact::Penetrating, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Fused),
+        (PLASTIC, Contact::Penetrating, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::Fused),
+        (PLASTIC, Contact::Penetrating, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Penetrating),
+        (PLASTIC, Contact::Penetrating, Event::SlipZero, [5e-3, 0.0, -5e-3, 1.0], Contact::Withdrawing),
         (PLASTIC, Contact::Closing, Event::SlipZero, [4e-3, 0.0, 5e-3, 1.0], Contact::Closing),
-        (PLASTIC, Contact::Joined, Event::PushLimit, [5e-3, 0.0, 5e-3, 1.0], Contact::Deepening),
-        (PLASTIC, Contact::Joined, Event::PushLimit, [4e-3, 0.0, 5e-3, 1.0], Contact::Closing),
-        (PLASTIC, Contact::Joined, Event::PullLimit, [5e-3, 0.0, -5e-3, 1.0], Contact::PullingOut),
-        ("k=1e5", Contact::Closing, Event::Bottom, [5e-3, 9.0, 0.0, 1.0], Contact::Deepening),
-        ("k=1e5", Contact::PullingOut, Event::PieceStart, [1e-4, -9.0, 0.0, 1.0], Contact::Apart),
-        ("k=1e5", Contact::Apart, Event::Recontact, [0.0, 9.0, 0.0, 1.0], Contact::Closing),
-        (PLASTIC, Contact::Joined, Event::SpeedZero, [5e-3, 0.0, 1e-4, 1e-17], Contact::Joined),
-        ("model=half-sine", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::PullingOut),
-        ("model=half-sine", Contact::PullingOut, Event::SlipZero, [4e-3, 0.0, 1e-4, 1.0], Contact::Deepening),
-        ("model=half-sine", Contact::PullingOut, Event::HistoryEnd, [4e-3, -9.0, 1e-4, 9.0], Contact::Joined),
-        ("model=lumped", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::PullingOut),
-        ("model=lumped", Contact::PullingOut, Event::Bottom, [5e-3, 9.0, 1e-4, 1.0], Contact::Deepening),
-        ("model=lumped", Contact::PullingOut, Event::ContactLost, [5e-3, -9.0, 1e-4, 1.0], Contact::Apart),
-        ("model=lumped", Contact::Apart, Event::Recontact, [4.9e-3, 9.0, 1e-4, 1.0], Contact::PullingOut),
+        (PLASTIC, Contact::Fused, Event::PushLimit, [5e-3, 0.0, 5e-3, 1.0], Contact::Penetrating),
+        (PLASTIC, Contact::Fused, Event::PushLimit, [4e-3, 0.0, 5e-3, 1.0], Contact::Closing),
+        (PLASTIC, Contact::Fused, Event::PullLimit, [5e-3, 0.0, -5e-3, 1.0], Contact::Withdrawing),
+        ("k=1e5", Contact::Closing, Event::Bottom, [5e-3, 9.0, 0.0, 1.0], Contact::Penetrating),
+        ("k=1e5", Contact::Withdrawing, Event::PieceStart, [1e-4, -9.0, 0.0, 1.0], Contact::FreeFlight),
+        ("k=1e5", Contact::FreeFlight, Event::Recontact, [0.0, 9.0, 0.0, 1.0], Contact::Closing),
+        (PLASTIC, Contact::Fused, Event::SpeedZero, [5e-3, 0.0, 1e-4, 1e-17], Contact::Fused),
+        ("model=half-sine", Contact::Penetrating, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::Withdrawing),
+        ("model=half-sine", Contact::Withdrawing, Event::SlipZero, [4e-3, 0.0, 1e-4, 1.0], Contact::Penetrating),
+        ("model=half-sine", Contact::Withdrawing, Event::HistoryEnd, [4e-3, -9.0, 1e-4, 9.0], Contact::Fused),
+        ("model=lumped", Contact::Penetrating, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::Withdrawing),
+        ("model=lumped", Contact::Withdrawing, Event::Bottom, [5e-3, 9.0, 1e-4, 1.0], Contact::Penetrating),
+        ("model=lumped", Contact::Withdrawing, Event::ContactLost, [5e-3, -9.0, 1e-4, 1.0], Contact::FreeFlight),
+        ("model=lumped", Contact::FreeFlight, Event::Recontact, [4.9e-3, 9.0, 1e-4, 1.0], Contact::Withdrawing),
         // Its damper has let go of its spring, which takes over again.
-        ("model=lumped b_2=100", Contact::Apart, Event::Recontact, [4.99e-3, -9.0, 1e-4, 1.0], Contact::PullingOut),
+        ("model=lumped b_2=100", Contact::FreeFlight, Event::Recontact, [4.99e-3, -9.0, 1e-4, 1.0], Contact::Withdrawing),
     ];
 
     #[test]
@@ -513,15 +498,15 @@ mod tests {
     #[test]
     fn the_last_piece_leads_through_the_plate_and_the_others_to_the_next() {
         let (mode, state) =
-            after_event("k=1e5", Contact::Deepening, Event::PieceEnd, [6e-3, 9.0, 0.0, 1.0]);
-        assert_eq!(mode.contact, Contact::Deepening);
+            after_event("k=1e5", Contact::Penetrating, Event::PieceEnd, [6e-3, 9.0, 0.0, 1.0]);
+        assert_eq!(mode.contact, Contact::Penetrating);
         assert_eq!(mode.piece.from_m.to_bits(), state.q_m.to_bits());
         let setup = Setup::of(&scene_with("k=1e5"), 1e-12);
         let mut last = first(&setup).0;
         last.piece = *setup.geometry.pieces().last().unwrap();
         let mut state = State { u_m_s: 9.0, ..State::default() };
         let gone = after(&setup, &last, Event::PieceEnd, &mut state);
-        assert_eq!(gone.contact, Contact::Gone);
+        assert_eq!(gone.contact, Contact::Perforated);
         assert_eq!(state.q_m.to_bits(), setup.geometry.exit_m.to_bits());
     }
 
@@ -531,23 +516,23 @@ mod tests {
         let hit = |pairs: &str, contact| {
             after_event(pairs, contact, Event::StopReached, [4e-3, 7.0, 1e-3, 2.0])
         };
-        let (mode, state) = hit("k=1e5 x_stop=0.001 e=0.5", Contact::Deepening);
+        let (mode, state) = hit("k=1e5 x_stop=0.001 e=0.5", Contact::Penetrating);
         assert_eq!((mode.hold, mode.w_side.to_bits()), (Hold::Free, (-1.0f64).to_bits()));
         assert!((state.w_m_s + 1.0).abs() < 1e-15 && (state.u_m_s - 10.0).abs() < 1e-15);
         assert_eq!((mode.origin_m.to_bits(), state.x_m.to_bits()), (1e-3f64.to_bits(), 0));
         // Without restitution the contact's 15 kN hold it there against the spring's 100 N; gone, nothing does.
-        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Deepening).0.hold, Hold::OnStop);
-        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Gone).0.hold, Hold::Free);
+        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Penetrating).0.hold, Hold::OnStop);
+        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Perforated).0.hold, Hold::Free);
     }
 
     #[test]
     fn a_joined_body_is_stopped_whole_where_it_is_fused_and_slips_where_it_is_plastic() {
         for (law, contact, slip) in
-            [("fused", Contact::Joined, 0.0), ("plastic", Contact::Deepening, 2.0)]
+            [("fused", Contact::Fused, 0.0), ("plastic", Contact::Penetrating, 2.0)]
         {
             let pairs = format!("k=1e5 x_stop=0.001 e=0 interface={law}");
             let state = [5e-3, 0.0, 1e-3, 2.0];
-            let (mode, state) = after_event(&pairs, Contact::Joined, Event::StopReached, state);
+            let (mode, state) = after_event(&pairs, Contact::Fused, Event::StopReached, state);
             assert_eq!(mode.contact, contact, "{law}");
             assert!((state.u_m_s - slip).abs() < 1e-15, "{law}: {state:?}");
         }
@@ -560,7 +545,7 @@ mod tests {
         let pairs = "k=1e5 x_stop=0.001 e=0.5";
         for (speed, hold) in [(1e-3, Hold::Free), (1e-6, Hold::OnStop)] {
             let state = [5e-3, 0.0, 1e-3, speed];
-            let (mode, _) = after_event(pairs, Contact::Deepening, Event::StopReached, state);
+            let (mode, _) = after_event(pairs, Contact::Penetrating, Event::StopReached, state);
             assert_eq!(mode.hold, hold, "{speed}");
         }
     }
@@ -571,7 +556,7 @@ mod tests {
     fn valid_an_absorber_unloads_from_where_the_plate_turns() {
         let pairs = "spring=crush F_crush=5e3 k_crush=1e7 x_crush=0.1";
         let turned =
-            |x_m, event| after_event(pairs, Contact::Deepening, event, [5e-3, 7.0, x_m, 0.0]).0;
+            |x_m, event| after_event(pairs, Contact::Penetrating, event, [5e-3, 7.0, x_m, 0.0]).0;
         let mode = turned(3e-3, Event::SpeedZero);
         assert!((mode.crushed_j - 12.5).abs() < 1e-12, "{}", mode.crushed_j);
         assert!((mode.spring.energy(3e-3) - 1.25).abs() < 1e-12);
@@ -581,7 +566,7 @@ mod tests {
         // So it does from a rigid stop.
         let stopped = format!("{pairs} x_stop=3mm e=0.5");
         let state = [5e-3, 7.0, 3e-3, 2.0];
-        let mode = after_event(&stopped, Contact::Deepening, Event::StopReached, state).0;
+        let mode = after_event(&stopped, Contact::Penetrating, Event::StopReached, state).0;
         assert!((mode.crushed_j - 12.5).abs() < 1e-12, "{}", mode.crushed_j);
     }
 
@@ -589,13 +574,13 @@ mod tests {
     #[test]
     fn valid_bodies_that_become_one_keep_their_momentum() {
         let (mode, state) = first(&Setup::of(&scene_with("gamma=1 model=initial-velocity"), 1e-12));
-        assert_eq!((mode.contact, state.u_m_s.to_bits()), (Contact::Joined, 0));
+        assert_eq!((mode.contact, state.u_m_s.to_bits()), (Contact::Fused, 0));
         assert!((state.w_m_s - 50.0).abs() < 1e-13);
         let still = first(&Setup::of(&scene_with("mount=rigid model=initial-velocity"), 1e-12)).1;
         assert_eq!(still.w_m_s.to_bits(), 0);
         let state = [4e-3, -90.0, 1e-4, 95.0];
         let pairs = "gamma=1 model=half-sine";
-        let (mode, state) = after_event(pairs, Contact::PullingOut, Event::HistoryEnd, state);
+        let (mode, state) = after_event(pairs, Contact::Withdrawing, Event::HistoryEnd, state);
         assert!((state.w_m_s - 50.0).abs() < 1e-13, "{state:?}");
         assert_eq!(mode.w_side.to_bits(), 1f64.to_bits());
     }
@@ -605,7 +590,7 @@ mod tests {
         let pairs = "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e6 b_stop=1e3";
         let after = |event, x_m, w_m_s| {
             let state = [5e-3, 7.0, x_m, w_m_s];
-            let (mode, state) = after_event(pairs, Contact::Deepening, event, state);
+            let (mode, state) = after_event(pairs, Contact::Penetrating, event, state);
             (mode.is_pressed, mode.origin_m + state.x_m)
         };
         assert_eq!(after(Event::StopReached, 1e-3 + 1e-18, 2.0), (true, 1e-3));
@@ -618,10 +603,10 @@ mod tests {
     fn sides_follow_the_plate_through_the_zeros_of_its_laws() {
         let pairs = "k=1e5 n=1.5";
         let state = [5e-3, 7.0, 1e-20, -2.0];
-        let (mode, state) = after_event(pairs, Contact::Deepening, Event::KnotBehind, state);
+        let (mode, state) = after_event(pairs, Contact::Penetrating, Event::KnotBehind, state);
         assert_eq!((mode.stretch, state.x_m.abs().to_bits()), (0, 0));
         let state = [5e-3, 7.0, 1e-3, 1e-20];
-        let (mode, state) = after_event(pairs, Contact::Deepening, Event::SpeedZero, state);
+        let (mode, state) = after_event(pairs, Contact::Penetrating, Event::SpeedZero, state);
         assert_eq!((mode.w_side.to_bits(), state.w_m_s.to_bits()), ((-1.0f64).to_bits(), 0));
     }
 

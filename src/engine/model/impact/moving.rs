@@ -47,7 +47,7 @@ impl Places<1> for Moving<'_, 1> {
             return State { t_s, q_m: *place, u_m_s: *speed, ..*start };
         }
         let state = State { t_s, x_m: *place, w_m_s: *speed, ..*start };
-        if mode.contact == Contact::Joined {
+        if mode.contact == Contact::Fused {
             return state;
         }
         // A projectile that is through, or before the plate, keeps its velocity.

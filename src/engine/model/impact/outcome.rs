@@ -42,7 +42,7 @@ impl Equations<'_> {
     pub(super) fn energy_left_j(&self, state: &State) -> f64 {
         let v = self.setup.projectile_m_s(state);
         let apart_j = match self.mode.contact {
-            Contact::Joined | Contact::Gone => 0.0,
+            Contact::Fused | Contact::Perforated => 0.0,
             _ => 0.5 * self.setup.projectile_kg * v * v,
         };
         self.energy_j(state) + apart_j
@@ -123,17 +123,17 @@ impl Equations<'_> {
         // Where the spring drives the plate away, its energy is less than nothing.
         let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
         has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()
-            || (self.plate_rests() || self.creeps(state)) && self.mode.contact == Contact::Joined
+            || (self.plate_rests() || self.creeps(state)) && self.mode.contact == Contact::Fused
     }
 
     /// The outcome, if nothing can change it any more.
     pub(super) fn outcome(&self, state: &State) -> Option<Outcome> {
         match self.mode.contact {
-            Contact::Gone => Some(Outcome::Perforated),
-            Contact::Joined if !self.setup.plastic || self.holds_for_good(state) => {
+            Contact::Perforated => Some(Outcome::Perforated),
+            Contact::Fused if !self.setup.plastic || self.holds_for_good(state) => {
                 Some(Outcome::Arrested)
             }
-            Contact::Apart if self.is_separated(state) => Some(Outcome::Separated),
+            Contact::FreeFlight if self.is_separated(state) => Some(Outcome::Separated),
             _ if self.rests_in_contact(state) => Some(Outcome::Arrested),
             _ => None,
         }
@@ -194,7 +194,7 @@ impl Equations<'_> {
     /// energy above that of the oscillation whose peak just equals the strength of the deeper hole. Their travel in all, m.
     pub(super) fn last_slips_m(&self, state: &State) -> Option<f64> {
         let Equations { setup, mode } = self;
-        let is_joined = mode.contact == Contact::Joined && state.q_m >= mode.deepest_m;
+        let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
         let energy_j = self.energy_j(state);
         let keeps = self.is_undamped() && !setup.is_absorbing();
         if !setup.plastic || !is_joined || !keeps || self.meets_rigid_stop(state, energy_j) {
@@ -339,19 +339,19 @@ mod tests {
     /// Both bodies weigh 29.5 g, the interface carries half of the spring's force, 15 kN forwards and 1.5 kN backwards.
     #[rustfmt::skip]
     const OUTCOMES: [(&str, Contact, [f64; 4], Option<Outcome>); 11] = [
-        ("k=1e5", Contact::Gone, [0.1, 50.0, 0.0, 10.0], Some(Outcome::Perforated)),
-        ("k=1e5", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], Some(Outcome::Arrested)),
-        ("k=1e5", Contact::Deepening, [5e-3, 9.0, 0.0, 50.0], None),
+        ("k=1e5", Contact::Perforated, [0.1, 50.0, 0.0, 10.0], Some(Outcome::Perforated)),
+        ("k=1e5", Contact::Fused, [5e-3, 0.0, 0.0, 50.0], Some(Outcome::Arrested)),
+        ("k=1e5", Contact::Penetrating, [5e-3, 9.0, 0.0, 50.0], None),
         // At 50 m/s the interface carries 1.4 kN of a spring of 5e4 N/m at most, 19 kN of one of 1e7.
-        ("k=5e4 interface=plastic", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], Some(Outcome::Arrested)),
-        ("k=1e7 interface=plastic", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
-        ("k=1e7 interface=plastic g=2", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
-        ("k=1e5 interface=plastic x_stop=1mm", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
+        ("k=5e4 interface=plastic", Contact::Fused, [5e-3, 0.0, 0.0, 50.0], Some(Outcome::Arrested)),
+        ("k=1e7 interface=plastic", Contact::Fused, [5e-3, 0.0, 0.0, 50.0], None),
+        ("k=1e7 interface=plastic g=2", Contact::Fused, [5e-3, 0.0, 0.0, 50.0], None),
+        ("k=1e5 interface=plastic x_stop=1mm", Contact::Fused, [5e-3, 0.0, 0.0, 50.0], None),
         // The projectile flies back at 60 m/s, the plate can at most at 50; at 40 they may meet again.
-        ("k=1e5", Contact::Apart, [-1e-3, -10.0, 0.0, -50.0], Some(Outcome::Separated)),
-        ("k=1e5", Contact::Apart, [-1e-3, -90.0, 0.0, 50.0], None),
-        ("k=0", Contact::Apart, [-1e-3, -1.0, 0.0, 50.0], Some(Outcome::Separated)),
-        ("k=0", Contact::Apart, [-1e-3, 1.0, 0.0, 50.0], None),
+        ("k=1e5", Contact::FreeFlight, [-1e-3, -10.0, 0.0, -50.0], Some(Outcome::Separated)),
+        ("k=1e5", Contact::FreeFlight, [-1e-3, -90.0, 0.0, 50.0], None),
+        ("k=0", Contact::FreeFlight, [-1e-3, -1.0, 0.0, 50.0], Some(Outcome::Separated)),
+        ("k=0", Contact::FreeFlight, [-1e-3, 1.0, 0.0, 50.0], None),
     ];
 
     #[test]
@@ -367,7 +367,7 @@ mod tests {
     fn valid_the_greatest_displacement_is_where_the_energy_is_spent() {
         let state = [5e-3, 0.0, 0.0, 50.0];
         let far = |pairs: &str| {
-            look(pairs, Contact::Joined, state, |equations, state| equations.farthest(state, 0.0))
+            look(pairs, Contact::Fused, state, |equations, state| equations.farthest(state, 0.0))
         };
         let is_near = |found, exact: f64| matches!(found, Farthest::Known(x_m) if (x_m / exact - 1.0).abs() < 1e-14);
         assert!(is_near(far("k=1e5 gamma=1"), 50.0 * (0.059f64 / 1e5).sqrt()));
@@ -384,7 +384,7 @@ mod tests {
     fn valid_an_elastic_stop_takes_what_the_spring_does_not() {
         let pairs = "k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6";
         let reach_m = |energy_j: f64| {
-            look(pairs, Contact::Joined, [5e-3, 0.0, 0.0, 0.0], |it, state| {
+            look(pairs, Contact::Fused, [5e-3, 0.0, 0.0, 0.0], |it, state| {
                 it.reach_m(state, energy_j)
             })
         };
@@ -393,9 +393,8 @@ mod tests {
         assert!((reach_m(energy_j) / x - 1.0).abs() < 1e-14);
         assert!((reach_m(0.5 * 1e5 * 1e-8) / 1e-4 - 1.0).abs() < 1e-14);
         // A rigid stop gives way to nothing.
-        let rigid = look("k=1e5 x_stop=1mm", Contact::Joined, [0.0; 4], |it, state| {
-            it.reach_m(state, 10.0)
-        });
+        let rigid =
+            look("k=1e5 x_stop=1mm", Contact::Fused, [0.0; 4], |it, state| it.reach_m(state, 10.0));
         assert!((rigid - 1e-3).abs() < 1e-18);
     }
 
@@ -408,7 +407,7 @@ mod tests {
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
         let energy_j = 1.001 * 1.001 * holding_j;
         let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
-        let mode = Mode { contact: Contact::Joined, deepest_m: 0.012, ..first(&setup).0 };
+        let mode = Mode { contact: Contact::Fused, deepest_m: 0.012, ..first(&setup).0 };
         let state = State { q_m: 0.012, w_m_s, ..State::default() };
         let travel_m = Equations { setup: &setup, mode: &mode }.last_slips_m(&state).unwrap();
         let expected_m = (energy_j - holding_j) / strength_n;

@@ -6,7 +6,7 @@ use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{self, Contact, Hold, Mode};
 use crate::model::impact::path::Path;
-use crate::model::run::{self, Arrest, Cost, Departure, EnergyLedger, Event, EventKind, Sample};
+use crate::model::run::{Arrest, Cost, Departure, EnergyLedger, Event, EventKind, Sample};
 use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::quadrature::GAUSS_16;
 use crate::numerics::{larger, smaller};
@@ -254,7 +254,7 @@ impl Record {
         }
         let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
         self.cost.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
-        if after.mode.contact == Contact::Joined && after.mode.hold == Hold::Free {
+        if after.mode.contact == Contact::Fused && after.mode.hold == Hold::Free {
             let force_n = after.mechanism_n(to.x_m, to.w_m_s);
             self.note_load(after, to, [force_n, -force_n]);
             self.note_excess(after, to, [force_n, -force_n], |_| to.t_s);
@@ -284,15 +284,15 @@ impl Record {
         let departure = Departure { t_s: to.t_s, velocity_m_s: setup.projectile_m_s(to) };
         match event {
             // A prescribed history goes on.
-            modes::Event::SlipZero if !flows && old.contact == Contact::PullingOut => {}
+            modes::Event::SlipZero if !flows && old.contact == Contact::Withdrawing => {}
             modes::Event::SlipZero | modes::Event::HistoryEnd => {
                 self.arrest(after, to, old.hold == Hold::Spring);
             }
-            modes::Event::PieceEnd if new.contact == Contact::Gone => {
+            modes::Event::PieceEnd if new.contact == Contact::Perforated => {
                 self.exit = Some(departure);
                 self.note(to.t_s, EventKind::Perforation);
             }
-            modes::Event::PieceEnd if new.contact == Contact::Deepening => {
+            modes::Event::PieceEnd if new.contact == Contact::Penetrating => {
                 self.pass_joint(setup, to);
             }
             modes::Event::Recontact => self.note(to.t_s, EventKind::Recontact),
@@ -310,12 +310,12 @@ impl Record {
         let is_new = |contact| {
             new.contact == contact && (old.contact != contact || event == modes::Event::SlipZero)
         };
-        if is_new(Contact::Deepening) && (flows || event == modes::Event::Bottom) {
+        if is_new(Contact::Penetrating) && (flows || event == modes::Event::Bottom) {
             self.resumed_s.get_or_insert(to.t_s);
             self.note(to.t_s, EventKind::Resumption);
-        } else if is_new(Contact::PullingOut) && flows {
+        } else if is_new(Contact::Withdrawing) && flows {
             self.note(to.t_s, EventKind::PullOut);
-        } else if new.contact == Contact::Apart && old.contact != Contact::Apart {
+        } else if new.contact == Contact::FreeFlight && old.contact != Contact::FreeFlight {
             self.separation = Some(departure);
             self.note(to.t_s, EventKind::Separation);
         }
@@ -376,7 +376,7 @@ impl Equations<'_> {
 
     /// Strength of the interface through which the projectile moves with the plate, N; `None` where it does not.
     fn joint_n(&self, state: &State) -> Option<f64> {
-        let is_joined = self.mode.contact == Contact::Joined && self.setup.law == Law::Flow;
+        let is_joined = self.mode.contact == Contact::Fused && self.setup.law == Law::Flow;
         (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
     }
 
@@ -407,7 +407,7 @@ fn most_n(
 fn sample(equations: &Equations<'_>, state: &State) -> Sample {
     let Equations { setup, mode } = equations;
     let contact_n = match mode.contact {
-        Contact::Joined => equations.carried_n(state),
+        Contact::Fused => equations.carried_n(state),
         _ => equations.contact_n(state),
     };
     let (x_m, w_m_s) = match mode.hold {
@@ -417,14 +417,7 @@ fn sample(equations: &Equations<'_>, state: &State) -> Sample {
     let spring_n = mode.spring.force(x_m);
     Sample {
         t_s: state.t_s,
-        mode: match mode.contact {
-            Contact::Deepening => run::Mode::Penetrating,
-            Contact::Closing => run::Mode::Closing,
-            Contact::PullingOut => run::Mode::Withdrawing,
-            Contact::Apart => run::Mode::FreeFlight,
-            Contact::Gone => run::Mode::Perforated,
-            Contact::Joined => run::Mode::Fused,
-        },
+        mode: mode.contact,
         penetration_m: match setup.law {
             Law::AtOnce => f64::NAN,
             _ => setup.geometry.depth_m(state.q_m),

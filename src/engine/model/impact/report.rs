@@ -65,7 +65,7 @@ impl Course<'_> {
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         let equations = Equations { setup, mode };
         let all = !matches!(setup.stepping, Stepping::Second(_));
-        let is_joined = mode.contact == Contact::Joined;
+        let is_joined = mode.contact == Contact::Fused;
         let is_loaded = !(equations.plate_rests() || equations.creeps(state))
             && equations.drives_away(state).is_none();
         if !is_loaded || !(all || is_joined) {
@@ -104,7 +104,7 @@ impl Course<'_> {
     /// Whether there is still something to draw: the end of the contact, or the way to the greatest displacement.
     pub(super) fn is_drawn(&self) -> bool {
         let equations = self.equations();
-        if equations.plate_rests() && self.mode.contact == Contact::Joined {
+        if equations.plate_rests() && self.mode.contact == Contact::Fused {
             return false;
         }
         let in_tail = self.state.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON);
@@ -133,7 +133,7 @@ impl Course<'_> {
     /// Travel of the bottom of the hole, m.
     fn deepest_m(&self) -> f64 {
         match self.mode.contact {
-            Contact::Deepening => larger(self.state.q_m, self.mode.deepest_m),
+            Contact::Penetrating => larger(self.state.q_m, self.mode.deepest_m),
             _ => self.mode.deepest_m,
         }
     }

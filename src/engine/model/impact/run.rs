@@ -255,7 +255,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let start = self.course.state;
         let rests = equations.plate_rests();
         match mode.contact {
-            Contact::Joined | Contact::Gone if rests => self.rest(),
+            Contact::Fused | Contact::Perforated if rests => self.rest(),
             _ if equations.is_touching() && !rests => {
                 self.advance_by(&Moving::<2> { equations, start })
             }
