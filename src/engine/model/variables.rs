@@ -63,18 +63,18 @@ pub struct Variable {
     pub label: &'static str,
     /// Its name in words where its key does not give it; else empty.
     pub own_name: &'static str,
-    /// Whether a list shows it at all: what belongs to another kind of spring or contact model is not even dimmed.
-    pub listed: fn(&Scene) -> bool,
-    /// Whether it has any effect: rows without are dimmed in the editor.
-    pub used: fn(&Scene) -> bool,
-    /// Both: whether a list shows it, and then it has an effect.
-    pub when: fn(&Scene) -> bool,
-    /// The first two of its part of the scene.
-    pub part: [fn(&Scene) -> bool; 2],
     /// Other short words `--set` accepts.
     pub aliases: &'static [&'static str],
     /// Whether a file has it only where its value is not the default.
     pub is_seldom: bool,
+    /// Whether a list shows it: what belongs to another kind of spring or contact model is not even dimmed.
+    pub listed: fn(&Scene) -> bool,
+    /// Whether it has an effect: rows without are dimmed in the editor.
+    pub used: fn(&Scene) -> bool,
+    /// Where both hold; elsewhere neither does.
+    pub when: fn(&Scene) -> bool,
+    /// Whether its part of the scene is listed, and whether it has an effect.
+    pub part: [fn(&Scene) -> bool; 2],
     /// The group of the editor it stands in.
     pub group: Group,
     /// Its meaning, as a sentence.
