@@ -260,40 +260,32 @@ impl Course<'_> {
         max_displacement_m: Option<f64>,
     ) -> Vec<Warning> {
         let (setup, scene, loads) = (self.setup, self.scene, &self.record.loads);
-        let mut list = Vec::new();
-        if !end.is_complete() {
-            let t_s = self.state.t_s;
-            list.push(scene.run.horizon_s.map_or(Warning::EndedEarly(end), |horizon_s| {
-                Warning::HorizonNotReached { reason: end, t_s, horizon_s }
-            }));
-        }
+        let t_s = self.state.t_s;
+        let ended = scene.run.horizon_s.map_or(Warning::EndedEarly(end), |horizon_s| {
+            Warning::HorizonNotReached { reason: end, t_s, horizon_s }
+        });
         let [pushed_s, pulled_s] = loads.exceeded_s;
-        if let (Some(t_s), Some([ratio, _])) = (pushed_s, loads.ratios) {
-            list.push(Warning::InterfacePush { ratio, t_s });
-        }
-        if let Some(ratio) = self.tension().filter(|ratio| *ratio > 1.0) {
-            match (pulled_s, pushed_s) {
-                (Some(t_s), _) => list.push(Warning::InterfacePull { ratio, t_s }),
-                (None, None) => list.push(Warning::InterfaceRebound { ratio }),
-                (None, Some(_)) => {}
-            }
-        }
-        if loads.no_strength && !setup.plastic {
-            list.push(Warning::InterfaceWithoutStrength);
-        }
-        if let Some(t_s) = self.record.resumed_s.filter(|_| setup.plastic) {
-            list.push(Warning::PenetrationResumed { t_s });
-        }
+        let push = pushed_s.zip(loads.ratios);
+        let pull = self.tension().filter(|ratio| *ratio > 1.0);
+        let resumed_s = self.record.resumed_s.filter(|_| setup.plastic);
         let residual = ledger.residual();
-        if residual.abs() >= DRIFT || residual.is_nan() {
-            list.push(Warning::EnergyDrift { residual });
-        }
-        if !setup.still {
-            let far_m = max_displacement_m.unwrap_or(self.record.farthest_m);
-            let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
-            list.extend(load::exceeded(scene, at_m).map(Warning::Limit));
-        }
-        list
+        let drifts = residual.abs() >= DRIFT || residual.is_nan();
+        let far_m = max_displacement_m.unwrap_or(self.record.farthest_m);
+        let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
+        let list = [
+            (!end.is_complete()).then_some(ended),
+            push.map(|(t_s, [ratio, _])| Warning::InterfacePush { ratio, t_s }),
+            pull.and_then(|ratio| match (pulled_s, pushed_s) {
+                (Some(t_s), _) => Some(Warning::InterfacePull { ratio, t_s }),
+                (None, None) => Some(Warning::InterfaceRebound { ratio }),
+                (None, Some(_)) => None,
+            }),
+            (loads.no_strength && !setup.plastic).then_some(Warning::InterfaceWithoutStrength),
+            resumed_s.map(|t_s| Warning::PenetrationResumed { t_s }),
+            drifts.then_some(Warning::EnergyDrift { residual }),
+        ];
+        let limits = load::exceeded(scene, at_m).map(Warning::Limit).filter(|_| !setup.still);
+        list.into_iter().flatten().chain(limits).collect()
     }
 
     /// The greatest tension that a fused interface carried, over its strength in tension; infinite where it has none, `None` where it

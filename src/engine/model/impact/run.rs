@@ -79,11 +79,14 @@ pub(super) fn run<const S: usize>(
     };
     progress.begin();
     let mut end = progress.follow(observer);
-    let course = progress.results();
+    let mut course = progress.course.clone();
     if end == EndReason::Decided {
         end = progress.follow_on(observer);
     }
-    report::gather(progress.completed(course), end)
+    // Results are those of when all was decided; rows, events and loads those of the run that went on.
+    let Record { series, events, loads, .. } = progress.course.record;
+    (course.record.series, course.record.events, course.record.loads) = (series, events, loads);
+    report::gather(course, end)
 }
 
 impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
@@ -150,22 +153,6 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         }
     }
 
-    /// What is known when all is decided; the rows and events stay with the run, which goes on.
-    fn results(&mut self) -> Course<'a> {
-        let record = &mut self.course.record;
-        let drawn = (std::mem::take(&mut record.series), std::mem::take(&mut record.events));
-        let course = self.course.clone();
-        (self.course.record.series, self.course.record.events) = drawn;
-        course
-    }
-
-    /// The results with the rows, events and loads of the run that went on.
-    fn completed(self, mut course: Course<'a>) -> Course<'a> {
-        let Record { series, events, loads, .. } = self.course.record;
-        (course.record.series, course.record.events, course.record.loads) = (series, events, loads);
-        course
-    }
-
     /// Goes on after the results are known: for the greatest loads of mount and interface, to the second turn of the plate, and to draw the
     /// end of the contact and the way to the greatest displacement.
     fn follow_on(&mut self, observer: Observer<'_>) -> EndReason {
@@ -174,8 +161,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let Cost { turns, steps, .. } = self.course.record.cost;
         self.course.horizon_s = self.course.state.t_s + horizon::of(self.course.setup);
         let mut loads: Option<Loads> = None;
-        let mut end = EndReason::Decided;
-        loop {
+        let ended = loop {
             let turned = self.course.record.cost.turns - turns;
             if loads.is_none() && (turned >= TURNS_FOLLOWED || !self.course.loads_may_grow()) {
                 loads = Some(self.course.record.loads);
@@ -184,7 +170,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
                 && self.course.record.cost.steps < steps + STEPS_DRAWN
                 && self.course.is_drawn();
             if (loads.is_some() && !draws) || self.is_at(self.course.horizon_s) {
-                break;
+                break None;
             }
             if !draws {
                 self.course.record.stop_drawing();
@@ -192,17 +178,13 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             if loads.is_some() && !self.course.goes_farther() {
                 self.course.horizon_s = self.course.tail_s();
             }
-            match self.go_on(observer) {
-                Some(EndReason::Cancelled) => {
-                    end = EndReason::Cancelled;
-                    break;
-                }
-                Some(_) => break,
-                None => {}
+            let ended = self.go_on(observer);
+            if ended.is_some() {
+                break ended;
             }
-        }
+        };
         self.course.record.loads = loads.unwrap_or(self.course.record.loads);
-        end
+        ended.filter(|end| *end == EndReason::Cancelled).unwrap_or(EndReason::Decided)
     }
 
     /// An event that rounding, or another event, has put behind the state.
