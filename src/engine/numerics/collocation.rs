@@ -63,9 +63,9 @@ pub(crate) static SEVEN: LazyLock<Member<7>> = LazyLock::new(Member::new);
 /// A member that steps to a tolerance.
 #[derive(Debug)]
 pub(crate) struct Collocation<'a, const S: usize> {
-    pub(crate) member: &'a Member<S>,
+    member: &'a Member<S>,
     /// Error of a step relative to the sizes of what moves.
-    pub(crate) tolerance: f64,
+    tolerance: f64,
 }
 
 impl<const S: usize> Stepper<S> for Collocation<'_, S> {
@@ -293,6 +293,11 @@ impl<const S: usize> Member<S> {
         Self { nodes, a, square, modes, gauss }
     }
 
+    /// As a method that steps to this tolerance.
+    pub(crate) fn to(&self, tolerance: f64) -> Collocation<'_, S> {
+        Collocation { member: self, tolerance }
+    }
+
     /// The coefficients from which on the acceleration's are seen to fall, and how many of the last are the end of the fall.
     const FALL: (usize, usize) = if S > 4 { (S - 6, 2) } else { (0, 1) };
 
@@ -479,17 +484,13 @@ mod tests {
         }
     }
 
-    fn to_rounding<const S: usize>(member: &Member<S>) -> Collocation<'_, S> {
-        Collocation { member, tolerance: 1e-15 }
-    }
-
     fn step<const S: usize>(
         member: &Member<S>,
         law: &impl Acceleration<1>,
         start: Point<1>,
         h: f64,
     ) -> Step<1, S> {
-        to_rounding(member).solve(law, start, h, None, false).0.unwrap()
+        member.to(1e-15).solve(law, start, h, None, false).0.unwrap()
     }
 
     const ONE_FAST: Point<1> = ([0.0], [1.0]);
@@ -542,7 +543,7 @@ mod tests {
     fn valid_the_estimate_of_a_step_is_not_below_its_error_and_falls_fast() {
         let mut before = f64::INFINITY;
         for h in [4.0, 2.0, 1.0, 0.5] {
-            let method = to_rounding(&SEVEN);
+            let method = SEVEN.to(1e-15);
             let step = step(&SEVEN, &Drag, ONE_FAST, h);
             let estimate = method.excess(&Drag, &ONE_FAST, &step) * method.tolerance;
             assert!(estimate > error(&SEVEN, h), "{h}: {estimate:e}");

@@ -32,7 +32,7 @@ pub(super) struct Setup {
     /// At first contact; an absorber's law changes as it is crushed.
     pub(super) spring: Spring,
     /// What an absorber is part of, where there is one.
-    absorber: Option<Box<scene::Mechanism>>,
+    pub(super) absorber: Option<Box<scene::Mechanism>>,
     pub(super) damper: PowerLaw,
     pub(super) stop: Option<Stop>,
     /// Infinite where there is none.

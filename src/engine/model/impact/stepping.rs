@@ -6,7 +6,7 @@ use crate::model::impact::equations::Setup;
 use crate::model::impact::run::run;
 use crate::model::run::{Observer, Run, Settings};
 use crate::model::scene::Scene;
-use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
+use crate::numerics::collocation::{NINE, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
 
 /// What steps of a given length are taken to be off by.
@@ -32,20 +32,6 @@ pub enum Stepping {
     Rk4WithoutEvents(f64),
 }
 
-impl Stepping {
-    /// The error of a step relative to what moves; of steps of a given length that of the engine's own.
-    fn tolerance(self) -> f64 {
-        match self {
-            Self::Collocation(tolerance)
-            | Self::CollocationInFull(tolerance)
-            | Self::Second(tolerance)
-            | Self::Radau5(tolerance)
-            | Self::Dop853(tolerance) => tolerance,
-            Self::Rk4(_) | Self::Rk4WithoutEvents(_) => STEPPED,
-        }
-    }
-}
-
 /// One impact on a valid scene by a method, whatever its contact model but the listing of the Appendix.
 pub(super) fn run_by(
     scene: &Arc<Scene>,
@@ -53,26 +39,25 @@ pub(super) fn run_by(
     stepping: Stepping,
     observer: Observer<'_>,
 ) -> Run {
-    let mut setup = Setup::of(scene, stepping.tolerance());
-    setup.stepping = stepping;
-    let setup = &setup;
+    let setup = |tolerance: f64| Setup { stepping, ..Setup::of(scene, tolerance) };
     match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
-            let stepper = Collocation { member: &*NINE, tolerance };
-            run(scene, setup, &stepper, settings, observer)
+            run(scene, &setup(tolerance), &NINE.to(tolerance), settings, observer)
         }
         Stepping::Second(tolerance) => {
-            let stepper = Collocation { member: &*SEVEN, tolerance };
-            run(scene, setup, &stepper, settings, observer)
+            run(scene, &setup(tolerance), &SEVEN.to(tolerance), settings, observer)
         }
         Stepping::Radau5(tolerance) => {
-            let stepper = Collocation { member: &*THREE, tolerance };
-            run(scene, setup, &stepper, settings, observer)
+            run(scene, &setup(tolerance), &THREE.to(tolerance), settings, observer)
         }
-        Stepping::Dop853(tolerance) => run(scene, setup, &Dop853 { tolerance }, settings, observer),
-        Stepping::Rk4(step) => run(scene, setup, &Rk4 { step, locates: true }, settings, observer),
+        Stepping::Dop853(tolerance) => {
+            run(scene, &setup(tolerance), &Dop853 { tolerance }, settings, observer)
+        }
+        Stepping::Rk4(step) => {
+            run(scene, &setup(STEPPED), &Rk4 { step, locates: true }, settings, observer)
+        }
         Stepping::Rk4WithoutEvents(step) => {
-            run(scene, setup, &Rk4 { step, locates: false }, settings, observer)
+            run(scene, &setup(STEPPED), &Rk4 { step, locates: false }, settings, observer)
         }
     }
 }
