@@ -89,7 +89,7 @@ pub(super) fn run<const S: usize>(
     report::gather(course, end)
 }
 
-impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
+impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     fn begin(&mut self) {
         let Course { setup, mode, state, record, .. } = &mut self.course;
         record.begin(&Equations { setup, mode }, state);
