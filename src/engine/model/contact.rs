@@ -10,8 +10,8 @@ use std::f64::consts::PI;
 
 use crate::model::scene::Scene;
 use crate::numerics::crossing::rise;
-use crate::numerics::larger;
 use crate::numerics::quadrature::gauss;
+use crate::numerics::{larger, smaller};
 
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
 /// differs from it by the 5/2 power of this, far below rounding, and its derivatives are singular there.
@@ -250,15 +250,11 @@ impl Geometry {
 
     /// Volume swept from first contact to travel `q_m`: the integral of the area over travel, m³.
     pub fn swept_m3(&self, q_m: f64) -> f64 {
-        let mut volume = 0.0;
-        for piece in self.pieces() {
-            if q_m <= piece.from_m {
-                break;
-            }
-            let to = if q_m < piece.to_m { q_m } else { piece.to_m };
-            volume += piece.swept_before_m3(&self.nose, to, to - piece.from_m);
-        }
-        volume
+        let before = self.pieces().iter().take_while(|piece| piece.from_m < q_m);
+        before.fold(0.0, |volume_m3, piece| {
+            let to_m = smaller(q_m, piece.to_m);
+            volume_m3 + piece.swept_before_m3(&self.nose, to_m, to_m - piece.from_m)
+        })
     }
 
     /// Travel at which the swept volume is `volume_m3`; `None` beyond the volume of the whole passage.

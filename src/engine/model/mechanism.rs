@@ -102,8 +102,7 @@ impl PowerLaw {
         if self.is_absent() {
             return f64::INFINITY;
         }
-        let power = force.abs() / self.coefficient;
-        if self.is_linear() { power } else { power.powf(1.0 / self.exponent) }
+        (force.abs() / self.coefficient).powf(1.0 / self.exponent)
     }
 
     /// The |z| at which the integral is `integral`; infinite when there is no law.

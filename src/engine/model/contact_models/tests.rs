@@ -14,7 +14,6 @@ use crate::model::variables::scene_with;
 
 /// The travel of the default plate that is a unit of depth: it dishes by one diameter.
 const TRAVEL_PER_DEPTH: f64 = (0.0254 + 2.0 * 0.00635) / 0.0254;
-const FORCE_MODELS: [&str; 3] = ["half-sine", "initial-velocity", "lumped"];
 
 fn run_of(scene: &Scene) -> Run {
     let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
@@ -127,7 +126,7 @@ fn valid_a_joined_plate_goes_as_far_on_any_spring_as_its_energy_allows() {
     for pairs in kinds.into_iter().chain(powers) {
         let scene = scene_with(&format!("model=initial-velocity {pairs}"));
         let spring = Mechanism::of(&scene).spring;
-        let joined_kg = 0.0295 + scene.plate_mass_kg() + Inertia::of(&scene).added_kg();
+        let joined_kg = 0.0295 + scene.plate_mass_kg() + Inertia::of(&scene).added_kg;
         let energy_j = 0.5 * (0.0295 * scene.projectile.velocity_m_s).powi(2) / joined_kg;
         let run = run_of(&scene);
         assert_eq!((run.final_penetration_m, run.peak_contact_force_n), (None, None));
@@ -147,7 +146,7 @@ fn every_model_closes_its_ledger_on_every_spring_and_holds_on_every_stop() {
     let place_m = 0.5e-3 * (1.0 + 1e-9);
     let stops = [("e=0", place_m), ("e=0.5", place_m), ("stop_kind=elastic", 2.5e-3)];
     let stops = stops.map(|(stop, reach_m)| (format!("x_stop=0.0005 {stop}"), Some(reach_m)));
-    for model in FORCE_MODELS {
+    for model in ["half-sine", "initial-velocity", "lumped"] {
         for (pairs, reach_m) in springs.iter().chain(&stops) {
             let run = run(&format!("model={model} {pairs}"));
             assert!(run.end.is_complete(), "{model} {pairs}: {:?}", run.end);

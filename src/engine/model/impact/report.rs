@@ -206,7 +206,7 @@ impl Course<'_> {
     fn ledger(&self) -> EnergyLedger {
         let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
         let (setup, state) = (self.setup, &self.state);
-        let added_kg = Inertia::of(self.scene).added_kg();
+        let added_kg = Inertia::of(self.scene).added_kg;
         let x_m = self.equations().displacement_m(state.x_m);
         let stored_j = self.mode.spring.energy(x_m);
         // An absorber that is being crushed gives back less than was spent on it.
@@ -246,7 +246,7 @@ impl Course<'_> {
                 })
             }),
             yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
-            added_kg: positive(inertia.added_kg()),
+            added_kg: positive(inertia.added_kg),
             spring_mass_kg: inertia.spring_mass_kg,
             peak_mount_n: (!self.setup.still).then_some(self.record.loads.mount_n),
             rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),

@@ -15,8 +15,8 @@ use crate::numerics::larger;
 pub struct Inertia {
     /// `I_z (dphi/dx)²` of what turns.
     pub rotation_kg: f64,
-    /// The moving part of the springs' own mass.
-    pub springs_kg: f64,
+    /// All of it: that, and the moving part of the springs' own mass.
+    pub added_kg: f64,
     /// The springs' whole mass, where it is known; an absent one has none.
     pub spring_mass_kg: Option<f64>,
     /// The mass of the first spring, where it is known, else none.
@@ -30,9 +30,10 @@ impl Inertia {
         let law = spring.law();
         let own_kg = mass_kg(scene);
         let counted_kg = own_kg.filter(|_| spring.own_mass == OwnMass::Counted);
+        let rotation_kg = if scene.is_rigid() { 0.0 } else { law.rotation_kg() };
         Self {
-            rotation_kg: if scene.is_rigid() { 0.0 } else { law.rotation_kg() },
-            springs_kg: counted_kg.map_or(0.0, |kg| law.moving_part(spring) * kg),
+            rotation_kg,
+            added_kg: rotation_kg + counted_kg.map_or(0.0, |kg| law.moving_part(spring) * kg),
             // Of the second spring no mass is known.
             spring_mass_kg: own_kg.filter(|_| scene.mechanism.second_law().is_absent()),
             known_kg: own_kg.unwrap_or(0.0),
@@ -43,11 +44,6 @@ impl Inertia {
     pub fn spring_kg(&self, least_kg: Option<f64>) -> Option<f64> {
         self.spring_mass_kg.or_else(|| Some(larger(least_kg?, self.known_kg)))
     }
-
-    /// All of it, kg.
-    pub fn added_kg(&self) -> f64 {
-        self.rotation_kg + self.springs_kg
-    }
 }
 
 /// The mass that answers when the plate is pushed: `m_2` and what its mechanism adds, kg.
@@ -56,7 +52,7 @@ pub fn moving_plate_kg(scene: &Scene) -> f64 {
     if scene.mechanism.is_plain() {
         return scene.plate_mass_kg();
     }
-    scene.plate_mass_kg() + Inertia::of(scene).added_kg()
+    scene.plate_mass_kg() + Inertia::of(scene).added_kg
 }
 
 /// The springs' own mass that a run omits.

@@ -1,7 +1,7 @@
-//! The spring as a run sees it: a power law, or a curve of any shape. What is no closed form of a power law follows alike from the
-//! knots of either, and from its stations, between which its energy only rises or only falls.
+//! The spring as a run sees it: a power law, or a curve of any shape.
 //!
-//! Power laws have a compiled path of their own; the choice costs one comparison.
+//! A power law has closed forms, and a compiled path of its own: the choice costs one comparison. All else is found from the knots and
+//! the stations of either: between two stations the energy only rises or only falls.
 
 use std::sync::Arc;
 
@@ -125,6 +125,7 @@ impl Spring {
     }
 
     /// Force at x, N.
+    #[inline]
     pub fn force(&self, x: f64) -> f64 {
         match self {
             Self::Power(law) => law.force(x),
@@ -138,6 +139,7 @@ impl Spring {
     }
 
     /// Energy stored at x, J: zero at the lowest point.
+    #[inline]
     pub fn energy(&self, x: f64) -> f64 {
         match self {
             Self::Power(law) => law.integral(x),

@@ -161,8 +161,8 @@ fn valid_a_coil_spring_weighs_5_08_g_a_joule() {
         let cos = scene.cos_obliquity();
         let inertia = Inertia::of(&scene);
         let mass = inertia.spring_mass_kg.unwrap();
-        assert!((inertia.added_kg() / (mass / 3.0) - 1.0).abs() < 1e-12);
-        let bodies = shot.mass_kg * cos * cos + scene.plate_mass_kg() + inertia.added_kg();
+        assert!((inertia.added_kg / (mass / 3.0) - 1.0).abs() < 1e-12);
+        let bodies = shot.mass_kg * cos * cos + scene.plate_mass_kg() + inertia.added_kg;
         let common = shot.mass_kg * shot.velocity_m_s * cos / bodies;
         let energy =
             0.5 * scene.mechanism.spring.coefficient * d * d + 0.5 * bodies * common * common;
