@@ -20,7 +20,7 @@ mod start;
 /// Part of the force that is reached at least, if it grew as at first contact.
 const GROWN_PART: f64 = 0.3;
 /// Steps, and radians by which the plate oscillates or decays, after which the simulation is the faster method.
-const STEPS_MAX: usize = 2000;
+const STEPS_MAX: usize = 6000;
 /// Exponent below which the plate oscillates on its spring so fast at first that every step must follow it.
 const STEEP_BELOW: f64 = 0.5;
 /// Part of the tolerance for each of the many steps of a plate that oscillates fast.
