@@ -276,11 +276,15 @@ impl Equations<'_> {
 
     /// Displacement beyond the stop, or, of a plate that goes back, beyond where an elastic stop has come back to.
     pub(super) fn beyond_following_stop_m(&self, state: &State) -> f64 {
-        let lag_s = self.setup.stop.map_or(0.0, |stop| match stop.kind {
-            StopKind::Elastic => stop.damping_n_s_m / stop.stiffness_n_m,
-            StopKind::Rigid => 0.0,
-        });
-        self.beyond_stop_m(state.x_m) + lag_s * smaller(state.w_m_s, 0.0)
+        let lag_s = match self.setup.stop {
+            Some(Stop { kind: StopKind::Elastic, damping_n_s_m, stiffness_n_m, .. })
+                if self.mode.w_side < 0.0 =>
+            {
+                damping_n_s_m / stiffness_n_m
+            }
+            _ => 0.0,
+        };
+        self.beyond_stop_m(state.x_m) + lag_s * state.w_m_s
     }
 
     /// The force that the elastic stop would have if it could pull as well.

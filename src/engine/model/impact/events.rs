@@ -193,7 +193,8 @@ mod tests {
     fn a_gap_is_above_zero_before_its_event_and_below_beyond_it() {
         for (pairs, contact, event, before, beyond) in GAPS {
             let setup = Setup::of(&scene_with(pairs), 1e-12);
-            let mode = Mode { contact, deepest_m: 5e-3, ..first(&setup).0 };
+            let w_side = before[3].signum();
+            let mode = Mode { contact, deepest_m: 5e-3, w_side, ..first(&setup).0 };
             let at = |[q_m, u_m_s, x_m, w_m_s]: [f64; 4]| {
                 let state = State { t_s: 0.0, q_m, u_m_s, x_m, w_m_s };
                 gap(&Equations { setup: &setup, mode: &mode }, event, &state)

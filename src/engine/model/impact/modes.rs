@@ -343,8 +343,8 @@ fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
 fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     let Some(stop) = setup.stop else { return };
     let is_elastic = stop.kind == StopKind::Elastic;
-    // Only a plate that goes back is caught up with beyond the stop's place.
-    let is_beyond = is_elastic && state.w_m_s < 0.0;
+    // A plate that comes to it is where it stands; one that does not is caught up with where it is.
+    let is_beyond = is_elastic && state.w_m_s <= 0.0;
     let beyond_m = Equations { setup, mode }.beyond_stop_m(state.x_m);
     (mode.origin_m, state.x_m) = (setup.stop_at_m, if is_beyond { beyond_m } else { 0.0 });
     if is_elastic {

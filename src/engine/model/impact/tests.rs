@@ -186,6 +186,8 @@ fn valid_the_energy_ledger_closes() {
         "k=1e5 x_stop=2mm e=0.5 interface=plastic",
         "d=0.1 k=1e6 theta=20deg",
         "h=3mm v_i=400 k=1e5",
+        // The spring's law changes where the stop begins, and the plate turns at once.
+        "spring=constant x_c=0.002 F_c=2.084e4 k=0 d=0.00802 gamma=6.43 v_i=14.17 h=0.0055 x_stop=0.002 stop_kind=elastic k_stop=3.508e8 b_stop=2.579e4 horizon=0.0172",
     ] {
         let found = shot(pairs);
         assert!(found.ledger.residual().abs() < 1e-10, "{pairs}: {:e}", found.ledger.residual());
