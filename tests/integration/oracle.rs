@@ -313,6 +313,7 @@ fn valid_slips_before_the_greatest_displacement_do_not_hide_it() {
     }
     let own = scene("gamma=0.8 k=7.6e6 g=2 interface=plastic");
     let run = program(&own);
+    assert_eq!(run.outcome, Outcome::Arrested);
     // After the last slip the interface just holds.
     assert!((run.interface_demand_ratio.unwrap() - 1.0).abs() < 1e-12);
     let far_m = run.max_plate_displacement_m.unwrap();

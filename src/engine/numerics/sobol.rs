@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn halves_of_every_dimension_are_independent() {
         for d in 1..=DIMENSIONS {
-            // What is left of each row less those before it, of which none has the first digit of another.
+            // What is left of each row less those before it, of which none has the first digit of one before it.
             let mut basis: Vec<u32> = Vec::new();
             for directions in &DIRECTIONS[..d] {
                 let row = (0..d).fold(0, |row, digit| row | (directions[digit] >> 31) << digit);

@@ -17,15 +17,15 @@ pub(super) struct Moving<'a, const D: usize> {
 
 /// Which places move.
 pub(super) trait Places<const D: usize> {
-    /// Of what there is of the projectile's travel and of the plate's displacement that of the places that move.
-    fn of<T>(&self, travel: T, displacement: T) -> [T; D];
+    /// Of something for the projectile's travel and something for the plate's displacement what is for the places that move.
+    fn moving<T>(&self, travel: T, displacement: T) -> [T; D];
 
     /// The state at a point, after a time from the start.
     fn state(&self, t: f64, point: &Point<D>) -> State;
 }
 
 impl Places<2> for Moving<'_, 2> {
-    fn of<T>(&self, travel: T, displacement: T) -> [T; 2] {
+    fn moving<T>(&self, travel: T, displacement: T) -> [T; 2] {
         [travel, displacement]
     }
 
@@ -36,7 +36,7 @@ impl Places<2> for Moving<'_, 2> {
 }
 
 impl Places<1> for Moving<'_, 1> {
-    fn of<T>(&self, travel: T, displacement: T) -> [T; 1] {
+    fn moving<T>(&self, travel: T, displacement: T) -> [T; 1] {
         [if self.equations.plate_rests() { travel } else { displacement }]
     }
 
@@ -62,7 +62,7 @@ where
     Self: Places<D>,
 {
     pub(super) fn point(&self, state: &State) -> Point<D> {
-        (self.of(state.q_m, state.x_m), self.of(state.u_m_s, state.w_m_s))
+        (self.moving(state.q_m, state.x_m), self.moving(state.u_m_s, state.w_m_s))
     }
 }
 
@@ -72,16 +72,18 @@ where
 {
     fn at(&self, t: f64, point: &Point<D>) -> [f64; D] {
         let (slip, plate) = self.equations.accelerations(&self.state(t, point));
-        self.of(slip, plate)
+        self.moving(slip, plate)
     }
 
+    /// Whatever the time: a force history has no slope by place or speed.
     fn slopes(&self, point: &Point<D>) -> Slopes<D> {
         let Slopes { place, speed } = self.equations.slopes(&self.state(0.0, point));
-        let moving = |rows: [[f64; 2]; 2]| {
-            let [slip, plate] = rows.map(|[travel, displacement]| self.of(travel, displacement));
-            self.of(slip, plate)
+        let part = |rows: [[f64; 2]; 2]| {
+            let [slip, plate] =
+                rows.map(|[travel, displacement]| self.moving(travel, displacement));
+            self.moving(slip, plate)
         };
-        Slopes { place: moving(place), speed: moving(speed) }
+        Slopes { place: part(place), speed: part(speed) }
     }
 
     fn is_steep(&self) -> bool {
@@ -99,11 +101,11 @@ where
         let State { q_m, u_m_s, x_m, w_m_s, .. } = self.state(0.0, point);
         let (travel, slip) = self.equations.sizes_of_travel(q_m, u_m_s);
         let (place, speed) = self.equations.sizes_of_plate(x_m, w_m_s);
-        (self.of(travel, place), self.of(slip, speed))
+        (self.moving(travel, place), self.moving(slip, speed))
     }
 
     fn rounding(&self, t: f64, point: &Point<D>) -> [f64; D] {
         let (slip, plate) = self.equations.rounding(&self.state(t, point));
-        self.of(slip, plate)
+        self.moving(slip, plate)
     }
 }

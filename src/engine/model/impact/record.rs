@@ -138,7 +138,7 @@ impl Record {
         if equations.is_touching() && !equations.setup.still {
             let mount_n = |state: &State| equations.mount_n(state).abs();
             let known_n = self.loads.mount_n;
-            self.loads.mount_n = larger(most_n(equations, path, known_n, mount_n), known_n);
+            self.loads.mount_n = larger(peak_n(equations, path, known_n, mount_n), known_n);
         } else if equations.mode.hold == Hold::Free {
             self.note_mechanism(equations, path);
         }
@@ -149,7 +149,7 @@ impl Record {
         let force_n = |state: &State| equations.mechanism_n(state.x_m, state.w_m_s);
         let known_n = self.loads.known_n(equations, path.end());
         let greatest_n = array::from_fn(|way| {
-            most_n(equations, path, known_n[way], |state| WAYS[way] * force_n(state))
+            peak_n(equations, path, known_n[way], |state| WAYS[way] * force_n(state))
         });
         let first_s = |way: usize| {
             let gap_n = |state: &State| {
@@ -389,7 +389,7 @@ impl Equations<'_> {
 }
 
 /// The greatest value of a force of the mechanism on a step. A power law and a stop push most at an end of it: the plate turns only there.
-fn most_n(
+fn peak_n(
     equations: &Equations<'_>,
     path: &Path<'_>,
     known_n: f64,

@@ -390,7 +390,7 @@ mod tests {
     use crate::model::simulate::bare_run as run;
 
     /// The breach of a rule in words; nothing where it is kept.
-    fn said(found: &[Breach], check: Check) -> String {
+    fn words(found: &[Breach], check: Check) -> String {
         let breach = found.iter().find(|breach| breach.check == check);
         breach.map(ToString::to_string).unwrap_or_default()
     }
@@ -433,7 +433,7 @@ mod tests {
             ("theta=30deg", Check::Obliquity, Conservative, "8.6 % at 30"),
             ("x_stop=0.01", Check::Stop, Unconservative, "stop"),
         ] {
-            let text = said(&of_scene(&inside(changes)), check);
+            let text = words(&of_scene(&inside(changes)), check);
             assert!(text.ends_with(&format!("({})", direction.word())), "{check:?}: {text}");
             assert!(text.contains(number), "{text}");
         }
@@ -444,17 +444,17 @@ mod tests {
     fn a_face_smaller_than_the_nose_is_a_breach() {
         let scene = variables::scene_with("gamma=0.05");
         assert!((scene.plate_face_m().powi(2) - 0.21e-4).abs() < 0.005e-4);
-        let text = said(&of_scene(&scene), Check::Face);
+        let text = words(&of_scene(&scene), Check::Face);
         assert!(text.contains("plate face is 4.63 mm square, 0.364 D"), "{text}");
         let held = variables::scene_with("gamma=0.05 mount=rigid");
-        assert_eq!(said(&of_scene(&held), Check::Face), "");
+        assert_eq!(words(&of_scene(&held), Check::Face), "");
     }
 
     /// gamma = 1 moves on at 50 m/s, half of the shot's 100 m/s; a heavy plate at 10 m/s.
     #[test]
     fn a_run_warns_of_spring_stop_and_interface() {
-        assert_eq!(said(&of_run(&run(&inside("k=1e6"))), Check::Spring), "");
-        let of = |changes, check| said(&of_run(&run(&variables::scene_with(changes))), check);
+        assert_eq!(words(&of_run(&run(&inside("k=1e6"))), Check::Spring), "");
+        let of = |changes, check| words(&of_run(&run(&variables::scene_with(changes))), check);
         // One coil that acts beside a beam is enough; one without force is none.
         for (pairs, surges) in [
             ("k=1e5 combine=parallel k_2=0", true),
@@ -505,7 +505,7 @@ mod tests {
             ("m_spring=8g", &[]),
             ("e_spring=19460", &[]),
         ] {
-            let found = said(&of_run(&run(&variables::scene_with(changes))), Check::SpringMass);
+            let found = words(&of_run(&run(&variables::scene_with(changes))), Check::SpringMass);
             assert_eq!(found.is_empty(), texts.is_empty(), "{changes}: {found}");
             assert!(texts.iter().all(|text| found.contains(text)), "{changes}: {found}");
         }

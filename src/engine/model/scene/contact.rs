@@ -101,7 +101,7 @@ impl Listing {
     /// As printed, but for depth, damper and obliquity: depth follows from the whole relative travel, the damper resists, and both
     /// couplings have obliquity's cosine.
     pub fn coupled(step_s: f64) -> Self {
-        let it = Reading::Corrected;
-        Self { step_s, coupling: it, damper: it, obliquity: it, ..Self::default() }
+        let right = Reading::Corrected;
+        Self { step_s, coupling: right, damper: right, obliquity: right, ..Self::default() }
     }
 }
