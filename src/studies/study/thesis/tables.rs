@@ -371,8 +371,12 @@ fn energy_after_return(run: &Run) -> f64 {
         0.5 * mass_kg * row.plate_velocity_m_s.powi(2)
             + 0.5 * scene.mechanism.spring.coefficient * row.plate_displacement_m.powi(2)
     };
-    let mut after = run.series.iter().skip_while(|row| row.t_s < turns_at_s(run));
-    let turned = after.next();
-    let back = after.find(|row| row.plate_displacement_m < 0.0);
-    turned.zip(back).map_or(f64::NAN, |(turned, back)| energy_j(back) / energy_j(turned))
+    let turned_s = turns_at_s(run);
+    let after: Vec<&Sample> = run.series.iter().skip_while(|row| row.t_s < turned_s).collect();
+    let back = after.windows(2).find(|pair| pair[1].plate_displacement_m < 0.0);
+    after.first().zip(back).map_or(f64::NAN, |(turned, pair)| {
+        let [x_m, next_m] = [0, 1].map(|i| pair[i].plate_displacement_m);
+        let [last_j, next_j] = [0, 1].map(|i| energy_j(pair[i]));
+        (last_j + (next_j - last_j) * x_m / (x_m - next_m)) / energy_j(turned)
+    })
 }
