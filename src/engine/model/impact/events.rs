@@ -37,10 +37,11 @@ impl Events {
         if below.is_finite() {
             events.add(&[Event::KnotBehind]);
         }
-        if mode.is_pressed {
-            events.add(&[Event::StopSlack]);
-        } else if setup.stop.is_some() {
+        if !mode.is_pressed && setup.stop.is_some() {
             events.add(&[Event::StopReached]);
+        } else if mode.is_pressed && mode.w_side < 0.0 {
+            // Only a plate that goes back can be faster than the stop follows.
+            events.add(&[Event::StopSlack]);
         }
         events
     }
@@ -154,7 +155,8 @@ mod tests {
     fn a_mode_has_the_events_that_can_end_it() {
         for (pairs, contact, is_pressed, expected) in MODES {
             let setup = Setup::of(&scene_with(pairs), 1e-12);
-            let mode = Mode { contact, is_pressed, ..first(&setup).0 };
+            let w_side = if is_pressed { -1.0 } else { 1.0 };
+            let mode = Mode { contact, is_pressed, w_side, ..first(&setup).0 };
             assert_eq!(Events::of(&setup, &mode).list(), expected, "{pairs} {contact:?}");
         }
         let setup = Setup::of(&scene_with("mount=rigid"), 1e-12);
