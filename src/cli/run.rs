@@ -72,7 +72,7 @@ pub(super) fn compute(scene: &Arc<Scene>) -> Result<Run, VariableError> {
 fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
     variables::require_hydrodynamic(scene)?;
     variables::require_single(scene)?;
-    let end_s = compute(scene)?.series.last().map_or(0.0, |row| row.t_s);
+    let end_s = compute_by(scene, Settings::SERIES)?.series.last().map_or(0.0, |row| row.t_s);
     if end_s >= DT_ROWS_MAX * dt_s {
         let least = engineering(end_s / DT_ROWS_MAX, "s", 2);
         return Err(CliError::Option(format!(
