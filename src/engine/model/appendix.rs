@@ -3,31 +3,17 @@
 //! The scripts m50, m200 and m300 are read as one loop. Each step: depth from the projectile's travel, area, one force; the
 //! projectile by the trapezoid of old and new force (its travel by forward Euler); the plate by one Runge-Kutta step with the
 //! force held. It ends when the relative velocity falls below 0.01 m/s or the area vanishes. What is wrong with it is named in
-//! [`Listing`]. Here is the contact; the whole run is in `listing`.
+//! [`Listing`]. Here is a step of the contact; the run is in [`listing`].
 
 use crate::model::contact::Geometry;
 use crate::model::mechanism::PowerLaw;
-use crate::model::run::Outcome;
-use crate::model::scene::{Listing, Reading, Scene};
-use crate::model::worded::worded;
-use crate::numerics::larger;
+use crate::model::run::{EndReason, Outcome};
+use crate::model::scene::{Listing, Scene};
 
-pub(super) mod listing;
+pub mod listing;
 
 /// Relative velocity at which the listing stops, m/s.
 const SLOW_M_S: f64 = 0.01;
-
-worded! {
-    /// Why the scheme gives no answer.
-    pub enum Refusal: words {
-        NoPowerLaw = "not applicable: only a massless spring k |x|^n",
-        /// The plate meets its stop within the contact, which the listing does not contain.
-        StopWithinContact = "not applicable: a stop acts",
-        StepBudget = "gave up: its steps are used up",
-        NonFinite = "diverged: a value is not finite",
-        Separated = "wrong: projectile leaves through the entry face",
-    }
-}
 
 /// Where the scheme is.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -50,8 +36,6 @@ pub struct State {
     pub area_m2: f64,
     /// Contact force of this step, N.
     pub force_n: f64,
-    /// Contact force of the step before, N.
-    pub force_before_n: f64,
 }
 
 /// The scheme, made ready for one scene.
@@ -62,12 +46,11 @@ pub struct Scheme {
     projectile_kg: f64,
     strength_pa: f64,
     drag_kg_m3: f64,
-    velocity_m_s: f64,
     /// Of the coupling between force, plate and slip.
     cos: f64,
-    start: [f64; 2],
-    /// `None` when it is rigid.
-    plate: Option<Plate>,
+    plate: Plate,
+    /// The state at first contact. As printed, its relative velocity is the projectile's own.
+    pub start: State,
 }
 
 /// The plate, and how it is carried.
@@ -114,80 +97,63 @@ impl Scheme {
     /// The scheme of a valid scene under one reading of the listing.
     pub fn of(scene: &Scene, listing: Listing) -> Self {
         let geometry = Geometry::of(scene);
+        let cos = if listing.corrects_obliquity { geometry.nose.cos } else { 1.0 };
         let spring = &scene.mechanism.spring;
-        let plate = (!scene.is_rigid()).then(|| Plate {
-            mass_kg: scene.plate_mass_kg(),
-            spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
-            damper: scene.mechanism.damper,
-            signed: listing.damper == Reading::Corrected,
-        });
+        let (velocity_m_s, plate_m_s) = (scene.projectile.velocity_m_s, scene.plate_velocity_m_s());
+        let plate = [scene.start_m(), plate_m_s];
+        let coupled_m_s = if listing.corrects_coupling { cos * plate_m_s } else { 0.0 };
+        let slip_m_s = velocity_m_s - coupled_m_s;
         Self {
             listing,
+            geometry,
             projectile_kg: scene.projectile.mass_kg,
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
-            velocity_m_s: scene.projectile.velocity_m_s,
-            cos: if listing.obliquity == Reading::Printed { 1.0 } else { geometry.nose.cos },
-            geometry,
-            start: [scene.start_m(), scene.plate_velocity_m_s()],
-            plate,
-        }
-    }
-
-    fn spring(&self) -> PowerLaw {
-        self.plate.map_or(PowerLaw::NONE, |plate| plate.spring)
-    }
-
-    /// First contact. As printed, the relative velocity of the first step is the projectile's own.
-    pub fn start(&self) -> State {
-        let is_printed = self.listing.coupling == Reading::Printed;
-        let plate_m_s = if is_printed { 0.0 } else { self.cos * self.start[1] };
-        State {
-            velocity_m_s: self.velocity_m_s,
-            plate: self.start,
-            plate_before: self.start,
-            slip_m_s: self.velocity_m_s - plate_m_s,
-            ..State::default()
+            cos,
+            plate: Plate {
+                mass_kg: if scene.is_rigid() { f64::INFINITY } else { scene.plate_mass_kg() },
+                spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
+                damper: scene.mechanism.damper,
+                signed: listing.corrects_damper,
+            },
+            start: State { velocity_m_s, plate, plate_before: plate, slip_m_s, ..State::default() },
         }
     }
 
     /// One step.
     ///
     /// # Errors
-    /// [`Refusal::Separated`] where the listing breaks off, [`Refusal::NonFinite`] where it diverges.
-    pub fn step(&self, state: &mut State) -> Result<(), Refusal> {
-        match self.listing.scheme {
-            Reading::Printed => self.step_as_printed(state)?,
-            Reading::Corrected => self.step_by_runge_kutta(state)?,
+    /// [`EndReason::BreaksOff`] at a negative depth, [`EndReason::NonFinite`] where it diverges.
+    pub fn step(&self, state: &mut State) -> Result<(), EndReason> {
+        if self.listing.corrects_scheme {
+            self.step_by_runge_kutta(state)?;
+        } else {
+            self.step_as_printed(state)?;
         }
         let is_finite =
             [state.force_n, state.slip_m_s, state.plate[0]].iter().all(|x| x.is_finite());
-        if is_finite { Ok(()) } else { Err(Refusal::NonFinite) }
+        if is_finite { Ok(()) } else { Err(EndReason::NonFinite) }
     }
 
-    fn step_as_printed(&self, state: &mut State) -> Result<(), Refusal> {
-        let dt_s = self.listing.step_s;
+    fn step_as_printed(&self, state: &mut State) -> Result<(), EndReason> {
+        let (dt_s, before_n) = (self.listing.step_s, state.force_n);
         state.pen_m += state.velocity_m_s * dt_s;
         state.travel_m += state.slip_m_s * dt_s;
         self.load(state)?;
-        state.velocity_m_s -=
-            dt_s * 0.5 * (state.force_n + state.force_before_n) / self.projectile_kg;
+        state.velocity_m_s -= dt_s * 0.5 * (state.force_n + before_n) / self.projectile_kg;
         state.plate_before = state.plate;
-        if let Some(plate) = &self.plate {
-            state.plate = plate.step(state.plate, state.force_n * self.cos, dt_s);
-        }
+        state.plate = self.plate.step(state.plate, state.force_n * self.cos, dt_s);
         state.slip_m_s = state.velocity_m_s - self.cos * state.plate[1];
         Ok(())
     }
 
     /// Both bodies by one Runge-Kutta step; the force is evaluated at its stages.
-    fn step_by_runge_kutta(&self, state: &mut State) -> Result<(), Refusal> {
+    fn step_by_runge_kutta(&self, state: &mut State) -> Result<(), EndReason> {
         let increment = state.plate[0] - state.plate_before[0];
         let rate = |[pen, travel, v, x, w]: [f64; 5]| {
             let slip = v - self.cos * w;
             let force = self.force_n(self.depth_m(pen, travel, increment), slip).1;
-            let [x_rate, w_rate] =
-                self.plate.map_or([0.0; 2], |plate| plate.rate([x, w], force * self.cos));
+            let [x_rate, w_rate] = self.plate.rate([x, w], force * self.cos);
             [v, slip, -force / self.projectile_kg, x_rate, w_rate]
         };
         let [x, w] = state.plate;
@@ -200,27 +166,27 @@ impl Scheme {
     }
 
     /// Depth, area and force at the present travels.
-    fn load(&self, state: &mut State) -> Result<(), Refusal> {
+    fn load(&self, state: &mut State) -> Result<(), EndReason> {
         let increment_m = state.plate[0] - state.plate_before[0];
         state.depth_m = self.depth_m(state.pen_m, state.travel_m, increment_m);
         if state.depth_m < 0.0 {
-            return Err(Refusal::Separated);
+            return Err(EndReason::BreaksOff);
         }
-        state.force_before_n = state.force_n;
         (state.area_m2, state.force_n) = self.force_n(state.depth_m, state.slip_m_s);
         Ok(())
     }
 
     fn depth_m(&self, pen_m: f64, travel_m: f64, increment_m: f64) -> f64 {
-        match self.listing.coupling {
-            Reading::Printed => self.geometry.depth_m(pen_m) - increment_m,
-            Reading::Corrected => self.geometry.depth_m(travel_m),
+        if self.listing.corrects_coupling {
+            self.geometry.depth_m(travel_m)
+        } else {
+            self.geometry.depth_m(pen_m) - increment_m
         }
     }
 
     fn force_n(&self, depth_m: f64, slip_m_s: f64) -> (f64, f64) {
         let Geometry { nose, thickness_m, .. } = &self.geometry;
-        let overwritten = self.listing.jumps == Reading::Printed && depth_m > nose.full_from_m();
+        let overwritten = !self.listing.corrects_jumps && depth_m > nose.full_from_m();
         let engaged = nose.area_m2(depth_m) - nose.area_m2(depth_m - thickness_m);
         let area = if overwritten { f64::NAN } else { engaged };
         (area, area * (self.drag_kg_m3 * slip_m_s * slip_m_s + self.strength_pa))
@@ -228,54 +194,12 @@ impl Scheme {
 
     /// Whether, and how, the contact has ended.
     pub fn ended(&self, state: &State) -> Option<Outcome> {
-        let is_slow = match self.listing.stopping {
-            Reading::Printed => state.slip_m_s < SLOW_M_S,
-            Reading::Corrected => state.slip_m_s <= 0.0,
+        let is_slow = if self.listing.corrects_stopping {
+            state.slip_m_s <= 0.0
+        } else {
+            state.slip_m_s < SLOW_M_S
         };
         let is_out = state.area_m2 <= 0.0;
         is_out.then_some(Outcome::Perforated).or_else(|| is_slow.then_some(Outcome::Arrested))
-    }
-}
-
-/// Run the contact phase of the listing as printed with steps of `dt_s` and at most `steps_max` of them: how it ends, the greatest depth
-/// until then, m, and the steps taken.
-///
-/// # Errors
-/// A [`Refusal`] when it does not come to an end, or diverges.
-pub fn contact(
-    scene: &Scene,
-    dt_s: f64,
-    steps_max: usize,
-) -> Result<(Outcome, f64, usize), Refusal> {
-    let scheme = Scheme::of(scene, Listing { step_s: dt_s, ..Listing::default() });
-    if scheme.plate.is_some() && !scene.mechanism.is_plain() {
-        return Err(Refusal::NoPowerLaw);
-    }
-    let stop_m = scene.mechanism.stop.position_m.filter(|_| scheme.plate.is_some());
-    let (mut state, mut deepest) = (scheme.start(), 0.0);
-    for step in 1..=steps_max {
-        scheme.step(&mut state)?;
-        deepest = larger(state.depth_m, deepest);
-        if stop_m.is_some_and(|stop| state.plate[0] >= stop) {
-            return Err(Refusal::StopWithinContact);
-        }
-        if let Some(outcome) = scheme.ended(&state) {
-            return Ok((outcome, deepest, step));
-        }
-    }
-    Err(Refusal::StepBudget)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::variables::scene_with;
-
-    #[test]
-    fn a_short_budget_and_a_stop_are_refused() {
-        let few = contact(&Scene::default(), 1e-6, 20);
-        assert_eq!(few, Err(Refusal::StepBudget));
-        let stopped = contact(&scene_with("x_stop=0.001"), 1e-6, 1_000);
-        assert_eq!(stopped, Err(Refusal::StopWithinContact));
     }
 }

@@ -16,7 +16,7 @@ pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
 pub use bodies::{
     Closure, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile, Target,
 };
-pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing, Reading};
+pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing};
 pub use mechanism::{Combination, Mechanism, OwnMass, Stop, StopKind, Wire};
 pub(in crate::model) use mechanism::{damper_rows, second_rows};
 

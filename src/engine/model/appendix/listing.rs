@@ -7,13 +7,13 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::appendix::{Plate, Refusal, Scheme, State};
+use crate::model::appendix::{Plate, Scheme, State};
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::run::{
-    Arrest, AtLeast, Cost, EndReason, EstimateBasis, Event, EventKind, Look, Mode, NotModelled,
-    Observer, Outcome, Run, Sample, Settings, Warning,
+    Arrest, AtLeast, EndReason, EstimateBasis, Event, EventKind, Look, Mode, NotModelled, Observer,
+    Outcome, Run, Sample, Settings, Warning,
 };
-use crate::model::scene::{InterfaceLaw, Listing, Mount, Reading, Scene};
+use crate::model::scene::{InterfaceLaw, Listing, Mount, Scene};
 use crate::numerics::larger;
 
 /// Steps of the contact, and afterwards, at most.
@@ -28,8 +28,7 @@ const TAIL: f64 = 0.25;
 /// Without a spring, a plate that has this part of the impact velocity has arrived.
 const FADED: f64 = 1e-6;
 
-struct Work<'a> {
-    scene: &'a Scene,
+struct Work {
     scheme: Scheme,
     state: State,
     run: Run,
@@ -44,10 +43,10 @@ struct Work<'a> {
 /// Simulate a valid scene by the listing.
 pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let listing = scene.contact.appendix;
-    let mut run = once(scene, listing, settings.series, observer);
+    let mut run = compute(scene, listing, settings.series, observer);
     if settings.estimate && run.end.is_complete() {
         let half = Listing { step_s: 0.5 * listing.step_s, ..listing };
-        let second = once(scene, half, false, observer);
+        let second = compute(scene, half, false, observer);
         estimate::set(&mut run, &second, EstimateBasis::HalfStep, ROUNDING);
     }
     run.baseline_penetration_m = if scene.is_rigid() {
@@ -55,20 +54,25 @@ pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Ob
     } else {
         let mut rigid = Scene::clone(scene);
         rigid.plate.mount = Mount::Rigid;
-        rigid.run.horizon_s = None;
-        once(&Arc::new(rigid), listing, false, observer).final_penetration_m
+        compute(&Arc::new(rigid), listing, false, observer).final_penetration_m
     };
     run
 }
 
-fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>) -> Run {
+/// One computation of a scene, without estimate and baseline.
+pub fn compute(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>) -> Run {
     let scheme = Scheme::of(scene, listing);
-    let state = scheme.start();
+    let state = scheme.start;
+    let mut run = Run { scene: Arc::clone(scene), ..Run::default() };
+    (run.cost.method, run.cost.reason) = ("Appendix A", "fixed step, force held over it");
+    let (m, v, [x, w]) = (scene.projectile.mass_kg, state.velocity_m_s, state.plate);
+    run.ledger.initial_kinetic_j = 0.5 * m * v * v;
+    run.ledger.initial_plate_j = 0.5 * scene.plate_mass_kg() * w * w;
+    run.ledger.initial_spring_j = scheme.plate.spring.integral(x);
     let mut work = Work {
-        scene,
         scheme,
         state,
-        run: Run { scene: Arc::clone(scene), ..Run::default() },
+        run,
         keep,
         t_s: 0.0,
         deepest_m: 0.0,
@@ -77,28 +81,19 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
         peak_n: 0.0,
         before: None,
     };
-    let (m, v, [x, w]) = (scene.projectile.mass_kg, state.velocity_m_s, state.plate);
-    let ledger = &mut work.run.ledger;
-    ledger.initial_kinetic_j = 0.5 * m * v * v;
-    ledger.initial_plate_j = 0.5 * scene.plate_mass_kg() * w * w;
-    ledger.initial_spring_j = work.scheme.spring().integral(x);
-    work.note(Mode::Penetrating, 0, 1);
-    let end = match work.contact(observer) {
-        Ok(ending) => work.afterwards(ending, observer),
-        Err(reason) => reason,
-    };
-    work.finish(end)
+    work.note(Mode::Penetrating, 0, true);
+    work.run.end = work.contact(observer);
+    work.finish()
 }
 
-impl Work<'_> {
+impl Work {
     fn look(&self) -> Look<'static> {
         Look { t_s: self.t_s, so_far: &|| None }
     }
 
     fn sample(&self, mode: Mode) -> Sample {
         let state = &self.state;
-        let (spring, damper) =
-            self.scheme.plate.map_or((0.0, 0.0), |plate| plate.forces_n(state.plate));
+        let (spring, damper) = self.scheme.plate.forces_n(state.plate);
         Sample {
             t_s: self.t_s,
             mode,
@@ -114,8 +109,8 @@ impl Work<'_> {
         }
     }
 
-    /// Notes where it is: work done since the point before by the trapezoid, extremes, and some of the points for the series.
-    fn note(&mut self, mode: Mode, step: usize, every: usize) {
+    /// Notes where it is: work done since the point before by the trapezoid, extremes, and a point of the series (of many steps only some).
+    fn note(&mut self, mode: Mode, step: usize, is_event: bool) {
         let sample = self.sample(mode);
         if let Some(before) = self.before {
             let mean = |f: fn(&Sample) -> f64| 0.5 * (f(&before) + f(&sample));
@@ -129,43 +124,40 @@ impl Work<'_> {
             ledger.damper_j += mean(|sample| sample.damper_force_n) * plate;
         }
         self.before = Some(sample);
+        self.deepest_m = larger(sample.penetration_m, self.deepest_m);
         self.max_displacement_m = larger(sample.plate_displacement_m, self.max_displacement_m);
-        if self.keep && step.is_multiple_of(every) {
+        self.peak_n = larger(sample.contact_force_n, self.peak_n);
+        if self.keep && (is_event || step.is_multiple_of(step / POINTS + 1)) {
             self.run.series.push(sample);
         }
     }
 
-    /// The contact, to its end by the listing's own rule.
-    fn contact(&mut self, observer: Observer<'_>) -> Result<Outcome, EndReason> {
+    /// The contact, to its end by the listing's own rule, and what follows it.
+    fn contact(&mut self, observer: Observer<'_>) -> EndReason {
         for step in 1..=STEPS_MAX {
             if step.is_multiple_of(LOOK) && observer(&self.look()) == ControlFlow::Break(()) {
-                return Err(EndReason::Cancelled);
+                return EndReason::Cancelled;
             }
             let before = self.state;
             let stepped = self.scheme.step(&mut self.state);
             self.run.cost.steps += 1;
             self.run.cost.rhs_evaluations += 5;
-            if let Err(refusal) = stepped {
+            if let Err(reason) = stepped {
                 self.state = before;
-                let broke_off = refusal == Refusal::Separated;
-                return Err(if broke_off { EndReason::BreaksOff } else { EndReason::NonFinite });
+                return reason;
             }
             self.t_s = step as f64 * self.scheme.listing.step_s;
             let ending = self.scheme.ended(&self.state);
-            if ending.is_some() && self.scheme.listing.stopping == Reading::Corrected {
+            if ending.is_some() && self.scheme.listing.corrects_stopping {
                 self.locate(&before, step);
             }
-            self.deepest_m = larger(self.state.depth_m, self.deepest_m);
-            self.peak_n = larger(self.state.force_n, self.peak_n);
-            // A contact of many steps is drawn from some of them.
-            let every = if ending.is_some() { 1 } else { step / POINTS + 1 };
-            self.note(Mode::Penetrating, step, every);
+            self.note(Mode::Penetrating, step, ending.is_some());
             if let Some(ending) = ending {
                 self.note_ending(ending);
-                return Ok(ending);
+                return self.afterwards(observer);
             }
         }
-        Err(EndReason::StepBudget)
+        EndReason::StepBudget
     }
 
     /// Put the state where the relative velocity, or the area, vanished within the last step.
@@ -197,8 +189,8 @@ impl Work<'_> {
     fn note_ending(&mut self, ending: Outcome) {
         self.run.outcome = ending;
         // The listing writes the projectile's state after a step with the time before it.
-        let Listing { stopping, step_s, .. } = self.scheme.listing;
-        let t_s = self.t_s - if stopping == Reading::Printed { step_s } else { 0.0 };
+        let Listing { corrects_stopping, step_s, .. } = self.scheme.listing;
+        let t_s = self.t_s - if corrects_stopping { 0.0 } else { step_s };
         let kind = if ending == Outcome::Perforated {
             self.run.exit_time_s = Some(t_s);
             self.run.residual_velocity_m_s = Some(self.state.velocity_m_s);
@@ -216,22 +208,23 @@ impl Work<'_> {
     }
 
     /// A.5: the plate on its mechanism, with or without the projectile.
-    fn afterwards(&mut self, ending: Outcome, observer: Observer<'_>) -> EndReason {
-        let Some(plate) = self.scheme.plate else {
+    fn afterwards(&mut self, observer: Observer<'_>) -> EndReason {
+        let Scheme { plate, projectile_kg, listing, .. } = self.scheme;
+        let scene = Arc::clone(&self.run.scene);
+        if scene.is_rigid() {
             self.run.max_plate_displacement_m = Some(0.0);
             return EndReason::Decided;
-        };
-        let perforated = ending == Outcome::Perforated;
-        let parted = perforated && self.scheme.listing.afterwards == Reading::Corrected;
-        let projectile_kg = if parted { 0.0 } else { self.scene.projectile.mass_kg };
+        }
+        let parted = self.run.outcome == Outcome::Perforated && listing.corrects_afterwards;
+        let projectile_kg = if parted { 0.0 } else { projectile_kg };
         let body = Plate { mass_kg: plate.mass_kg + projectile_kg, ..plate };
         let mode = if parted { Mode::Perforated } else { Mode::Fused };
         let springless = plate.spring.is_absent();
-        let is_free = springless && self.scene.mechanism.damper.is_absent();
+        let is_free = springless && plate.damper.is_absent();
         let contact_s = self.t_s;
-        let horizon_s = self.scene.run.horizon_s;
+        let horizon_s = scene.run.horizon_s;
         let until_s = horizon_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));
-        let dt_s = self.scheme.listing.step_s;
+        let dt_s = listing.step_s;
         let mut y = self.state.plate_before;
         let (flying_m_s, start_m) = (self.state.velocity_m_s, self.state.pen_m - y[0]);
         for step in 1..=STEPS_MAX {
@@ -259,9 +252,9 @@ impl Work<'_> {
                 (self.state.velocity_m_s, self.state.pen_m) = (y[1], start_m + y[0]);
             }
             // A damper alone never quite stops the plate.
-            let faded = springless && y[1].abs() < FADED * self.scene.projectile.velocity_m_s;
+            let faded = springless && y[1].abs() < FADED * scene.projectile.velocity_m_s;
             let turned = rising && (y[1] <= 0.0 || faded);
-            self.note(mode, step, if turned { 1 } else { step / POINTS + 1 });
+            self.note(mode, step, turned);
             if turned && self.run.max_plate_displacement_m.is_none() {
                 self.run.max_plate_displacement_m = Some(self.max_displacement_m);
                 let kind = EventKind::GreatestDisplacement;
@@ -274,39 +267,33 @@ impl Work<'_> {
         EndReason::StepBudget
     }
 
-    fn finish(mut self, end: EndReason) -> Run {
-        let (m, m_2) = (self.scene.projectile.mass_kg, self.scene.plate_mass_kg());
+    fn finish(mut self) -> Run {
+        let scene = &self.run.scene;
+        let (m, m_2, is_rigid) =
+            (self.scheme.projectile_kg, scene.plate_mass_kg(), scene.is_rigid());
         let (v, [x, w]) = (self.state.velocity_m_s, self.state.plate);
-        let spring_j = self.scheme.spring().integral(x);
-        let sprung = self.scheme.plate.is_some();
         let ledger = &mut self.run.ledger;
         ledger.projectile_j = 0.5 * m * v * v;
-        ledger.plate_j = if sprung { 0.5 * m_2 * w * w } else { 0.0 };
-        ledger.spring_j = spring_j;
-        self.run.end = end;
-        self.run.peak_contact_force_n = Some(self.peak_n);
-        let depth_m = Some(self.deepest_m);
-        self.run.final_penetration_m = depth_m.filter(|_| self.run.outcome != Outcome::Moving);
-        self.run.cost = Cost {
-            method: "Appendix A",
-            reason: "fixed step, force held over it",
-            ..self.run.cost
-        };
-        let residual = self.run.ledger.residual();
+        ledger.plate_j = 0.5 * m_2 * w * w;
+        ledger.spring_j = self.scheme.plate.spring.integral(x);
+        let residual = ledger.residual();
         self.run.warnings.push(Warning::EnergyDrift { residual });
-        if !end.is_complete() {
-            self.run.warnings.push(Warning::EndedEarly(end));
+        self.run.peak_contact_force_n = Some(self.peak_n);
+        let is_decided = self.run.outcome != Outcome::Moving;
+        self.run.final_penetration_m = is_decided.then_some(self.deepest_m);
+        if !self.run.end.is_complete() {
+            self.run.warnings.push(Warning::EndedEarly(self.run.end));
+            let is_known = is_rigid || self.run.max_plate_displacement_m.is_some();
             self.run.at_least = AtLeast {
-                penetration_m: depth_m.filter(|_| self.run.outcome == Outcome::Moving),
-                plate_displacement_m: (sprung && self.run.max_plate_displacement_m.is_none())
-                    .then_some(self.max_displacement_m),
+                penetration_m: (!is_decided).then_some(self.deepest_m),
+                plate_displacement_m: (!is_known).then_some(self.max_displacement_m),
             };
         }
-        let is_plastic = self.scene.interface.law == InterfaceLaw::Plastic;
-        let is_stopped = sprung && self.scene.mechanism.stop.position_m.is_some();
-        let stays_joined = sprung
+        let is_plastic = scene.interface.law == InterfaceLaw::Plastic;
+        let is_stopped = !is_rigid && scene.mechanism.stop.position_m.is_some();
+        let stays_joined = !is_rigid
             && self.run.outcome == Outcome::Perforated
-            && self.scheme.listing.afterwards == Reading::Printed;
+            && !self.scheme.listing.corrects_afterwards;
         for (lacks, what) in [
             (is_plastic, NotModelled::PlasticLaw),
             (is_stopped, NotModelled::Stop),

@@ -8,7 +8,7 @@ use super::stiffnesses_n_m;
 use crate::model::appendix::Scheme;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, Sample, Warning};
-use crate::model::scene::{Listing, Reading, Scene, SpringKind};
+use crate::model::scene::{Listing, Scene, SpringKind};
 use crate::model::simulate::{self, Look, Settings};
 use crate::model::variables::scene_with;
 
@@ -197,10 +197,10 @@ fn valid_depths_are_those_of_an_independent_port_by_either_coupling() {
     let on_springs = on_springs
         .map(|(pairs, percents)| (pairs.to_owned(), percents.map(|it| 0.07129 * it), 4e-3));
     for (pairs, expected_mm, tolerance_mm) in ladder.into_iter().chain(on_springs) {
-        for (coupling, mm) in [Reading::Printed, Reading::Corrected].into_iter().zip(expected_mm) {
-            let listing = Listing { coupling, ..Listing::default() };
+        for (corrects_coupling, mm) in [false, true].into_iter().zip(expected_mm) {
+            let listing = Listing { corrects_coupling, ..Listing::default() };
             let found = depth_mm(&listed(&format!("rho=2780 {pairs}"), listing));
-            assert!((found - mm).abs() < tolerance_mm, "{pairs} {coupling:?}: {found}");
+            assert!((found - mm).abs() < tolerance_mm, "{pairs} {corrects_coupling}: {found}");
         }
     }
 }
@@ -212,7 +212,7 @@ fn valid_a_plate_that_moves_at_first_contact() {
     let depth_mm = |pairs: &str| depth_mm(&listed(&format!("dt=1e-7 k=0 {pairs}"), fixed));
     let (moving, resting) = (depth_mm("v_i=100 w_0=20"), depth_mm("v_i=80"));
     assert!(close(moving, resting, 1e-9), "{moving}, not {resting}");
-    let start = Scheme::of(&scene_with("d=0.01 w_0=20"), Listing::default()).start();
+    let start = Scheme::of(&scene_with("d=0.01 w_0=20"), Listing::default()).start;
     assert_eq!((start.plate, start.slip_m_s), ([-0.01, 20.0], 100.0));
 }
 
@@ -262,14 +262,18 @@ fn a_listing_without_a_stop_time_says_how_far_the_plate_is_when_its_steps_are_us
         (None, Some(0.0))
     );
     assert!(run.baseline_penetration_m.is_some());
+    assert_eq!(listing("dt=1e-11 mount=rigid").end, EndReason::StepBudget);
     assert!(listing("k=0").max_plate_displacement_m.is_none());
 }
 
 #[test]
 fn valid_every_error_corrected_the_listing_converges_to_the_simulation() {
-    let put_right = Reading::Corrected;
-    let (stopping, afterwards, scheme) = (put_right, put_right, put_right);
-    let corrected = Listing { stopping, afterwards, scheme, ..Listing::coupled(1e-7) };
+    let corrected = Listing {
+        corrects_stopping: true,
+        corrects_afterwards: true,
+        corrects_scheme: true,
+        ..Listing::coupled(1e-7)
+    };
     let own = listed("b=100 dt=1e-7", corrected);
     let reference = run("b=100 S_y=1.516e8");
     assert!(close(depth_mm(&own), depth_mm(&reference), 1e-6));
@@ -280,7 +284,7 @@ fn valid_every_error_corrected_the_listing_converges_to_the_simulation() {
 
 #[test]
 fn ignored_jumps_end_in_no_number_and_what_the_listing_lacks_is_noted() {
-    let ignored = Listing { jumps: Reading::Printed, ..Listing::default() };
+    let ignored = Listing { corrects_jumps: false, ..Listing::default() };
     let run = listed("mount=rigid", ignored);
     assert_eq!(run.end, EndReason::NonFinite);
     assert!(!run.series.is_empty() && run.final_penetration_m.is_none());

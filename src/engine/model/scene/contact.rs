@@ -35,21 +35,21 @@ parts! {
     pub struct Listing at (contact.appendix) {
         pub step_s: f64 = 1e-6 => "dt", "time step", "time step of the listing",
             number(Time, Positive).is_log(true).source("thesis Appendix A.1");
-        /// A.2: depth subtracts the plate's last increment only, or its whole motion.
-        pub coupling: Reading = Reading::Printed;
-        /// A.7 and A.9: the damper's force has no sign, or it resists.
-        pub damper: Reading = Reading::Printed;
-        /// A.2: contact ends below 0.01 m/s after a step, or where both velocities are equal.
-        pub stopping: Reading = Reading::Printed;
-        /// A.5 and A.7: the bodies stay joined afterwards, or not after a perforation.
-        pub afterwards: Reading = Reading::Printed;
-        /// A.4 and A.8: the force is held over the step, or Runge-Kutta for both bodies.
-        pub scheme: Reading = Reading::Printed;
-        /// A.2 to A.4: the whole force acts on both bodies, or it is resolved on the normal.
-        pub obliquity: Reading = Reading::Printed;
-        /// A.2: the scripts' jumps are calls that come back, so that once the nose is buried the next lines overwrite the area and
-        /// divide by tan(theta) = 0, or they are the jumps that they are meant to be.
-        pub jumps: Reading = Reading::Corrected;
+        /// A.2: depth subtracts the plate's whole motion, not its last increment only.
+        pub corrects_coupling: bool = false;
+        /// A.7 and A.9: the damper resists; printed, its force has no sign.
+        pub corrects_damper: bool = false;
+        /// A.2: contact ends where both velocities are equal, not below 0.01 m/s after a step.
+        pub corrects_stopping: bool = false;
+        /// A.5 and A.7: after a perforation the bodies part; printed, they stay joined.
+        pub corrects_afterwards: bool = false;
+        /// A.4 and A.8: Runge-Kutta for both bodies; printed, the force is held over the step.
+        pub corrects_scheme: bool = false;
+        /// A.2 to A.4: the force is resolved on the normal; printed, all of it acts on both bodies.
+        pub corrects_obliquity: bool = false;
+        /// A.2: the scripts' jumps are those that they are meant to be; printed, they are calls that come back, so that once the nose is
+        /// buried the next lines overwrite the area and divide by tan(theta) = 0.
+        pub corrects_jumps: bool = true;
     }
 
     /// The interface between projectile and plate after the first arrest.
@@ -88,20 +88,16 @@ worded! {
     }
 }
 
-/// How one doubtful place of the listing is read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
-    /// As it stands.
-    Printed,
-    /// Put right.
-    Corrected,
-}
-
 impl Listing {
     /// As printed, but for depth, damper and obliquity: depth follows from the whole relative travel, the damper resists, and both
     /// couplings have obliquity's cosine.
     pub fn coupled(step_s: f64) -> Self {
-        let right = Reading::Corrected;
-        Self { step_s, coupling: right, damper: right, obliquity: right, ..Self::default() }
+        Self {
+            step_s,
+            corrects_coupling: true,
+            corrects_damper: true,
+            corrects_obliquity: true,
+            ..Self::default()
+        }
     }
 }

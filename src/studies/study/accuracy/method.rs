@@ -7,12 +7,12 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::appendix;
+use crate::model::appendix::listing;
 use crate::model::contact_kernel::Contact;
 use crate::model::impact::Stepping;
 use crate::model::impact::step_by;
 use crate::model::run::{EndReason, Outcome, Run};
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::{InterfaceLaw, Listing, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::study::quantities;
 
@@ -31,9 +31,6 @@ pub const RESULTS: [(&str, &str); 7] = [
 /// contact force, N; velocity of a projectile that leaves the plate through either face, m/s, and when, s; greatest force into the
 /// mount, N. `None` of what does not exist, or the method does not know.
 pub type Results = [Option<f64>; RESULTS.len()];
-
-/// Steps of the printed scheme, at most.
-const STEPS_MAX: usize = 400_000;
 
 /// The result of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,8 +52,10 @@ pub struct Answer {
 pub enum Refusal {
     /// The contact kernel leaves the scene to the simulation.
     NeedsSimulation,
-    /// The listing of the thesis does, or cannot go on.
-    Listing(appendix::Refusal),
+    /// The listing of the thesis knows one massless power law.
+    NoPowerLaw,
+    /// The plate meets its stop within the contact, which the listing does not contain.
+    StopActs,
     /// The run ended early, or undecided.
     Ended(EndReason),
     /// Its outcome is not the reference's.
@@ -74,7 +73,9 @@ impl Refusal {
     pub fn words(self) -> &'static str {
         match self {
             Self::NeedsSimulation => "left to the simulation, as in a sweep",
-            Self::Listing(refusal) => refusal.words(),
+            Self::NoPowerLaw => "not applicable: only a massless spring k |x|^n",
+            Self::StopActs => "not applicable: a stop acts",
+            Self::Ended(EndReason::BreaksOff) => "wrong: projectile leaves through the entry face",
             Self::Ended(EndReason::StepBudget) => "gave up: its work is used up",
             Self::Ended(EndReason::StepUnderflow) => "gave up: steps too small to move time",
             Self::Ended(EndReason::NonFinite) | Self::NonFinite => {
@@ -296,28 +297,32 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
 fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     let end = Contact::of(scene).and_then(|contact| contact.run(tolerance));
     let end = end.ok_or(Refusal::NeedsSimulation)?;
-    let is_final = end.arrested && scene.interface.law == InterfaceLaw::Fused;
     let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
-    let depth_m = is_final.then_some(end.penetration_m);
-    Ok(of_contact(outcome, depth_m, end.t_s, (end.steps, end.steps)))
-}
-
-fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
-    let end = appendix::contact(scene, dt_s, STEPS_MAX);
-    let (outcome, depth_m, steps) = end.map_err(Refusal::Listing)?;
-    let depth_m = (outcome == Outcome::Arrested).then_some(depth_m);
-    Ok(of_contact(outcome, depth_m, steps as f64 * dt_s, (steps, 5 * steps)))
-}
-
-fn of_contact(
-    outcome: Outcome,
-    depth_m: Option<f64>,
-    t_s: f64,
-    (steps, evaluations): (usize, usize),
-) -> Answer {
+    let is_final = end.arrested && scene.interface.law == InterfaceLaw::Fused;
     let mut results = [None; RESULTS.len()];
-    (results[0], results[1]) = (depth_m, Some(t_s));
-    Answer { outcome, results, steps, rejected: 0, evaluations }
+    (results[0], results[1]) = (is_final.then_some(end.penetration_m), Some(end.t_s));
+    Ok(Answer { outcome, results, steps: end.steps, rejected: 0, evaluations: end.steps })
+}
+
+/// The listing as printed. It follows the plate up to the horizon, which its contact alone exceeds.
+fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
+    if !scene.is_rigid() && !scene.mechanism.is_plain() {
+        return Err(Refusal::NoPowerLaw);
+    }
+    let mut contact = scene.clone();
+    contact.run.horizon_s = Some(dt_s);
+    let listing = Listing { step_s: dt_s, ..Listing::default() };
+    let run =
+        listing::compute(&Arc::new(contact), listing, false, &mut |_| ControlFlow::Continue(()));
+    let stop_m = scene.mechanism.stop.position_m.filter(|_| !scene.is_rigid());
+    let most_m = run.max_plate_displacement_m.or(run.at_least.plate_displacement_m);
+    if most_m.zip(stop_m).is_some_and(|(most_m, stop_m)| most_m >= stop_m) {
+        return Err(Refusal::StopActs);
+    }
+    let mut answer = answer_of(&run)?;
+    // The listing prints the time before its last step.
+    answer.results[1] = Some(answer.steps as f64 * dt_s);
+    Ok(answer)
 }
 
 #[cfg(test)]

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::model::appendix::{Refusal, Scheme};
-use crate::model::run::Outcome;
-use crate::model::scene::{Listing, Reading, Scene};
+use crate::model::appendix::Scheme;
+use crate::model::run::{EndReason, Outcome};
+use crate::model::scene::{Listing, Scene};
 use crate::model::simulate::Settings;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
@@ -32,18 +32,18 @@ enumeration! {
         word: &'static str,
         /// Its description on the command line.
         about: &'static str,
-        /// The scheme of the listing that is followed.
-        scheme: Reading,
+        /// Whether it corrects the scheme of the listing.
+        corrects_scheme: bool,
     }
     /// Appendix A, its depth taken from the relative travel.
     Thesis {
         name: "the thesis's scheme", word: "thesis", about: "Appendix A with its depth corrected",
-        scheme: Reading::Printed
+        corrects_scheme: false
     }
     /// Classical Runge-Kutta on the whole system.
     Rk4 {
         name: "classical Runge-Kutta", word: "rk4", about: "Classical Runge-Kutta",
-        scheme: Reading::Corrected
+        corrects_scheme: true
     }
 }
 
@@ -246,16 +246,16 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
         return Cell::Unknown;
     };
     // The listing as meant, with the thesis's scheme or Runge-Kutta on both bodies.
-    let meant = Listing::coupled(dt_s);
-    let scheme = Scheme::of(scene, Listing { scheme: method.scheme(), ..meant });
+    let corrects_scheme = method.corrects_scheme();
+    let scheme = Scheme::of(scene, Listing { corrects_scheme, ..Listing::coupled(dt_s) });
     let fastest_m_s = RUNS_AWAY_FROM * target.speed_m_s;
-    let mut state = scheme.start();
+    let mut state = scheme.start;
     for step in 1..=STEPS_MAX {
         let refused = scheme.step(&mut state);
         let is_away = state.plate[1].abs() > fastest_m_s && !scene.is_rigid();
         let (outcome, value) = match (refused, scheme.ended(&state)) {
             _ if is_away => return Cell::BlownUp,
-            (Err(Refusal::NonFinite), _) => return Cell::BlownUp,
+            (Err(EndReason::NonFinite), _) => return Cell::BlownUp,
             (Err(_), _) => return Cell::Inaccurate,
             (Ok(()), None) => continue,
             (Ok(()), Some(outcome @ Outcome::Perforated)) => (outcome, step as f64 * dt_s),

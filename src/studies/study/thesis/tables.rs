@@ -6,7 +6,7 @@ use super::ClaimVerdict::{Corrected, Misprint, NotReproduced, Reproduced};
 use super::{Check, Claim, Shots, claim, four, list, millimetres, near};
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EventKind, Run, Sample};
-use crate::model::scene::{Beam, Listing, Reading, Wire};
+use crate::model::scene::{Beam, Listing, Wire};
 use crate::model::units::engineering;
 use crate::study::limit;
 use crate::study::principles::{CONCEPTS, CRITERIA, Concept, PRINCIPLES};
@@ -256,7 +256,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "depth subtracts the plate's motion",
         "only the last step's increment is subtracted, and no smaller step makes that good",
         |shots| {
-            let fixed = Listing { coupling: Reading::Corrected, ..Listing::default() };
+            let fixed = Listing { corrects_coupling: true, ..Listing::default() };
             fault(shots, [Listing::default(), fixed], "%", |shots| shots.percent(""))
         },
     ),
@@ -265,7 +265,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the same lines serve normal and oblique impact",
         "once the nose is buried they divide by tan(0): only a jump over them saves the baseline",
         |shots| {
-            let ignored = Listing { jumps: Reading::Printed, ..Listing::default() };
+            let ignored = Listing { corrects_jumps: false, ..Listing::default() };
             let without = shots.by(ignored).run("mount=rigid").end;
             let own = millimetres(shots.depth_m("mount=rigid"));
             let text = if shots.listing.is_some() {
@@ -281,7 +281,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the impulse on the projectile is that on the plate",
         "the projectile gets the mean of the old and the new force, the plate the new one",
         |shots| {
-            let fixed = Listing { scheme: Reading::Corrected, ..Listing::default() };
+            let fixed = Listing { corrects_scheme: true, ..Listing::default() };
             fault(shots, [Listing::default(), fixed], "% of the momentum kept", |shots| {
                 100.0 * momentum_kept(&shots.run_with_series("k=0"))
             })
@@ -294,13 +294,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             // The other faults hide this one.
             let fixed = Listing {
-                coupling: Reading::Corrected,
-                stopping: Reading::Corrected,
-                scheme: Reading::Corrected,
-                obliquity: Reading::Corrected,
+                corrects_coupling: true,
+                corrects_stopping: true,
+                corrects_scheme: true,
+                corrects_obliquity: true,
                 ..Listing::default()
             };
-            let oblique = Listing { obliquity: Reading::Printed, ..fixed };
+            let oblique = Listing { corrects_obliquity: false, ..fixed };
             fault(shots, [oblique, fixed], "mm at 30 degrees", |shots| {
                 1e3 * shots.depth_m("theta=30deg")
             })
@@ -311,7 +311,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "after the contact m_1 + m_2 moves on",
         "also after a perforation, when the projectile has left",
         |shots| {
-            let fixed = Listing { afterwards: Reading::Corrected, ..Listing::default() };
+            let fixed = Listing { corrects_afterwards: true, ..Listing::default() };
             let travel = |shots: &Shots<'_>| shots.travel_mm("v_i=300 h=0.003");
             fault(shots, [Listing::default(), fixed], "mm of the perforated plate's travel", travel)
         },
@@ -321,7 +321,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the damper's force is b |w|^m",
         "without a sign it acts the same way whichever way the plate moves: it adds energy on the rebound",
         |shots| {
-            let fixed = Listing { damper: Reading::Corrected, ..Listing::default() };
+            let fixed = Listing { corrects_damper: true, ..Listing::default() };
             let unit = "% of the energy left after the rebound";
             fault(shots, [Listing::default(), fixed], unit, |shots| {
                 100.0 * energy_after_return(&shots.run_with_series("b=50 horizon=8e-3"))
