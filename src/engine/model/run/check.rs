@@ -21,67 +21,6 @@ worded! {
     }
 }
 
-/// The rows in order: of each the variable in whose row a breach is marked, and what it means, on which side the answer errs, and the
-/// cure: a paragraph.
-#[rustfmt::skip]
-const ROWS: [(Check, &str, &str); Check::ALL.len()] = [
-    (Check::Thickness, "h",
-     "Plate thickness over projectile diameter, by which a plate fails in another way: with dishing the law is validated \
-      up to about 1 (conservative beyond: limits come out too low) and from about 0.3 (unconservative below), without it \
-      from about 1 (unconservative below), and hard plates of 750 MPa and more plug below about 2.5 (unconservative). \
-      Cure: dishing=off with closure=cavity for a thick plate, dishing=on with closure=double-yield for a thin one; a \
-      hard thin plate has none."),
-    (Check::Material, "rho",
-     "The target is no metal by its density and yield stress, and strength and drag are laws for metal plates. On which \
-      side the answer errs is not known. Cure: give rho and S_y of a metal."),
-    (Check::Nose, "nose",
-     "The law is for a hemispherical nose. A blunt one shears out a plug, and its limit comes out about 60 % too high \
-      (unconservative); for a pointed one the direction is not known. Cure: nose=hemispherical; there is none for \
-      another nose."),
-    (Check::NosePressure, "v_i",
-     "The pressure on the nose, S + c v^2, is more than half of the 2 GPa of hardened steel: the projectile may deform or \
-      break, which the model does not know. Conservative: a broken projectile penetrates less. Cure: a lower v_i or a \
-      softer plate."),
-    (Check::NoseMass, "m_p",
-     "The sphere of the nose alone weighs more than the projectile: radius, density and mass do not fit. On which side \
-      the answer errs is not known. Cure: correct m_p or R."),
-    (Check::Face, "gamma",
-     "The plate's face is narrower than 3 projectile diameters: its edges yield, and the hole has no room. \
-      Unconservative: the real plate resists less. Cure: raise gamma or set face."),
-    (Check::Velocity, "v_i",
-     "The shot is slower than 50 m/s, the least in measurements, or faster than 1000 m/s, where heating, rate and \
-      erosion count. On which side the answer errs is not known. Cure: v_i between them."),
-    (Check::Obliquity, "theta",
-     "The shot is oblique: limits come out below measured ones (`cmra validate`), the more so the larger theta is and the \
-      lighter the plate; beyond about 20 deg the model is not meant for it, and ricochet is not modelled. \
-      Conservative. Cure: theta=0."),
-    (Check::Spring, "k",
-     "More than the spring bears: it is displaced beyond the limit of its stress, travel or shape, or its \
-      end moves faster than about 20 m/s, at which a steel coil surges and its coils may close. Unconservative: a real \
-      spring fails or is stiffer. Cure: a heavier plate (gamma), or a spring with more travel."),
-    (Check::SpringMass, "own_mass",
-     "The springs' own mass is omitted although the part of it that moves is more than a tenth of the plate's mass. \
-      Unconservative: the real mount moves more slowly. Cure: own_mass=counted; where the mass is not known, \
-      m_spring or e_spring."),
-    (Check::Stop, "x_stop",
-     "A rigid stop asks the fused interface for an unbounded force: nothing after the hit is to be believed. \
-      Unconservative. Cure: interface=plastic."),
-    (Check::Interface, "interface",
-     "The fused interface must carry more than its strength A S_y, or in tension g A S_y (the grip g is an assumption): \
-      penetration would resume, or the projectile would be pulled out. Unconservative. Cure: interface=plastic."),
-    (Check::Rebound, "interface",
-     "After the run the plate comes back and pulls at the fused interface with more than its strength g A S_y (the grip g \
-      is an assumption): the projectile may come loose and strike again. Unconservative. Cure: interface=plastic."),
-];
-
-const _: () = {
-    let mut at = 0;
-    while at < ROWS.len() {
-        assert!(ROWS[at].0 as usize == at, "the rows are in the order of the checks");
-        at += 1;
-    }
-};
-
 impl Check {
     /// Whether it is of what the design itself has to bear, not of the model's choice.
     pub fn is_of_load(self) -> bool {
@@ -90,11 +29,64 @@ impl Check {
 
     /// The variable in whose row the breach is marked.
     pub fn symbol(self) -> &'static str {
-        ROWS[self as usize].1
+        self.row().0
     }
 
     /// What it means, on which side the answer errs, and the cure: a paragraph.
     pub fn about(self) -> &'static str {
-        ROWS[self as usize].2
+        self.row().1
+    }
+
+    #[rustfmt::skip]
+    fn row(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Thickness => ("h",
+               "Plate thickness over projectile diameter, by which a plate fails in another way: with dishing the law is validated \
+                up to about 1 (conservative beyond: limits come out too low) and from about 0.3 (unconservative below), without it \
+                from about 1 (unconservative below), and hard plates of 750 MPa and more plug below about 2.5 (unconservative). \
+                Cure: dishing=off with closure=cavity for a thick plate, dishing=on with closure=double-yield for a thin one; a \
+                hard thin plate has none."),
+            Self::Material => ("rho",
+               "The target is no metal by its density and yield stress, and strength and drag are laws for metal plates. On which \
+                side the answer errs is not known. Cure: give rho and S_y of a metal."),
+            Self::Nose => ("nose",
+               "The law is for a hemispherical nose. A blunt one shears out a plug, and its limit comes out about 60 % too high \
+                (unconservative); for a pointed one the direction is not known. Cure: nose=hemispherical; there is none for \
+                another nose."),
+            Self::NosePressure => ("v_i",
+               "The pressure on the nose, S + c v^2, is more than half of the 2 GPa of hardened steel: the projectile may deform or \
+                break, which the model does not know. Conservative: a broken projectile penetrates less. Cure: a lower v_i or a \
+                softer plate."),
+            Self::NoseMass => ("m_p",
+               "The sphere of the nose alone weighs more than the projectile: radius, density and mass do not fit. On which side \
+                the answer errs is not known. Cure: correct m_p or R."),
+            Self::Face => ("gamma",
+               "The plate's face is narrower than 3 projectile diameters: its edges yield, and the hole has no room. \
+                Unconservative: the real plate resists less. Cure: raise gamma or set face."),
+            Self::Velocity => ("v_i",
+               "The shot is slower than 50 m/s, the least in measurements, or faster than 1000 m/s, where heating, rate and \
+                erosion count. On which side the answer errs is not known. Cure: v_i between them."),
+            Self::Obliquity => ("theta",
+               "The shot is oblique: limits come out below measured ones (`cmra validate`), the more so the larger theta is and the \
+                lighter the plate; beyond about 20 deg the model is not meant for it, and ricochet is not modelled. \
+                Conservative. Cure: theta=0."),
+            Self::Spring => ("k",
+               "More than the spring bears: it is displaced beyond the limit of its stress, travel or shape, or its \
+                end moves faster than about 20 m/s, at which a steel coil surges and its coils may close. Unconservative: a real \
+                spring fails or is stiffer. Cure: a heavier plate (gamma), or a spring with more travel."),
+            Self::SpringMass => ("own_mass",
+               "The springs' own mass is omitted although the part of it that moves is more than a tenth of the plate's mass. \
+                Unconservative: the real mount moves more slowly. Cure: own_mass=counted; where the mass is not known, \
+                m_spring or e_spring."),
+            Self::Stop => ("x_stop",
+               "A rigid stop asks the fused interface for an unbounded force: nothing after the hit is to be believed. \
+                Unconservative. Cure: interface=plastic."),
+            Self::Interface => ("interface",
+               "The fused interface must carry more than its strength A S_y, or in tension g A S_y (the grip g is an assumption): \
+                penetration would resume, or the projectile would be pulled out. Unconservative. Cure: interface=plastic."),
+            Self::Rebound => ("interface",
+               "After the run the plate comes back and pulls at the fused interface with more than its strength g A S_y (the grip g \
+                is an assumption): the projectile may come loose and strike again. Unconservative. Cure: interface=plastic."),
+        }
     }
 }
