@@ -40,16 +40,13 @@ impl StackRun {
         let name = self.name(self.behind.len());
         let last = if self.behind.len() < self.elements { name } else { format!("the {name}") };
         match (self.outcome, self.penetration_m) {
-            (Outcome::Arrested, Some(depth)) => {
-                format!("stack: stopped in {last}, {:.4} mm in all", depth * 1e3)
-            }
-            (Outcome::Separated, Some(depth)) => {
-                format!("stack: thrown back by {last}, {:.4} mm in all", depth * 1e3)
-            }
             (Outcome::Perforated, _) => "stack: perforated, including the base plate".to_owned(),
-            (Outcome::Arrested | Outcome::Separated | Outcome::Moving, _) => {
-                format!("stack: undecided in {last}")
+            (outcome @ (Outcome::Arrested | Outcome::Separated), Some(depth)) => {
+                let is_back = outcome == Outcome::Separated;
+                let how = if is_back { "thrown back by" } else { "stopped in" };
+                format!("stack: {how} {last}, {:.4} mm in all", depth * 1e3)
             }
+            _ => format!("stack: undecided in {last}"),
         }
     }
 }
@@ -71,29 +68,25 @@ pub fn follow(
     let elements = plates.len() - 1;
     let mut behind: Vec<Arc<Run>> = Vec::new();
     let mut passed_m = 0.0;
-    for plate in plates.into_iter().skip(1) {
+    for mut plate in plates.into_iter().skip(1) {
         let last = behind.last().map_or(&*first, |run| run);
         let Some(velocity) = goes_on(last) else {
             break;
         };
         passed_m += last.scene.effective_thickness_m();
-        let mut own = plate;
-        own.projectile.velocity_m_s = velocity;
-        behind.push(Arc::new(simulate(own)?));
+        plate.projectile.velocity_m_s = velocity;
+        behind.push(Arc::new(simulate(plate)?));
     }
     warn_of_gaps(scene, first, &behind, elements);
     let last = behind.last().map_or(&*first, |run| run);
     let residual_velocity_m_s = goes_on(last);
-    // A plate that oscillates over the projectile has stopped it, if from behind.
-    let caught = last.outcome == Outcome::Perforated && residual_velocity_m_s.is_none();
-    let outcome = match last.outcome {
-        Outcome::Perforated if caught && last.end.is_complete() => Outcome::Separated,
-        other => other,
-    };
-    let depth_m = match outcome {
-        Outcome::Separated if caught => Some(last.scene.effective_thickness_m()),
-        Outcome::Arrested | Outcome::Separated => last.final_penetration_m,
-        Outcome::Perforated | Outcome::Moving => None,
+    let (outcome, depth_m) = match last.outcome {
+        // A plate that oscillates over the projectile has stopped it, if from behind.
+        Outcome::Perforated if last.end.is_complete() && residual_velocity_m_s.is_none() => {
+            (Outcome::Separated, Some(last.scene.effective_thickness_m()))
+        }
+        Outcome::Perforated | Outcome::Moving => (last.outcome, None),
+        Outcome::Arrested | Outcome::Separated => (last.outcome, last.final_penetration_m),
     };
     Ok(Some(StackRun {
         elements,

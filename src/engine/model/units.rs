@@ -234,9 +234,6 @@ pub fn shortest(value: f64) -> String {
 
 /// A number rounded to `digits` significant figures, without trailing zeros beyond them.
 pub fn significant(value: f64, digits: usize) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return shortest(value);
-    }
     let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
     shortest(rounded)
 }
