@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use super::{Curve, Law, Piece, Spring, VariableError, parts};
 use crate::model::units;
-use crate::numerics::{larger, monotone, smaller};
+use crate::numerics::{larger, monotone};
 
 /// Most points of a table: a measurement has fewer, and each is an event of the run.
 const POINTS_MAX: usize = 2_000;
 
-/// Rounding of what is computed from a point, relative to that: of differences of neighbours, twice.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// What a force may be off by, relative to the greatest of the table, and still lie on a line.
+const ROUNDING: f64 = 1e-12;
 
 parts! {
     /// Points of a measured curve: the baseline's spring, 100 kN/m. One at x = 0, F = 0 at the start makes the law odd.
@@ -27,68 +27,36 @@ impl Table {
     }
 }
 
-/// The slope of the line through two points, N/m.
-fn chord(from: [f64; 2], to: [f64; 2]) -> f64 {
-    (to[1] - from[1]) / (to[0] - from[0])
-}
-
-/// The last of the points after one that lie, to their rounding, on one line with it, and between which the curve is that line; itself
-/// where there is none.
-fn straight_to(points: &[[f64; 2]], slopes: &[f64], from: usize) -> usize {
-    let rounding_n = |a: [f64; 2], b: [f64; 2], slope: f64| {
-        ROUNDING * (a[1].abs() + b[1].abs() + slope.abs() * (a[0].abs() + b[0].abs()))
-    };
-    // Slopes of the lines that miss no point so far by more.
-    let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-    for to in from + 1..points.len() {
-        let (before, here) = (points[to - 1], points[to]);
-        let own = chord(before, here);
-        let bends = |slope: f64| {
-            (slope - own).abs() * (here[0] - before[0]) > rounding_n(before, here, own)
-        };
-        let whole = chord(points[from], here);
-        if bends(slopes[to - 1]) || bends(slopes[to]) || !(least..=most).contains(&whole) {
-            return to - 1;
-        }
-        let width = rounding_n(points[from], here, whole) / (here[0] - points[from][0]);
-        (least, most) = (larger(least, whole - width), smaller(most, whole + width));
-    }
-    points.len() - 1
-}
-
 impl Law for Table {
     /// The points joined by shape-preserving cubics, those on a line by that line, and on along the tangents at both ends.
     fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
-        let points: Vec<[f64; 2]> =
+        let mut points: Vec<[f64; 2]> =
             self.points.iter().map(|[x, force]| [*x, force * spring.count]).collect();
-        let slopes = monotone::slopes(&points);
+        let mut slopes = monotone::slopes(&points);
         let last = points.len() - 1;
         let scale_m = points[last][0] - points[0][0];
-        let end = |at: usize| Piece::line(points[at][0], points[at][1], slopes[at]);
-        let mut laws = Vec::with_capacity(points.len());
-        let mut at = 0;
-        while at < last {
-            let to = straight_to(&points, &slopes, at);
-            let law = if to > at {
-                Piece::line(points[at][0], points[at][1], chord(points[at], points[to]))
-            } else {
-                let c = monotone::cubic(points[at], points[at + 1], [slopes[at], slopes[at + 1]]);
-                Piece::Cubic { from_m: points[at][0], c }
+        // A point beyond the end, on the tangent there.
+        points.push([points[last][0] + scale_m, points[last][1] + slopes[last] * scale_m]);
+        slopes.push(slopes[last]);
+        let rounding_n = ROUNDING * points.iter().map(|point| point[1].abs()).fold(0.0, larger);
+        let line = |at: usize| Piece::line(points[at][0], points[at][1], slopes[at]);
+        let before = (!self.is_odd()).then(|| (f64::NEG_INFINITY, line(0)));
+        let mut laws = Vec::from_iter(before);
+        for at in 0..=last {
+            let (from, to) = (points[at], points[at + 1]);
+            // A piece has the point and the slope where it begins: it is the law where it has those at the next point, too.
+            let goes_on = |piece: &Piece| {
+                let slope_off = piece.tangent(to[0]) - slopes[at + 1];
+                let off_n = [piece.force(to[0]) - to[1], slope_off * (to[0] - from[0])];
+                off_n.iter().all(|off_n| off_n.abs() <= rounding_n)
             };
-            laws.push((points[at][0], law));
-            at = to.max(at + 1);
+            if !laws.last().is_some_and(|(_, before)| goes_on(before)) {
+                let c = monotone::cubic(from, to, [slopes[at], slopes[at + 1]]);
+                let cubic = Piece::Cubic { from_m: from[0], c };
+                laws.push((from[0], if goes_on(&line(at)) { line(at) } else { cubic }));
+            }
         }
-        // A straight end goes on as the line beyond it.
-        if straight_to(&points, &slopes, last - 1) < last {
-            laws.push((points[last][0], end(last)));
-        }
-        if self.is_odd() {
-            return Curve::odd(&laws, scale_m);
-        }
-        if straight_to(&points, &slopes, 0) == 0 {
-            laws.insert(0, (f64::NEG_INFINITY, end(0)));
-        }
-        Curve::new(laws, scale_m)
+        if self.is_odd() { Curve::odd(&laws, scale_m) } else { Curve::new(laws, scale_m) }
     }
 
     /// A table has enough points, which are finite, rise in x, and reach the rest position.
