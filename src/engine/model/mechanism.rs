@@ -13,7 +13,7 @@ pub mod load;
 pub mod piece;
 mod spring;
 
-pub use inertia::{Inertia, OmittedMass, is_uncounted, moving_plate_kg};
+pub use inertia::{Inertia, moving_plate_kg};
 pub use spring::Spring;
 
 /// An odd power law: `coefficient |z|^exponent sgn(z)`.

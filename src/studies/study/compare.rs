@@ -23,7 +23,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::{Mount, OwnMass, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::study::context::Context;
 use crate::study::limit::Limit;
@@ -297,10 +297,9 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
 /// A spring whose mass is counted by the energy of the shot keeps the mass that the design shot gives it.
 fn hold_spring_mass(scene: &mut Scene) {
     let mass_kg = Inertia::of(scene).spring_mass_kg;
-    let is_alone = scene.mechanism.second_law().is_absent();
     let spring = &mut scene.mechanism.spring;
-    if is_alone && spring.needs_mass() {
-        spring.mass_kg = mass_kg;
+    if spring.own_mass == OwnMass::Counted {
+        spring.mass_kg = spring.mass_kg.or(mass_kg);
     }
 }
 

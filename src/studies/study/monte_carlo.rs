@@ -8,7 +8,7 @@
 use std::fmt;
 
 use crate::model::run::Outcome;
-use crate::model::scene::{Scene, SpringKind};
+use crate::model::scene::{OwnMass, Scene, SpringKind};
 use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
@@ -218,7 +218,9 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
         // A measured curve scatters in force.
         "count" => spring.kind == SpringKind::Table,
         // The wire's moves the plate only where its mass counts.
-        _ if row.starts_with("wire.") => spring.needs_mass(),
+        _ if row.starts_with("wire.") => {
+            spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none()
+        }
         _ => true,
     }
 }

@@ -19,30 +19,45 @@ pub struct Inertia {
     pub added_kg: f64,
     /// The springs' whole mass, where it is known; an absent one has none.
     pub spring_mass_kg: Option<f64>,
+    /// Whether the first spring's mass is to count and is not known: it counts as nothing.
+    pub is_uncounted: bool,
     /// The mass of the first spring, where it is known, else none.
     known_kg: f64,
+    /// What of it counts.
+    counted_kg: f64,
 }
 
 impl Inertia {
     /// Of a valid scene; nothing on a rigid mount.
     pub fn of(scene: &Scene) -> Self {
+        if scene.is_rigid() {
+            return Self::default();
+        }
         let spring = &scene.mechanism.spring;
-        let law = spring.law();
-        let own_kg = mass_kg(scene);
-        let counted_kg = own_kg.filter(|_| spring.own_mass == OwnMass::Counted);
-        let rotation_kg = if scene.is_rigid() { 0.0 } else { law.rotation_kg() };
+        let own_kg = mass_kg(scene).filter(|_| !spring.is_absent());
+        let is_counted = spring.own_mass == OwnMass::Counted;
+        let counted_kg = own_kg.filter(|_| is_counted).unwrap_or(0.0);
+        let rotation_kg = spring.law().rotation_kg();
         Self {
             rotation_kg,
-            added_kg: rotation_kg + counted_kg.map_or(0.0, |kg| law.moving_part(spring) * kg),
+            added_kg: rotation_kg + spring.law().moving_part(spring) * counted_kg,
             // Of the second spring no mass is known.
             spring_mass_kg: own_kg.filter(|_| scene.mechanism.second_law().is_absent()),
+            is_uncounted: is_counted && own_kg.is_none() && !spring.is_absent(),
             known_kg: own_kg.unwrap_or(0.0),
+            counted_kg,
         }
     }
 
     /// The springs' whole mass where it is known, else the greater of its lower bounds: the least by their energy, and what is known, kg.
     pub fn spring_kg(&self, least_kg: Option<f64>) -> Option<f64> {
         self.spring_mass_kg.or_else(|| Some(larger(least_kg?, self.known_kg)))
+    }
+
+    /// What of the springs' mass does not count, kg, as far as it is known, and whether it follows from the least.
+    pub fn omitted_kg(&self, least_kg: Option<f64>) -> (f64, bool) {
+        let all_kg = self.spring_kg(least_kg).unwrap_or(self.known_kg);
+        (all_kg - self.counted_kg, all_kg > self.known_kg)
     }
 }
 
@@ -55,60 +70,14 @@ pub fn moving_plate_kg(scene: &Scene) -> f64 {
     scene.plate_mass_kg() + Inertia::of(scene).added_kg
 }
 
-/// The springs' own mass that a run omits.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OmittedMass {
-    /// All of it, kg: known, or the least that the stored energy needs.
-    pub mass_kg: f64,
-    /// Whether it is the least.
-    pub is_least: bool,
-    /// The part that would move with the plate, kg.
-    pub moving_kg: f64,
-}
-
-impl OmittedMass {
-    /// Of a run whose springs stored this energy at most, J; `None` where all of it counts or nothing is known of it.
-    pub fn of(scene: &Scene, stored_j: Option<f64>) -> Option<Self> {
-        let mechanism = &scene.mechanism;
-        if scene.is_rigid() || !mechanism.has_springs() {
-            return None;
-        }
-        let spring = &mechanism.spring;
-        let part = spring.law().moving_part(spring);
-        let of = |mass_kg, is_least| Self { mass_kg, is_least, moving_kg: part * mass_kg };
-        let own_kg = mass_kg(scene);
-        let is_counted = spring.own_mass == OwnMass::Counted;
-        let (counted_kg, known_kg) = if is_counted { (own_kg, None) } else { (None, own_kg) };
-        let is_all_known = own_kg.is_some() || spring.is_absent() || is_counted;
-        let least_kg = (!is_all_known || !mechanism.second_law().is_absent())
-            .then(|| mechanism.least_spring_kg(stored_j?))
-            .flatten()
-            .map(|least_kg| larger(least_kg - counted_kg.unwrap_or(0.0), 0.0));
-        // Each is a lower bound.
-        let known = known_kg.map(|mass_kg| of(mass_kg, false)).into_iter();
-        let both = known.chain(least_kg.map(|mass_kg| of(mass_kg, true)));
-        both.max_by(|a, b| a.moving_kg.total_cmp(&b.moving_kg))
-    }
-}
-
-/// The mass of the first spring, where there is one: given, of its beams, of an absorber that is crushed all the energy of its stroke
-/// over its energy per mass, or, where it is to count, the least its energy needs in wire, kg.
+/// The mass of the first spring: given, of its beams, of an absorber that is crushed all the energy of its stroke over its energy per
+/// mass, or, where it is to count, the least its energy needs in wire, kg.
 fn mass_kg(scene: &Scene) -> Option<f64> {
     let spring = &scene.mechanism.spring;
-    if scene.is_rigid() || spring.is_absent() {
-        return None;
-    }
     spring
         .mass_kg
         .or_else(|| spring.law().mass_kg(spring, scene.mechanism.energy_j_kg))
         .or_else(|| coil_kg(scene, spring).filter(|_| spring.own_mass == OwnMass::Counted))
-}
-
-/// Whether the spring's mass is to count and is not known: it counts as nothing.
-pub fn is_uncounted(scene: &Scene) -> bool {
-    let spring = &scene.mechanism.spring;
-    let is_there = !scene.is_rigid() && !spring.is_absent();
-    is_there && spring.own_mass == OwnMass::Counted && mass_kg(scene).is_none()
 }
 
 /// The wire that stores what a spring holds cocked and what projectile, plate and its own moving part keep at common velocity, kg.

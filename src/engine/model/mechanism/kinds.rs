@@ -199,20 +199,11 @@ impl Spring {
     pub fn yields_at_m(&self) -> Option<f64> {
         self.law().yields_at_m(self)
     }
-
-    /// Whether its mass counts and is not given.
-    pub fn needs_mass(&self) -> bool {
-        self.own_mass == OwnMass::Counted && self.mass_kg.is_none()
-    }
-
-    /// Whether the parameters of its kind give its mass, as those of beams do.
-    pub fn has_own_mass(&self) -> bool {
-        self.law().mass_kg(self, None).is_some()
-    }
 }
 
 /// Without a given energy per mass a coil's mass follows from its wire.
 fn is_mass_of_wire(scene: &Scene) -> bool {
     let mechanism = &scene.mechanism;
-    mechanism.energy_j_kg.is_none() && mechanism.are_coils() && mechanism.has_springs()
+    let is_coil = mechanism.spring.power_law().is_some();
+    is_coil && mechanism.energy_j_kg.is_none() && mechanism.has_springs()
 }

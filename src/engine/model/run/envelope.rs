@@ -10,7 +10,7 @@ pub use crate::model::run::check::Check;
 
 use crate::model::design::critical_obliquity_deg;
 use crate::model::library;
-use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
+use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{
     Closure, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Projectile, Scene, Target,
@@ -328,21 +328,24 @@ fn of_plate(run: &Run) -> Vec<Breach> {
 
 /// The springs' own mass where it would slow the plate down and is omitted: the part of it that moves over the plate's mass.
 fn spring_mass(run: &Run) -> Option<(f64, String)> {
-    if is_uncounted(&run.scene) {
+    let (scene, own) = (&run.scene, Inertia::of(&run.scene));
+    if own.is_uncounted {
         let text = "own_mass=counted adds nothing: the mass of a spring that is neither coil nor beam is not known; give m_spring or \
                     e_spring";
         return Some((f64::INFINITY, text.to_owned()));
     }
-    let omitted = OmittedMass::of(&run.scene, run.mechanism.stored_j)?;
-    let over_plate = omitted.moving_kg / run.scene.plate_mass_kg();
-    let is_of_second = run.scene.mechanism.spring.own_mass == OwnMass::Counted;
+    let spring = &scene.mechanism.spring;
+    let least_kg = scene.mechanism.least_spring_kg(run.mechanism.stored_j);
+    let (omitted_kg, is_least) = own.omitted_kg(least_kg);
+    let over_plate = spring.law().moving_part(spring) * omitted_kg / scene.plate_mass_kg();
+    let is_of_second = spring.own_mass == OwnMass::Counted;
     let cure =
         if is_of_second { "add the second spring's to m_spring" } else { "set own_mass=counted" };
     let text = format!(
         "spring mass moving is {} times the plate's; the spring has {}{} g, which is omitted: {cure}",
         significant(over_plate, 3),
-        if omitted.is_least { "at least " } else { "" },
-        significant(1e3 * omitted.mass_kg, 3)
+        if is_least { "at least " } else { "" },
+        significant(1e3 * omitted_kg, 3)
     );
     (over_plate > SPRING_MASS_MOST).then_some((over_plate, text))
 }

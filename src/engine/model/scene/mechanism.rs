@@ -122,21 +122,18 @@ impl Mechanism {
     /// `None` of other springs than coils.
     pub fn specific_energy_j_kg(&self) -> Option<f64> {
         self.energy_j_kg
-            .or_else(|| self.are_coils().then(|| self.spring.wire.specific_energy_j_kg()))
+            .or_else(|| self.spring.power_law().map(|_| self.spring.wire.specific_energy_j_kg()))
     }
 
-    /// Whether the springs that act are wound of wire, as every power law is taken to be.
-    pub fn are_coils(&self) -> bool {
-        self.spring.power_law().is_some()
-    }
-
-    /// Whether one of the springs that are there is wound of wire.
+    /// Whether one of the springs that are there is wound of wire, as every power law is taken to be.
     pub fn has_coil(&self) -> bool {
-        (self.are_coils() && !self.spring.is_absent()) || !self.second_law().is_absent()
+        let laws = [self.spring.power_law(), Some(self.second_law())];
+        laws.into_iter().flatten().any(|law| !law.is_absent())
     }
 
-    /// The least mass of springs that store this energy, J, kg; `None` where their specific energy is not known.
-    pub fn least_spring_kg(&self, stored_j: f64) -> Option<f64> {
+    /// The least mass of springs that store an energy, J, kg; `None` where that or their specific energy is not known.
+    pub fn least_spring_kg(&self, stored_j: Option<f64>) -> Option<f64> {
+        let stored_j = stored_j?;
         if stored_j == 0.0 { Some(0.0) } else { Some(stored_j / self.specific_energy_j_kg()?) }
     }
 

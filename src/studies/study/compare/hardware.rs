@@ -1,6 +1,6 @@
 //! The spring of an armour: its mass, and its limits.
 
-use crate::model::mechanism::load::exceeded;
+use crate::model::mechanism::load::{exceeded, stress_ratio};
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::scene::{Mount, Scene};
 use crate::study::load::spring_energy_j;
@@ -66,12 +66,11 @@ pub(super) struct Built {
 impl Built {
     /// For this demand, where the springs do not know their own mass.
     pub(super) fn of(scene: &Scene, hardware: Hardware, demand: &Demand) -> Self {
-        let least_kg =
-            demand.stored_j.and_then(|stored_j| scene.mechanism.least_spring_kg(stored_j));
+        let least_kg = scene.mechanism.least_spring_kg(demand.stored_j);
         let spring_kg = Inertia::of(scene).spring_kg(least_kg);
         // The law of a beam says itself how far it goes.
-        let is_bounded = !scene.mechanism.spring.has_own_mass()
-            && (hardware == Hardware::Sized || is_own(scene));
+        let is_bounded =
+            stress_ratio(scene, 0.0).is_none() && (hardware == Hardware::Sized || is_own(scene));
         let capacity_j =
             spring_kg.zip(scene.mechanism.specific_energy_j_kg()).map(|(kg, e)| kg * e);
         let capacity_j = capacity_j.filter(|_| is_bounded).unwrap_or(f64::INFINITY);
