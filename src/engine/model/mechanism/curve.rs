@@ -67,10 +67,10 @@ impl Curve {
         let begins = laws.iter().skip(1).rev().map(|(from_m, _)| -from_m);
         let mirrored = laws.iter().rev().map(|(_, piece)| piece.mirrored());
         let behind = [f64::NEG_INFINITY].into_iter().chain(begins).zip(mirrored);
+        let mut both: Vec<(f64, Piece)> = behind.chain(laws.iter().cloned()).collect();
         // Where the first piece is its own mirror image zero is no knot.
-        let is_straight = laws[0].1.mirrored() == laws[0].1;
-        let ahead = laws.iter().skip(usize::from(is_straight)).cloned();
-        Self::new(behind.chain(ahead).collect(), scale_m)
+        both.dedup_by(|ahead, behind| ahead.1 == behind.1);
+        Self::new(both, scale_m)
     }
 
     /// A power law, to be combined with others: a piece on either side of zero, or one where it goes smoothly through it.

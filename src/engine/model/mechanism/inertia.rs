@@ -34,8 +34,13 @@ impl Inertia {
             return Self::default();
         }
         let spring = &scene.mechanism.spring;
-        let own_kg = mass_kg(scene).filter(|_| !spring.is_absent());
         let is_counted = spring.own_mass == OwnMass::Counted;
+        // Given, of beams, of an absorber by the energy of its whole stroke, or, where it is to count, of wire.
+        let own_kg = spring
+            .mass_kg
+            .or_else(|| spring.law().mass_kg(spring, scene.mechanism.energy_j_kg))
+            .or_else(|| is_counted.then(|| coil_kg(scene)).flatten())
+            .filter(|_| !spring.is_absent());
         let counted_kg = own_kg.filter(|_| is_counted).unwrap_or(0.0);
         let rotation_kg = spring.law().rotation_kg();
         Self {
@@ -64,26 +69,14 @@ impl Inertia {
 /// The mass that answers when the plate is pushed: `m_2` and what its mechanism adds, kg.
 #[inline]
 pub fn moving_plate_kg(scene: &Scene) -> f64 {
-    if scene.mechanism.is_plain() {
-        return scene.plate_mass_kg();
-    }
     scene.plate_mass_kg() + Inertia::of(scene).added_kg
-}
-
-/// The mass of the first spring: given, of its beams, of an absorber that is crushed all the energy of its stroke over its energy per
-/// mass, or, where it is to count, the least its energy needs in wire, kg.
-fn mass_kg(scene: &Scene) -> Option<f64> {
-    let spring = &scene.mechanism.spring;
-    spring
-        .mass_kg
-        .or_else(|| spring.law().mass_kg(spring, scene.mechanism.energy_j_kg))
-        .or_else(|| coil_kg(scene, spring).filter(|_| spring.own_mass == OwnMass::Counted))
 }
 
 /// The wire that stores what a spring holds cocked and what projectile, plate and its own moving part keep at common velocity, kg.
 /// Beside a second spring it is taken to store all of the latter: an upper bound. `None` of other springs than coils where no specific
 /// energy is given.
-fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
+fn coil_kg(scene: &Scene) -> Option<f64> {
+    let spring = &scene.mechanism.spring;
     let energy_j_kg = scene.mechanism.specific_energy_j_kg()?;
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
     let cocked_j = Spring::of(&alone, 0.0).energy(0.0 - scene.plate.cocking_m);

@@ -133,8 +133,8 @@ pub(in crate::model) trait Law {
         Curve::power(self.power_law(spring).unwrap_or(PowerLaw::NONE))
     }
 
-    /// Checks the rules between its parameters; `path` is the key of the spring.
-    fn check(&self, _path: &str) -> Result<(), VariableError> {
+    /// Checks the rules between its parameters.
+    fn check(&self) -> Result<(), VariableError> {
         Ok(())
     }
 

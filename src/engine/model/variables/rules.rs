@@ -44,7 +44,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
         )
     })?;
     if !scene.is_rigid() {
-        mechanism.spring.law().check("mechanism.spring")?;
+        mechanism.spring.law().check()?;
         require(contact.model != ContactModel::Appendix || mechanism.is_plain(), || {
             format!(
                 "model (contact.model) = appendix needs a power law, and {} is not one: set model = hydrodynamic, or \

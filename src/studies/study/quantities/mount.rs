@@ -8,8 +8,7 @@ use crate::study::load::{self, spring_energy_j};
 
 /// The least mass of a spring for the greatest energy that it stores, kg; `None` where that is not known.
 pub(super) fn least_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    let stored_j = spring_energy_j(scene, scene.start_m(), max_displacement_m);
-    scene.mechanism.least_spring_kg(stored_j)
+    scene.mechanism.least_spring_kg(spring_energy_j(scene, scene.start_m(), max_displacement_m))
 }
 
 /// The greatest displacement of a run whose shot is stopped, m: one that perforates does not size the springs.

@@ -33,12 +33,12 @@ impl Law for Bistable {
         Curve::new(begins.into_iter().map(|from_m| (from_m, piece.clone())).collect(), s)
     }
 
-    fn check(&self, path: &str) -> Result<(), VariableError> {
+    fn check(&self) -> Result<(), VariableError> {
         let Some(unstable) = self.unstable_m.filter(|unstable| *unstable >= self.second_m) else {
             return Ok(());
         };
         Err(VariableError(format!(
-            "x_u ({path}.bistable.unstable_m) = {} m does not lie between the stable positions 0 and x_2 = {} m: it must be less \
+            "x_u (mechanism.spring.bistable.unstable_m) = {} m does not lie between the stable positions 0 and x_2 = {} m: it must be less \
              than x_2; reduce it, or write `midway`",
             units::shortest(unstable),
             units::shortest(self.second_m)

@@ -54,12 +54,12 @@ impl Law for Crush {
     }
 
     /// An absorber begins to be crushed before it is flat.
-    fn check(&self, path: &str) -> Result<(), VariableError> {
+    fn check(&self) -> Result<(), VariableError> {
         if self.stroke_m > self.rise_m() {
             return Ok(());
         }
         Err(VariableError(format!(
-            "x_crush ({path}.crush.stroke_m) = {} m does not exceed F_crush/k_crush = {} m, where it begins to be crushed: it must \
+            "x_crush (mechanism.spring.crush.stroke_m) = {} m does not exceed F_crush/k_crush = {} m, where it begins to be crushed: it must \
              be more; raise x_crush or k_crush",
             units::shortest(self.stroke_m),
             units::shortest(self.rise_m())

@@ -60,7 +60,7 @@ impl Law for Table {
     }
 
     /// A table has enough points, which are finite, rise in x, and reach the rest position.
-    fn check(&self, path: &str) -> Result<(), VariableError> {
+    fn check(&self) -> Result<(), VariableError> {
         let points = &self.points;
         let count = points.len();
         let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
@@ -93,7 +93,7 @@ impl Law for Table {
         } else {
             return Ok(());
         };
-        Err(VariableError(format!("{path}.table{wrong}")))
+        Err(VariableError(format!("mechanism.spring.table{wrong}")))
     }
 
     fn limits(&self, _: &Spring, side: f64) -> Vec<(f64, &'static str)> {
