@@ -77,14 +77,7 @@ impl<const S: usize> Stepper<S> for Collocation<'_, S> {
         near: Option<Near<D, S>>,
         evaluations: &mut usize,
     ) -> Result<(Step<D, S>, f64), f64> {
-        let (mut step, count) = self.solve(law, start, h, near, false);
-        *evaluations += count;
-        if step.is_none() && law.is_steep() {
-            let (guarded, count) = self.solve(law, start, h, None, true);
-            *evaluations += count;
-            step = guarded;
-        }
-        let Some(step) = step else { return Err(AFTER_FAILURE * h) };
+        let step = self.solve(law, start, h, near, evaluations).ok_or(AFTER_FAILURE * h)?;
         *evaluations += S;
         let excess = self.excess(law, &start, &step);
         let factor = (AIM / excess).powf(1.0 / Member::<S>::ERROR_ORDER);
@@ -97,16 +90,16 @@ impl<const S: usize> Stepper<S> for Collocation<'_, S> {
 }
 
 impl<const S: usize> Collocation<'_, S> {
-    /// A step of `h` from a point and its evaluations; `None` where the iteration does not converge. It begins with the acceleration
-    /// at the start, or with that `near` it; guarded, it passes no zero of a steep law.
+    /// A step of `h` from a point; `None` where the iteration does not converge. It begins with the acceleration at the start, or with
+    /// that `near` it.
     fn solve<const D: usize>(
         &self,
         law: &impl Acceleration<D>,
         start: Point<D>,
         h: f64,
         near: Option<Near<D, S>>,
-        is_guarded: bool,
-    ) -> (Option<Step<D, S>>, usize) {
+        evaluations: &mut usize,
+    ) -> Option<Step<D, S>> {
         let Self { member, tolerance } = *self;
         let mut stages = match near {
             Some(Near { acceleration, from, over }) => {
@@ -132,26 +125,20 @@ impl<const S: usize> Collocation<'_, S> {
             if is_old {
                 member.derive(&mut matrix, law, &points, h);
             }
-            let wanted = by_place(|i| law.at(h * member.nodes[i], &points[i]));
-            let with = |part: f64, change: &Stages<D, S>, stages: &Stages<D, S>| -> Stages<D, S> {
-                array::from_fn(|d| array::from_fn(|i| stages[d][i] + part * change[d][i]))
-            };
-            let mut change = with(-1.0, &stages, &wanted);
-            if !matrix.solve(&mut change) {
-                return (None, round * S);
+            *evaluations += S;
+            let mut change: Stages<D, S> = by_place(|i| law.at(h * member.nodes[i], &points[i]));
+            for (change, stage) in change.as_flattened_mut().iter_mut().zip(stages.as_flattened()) {
+                *change -= stage;
             }
-            let part = if is_guarded {
-                let ahead = member.points(start, h, &with(1.0, &change, &stages));
-                let parts = points.iter().zip(&ahead);
-                parts.map(|(from, to)| law.without_passing(from, to)).fold(1.0, smaller)
-            } else {
-                1.0
-            };
-            let is_whole = part >= 1.0;
-            stages = with(part, &change, &stages);
+            if !matrix.solve(&mut change) {
+                return None;
+            }
+            for (stage, change) in stages.as_flattened_mut().iter_mut().zip(change.as_flattened()) {
+                *stage += change;
+            }
             let norm = size(&change);
-            if !norm.is_finite() || (round > 3 && norm > 2.0 * before && is_whole) {
-                return (None, round * S);
+            if !norm.is_finite() || (round > 3 && norm > 2.0 * before) {
+                return None;
             }
             // Of the first change nothing is known.
             let contraction = if before.is_finite() { norm / before } else { 1.0 };
@@ -165,15 +152,15 @@ impl<const S: usize> Collocation<'_, S> {
                 matrix.solve(&mut rounding);
                 norm < 10.0 * enough || norm < size(&rounding)
             };
-            if is_whole && (norm <= SOLVED || ahead <= enough || stalls) {
-                return (Some(member.polynomial(start, h, &stages)), round * S);
+            if norm <= SOLVED || ahead <= enough || stalls {
+                return Some(member.polynomial(start, h, &stages));
             }
             // The first contracts by about as much as the derivatives have changed, like the stages.
             let slow = if before.is_finite() { contraction } else { norm * tolerance };
             is_old = slow > SLOW;
             before = norm;
         }
-        (None, ITERATIONS_MAX * S)
+        None
     }
 
     /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
@@ -490,7 +477,7 @@ mod tests {
         start: Point<1>,
         h: f64,
     ) -> Step<1, S> {
-        member.to(1e-15).solve(law, start, h, None, false).0.unwrap()
+        member.to(1e-15).solve(law, start, h, None, &mut 0).unwrap()
     }
 
     const ONE_FAST: Point<1> = ([0.0], [1.0]);

@@ -19,16 +19,6 @@ pub(crate) trait Acceleration<const D: usize> {
 
     fn slopes(&self, point: &Point<D>) -> Slopes<D>;
 
-    /// Whether a part of the law is infinitely steep at a zero of its own, where its derivative misleads.
-    fn is_steep(&self) -> bool {
-        false
-    }
-
-    /// The part of a change of place and speed after which no such part has passed its zero.
-    fn without_passing(&self, _from: &Point<D>, _to: &Point<D>) -> f64 {
-        1.0
-    }
-
     /// What errors of places and speeds are relative to at a point.
     fn sizes(&self, at: &Point<D>) -> Point<D>;
 

@@ -5,9 +5,6 @@ use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::Contact;
 use crate::numerics::step::{Acceleration, Point, Slopes};
 
-/// Part of the way to the zero of a steep spring that an iteration may go at once.
-const OF_THE_WAY: f64 = 0.8;
-
 /// The motion of `D` places from a state on.
 #[derive(Debug)]
 pub(super) struct Moving<'a, const D: usize> {
@@ -84,17 +81,6 @@ where
             self.moving(slip, plate)
         };
         Slopes { place: part(place), speed: part(speed) }
-    }
-
-    fn is_steep(&self) -> bool {
-        self.equations.setup.spring.is_steep_at_zero()
-    }
-
-    fn without_passing(&self, from: &Point<D>, to: &Point<D>) -> f64 {
-        let [from_m, to_m] =
-            [from, to].map(|point| self.equations.displacement_m(self.state(0.0, point).x_m));
-        let passes = self.is_steep() && from_m * to_m < 0.0;
-        if passes { OF_THE_WAY * from_m / (from_m - to_m) } else { 1.0 }
     }
 
     fn sizes(&self, point: &Point<D>) -> Point<D> {
