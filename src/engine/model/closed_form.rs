@@ -8,11 +8,8 @@
 use crate::model::contact::{AreaPiece, Geometry};
 use crate::model::mechanism::moving_plate_kg;
 use crate::model::scene::Scene;
-use crate::numerics::quadrature::resolved;
+use crate::numerics::quadrature::converged;
 use crate::numerics::{larger, smaller};
-
-/// The part of its value to which the integrand of a time is resolved: the error is about the square of it, which is rounding.
-const RESOLUTION: f64 = 1e-8;
 
 /// One-body penetration with a reduced mass.
 #[derive(Clone, Copy, Debug)]
@@ -111,8 +108,7 @@ impl<'a> Passage<'a> {
         let joints = self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m);
         let joints = joints.map(|piece| ((end_m - piece.to_m) / end_m).sqrt());
         let bounds: Vec<f64> = [1.0].into_iter().chain(joints).chain([0.0]).collect();
-        let between =
-            |pair: &[f64]| resolved(pair[1], pair[0], RESOLUTION, |s| 2.0 * end_m * s / slip(s));
+        let between = |pair: &[f64]| converged(pair[1], pair[0], |s| 2.0 * end_m * s / slip(s));
         bounds.windows(2).map(between).sum()
     }
 }

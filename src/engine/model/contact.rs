@@ -11,6 +11,7 @@ use std::f64::consts::PI;
 use crate::model::scene::Scene;
 use crate::numerics::crossing::rise;
 use crate::numerics::quadrature::gauss;
+use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
@@ -263,7 +264,7 @@ impl Geometry {
         for piece in self.pieces() {
             let whole = piece.swept_before_m3(&self.nose, piece.to_m, piece.to_m - piece.from_m);
             if volume_m3 < before + whole {
-                return Some(piece.travel_at_volume_m(&self.nose, volume_m3 - before, whole));
+                return Some(piece.travel_at_volume_m(&self.nose, volume_m3 - before));
             }
             before += whole;
         }
@@ -304,29 +305,13 @@ impl AreaPiece {
         Self { from_m, to_m, law: AreaLaw::Quadratic { origin_m: 0.0, a: [0.0; 3] } }
     }
 
-    /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`: of a quadratic area a cubic's zero, else by
-    /// Newton's method, whose slope is the area itself, kept inside the bracket by bisection.
-    fn travel_at_volume_m(&self, nose: &NoseGeometry, volume_m3: f64, whole_m3: f64) -> f64 {
+    /// Where the volume swept since the piece began is `volume_m3`, less than its whole: of a quadratic area a cubic's zero.
+    fn travel_at_volume_m(&self, nose: &NoseGeometry, volume_m3: f64) -> f64 {
         if let Some([c1, c2, c3]) = self.law.ahead(self.from_m) {
             return self.from_m + rise(&[0.0, c1, c2, c3], volume_m3, self.to_m - self.from_m);
         }
-        let (mut low, mut high) = (self.from_m, self.to_m);
-        let mut q = low + (high - low) * (volume_m3 / whole_m3);
-        for _ in 0..100 {
-            let gap = self.swept_before_m3(nose, q, q - self.from_m) - volume_m3;
-            if gap > 0.0 {
-                high = q;
-            } else {
-                low = q;
-            }
-            let newton = q - gap / self.law.area_m2(nose, q);
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if (next - q).abs() <= 2.0 * f64::EPSILON * q.abs() {
-                return next;
-            }
-            q = next;
-        }
-        q
+        let swept_m3 = |q_m: f64| self.swept_before_m3(nose, q_m, q_m - self.from_m);
+        in_bracket(self.from_m, self.to_m, |q_m| swept_m3(q_m) - volume_m3)
     }
 
     /// Integral of the area over the last `width` before `to_m`, m³: exact in `width` however small it is.

@@ -16,7 +16,6 @@ use crate::model::run::{
 };
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
-use crate::numerics::root::in_bracket;
 
 /// A plate slowed by a damper to this part of its speed has arrived, to be drawn.
 const ARRIVED_SPEED: f64 = 1e-2;
@@ -165,14 +164,9 @@ impl Course<'_> {
     fn depth_at_most_m(&self) -> Option<f64> {
         let geometry = &self.setup.geometry;
         self.setup.spring.power().filter(|_| self.flows())?;
-        let deepest_m = self.deepest_m();
         let energy_j = self.equations().energy_left_j(&self.state);
-        let swept_m3 = geometry.swept_m3(deepest_m) + energy_j / self.setup.strength_pa;
-        if swept_m3.is_nan() || swept_m3 >= geometry.swept_m3(geometry.exit_m) {
-            return None;
-        }
-        let over_m3 = |q_m: f64| geometry.swept_m3(q_m) - swept_m3;
-        Some(geometry.depth_m(in_bracket(deepest_m, geometry.exit_m, over_m3)))
+        let swept_m3 = geometry.swept_m3(self.deepest_m()) + energy_j / self.setup.strength_pa;
+        geometry.travel_at_volume_m(swept_m3).map(|q_m| geometry.depth_m(q_m))
     }
 
     /// The final depth of a hole that is so deep now, and may become so deep at most, m; `None` of one that is not known.
