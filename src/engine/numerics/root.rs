@@ -13,6 +13,8 @@ pub fn in_bracket(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 
         return if fa.abs() < fb.abs() { a } else { b };
     }
     let mut halved = 0.5 * (b - a).abs();
+    // The end that the round before has moved: the other has to move too.
+    let mut moved_b = None;
     for round in 0..200 {
         let secant = (a * fb - b * fa) / (fb - fa);
         let inside = (secant - a) * (secant - b) < 0.0;
@@ -26,12 +28,15 @@ pub fn in_bracket(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 
         if fx == 0.0 || (b - a).abs() <= 2.0 * f64::EPSILON * x.abs() {
             return x;
         }
-        if (fx > 0.0) == (fb > 0.0) {
+        let moves_b = (fx > 0.0) == (fb > 0.0);
+        let part = if moved_b == Some(moves_b) { 0.5 } else { 1.0 };
+        moved_b = Some(moves_b);
+        if moves_b {
             (b, fb) = (x, fx);
-            fa *= 0.5;
+            fa *= part;
         } else {
             (a, fa) = (x, fx);
-            fb *= 0.5;
+            fb *= part;
         }
     }
     0.5 * (a + b)
