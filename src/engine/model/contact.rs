@@ -9,7 +9,6 @@
 use std::f64::consts::PI;
 
 use crate::model::scene::Scene;
-use crate::numerics::crossing::rise;
 use crate::numerics::quadrature::gauss;
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
@@ -260,15 +259,8 @@ impl Geometry {
 
     /// Travel at which the swept volume is `volume_m3`; `None` beyond the volume of the whole passage.
     pub fn travel_at_volume_m(&self, volume_m3: f64) -> Option<f64> {
-        let mut before = 0.0;
-        for piece in self.pieces() {
-            let whole = piece.swept_before_m3(&self.nose, piece.to_m, piece.to_m - piece.from_m);
-            if volume_m3 < before + whole {
-                return Some(piece.travel_at_volume_m(&self.nose, volume_m3 - before));
-            }
-            before += whole;
-        }
-        None
+        let missing_m3 = |q_m: f64| volume_m3 - self.swept_m3(q_m);
+        (missing_m3(self.exit_m) < 0.0).then(|| in_bracket(0.0, self.exit_m, missing_m3))
     }
 
     fn law(&self, from_m: f64, to_m: f64) -> AreaLaw {
@@ -305,20 +297,13 @@ impl AreaPiece {
         Self { from_m, to_m, law: AreaLaw::Quadratic { origin_m: 0.0, a: [0.0; 3] } }
     }
 
-    /// Where the volume swept since the piece began is `volume_m3`, less than its whole: of a quadratic area a cubic's zero.
-    fn travel_at_volume_m(&self, nose: &NoseGeometry, volume_m3: f64) -> f64 {
-        if let Some([c1, c2, c3]) = self.law.ahead(self.from_m) {
-            return self.from_m + rise(&[0.0, c1, c2, c3], volume_m3, self.to_m - self.from_m);
-        }
-        let swept_m3 = |q_m: f64| self.swept_before_m3(nose, q_m, q_m - self.from_m);
-        in_bracket(self.from_m, self.to_m, |q_m| swept_m3(q_m) - volume_m3)
-    }
-
     /// Integral of the area over the last `width` before `to_m`, m³: exact in `width` however small it is.
     #[inline]
     pub fn swept_before_m3(&self, nose: &NoseGeometry, to_m: f64, width: f64) -> f64 {
-        if let Some([c1, c2, c3]) = self.law.ahead(to_m) {
-            return width * (c1 + width * (width * c3 - c2));
+        if let AreaLaw::Quadratic { origin_m, a } = self.law {
+            let s = to_m - origin_m;
+            let (area_m2, half_slope_m) = (a[0] + s * (a[1] + s * a[2]), 0.5 * a[1] + s * a[2]);
+            return width * (area_m2 + width * (width * a[2] / 3.0 - half_slope_m));
         }
         // Any other area: q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
         gauss(0.0, 1.0, 2, |s| {
@@ -329,14 +314,6 @@ impl AreaPiece {
 }
 
 impl AreaLaw {
-    /// The volume swept over a length after the travel `from_m`, where the area is a quadratic: a cubic in the length, without
-    /// a constant.
-    fn ahead(&self, from_m: f64) -> Option<[f64; 3]> {
-        let Self::Quadratic { origin_m, a } = *self else { return None };
-        let s = from_m - origin_m;
-        Some([a[0] + s * (a[1] + s * a[2]), 0.5 * a[1] + s * a[2], a[2] / 3.0])
-    }
-
     /// The area at travel `q_m`, m².
     pub fn area_m2(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
         match *self {
