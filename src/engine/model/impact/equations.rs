@@ -150,6 +150,11 @@ impl Setup {
         self.absorber.is_some()
     }
 
+    /// Time in which the projectile goes its tip radius at first, s.
+    pub(super) fn passage_s(&self) -> f64 {
+        self.geometry.nose.radius_m / self.velocity_m_s
+    }
+
     /// Whether the plate begins at rest, without force, where one of its laws is infinitely steep.
     pub(super) fn starts_steep(&self) -> bool {
         let is_at_zero = !self.still

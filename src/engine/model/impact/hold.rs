@@ -36,10 +36,9 @@ impl Setup {
 
 impl Equations<'_> {
     fn first_moment_s(&self) -> f64 {
-        let Setup { velocity_m_s, projectile_kg, ref geometry, .. } = *self.setup;
+        let Setup { velocity_m_s, projectile_kg, .. } = *self.setup;
         let slope_n_m = self.contact_slopes(0.0, velocity_m_s).0;
-        let passage_s = geometry.nose.radius_m / velocity_m_s;
-        FIRST_MOMENT * smaller(passage_s, (projectile_kg / slope_n_m).sqrt())
+        FIRST_MOMENT * smaller(self.setup.passage_s(), (projectile_kg / slope_n_m).sqrt())
     }
 
     /// The first moments of a contact with an uncocked plate whose spring is steep at zero, by the balance of forces: the

@@ -75,7 +75,7 @@ pub(super) fn run<const S: usize>(
         stepper,
         last: None,
         previous: None,
-        h_s: FIRST_STEP * setup.geometry.nose.radius_m / setup.velocity_m_s,
+        h_s: FIRST_STEP * setup.passage_s(),
     };
     progress.begin();
     let mut end = progress.follow(observer);
@@ -266,8 +266,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let events = Events::of(self.course.setup, equations.mode);
         let left_s = self.course.horizon_s - self.course.state.t_s;
         let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
-        let no_time_s =
-            NO_TIME * self.course.setup.geometry.nose.radius_m / self.course.setup.velocity_m_s;
+        let no_time_s = NO_TIME * self.course.setup.passage_s();
         if h_s < NO_TIME * no_time_s {
             return Some(EndReason::StepUnderflow);
         }
@@ -320,8 +319,12 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                 match self.land(law, &events, (which, theta * h_s), &step) {
                     Ok(state) => {
                         self.react(events.list()[which], state);
+                        // Joined or apart the bodies move more slowly than where they push on each other.
+                        let is_touching = self.course.equations().is_touching();
+                        let most_s =
+                            if is_touching { self.course.setup.passage_s() } else { f64::INFINITY };
                         // Events that rounding repeats at one place are left behind by a step that moves the time.
-                        self.h_s = larger(whole_s, no_time_s);
+                        self.h_s = larger(smaller(whole_s, most_s), no_time_s);
                     }
                     Err(shorter_s) => self.h_s = shorter_s,
                 }
