@@ -7,8 +7,6 @@ pub(crate) const CELLS: usize = 16;
 /// A dip between two of them whose parabola comes below this part of its ends is looked into: a step's gap has few wiggles as
 /// narrow as a cell, and a parabola through three points misses the bottom by less than that.
 const DEEP: f64 = 0.25;
-/// The most gaps that are watched at once.
-pub(crate) const GAPS_MAX: usize = 8;
 
 /// What the gaps do on a step.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,83 +4,54 @@ use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Contact, Event, Hold, Mode, limits_n};
 use crate::numerics::larger;
-use crate::numerics::locate::GAPS_MAX;
 
-/// The events of a mode.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Events {
-    list: [Event; GAPS_MAX],
-    count: usize,
+/// The events that can end a mode.
+pub(super) fn of(setup: &Setup, mode: &Mode) -> Vec<Event> {
+    let mut events = of_contact(setup, mode).to_vec();
+    match mode.hold {
+        Hold::Mount => return events,
+        Hold::OnStop => {
+            events.push(Event::StopRelease);
+            return events;
+        }
+        Hold::Spring => {
+            events.push(Event::Yields);
+            return events;
+        }
+        Hold::Free => events.push(Event::SpeedZero),
+    }
+    let (below, above) = mode.spring.ends(mode.stretch);
+    if above.is_finite() {
+        events.push(Event::KnotAhead);
+    }
+    if below.is_finite() {
+        events.push(Event::KnotBehind);
+    }
+    if !mode.is_pressed && setup.stop.is_some() {
+        events.push(Event::StopReached);
+    } else if mode.is_pressed && mode.w_side < 0.0 {
+        // Only a plate that goes back can be faster than the stop follows.
+        events.push(Event::StopSlack);
+    }
+    events
 }
 
-impl Events {
-    /// Those that can end this mode.
-    pub(super) fn of(setup: &Setup, mode: &Mode) -> Self {
-        let mut events = Self { list: [Event::SpeedZero; GAPS_MAX], count: 0 };
-        events.add_contact(setup, mode);
-        match mode.hold {
-            Hold::Mount => return events,
-            Hold::OnStop => {
-                events.add(&[Event::StopRelease]);
-                return events;
-            }
-            Hold::Spring => {
-                events.add(&[Event::Yields]);
-                return events;
-            }
-            Hold::Free => events.add(&[Event::SpeedZero]),
-        }
-        let (below, above) = mode.spring.ends(mode.stretch);
-        if above.is_finite() {
-            events.add(&[Event::KnotAhead]);
-        }
-        if below.is_finite() {
-            events.add(&[Event::KnotBehind]);
-        }
-        if !mode.is_pressed && setup.stop.is_some() {
-            events.add(&[Event::StopReached]);
-        } else if mode.is_pressed && mode.w_side < 0.0 {
-            // Only a plate that goes back can be faster than the stop follows.
-            events.add(&[Event::StopSlack]);
-        }
-        events
-    }
-
-    /// Those of the contact.
-    fn add_contact(&mut self, setup: &Setup, mode: &Mode) {
-        match (setup.law, mode.contact) {
-            (_, Contact::Perforated) | (Law::AtOnce, _) => {}
-            (_, Contact::Fused) => {
-                if setup.plastic && mode.hold == Hold::Free {
-                    self.add(&[Event::PushLimit, Event::PullLimit]);
-                }
-            }
-            (Law::Flow, Contact::Penetrating) => self.add(&[Event::PieceEnd, Event::SlipZero]),
-            (Law::Flow, Contact::Closing) => {
-                self.add(&[Event::PieceEnd, Event::SlipZero, Event::Bottom]);
-            }
-            (Law::Flow, Contact::Withdrawing) => self.add(&[Event::PieceStart, Event::SlipZero]),
-            // On a plate at rest the slip is zero at the end of the history alone, where it is quadratic in time.
-            (Law::History(_), _) if mode.hold == Hold::Free => {
-                self.add(&[Event::HistoryEnd, Event::SlipZero]);
-            }
-            (Law::History(_), _) => self.add(&[Event::HistoryEnd]),
-            (_, Contact::FreeFlight) => self.add(&[Event::Recontact]),
-            (Law::Lumped(_), Contact::Penetrating) => self.add(&[Event::SlipZero]),
-            (Law::Lumped(_), _) => self.add(&[Event::ContactLost, Event::Bottom]),
-        }
-    }
-
-    fn add(&mut self, more: &[Event]) {
-        for event in more {
-            self.list[self.count] = *event;
-            self.count += 1;
-        }
-    }
-
-    /// The events in order.
-    pub(super) fn list(&self) -> &[Event] {
-        &self.list[..self.count]
+/// Those of the contact.
+fn of_contact(setup: &Setup, mode: &Mode) -> &'static [Event] {
+    let is_free = mode.hold == Hold::Free;
+    match (setup.law, mode.contact) {
+        (_, Contact::Perforated) | (Law::AtOnce, _) => &[],
+        (_, Contact::Fused) if setup.plastic && is_free => &[Event::PushLimit, Event::PullLimit],
+        (_, Contact::Fused) => &[],
+        (Law::Flow, Contact::Penetrating) => &[Event::PieceEnd, Event::SlipZero],
+        (Law::Flow, Contact::Closing) => &[Event::PieceEnd, Event::SlipZero, Event::Bottom],
+        (Law::Flow, Contact::Withdrawing) => &[Event::PieceStart, Event::SlipZero],
+        // On a plate at rest the slip is zero at the end of the history alone, where it is quadratic in time.
+        (Law::History(_), _) if is_free => &[Event::HistoryEnd, Event::SlipZero],
+        (Law::History(_), _) => &[Event::HistoryEnd],
+        (_, Contact::FreeFlight) => &[Event::Recontact],
+        (Law::Lumped(_), Contact::Penetrating) => &[Event::SlipZero],
+        (Law::Lumped(_), _) => &[Event::ContactLost, Event::Bottom],
     }
 }
 
@@ -157,14 +128,14 @@ mod tests {
             let setup = Setup::of(&scene_with(pairs), 1e-12);
             let w_side = if is_pressed { -1.0 } else { 1.0 };
             let mode = Mode { contact, is_pressed, w_side, ..first(&setup).0 };
-            assert_eq!(Events::of(&setup, &mode).list(), expected, "{pairs} {contact:?}");
+            assert_eq!(of(&setup, &mode), expected, "{pairs} {contact:?}");
         }
         let setup = Setup::of(&scene_with("mount=rigid"), 1e-12);
         let mode = first(&setup).0;
-        assert_eq!(Events::of(&setup, &mode).list(), [Event::PieceEnd, Event::SlipZero]);
+        assert_eq!(of(&setup, &mode), [Event::PieceEnd, Event::SlipZero]);
         // Where the plate cannot move the slip is zero at the end of the history alone.
         let setup = Setup::of(&scene_with("mount=rigid model=half-sine"), 1e-12);
-        assert_eq!(Events::of(&setup, &first(&setup).0).list(), [Event::HistoryEnd]);
+        assert_eq!(of(&setup, &first(&setup).0), [Event::HistoryEnd]);
     }
 
     /// Scene, contact and event, and states (q, u, x, w) before and beyond it.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::events::{Events, gap};
+use crate::model::impact::events::{self, gap};
 use crate::model::impact::horizon;
 use crate::model::impact::modes::{self, Contact, Event, Hold};
 use crate::model::impact::moving::{Moving, Places};
@@ -12,7 +12,7 @@ use crate::model::impact::record::{Loads, Record};
 use crate::model::impact::report::{self, Course};
 use crate::model::run::{Cost, EndReason, Look, Observer, Run, Settings};
 use crate::model::scene::Scene;
-use crate::numerics::locate::{CELLS, Found, GAPS_MAX, first_fall};
+use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::step::{Near, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
@@ -125,15 +125,10 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     /// One step, or one event.
     fn go_on(&mut self, observer: Observer<'_>) -> Option<EndReason> {
         let missed = self.missed();
-        let so_far = || {
-            let mut course = self.course.clone();
-            // An event replaces the row of the state on it.
-            if missed.is_some() {
-                course.record.series.pop();
-            }
-            Some(report::gather(course, EndReason::Cancelled))
-        };
-        if observer(&Look { t_s: self.course.state.t_s, so_far: &so_far }).is_break() {
+        let so_far = || Some(report::gather(self.course.clone(), EndReason::Cancelled));
+        let look = Look { t_s: self.course.state.t_s, so_far: &so_far };
+        // An event replaces the row of the state on it.
+        if missed.is_none() && observer(&look).is_break() {
             return Some(EndReason::Cancelled);
         }
         let record = &self.course.record;
@@ -196,9 +191,9 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         if equations.passes_zero(&self.course.state) {
             return Some(Event::ZeroPassed);
         }
-        let events = Events::of(self.course.setup, &self.course.mode);
         let is_behind = |event: &Event| gap(&equations, *event, &self.course.state) < 0.0;
-        events.list().iter().copied().find(|event| is_behind(event) && !self.is_undone_by(*event))
+        let mut events = events::of(self.course.setup, &self.course.mode).into_iter();
+        events.find(|event| is_behind(event) && !self.is_undone_by(*event))
     }
 
     /// Whether an event undoes the one on which the state is: its gap is zero but for rounding.
@@ -263,7 +258,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         for<'m> Moving<'m, D>: Places<D>,
     {
         let Moving { equations, start } = law;
-        let events = Events::of(self.course.setup, equations.mode);
+        let events = events::of(self.course.setup, equations.mode);
         let left_s = self.course.horizon_s - self.course.state.t_s;
         let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
         let no_time_s = NO_TIME * self.course.setup.passage_s();
@@ -287,16 +282,15 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         };
         let at = |part: f64| law.state(part * h_s, &step.at(part));
         let path = Path::of(&at);
-        let mut gaps = [[0.0; CELLS + 1]; GAPS_MAX];
-        for (gaps, event) in gaps.iter_mut().zip(events.list()) {
-            *gaps = std::array::from_fn(|look| gap(equations, *event, &path.looks[look]));
+        let of_event = |event: &Event| {
+            let mut gaps = path.looks.each_ref().map(|state| gap(equations, *event, state));
             if self.is_undone_by(*event) {
                 gaps[0] = 0.0;
             }
-        }
-        let found = first_fall(&gaps[..events.list().len()], |part, which| {
-            gap(equations, events.list()[which], &path.at(part))
-        });
+            gaps
+        };
+        let gaps: Vec<_> = events.iter().map(of_event).collect();
+        let found = first_fall(&gaps, |part, which| gap(equations, events[which], &path.at(part)));
         match found {
             Found::Nothing => {
                 self.course.record.step(equations, &path);
@@ -309,16 +303,16 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                 self.previous = Some((h_s, acceleration));
                 self.h_s = next_s;
             }
-            Found::Unresolved(which) if h_s < no_time_s => self.react(events.list()[which], *start),
+            Found::Unresolved(which) if h_s < no_time_s => self.react(events[which], *start),
             Found::Unresolved(_) => self.h_s = CLOSER * h_s,
             Found::Fall(which, _) if !self.stepper.locates() => {
-                self.react(events.list()[which], law.state(h_s, &step.end));
+                self.react(events[which], law.state(h_s, &step.end));
             }
             Found::Fall(which, theta) => {
                 let whole_s = self.h_s;
                 match self.land(law, &events, (which, theta * h_s), &step) {
                     Ok(state) => {
-                        self.react(events.list()[which], state);
+                        self.react(events[which], state);
                         // Joined or apart the bodies move more slowly than where they push on each other.
                         let is_touching = self.course.equations().is_touching();
                         let most_s =
@@ -338,7 +332,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     fn land<const D: usize>(
         &mut self,
         law: &Moving<'_, D>,
-        events: &Events,
+        events: &[Event],
         (which, about_s): (usize, f64),
         near: &Step<D, S>,
     ) -> Result<State, f64>
@@ -346,7 +340,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         for<'m> Moving<'m, D>: Places<D>,
     {
         let Moving { equations, start } = law;
-        let event = events.list()[which];
+        let event = events[which];
         let mut h_s = about_s;
         for _ in 0..LANDINGS_MAX {
             let near = Near { acceleration: near.acceleration, from: 0.0, over: h_s / near.h };
@@ -361,7 +355,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                 continue;
             }
             let state = at(theta);
-            let comes_first = events.list().iter().filter(|other| **other != event).any(|other| {
+            let comes_first = events.iter().filter(|other| **other != event).any(|other| {
                 let (before, now) = (gap(equations, *other, start), gap(equations, *other, &state));
                 before > 0.0 && now < -AT_ONCE * before
             });
