@@ -436,23 +436,7 @@ fn eliminate<const D: usize, const S: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// y'' = -y, or -k y for a stiff one.
-    struct Spring(f64);
-
-    impl Acceleration<1> for Spring {
-        fn at(&self, _: f64, (place, _): &Point<1>) -> [f64; 1] {
-            [-self.0 * place[0]]
-        }
-
-        fn slopes(&self, _: &Point<1>) -> Slopes<1> {
-            Slopes { place: [[-self.0]], speed: [[0.0]] }
-        }
-
-        fn sizes(&self, _: &Point<1>) -> Point<1> {
-            ([1.0], [1.0])
-        }
-    }
+    use crate::numerics::step::tests::Spring;
 
     /// y'' = -y'², which slows like 1/t: not linear in the speed.
     struct Drag;

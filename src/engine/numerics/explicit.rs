@@ -153,30 +153,15 @@ fn through<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::step::{Slopes, series};
+    use crate::numerics::step::series;
+    use crate::numerics::step::tests::Spring;
 
-    /// y'' = -y.
-    struct Oscillator;
-
-    impl Acceleration<1> for Oscillator {
-        fn at(&self, _: f64, (place, _): &Point<1>) -> [f64; 1] {
-            [-place[0]]
-        }
-
-        fn slopes(&self, _: &Point<1>) -> Slopes<1> {
-            Slopes { place: [[-1.0]], speed: [[0.0]] }
-        }
-
-        fn sizes(&self, _: &Point<1>) -> Point<1> {
-            ([1.0], [1.0])
-        }
-    }
-
+    const OSCILLATOR: Spring = Spring(1.0);
     const START: Point<1> = ([1.0], [0.0]);
 
     /// Errors of the place at the end of a step and in its middle.
     fn errors(stepper: &impl Stepper<COEFFICIENTS>, h: f64) -> [f64; 2] {
-        let (step, _) = stepper.step(&Oscillator, START, h, None, &mut 0).unwrap();
+        let (step, _) = stepper.step(&OSCILLATOR, START, h, None, &mut 0).unwrap();
         [1.0, 0.5].map(|part| (step.at(part).0[0] - (part * h).cos()).abs())
     }
 
@@ -196,7 +181,7 @@ mod tests {
     #[test]
     fn valid_a_step_ends_where_its_polynomials_end() {
         let (step, _) =
-            Dop853 { tolerance: 1.0 }.step(&Oscillator, START, 1.0, None, &mut 0).unwrap();
+            Dop853 { tolerance: 1.0 }.step(&OSCILLATOR, START, 1.0, None, &mut 0).unwrap();
         let (place, speed) = step.at(1.0);
         assert!(
             (place[0] - step.end.0[0]).abs() < 1e-15 && (speed[0] - step.end.1[0]).abs() < 1e-15
@@ -212,7 +197,7 @@ mod tests {
             let method = Dop853 { tolerance };
             let (mut h, mut evaluations) = (10.0, 0);
             let step = loop {
-                match method.step(&Oscillator, START, h, None, &mut evaluations) {
+                match method.step(&OSCILLATOR, START, h, None, &mut evaluations) {
                     Ok((step, _)) => break step,
                     Err(shorter) => h = shorter,
                 }

@@ -158,8 +158,25 @@ pub(crate) fn dot<const S: usize>(one: &[f64; S], other: &[f64; S]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+
+    /// y'' = -k y.
+    pub(crate) struct Spring(pub(crate) f64);
+
+    impl Acceleration<1> for Spring {
+        fn at(&self, _: f64, (place, _): &Point<1>) -> [f64; 1] {
+            [-self.0 * place[0]]
+        }
+
+        fn slopes(&self, _: &Point<1>) -> Slopes<1> {
+            Slopes { place: [[-self.0]], speed: [[0.0]] }
+        }
+
+        fn sizes(&self, _: &Point<1>) -> Point<1> {
+            ([1.0], [1.0])
+        }
+    }
 
     /// With the coefficient 2 of degree 1, y'' = 2 (2 theta - 1) on a step of 3, so that y' = 1 + 6 (theta² - theta). That of degree 2 is
     /// 6 (theta² - theta) + 1: it is the whole of y'.
