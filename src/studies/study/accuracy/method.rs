@@ -199,11 +199,6 @@ enumeration! {
 }
 
 impl Method {
-    /// Computes a valid scene.
-    pub fn solve(self, parameter: Parameter, scene: &Scene) -> Result<Answer, Refusal> {
-        Job::new(self, parameter, scene).run()
-    }
-
     /// The values of its parameter for a contact of about `end_s`, the coarsest first.
     pub fn parameters(self, end_s: f64, ladder: Ladder) -> Vec<Parameter> {
         match self.ranges()[ladder as usize] {
@@ -305,7 +300,7 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
 }
 
 /// The listing as printed. It follows the plate up to the horizon, which its contact alone exceeds.
-fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
+pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
     if !scene.is_rigid() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }

@@ -14,7 +14,7 @@ use crate::model::run::Outcome;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::variables::{Group, VARIABLES, is_used};
 use crate::numerics::larger;
-use crate::study::accuracy::method::{Answer, Method, Parameter, RESULTS, Results, answer_of};
+use crate::study::accuracy::method::{Answer, RESULTS, Results, answer_of, printed};
 
 /// Steps of a contact by the printed scheme that are near its limit.
 const PRINTED_STEPS: f64 = 5e4;
@@ -177,18 +177,15 @@ pub(in crate::study) fn stored(scene: &Scene) -> Option<(Stored, f64)> {
 
 /// The depth that the printed scheme approaches as its step goes to zero, from two fine steps of a scheme of first order.
 pub(super) fn printed_limit(scene: &Scene, end_s: f64) -> Option<Reference> {
-    let by = |steps: f64| {
-        let answer = Method::ThesisPrinted.solve(Parameter::Step(end_s / steps), scene).ok()?;
-        Some((answer, answer.results[0]?))
-    };
-    let ((_, coarse_m), (fine, fine_m)) = (by(PRINTED_STEPS)?, by(2.0 * PRINTED_STEPS)?);
+    let by = |steps: f64| printed(scene, end_s / steps).ok()?.results[0];
+    let (coarse_m, fine_m) = (by(PRINTED_STEPS)?, by(2.0 * PRINTED_STEPS)?);
     let depth_m = 2.0 * fine_m - coarse_m;
     let mut results = [None; RESULTS.len()];
     // It ends on a whole step: no step makes that error of the time smaller.
     results[0] = Some(depth_m);
     Some(Reference {
         basis: ReferenceSource::OwnLimit,
-        outcome: fine.outcome,
+        outcome: Outcome::Arrested,
         results,
         uncertainty: Some(larger((depth_m / fine_m - 1.0).abs(), f64::EPSILON)),
     })
