@@ -158,25 +158,24 @@ fn squeezed(unit: &str) -> String {
 /// One of the unit with this name, or of the stored one where there is none, is the first number, divided by the second, in the
 /// stored unit.
 fn factor(unit: &str, quantity: Dimension) -> Option<(f64, f64)> {
-    let name = squeezed(unit);
-    if [quantity.unit(), ""].contains(&&*name) {
+    let (name, stored) = (squeezed(unit), squeezed(quantity.unit()));
+    if name.is_empty() || name == stored {
         return Some((1.0, 1.0));
     }
-    let (mut name, mut stored) = (name, quantity.unit());
-    if unit_named(&name, quantity).is_some() {
-        name = name.replace('^', "");
-        if let Some((_, times, over)) = UNITS.iter().find(|(unit, ..)| squeezed(unit) == name) {
-            return Some((*times, *over));
-        }
-        // The linear case of a coefficient; of others the same.
-        stored = quantity.accepted().split(", ").next().unwrap_or(stored);
-    } else if stored.is_empty() || stored.starts_with("kg") {
-        // Values are shown with any prefix; kg has one already.
-        return None;
-    }
-    let base = squeezed(stored);
-    let prefix = Prefix::ALL.iter().find(|it| name.strip_prefix(it.letter) == Some(&base))?;
-    Some(if prefix.size < 1.0 { (1.0, prefix.in_one) } else { (prefix.size, 1.0) })
+    let is_accepted = unit_named(&name, quantity).is_some();
+    let name = if is_accepted { name.replace('^', "") } else { name };
+    // Values are shown with any prefix; kg has one already.
+    let takes_prefix = !stored.is_empty() && !stored.starts_with("kg");
+    Prefix::ALL.iter().find_map(|prefix| {
+        let base = name.strip_prefix(prefix.letter)?;
+        let (_, times, over) = if base == stored && (is_accepted || takes_prefix) {
+            &("", 1.0, 1.0)
+        } else {
+            UNITS.iter().find(|(unit, ..)| is_accepted && squeezed(unit) == base)?
+        };
+        let is_part = prefix.size < 1.0;
+        Some(if is_part { (*times, over * prefix.in_one) } else { (times * prefix.size, *over) })
+    })
 }
 
 /// `number [(*|/) number]`, where a number may be `pi`; gives the value and what follows.

@@ -66,15 +66,13 @@ const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
 const LBF: f64 = 44_482_216_152_605.0;
 const LBF_OVER: f64 = 1e13;
 
-/// The units that are neither stored ones nor those with a prefix: one of it is the first number, divided by the second, in the
+/// The units that are neither stored ones nor another with a prefix: one of it is the first number, divided by the second, in the
 /// stored unit. Both are whole numbers where the definition allows it, so that `25.4mm` and `3in` are the floats nearest to 0.0254 and
 /// 0.0762.
 pub(super) const UNITS: &[(&str, f64, f64)] = &[
     ("%", 1.0, 1e2),
     ("rad", DEG_PER_RAD, 1.0),
-    ("mrad", DEG_PER_RAD, 1e3),
     ("g", 1.0, 1e3),
-    ("mg", 1.0, 1e6),
     ("t", 1e3, 1.0),
     ("gr", 6_479_891.0, 1e11),
     ("oz", 45_359_237.0, 16e8),
@@ -86,14 +84,12 @@ pub(super) const UNITS: &[(&str, f64, f64)] = &[
     ("km/h", 10.0, 36.0),
     ("ft/s", 3048.0, 1e4),
     ("fps", 3048.0, 1e4),
-    ("kfps", 3048.0, 10.0),
     ("mph", 44_704.0, 1e5),
     ("g/cm3", 1e3, 1.0),
     ("t/m3", 1e3, 1.0),
     ("lb/in3", 453_592_370_000.0, 16_387_064.0),
     ("N/mm2", 1e6, 1.0),
     ("bar", 1e5, 1.0),
-    ("kbar", 1e8, 1.0),
     // A square inch is 6.4516e-4 m^2.
     ("psi", LBF, 6.4516e9),
     ("ksi", LBF, 6.4516e6),
@@ -104,15 +100,15 @@ pub(super) const UNITS: &[(&str, f64, f64)] = &[
     // A foot is 0.3048 m.
     ("ft lbf", 3048e-4 * LBF, LBF_OVER),
     ("J/g", 1e3, 1.0),
+    // The linear cases of the coefficients.
+    ("N/m", 1.0, 1.0),
+    ("N s/m", 1.0, 1.0),
     ("N/mm", 1e3, 1.0),
-    ("kN/mm", 1e6, 1.0),
     ("lbf/in", LBF, 2.54e11),
     ("lbf s/in", LBF, 2.54e11),
     ("rad/mm", 1e3, 1.0),
     ("deg/m", 1.0, DEG_PER_RAD),
     ("deg/mm", 1e3, DEG_PER_RAD),
-    ("kg cm2", 1.0, 1e4),
-    ("kg mm2", 1.0, 1e6),
     ("g cm2", 1.0, 1e7),
     ("g mm2", 1.0, 1e9),
     ("g/cm2", 10.0, 1.0),
