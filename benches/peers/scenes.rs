@@ -52,9 +52,8 @@ impl Reference {
     /// The stored digits; else DOP853 at 1e-14 on the simulation's loop; of a plate that provably cannot move, on a rigid mount.
     pub(crate) fn of(name: &str, scene: &Scene) -> Self {
         if let Some(row) = Stored::rows().find(|row| row.name == name) {
-            let [t_s, depth_m, _] = row.values();
-            let is_arrested = row.outcome == Outcome::Arrested;
-            return Self { t_s, depth_m: is_arrested.then_some(depth_m), source: "stored digits" };
+            let depth_m = (row.outcome == Outcome::Arrested).then_some(row.depth_m);
+            return Self { t_s: row.t_s, depth_m, source: "stored digits" };
         }
         let mut own = scene.clone();
         let is_immobile = greatest_give(scene) < IMMOBILE;

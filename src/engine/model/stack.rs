@@ -132,14 +132,11 @@ pub fn plates(scene: &Scene) -> Vec<Scene> {
 }
 
 fn warn_of_gaps(scene: &Scene, first: &mut Run, behind: &[Arc<Run>], elements: usize) {
-    let Some(gap_m) = scene.stack.gap_m else {
-        return;
-    };
     let behind = behind.iter().map(|run| run.max_plate_displacement_m);
     let travels = std::iter::once(first.max_plate_displacement_m).chain(behind).take(elements);
-    first.warnings.extend(travels.enumerate().filter_map(|(plate, travel)| {
-        let travel_m = travel.filter(|travel_m| *travel_m > gap_m)?;
-        Some(Warning::PlateMeetsNext { plate, travel_m, gap_m })
+    first.warnings.extend(travels.enumerate().filter_map(|(plate, travel_m)| {
+        let (travel_m, gap_m) = (travel_m?, scene.stack.gap_m?);
+        (travel_m > gap_m).then_some(Warning::PlateMeetsNext { plate, travel_m, gap_m })
     }));
 }
 

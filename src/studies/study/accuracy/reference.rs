@@ -12,7 +12,7 @@ use crate::model::impact::step_by;
 use crate::model::reference::Stored;
 use crate::model::run::Outcome;
 use crate::model::scene::{InterfaceLaw, Scene};
-use crate::model::variables::{Group, VARIABLES, is_used};
+use crate::model::variables::{Group, VARIABLES, changed_free_plate, is_used};
 use crate::numerics::larger;
 use crate::study::accuracy::method::{Answer, RESULTS, Results, answer_of, printed};
 
@@ -140,12 +140,11 @@ impl References {
         for reference in [&mut both.engine, &mut both.other].into_iter().flatten() {
             reference.uncertainty = apart;
             if let Some((row, uncertainty)) = &stored {
-                let [t_s, depth_m, _] = row.values();
                 reference.basis = ReferenceSource::Stored(row.name);
                 reference.outcome = row.outcome;
                 let is_arrested = row.outcome == Outcome::Arrested;
-                reference.results[0] = is_arrested.then_some(depth_m);
-                reference.results[1] = Some(t_s);
+                reference.results[0] = is_arrested.then_some(row.depth_m);
+                reference.results[1] = Some(row.t_s);
                 reference.uncertainty = Some(*uncertainty);
             }
         }
@@ -170,7 +169,8 @@ pub(in crate::study) fn stored(scene: &Scene) -> Option<(Stored, f64)> {
         });
         used.into_iter().all(|variable| variable.show(own) == variable.show(scene))
     };
-    let row = Stored::rows().find(|row| row.scene().is_ok_and(|own| is_same(&own)))?;
+    let row = Stored::rows()
+        .find(|row| changed_free_plate(&row.changes).is_ok_and(|own| is_same(&own)))?;
     let uncertainty = larger(10f64.powi(-row.trusted), f64::EPSILON);
     Some((row, uncertainty))
 }
