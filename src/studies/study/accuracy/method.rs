@@ -11,7 +11,7 @@ use crate::model::appendix::listing;
 use crate::model::contact_kernel::Contact;
 use crate::model::impact::Stepping;
 use crate::model::impact::step_by;
-use crate::model::run::{EndReason, Outcome, Run};
+use crate::model::run::{EndReason, Look, Outcome, Run, Sample};
 use crate::model::scene::{InterfaceLaw, Listing, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::study::quantities;
@@ -307,11 +307,11 @@ pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
     let mut contact = scene.clone();
     contact.run.horizon_s = Some(dt_s);
     let listing = Listing { step_s: dt_s, ..Listing::default() };
-    let run =
-        listing::compute(&Arc::new(contact), listing, false, &mut |_| ControlFlow::Continue(()));
     let stop_m = scene.mechanism.stop.position_m.filter(|_| !scene.is_rigid());
-    let most_m = run.max_plate_displacement_m.or(run.at_least.plate_displacement_m);
-    if most_m.zip(stop_m).is_some_and(|(most_m, stop_m)| most_m >= stop_m) {
+    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+    let run = listing::compute(&Arc::new(contact), listing, stop_m.is_some(), go_on);
+    let is_beyond = |row: &Sample| stop_m.is_some_and(|stop_m| row.plate_displacement_m >= stop_m);
+    if run.series.iter().any(is_beyond) {
         return Err(Refusal::StopActs);
     }
     let mut answer = answer_of(&run)?;
