@@ -111,7 +111,7 @@ impl Scheme {
             drag_kg_m3: scene.drag_kg_m3(),
             cos,
             plate: Plate {
-                mass_kg: if scene.is_rigid() { f64::INFINITY } else { scene.plate_mass_kg() },
+                mass_kg: if scene.is_sprung() { scene.plate_mass_kg() } else { f64::INFINITY },
                 spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
                 damper: scene.mechanism.damper,
                 signed: listing.corrects_damper,

@@ -80,7 +80,7 @@ impl Contact {
         }
         let geometry = Geometry::of(scene);
         let AreaLaw::Quadratic { a, .. } = geometry.pieces().first()?.law else { return None };
-        let plate_mobility = if scene.is_rigid() { 0.0 } else { 1.0 / moving_plate_kg(scene) };
+        let plate_mobility = if scene.is_sprung() { 1.0 / moving_plate_kg(scene) } else { 0.0 };
         let (cos, v) = (geometry.nose.cos, scene.projectile.velocity_m_s);
         let slip_mobility = 1.0 / scene.projectile.mass_kg + cos * cos * plate_mobility;
         let (strength_pa, drag_kg_m3) = (scene.flow_strength_pa(), scene.drag_kg_m3());

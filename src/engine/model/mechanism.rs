@@ -134,7 +134,7 @@ impl Mechanism {
     /// The mechanism of a scene; a rigid mount has none.
     pub fn of(scene: &Scene) -> Self {
         let laws = &scene.mechanism;
-        let sprung = !scene.is_rigid();
+        let sprung = scene.is_sprung();
         Self {
             spring: if sprung { Spring::of(laws, 0.0) } else { Spring::NONE },
             damper: laws.damper.only_if(sprung),

@@ -138,19 +138,19 @@ impl Scene {
         self.stack.base_thickness_m.is_some()
     }
 
-    /// Whether the plate stands on a rigid mount.
-    pub fn is_rigid(&self) -> bool {
-        self.plate.mount == Mount::Rigid
+    /// Whether a mechanism carries the plate, and no rigid mount.
+    pub fn is_sprung(&self) -> bool {
+        self.plate.mount == Mount::Sprung
     }
 
     /// The plate's displacement at first contact, -d, m; 0 on a rigid mount, and never -0.
     pub fn start_m(&self) -> f64 {
-        if self.is_rigid() { 0.0 } else { 0.0 - self.plate.cocking_m }
+        if self.is_sprung() { 0.0 - self.plate.cocking_m } else { 0.0 }
     }
 
     /// The plate's velocity at first contact along its normal, m/s; 0 on a rigid mount.
     pub fn plate_velocity_m_s(&self) -> f64 {
-        if self.is_rigid() { 0.0 } else { self.plate.velocity_m_s }
+        if self.is_sprung() { self.plate.velocity_m_s } else { 0.0 }
     }
 
     /// The velocity with which the projectile meets the plate, along its own axis, m/s.

@@ -8,7 +8,7 @@ use crate::model::appendix::listing;
 use crate::model::impact;
 use crate::model::run::{EndReason, Run};
 pub use crate::model::run::{Look, Observer, Settings};
-use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
 
@@ -38,7 +38,7 @@ pub fn simulate(
 pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
     let is_fused = scene.interface.law == InterfaceLaw::Fused
         && scene.contact.model == ContactModel::Hydrodynamic
-        && scene.plate.mount == Mount::Sprung;
+        && scene.is_sprung();
     if !is_fused || scene.is_stack() {
         return None;
     }

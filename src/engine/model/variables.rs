@@ -17,7 +17,7 @@ use crate::model::units::{self, Bare, Dimension};
 use crate::model::worded::worded;
 
 use part::placed;
-use visible::{has_second, is_hydrodynamic, is_listing, is_sprung, may_stop};
+use visible::{has_second, is_hydrodynamic, is_listing, may_stop};
 
 mod names;
 pub(in crate::model) mod part;
@@ -38,9 +38,9 @@ pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
         placed(Group::Projectile, always, always, Projectile::rows()),
         placed(Group::Target, always, always, Target::rows()),
         placed(Group::Plate, always, always, Plate::rows()),
-        placed(Group::Mechanism, always, is_sprung, damper_rows()),
+        placed(Group::Mechanism, always, Scene::is_sprung, damper_rows()),
         spring_rows(),
-        placed(Group::Mechanism, always, is_sprung, Mechanism::rows()),
+        placed(Group::Mechanism, always, Scene::is_sprung, Mechanism::rows()),
         placed(Group::Mechanism, has_second, always, second_rows()),
         placed(Group::Stop, always, may_stop, Stop::rows()),
         placed(Group::Stack, always, always, Stack::rows()),

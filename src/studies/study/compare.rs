@@ -264,7 +264,7 @@ pub fn compare(
 
 /// The parts of a scene that take up energy and whose mass is not counted.
 fn uncounted(scene: &Scene) -> Vec<&'static str> {
-    if scene.is_rigid() {
+    if !scene.is_sprung() {
         return Vec::new();
     }
     let mechanism = Mechanism::of(scene);

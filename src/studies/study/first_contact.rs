@@ -10,7 +10,7 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::scene::{ContactModel, Criterion, InterfaceLaw, Mount, Scene};
+use crate::model::scene::{ContactModel, Criterion, InterfaceLaw, Scene};
 use crate::numerics::larger;
 
 /// Fraction of the scene's tolerance that the contact may use up.
@@ -67,7 +67,7 @@ pub(in crate::study) fn is_through(scene: &Scene, end: &ContactEnd) -> bool {
 /// Whether the first contact alone decides that: what is fused at the first arrest stays. All else takes the simulation.
 pub(in crate::study) fn decides(scene: &Scene, wanted: Wanted) -> bool {
     let mechanism = &scene.mechanism;
-    let sprung = scene.plate.mount == Mount::Sprung;
+    let sprung = scene.is_sprung();
     let stays = scene.contact.model == ContactModel::Hydrodynamic
         && scene.interface.law == InterfaceLaw::Fused;
     let is_free = !(sprung && mechanism.stop.position_m.is_some()) && scene.run.horizon_s.is_none();
@@ -90,7 +90,7 @@ pub(in crate::study) fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option
 /// The maximum displacement without a damper: within the contact, or where all energy is in the spring; `None` where nothing
 /// stops the plate.
 pub(in crate::study) fn max_displacement_m(scene: &Scene, end: &ContactEnd) -> Option<f64> {
-    if scene.plate.mount == Mount::Rigid {
+    if !scene.is_sprung() {
         return Some(0.0);
     }
     let spring = Mechanism::of(scene).spring;

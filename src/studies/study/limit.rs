@@ -10,7 +10,7 @@ use crate::model::contact::Geometry;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::envelope::oblique_error;
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{ContactModel, Criterion, Mount, Scene};
+use crate::model::scene::{ContactModel, Criterion, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::context::{Context, to_its_end};
@@ -236,7 +236,7 @@ pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
 /// model or criterion.
 pub fn closed_form(scene: &Scene) -> Option<f64> {
     let mechanism = &scene.mechanism;
-    let rigid = scene.plate.mount == Mount::Rigid;
+    let rigid = !scene.is_sprung();
     let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
     let by_passage = scene.target.criterion == Criterion::Passage;
     let is_hydrodynamic = scene.contact.model == ContactModel::Hydrodynamic;

@@ -2,7 +2,7 @@
 
 use crate::model::mechanism::{Inertia, Mechanism, moving_plate_kg};
 use crate::model::run::{EventKind, Mode, Outcome, Run, Sample};
-use crate::model::scene::{ContactModel, Mount, Scene};
+use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::larger;
 
 /// Part of the greatest displacement at which it is reached.
@@ -22,9 +22,7 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;
     }
-    if run.scene.plate.mount == Mount::Rigid
-        || holds_still(&run.scene, run.max_plate_displacement_m)
-    {
+    if !run.scene.is_sprung() || holds_still(&run.scene, run.max_plate_displacement_m) {
         return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
     }
     let mechanism = Mechanism::of(&run.scene);
@@ -51,7 +49,7 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
 /// Whether a sprung plate never leaves its place: a singular spring takes whatever comes, like a rigid mount.
 pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f64>) -> bool {
     let mechanism = Mechanism::of(scene);
-    scene.plate.mount == Mount::Sprung
+    scene.is_sprung()
         && !mechanism.is_absent()
         && mechanism.spring.force(scene.start_m()) == 0.0
         && max_displacement_m.is_some_and(|farthest| farthest.abs() < f64::MIN_POSITIVE)
@@ -68,7 +66,7 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     }
     let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
     let struck = scene.projectile.velocity_m_s;
-    if scene.plate.mount == Mount::Rigid {
+    if !scene.is_sprung() {
         let left = match run.outcome {
             Outcome::Arrested => 0.0,
             Outcome::Perforated => run.residual_velocity_m_s?,
@@ -102,7 +100,7 @@ pub(in crate::study) fn spring_energy_j(
     max_displacement_m: Option<f64>,
 ) -> Option<f64> {
     let spring = Mechanism::of(scene).spring;
-    if scene.plate.mount == Mount::Rigid || spring.is_absent() {
+    if !scene.is_sprung() || spring.is_absent() {
         return Some(0.0);
     }
     Some(spring.greatest_energy(start_m, max_displacement_m?))

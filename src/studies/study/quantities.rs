@@ -7,7 +7,7 @@
 
 use crate::model::mechanism::load;
 use crate::model::run::{Run, envelope};
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Dimension, engineering};
 use crate::study::error::SweepError;
 use crate::study::first_contact::FirstContact;
@@ -375,7 +375,7 @@ impl Quantity {
 }
 
 fn sprung(scene: &Scene) -> bool {
-    scene.plate.mount == Mount::Sprung
+    scene.is_sprung()
 }
 
 /// The error of the energy balance of the plate where it is greatest.

@@ -93,7 +93,7 @@ pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> 
     let has_limit = measures.iter().any(|it| matches!(it.search(), Some(Search::Limit)));
     let mass = measures.iter().find(|it| has_limit && it.has(Trait::CountsSprings))?.name;
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
-    let is_sprung = |scene: &Scene| !scene.is_rigid() && scene.mechanism.has_springs();
+    let is_sprung = |scene: &Scene| scene.is_sprung() && scene.mechanism.has_springs();
     (is_sprung(scene) || is_sprung(&scene_with(scene, axes, &ends))).then(|| {
         format!(
             "limit_velocity_m_s is that of the plate, whatever its springs have to store; those in {mass} are sized for v_i and hold \

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::model::scene::{Mount, PlateSize, Scene};
+use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
@@ -170,8 +170,7 @@ fn ask_for_face(app: &mut App) {
     let usual = Scene::default();
     let (scene, base) = (&app.scene, &app.base.scene);
     let is_chosen = |it: &Scene| scene.projectile != it.projectile && scene.target != it.target;
-    let by_ratio =
-        matches!(scene.plate.size, PlateSize::Ratio(_)) && scene.plate.mount == Mount::Sprung;
+    let by_ratio = matches!(scene.plate.size, PlateSize::Ratio(_)) && scene.is_sprung();
     if by_ratio && is_chosen(&usual) && is_chosen(base) {
         run::focus_on(app, index_of("face"));
         run::open(app);

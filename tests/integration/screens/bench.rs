@@ -306,7 +306,7 @@ struct Shape {
 impl Shape {
     fn of(scene: &Scene) -> Self {
         let gamma = scene.mass_ratio();
-        let rigid = scene.plate.mount == Mount::Rigid;
+        let rigid = !scene.is_sprung();
         let share = if rigid { 1.0 } else { gamma / (1.0 + gamma) };
         let speed_m_s = scene.projectile.velocity_m_s;
         Self {
@@ -349,7 +349,7 @@ impl Shape {
 
 /// A made-up run of a scene: a thin plate is perforated, a cocked one asks too much of the interface.
 pub(crate) fn made(scene: &Arc<Scene>) -> Run {
-    let rigid = scene.plate.mount == Mount::Rigid;
+    let rigid = !scene.is_sprung();
     let shape = Shape::of(scene);
     let arrest = shape.sample(ARREST_S);
     let mut run = Run {

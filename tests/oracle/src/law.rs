@@ -10,9 +10,7 @@
 use std::f64::consts::PI;
 
 use cmra_engine::model::contact::Geometry;
-use cmra_engine::model::scene::{
-    Closure, ContactModel, InterfaceLaw, Mount, Scene, Stop, StopKind,
-};
+use cmra_engine::model::scene::{Closure, ContactModel, InterfaceLaw, Scene, Stop, StopKind};
 
 use crate::contacts::Contact;
 use crate::springs::{Law, moving_kg};
@@ -89,7 +87,7 @@ pub struct Shot<'a> {
 impl<'a> Shot<'a> {
     /// At first contact, in steps of `step_s`.
     pub fn new(scene: &'a Scene, step_s: f64) -> Self {
-        let sprung = scene.plate.mount == Mount::Sprung;
+        let sprung = scene.is_sprung();
         let plate = scene.plate;
         let [start_m, w] = if sprung { [-plate.cocking_m, plate.velocity_m_s] } else { [0.0; 2] };
         let closing = scene.projectile.velocity_m_s - w * scene.cos_obliquity();
@@ -127,7 +125,7 @@ impl<'a> Shot<'a> {
         let [_, u, _, w] = self.state;
         let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos);
         let momentum = m_p * (u + w * cos) * cos + m_2 * w;
-        let still = self.scene.plate.mount == Mount::Rigid;
+        let still = !self.scene.is_sprung();
         self.state[1] = 0.0;
         self.state[3] = if still { 0.0 } else { momentum / (m_2 + m_p * cos * cos) };
         if self.scene.contact.model != ContactModel::InitialVelocity {
@@ -339,7 +337,7 @@ impl<'a> Shot<'a> {
         let back = self.law.force_n(x, self.farthest_m)
             + self.damper_n(w)
             + if now.beyond { self.stop_n(x, w) } else { 0.0 };
-        let still = now.held || self.scene.plate.mount == Mount::Rigid;
+        let still = now.held || !self.scene.is_sprung();
         let plate = match now.interface {
             _ if still => 0.0,
             Interface::Holds => -back / (m_2 + m_p * cos * cos),
@@ -429,9 +427,8 @@ impl<'a> Shot<'a> {
 
     fn rigid_stop(&self) -> Option<Stop> {
         let stop = self.scene.mechanism.stop;
-        let acts = stop.position_m.is_some()
-            && stop.kind == StopKind::Rigid
-            && self.scene.plate.mount == Mount::Sprung;
+        let acts =
+            stop.position_m.is_some() && stop.kind == StopKind::Rigid && self.scene.is_sprung();
         acts.then_some(stop)
     }
 

@@ -49,12 +49,12 @@ pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Ob
         let second = compute(scene, half, false, observer);
         estimate::set(&mut run, &second, EstimateBasis::HalfStep, ROUNDING);
     }
-    run.baseline_penetration_m = if scene.is_rigid() {
-        run.final_penetration_m
-    } else {
+    run.baseline_penetration_m = if scene.is_sprung() {
         let mut rigid = Scene::clone(scene);
         rigid.plate.mount = Mount::Rigid;
         compute(&Arc::new(rigid), listing, false, observer).final_penetration_m
+    } else {
+        run.final_penetration_m
     };
     run
 }
@@ -211,7 +211,7 @@ impl Work {
     fn afterwards(&mut self, observer: Observer<'_>) -> EndReason {
         let Scheme { plate, projectile_kg, listing, .. } = self.scheme;
         let scene = Arc::clone(&self.run.scene);
-        if scene.is_rigid() {
+        if !scene.is_sprung() {
             self.run.max_plate_displacement_m = Some(0.0);
             return EndReason::Decided;
         }
@@ -270,7 +270,7 @@ impl Work {
     fn finish(mut self) -> Run {
         let scene = &self.run.scene;
         let (m, m_2, is_rigid) =
-            (self.scheme.projectile_kg, scene.plate_mass_kg(), scene.is_rigid());
+            (self.scheme.projectile_kg, scene.plate_mass_kg(), !scene.is_sprung());
         let (v, [x, w]) = (self.state.velocity_m_s, self.state.plate);
         let ledger = &mut self.run.ledger;
         ledger.projectile_j = 0.5 * m * v * v;

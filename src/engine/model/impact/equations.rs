@@ -95,7 +95,7 @@ impl Setup {
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = moving_plate_kg(scene);
         let absorber = scene.mechanism.spring.law().absorber();
-        let absorber = absorber.filter(|_| !scene.is_rigid());
+        let absorber = absorber.filter(|_| scene.is_sprung());
         Self {
             law,
             geometry,
@@ -117,7 +117,7 @@ impl Setup {
             start_m_s: scene.plate_velocity_m_s(),
             closing_m_s,
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
-            still: scene.is_rigid(),
+            still: !scene.is_sprung(),
             stepping: Stepping::Collocation(tolerance),
             tolerance,
         }

@@ -28,7 +28,6 @@ pub struct Curve {
     pub(super) extremes_m: Vec<f64>,
     /// A length that the law is made of, m.
     pub(super) scale_m: f64,
-    pub(super) is_steep: bool,
 }
 
 impl Curve {
@@ -41,7 +40,6 @@ impl Curve {
             stations_m: Vec::new(),
             extremes_m: Vec::new(),
             scale_m,
-            is_steep: pieces.iter().any(Piece::is_steep_at_zero),
             pieces,
         };
         for (at, knot) in curve.knots_m.iter().enumerate() {

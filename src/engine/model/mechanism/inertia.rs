@@ -30,7 +30,7 @@ pub struct Inertia {
 impl Inertia {
     /// Of a valid scene; nothing on a rigid mount.
     pub fn of(scene: &Scene) -> Self {
-        if scene.is_rigid() {
+        if !scene.is_sprung() {
             return Self::default();
         }
         let spring = &scene.mechanism.spring;

@@ -8,7 +8,6 @@ use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::scene::{OwnMass, Scene, Wire};
 use crate::model::variables::part::{NO_VALUES, parts, placed};
-use crate::model::variables::visible::is_sprung;
 use crate::model::variables::{Group, Variable, VariableError};
 use crate::model::worded::worded;
 
@@ -65,7 +64,7 @@ macro_rules! kinds {
 
         /// The rows of the spring.
         pub(in crate::model) fn spring_rows() -> Vec<Variable> {
-            let of_kind = |listed, rows| placed(Group::Mechanism, listed, is_sprung, rows);
+            let of_kind = |listed, rows| placed(Group::Mechanism, listed, Scene::is_sprung, rows);
             [
                 of_kind(|_| true, Spring::rows()),
                 $(of_kind(
@@ -91,8 +90,8 @@ kinds! {
             .source("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
         pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
             number(Number, Positive).thesis_range(Some((0.1, 3.0))).is_log(true)
-            .listed(|scene| scene.mechanism.spring.has_exponent())
-            .used(|scene| scene.mechanism.spring.has_exponent() && !scene.mechanism.spring.is_absent())
+            .when(|scene| matches!(scene.mechanism.spring.kind, SpringKind::PowerLaw | SpringKind::Normalised))
+            .used(|scene| !scene.mechanism.spring.is_absent())
             .source("thesis Table 9.2 (range searched)");
         pub count: f64 = 1.0 => "N_spring", "springs", "number of equal springs that act in parallel",
             number(Number, Positive)
@@ -175,11 +174,6 @@ pub(in crate::model) trait Law {
 }
 
 impl Spring {
-    /// Whether its force depends on the exponent.
-    fn has_exponent(&self) -> bool {
-        matches!(self.kind, SpringKind::PowerLaw | SpringKind::Normalised)
-    }
-
     /// Whether there is exactly one of it.
     pub fn is_single(&self) -> bool {
         (self.count - 1.0).abs() < f64::EPSILON

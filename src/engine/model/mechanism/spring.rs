@@ -115,7 +115,7 @@ impl Spring {
     pub fn is_steep_at_zero(&self) -> bool {
         match self {
             Self::Power(law) => law.is_steep_at_zero(),
-            Self::Curve(curve) => curve.is_steep,
+            Self::Curve(curve) => curve.pieces[self.stretch(0.0)].is_steep_at_zero(),
         }
     }
 

@@ -13,7 +13,7 @@ use crate::model::library;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{
-    Closure, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Projectile, Scene, Target,
+    Closure, ContactModel, InterfaceLaw, Nose, OwnMass, Projectile, Scene, Target,
 };
 use crate::model::units::significant;
 use crate::model::variables;
@@ -123,8 +123,7 @@ pub fn nose_pressure_ratio(scene: &Scene) -> f64 {
 
 /// Side of the plate's face over the projectile's diameter; `None` where the plate's mass is not used.
 pub fn face_ratio(scene: &Scene) -> Option<f64> {
-    (scene.plate.mount == Mount::Sprung)
-        .then(|| 0.5 * scene.plate_face_m() / scene.projectile.tip_radius_m)
+    (scene.is_sprung()).then(|| 0.5 * scene.plate_face_m() / scene.projectile.tip_radius_m)
 }
 
 /// The breaches that follow from a scene, in the order of the table.
@@ -304,7 +303,7 @@ fn of_plate(run: &Run) -> Vec<Breach> {
     let mut add = |check, degree, text| {
         found.push(Breach { check, direction: Unconservative, degree, text });
     };
-    let has_coil = run.scene.plate.mount == Mount::Sprung && run.scene.mechanism.has_coil();
+    let has_coil = run.scene.is_sprung() && run.scene.mechanism.has_coil();
     let arrest = run.first_arrest.filter(|_| has_coil);
     let speed = arrest.map_or(0.0, |arrest| arrest.plate_velocity_m_s.abs());
     if speed > COIL_END_M_S {

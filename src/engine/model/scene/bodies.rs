@@ -3,7 +3,7 @@
 use crate::model::scene::Scene;
 use crate::model::units::Dimension;
 use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts, rows};
-use crate::model::variables::visible::{has_stop, is_oblique, is_sprung, penetrates, resists};
+use crate::model::variables::visible::{has_stop, is_oblique, penetrates, resists};
 use crate::model::variables::{Allowed, Kind, Number, Variable};
 use crate::model::worded::worded;
 
@@ -46,11 +46,10 @@ parts! {
             choice().is_seldom(true).used(resists).source("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
         pub yield_pa: f64 = 75.8e6 => "Y", "yield strength", "static yield strength, for a closure",
             number(Pressure, Positive).own_name("yield_strength").is_seldom(true)
-            .listed(|scene| scene.target.closure != Closure::Given)
-            .used(|scene| resists(scene) && scene.target.closure != Closure::Given)
-            .source("thesis Appendix A.1: 75.8 MPa");
+            .when(|scene| scene.target.closure != Closure::Given).used(resists).source("thesis Appendix A.1: 75.8 MPa");
         pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for the closure by cavity expansion",
-            number(Pressure, Positive).is_seldom(true).listed(may_expand).used(|scene| resists(scene) && may_expand(scene))
+            number(Pressure, Positive).is_seldom(true).used(resists)
+            .when(|scene| matches!(scene.target.closure, Closure::Cavity | Closure::ByThickness))
             .source("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
@@ -78,9 +77,9 @@ parts! {
         pub size: PlateSize = PlateSize::Ratio(1.0) => each(sizes);
         pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d",
             number(Length, NonNegative).thesis_range(Some((0.0, 0.5)))
-            .used(|scene| is_sprung(scene) && (scene.mechanism.has_springs() || has_stop(scene))).source(TABLE_9_2);
+            .used(|scene| scene.is_sprung() && (scene.mechanism.has_springs() || has_stop(scene))).source(TABLE_9_2);
         pub velocity_m_s: f64 = 0.0 => "w_0", "plate speed", "plate velocity at first contact, away from the shot",
-            number(Velocity, Closing).own_name("plate_velocity").is_seldom(true).used(is_sprung)
+            number(Velocity, Closing).own_name("plate_velocity").is_seldom(true).used(Scene::is_sprung)
             .source("thesis Appendix A.1, y(2), and section 4.3.2; 0 throughout chapter 9; in a stack it is that of the first plate");
     }
 }
@@ -162,10 +161,6 @@ impl Projectile {
     }
 }
 
-fn may_expand(scene: &Scene) -> bool {
-    matches!(scene.target.closure, Closure::Cavity | Closure::ByThickness)
-}
-
 impl Target {
     /// The thickness from which a closure by thickness is cavity expansion without dishing instead of 2 Y with it, m: the projectile's
     /// diameter.
@@ -198,7 +193,7 @@ impl Target {
 
 /// Whether the plate's mass follows from its material and thickness.
 fn gives_mass(scene: &Scene) -> bool {
-    is_sprung(scene) && matches!(scene.plate.size, PlateSize::Face(_))
+    scene.is_sprung() && matches!(scene.plate.size, PlateSize::Face(_))
 }
 
 impl PlateSize {
@@ -254,12 +249,12 @@ fn sizes() -> Vec<Variable> {
         Number { absent: None, get: |scene| Some(scene.mass_ratio()), ..size!(Number, Ratio) };
     rows! { (plate)
         mass_ratio: f64 => "gamma", "mass ratio", "mass ratio, plate mass over projectile mass",
-            is(Kind::Number(gamma)).thesis_range(Some((0.8, 7.0))).used(is_sprung).source(TABLE_9_2);
+            is(Kind::Number(gamma)).thesis_range(Some((0.8, 7.0))).used(Scene::is_sprung).source(TABLE_9_2);
         mass_kg: f64 => "m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it",
-            is(Kind::Number(size!(Mass, Mass))).own_name("plate_mass").aliases(&["m2"]).is_seldom(true).used(is_sprung)
+            is(Kind::Number(size!(Mass, Mass))).own_name("plate_mass").aliases(&["m2"]).is_seldom(true).used(Scene::is_sprung)
             .listed(|scene| matches!(scene.plate.size, PlateSize::Mass(_))).source("none: gamma gives the mass");
         face_m: f64 => "face", "plate side", "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
-            is(Kind::Number(size!(Length, Face))).is_seldom(true).used(is_sprung)
+            is(Kind::Number(size!(Length, Face))).is_seldom(true).used(Scene::is_sprung)
             .listed(|scene| matches!(scene.plate.size, PlateSize::Face(_))).source("none: gamma gives the mass");
     }
 }

@@ -3,7 +3,6 @@
 
 use crate::model::scene::ContactModel::{HalfSine, Lumped};
 use crate::model::variables::part::parts;
-use crate::model::variables::visible::is_sprung;
 use crate::model::worded::worded;
 
 parts! {
@@ -60,7 +59,7 @@ parts! {
             choice().own_name("interface_law").aliases(&["law"]).source("fused: the thesis; plastic: a rigid-plastic interface");
         pub grip: f64 = 0.1 => "g", "grip", "it lets go above a pull of g x hole area x strength; 0.1 is a guess",
             number(Number, NonNegative).aliases(&["grip"])
-            .used(|scene| scene.interface.law == InterfaceLaw::Plastic || is_sprung(scene)).source("assumption: 0.1");
+            .used(|scene| scene.interface.law == InterfaceLaw::Plastic || scene.is_sprung()).source("assumption: 0.1");
     }
 }
 

@@ -43,7 +43,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
              more than it took; it must be {load} N/m or more, or `auto`"
         )
     })?;
-    if !scene.is_rigid() {
+    if scene.is_sprung() {
         mechanism.spring.law().check()?;
         require(contact.model != ContactModel::Appendix || mechanism.is_plain(), || {
             format!(
@@ -143,7 +143,7 @@ pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
 
 /// Refuses other mechanisms than the thesis's own, whose variables are the axes of the stability map.
 pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
-    require(scene.is_rigid() || scene.mechanism.is_plain(), || {
+    require(!scene.is_sprung() || scene.mechanism.is_plain(), || {
         format!(
             "{} is not for the stability map, which varies k, n or b of the thesis's spring k |x|^n and damper: set spring = \
              power-law, combine = alone, own_mass = ignored, N_spring = 1",

@@ -2,7 +2,7 @@
 //! them in words.
 
 use super::{Group, VARIABLES, Value, Variable, changed};
-use crate::model::scene::{Combination, ContactModel, Mount, PlateSize, Scene, StopKind};
+use crate::model::scene::{Combination, ContactModel, PlateSize, Scene, StopKind};
 
 /// Whether a variable has any effect on this scene.
 pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
@@ -41,21 +41,17 @@ pub fn overrules_size(variable: &Variable, scene: &Scene) -> bool {
 pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
     let places_stop = variable.key == "mechanism.stop.position_m";
     let of_stop = variable.group == Group::Stop && !places_stop;
-    let is_there = is_listed(variable, scene) || (is_sprung(scene) && sizes_plate(variable));
+    let is_there = is_listed(variable, scene) || (scene.is_sprung() && sizes_plate(variable));
     is_there && (!of_stop || is_used(variable, scene))
 }
 
 /// Whether a second spring acts.
 pub(in crate::model) fn has_second(scene: &Scene) -> bool {
-    is_sprung(scene) && scene.mechanism.combination == Combination::Parallel
+    scene.is_sprung() && scene.mechanism.combination == Combination::Parallel
 }
 
 pub(in crate::model) fn is_oblique(scene: &Scene) -> bool {
     scene.projectile.obliquity_deg > 0.0
-}
-
-pub(in crate::model) fn is_sprung(scene: &Scene) -> bool {
-    scene.plate.mount == Mount::Sprung
 }
 
 pub(in crate::model) fn is_stack(scene: &Scene) -> bool {
@@ -86,7 +82,7 @@ pub(in crate::model) fn resists(scene: &Scene) -> bool {
 }
 
 pub(in crate::model) fn may_stop(scene: &Scene) -> bool {
-    is_sprung(scene) && !is_listing(scene)
+    scene.is_sprung() && !is_listing(scene)
 }
 
 pub(in crate::model) fn has_stop(scene: &Scene) -> bool {

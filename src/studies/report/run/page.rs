@@ -3,7 +3,6 @@
 
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
-use crate::model::scene::Mount;
 use crate::model::units::{self, engineering, fixed_significant};
 use crate::report::figures::run::event_letter;
 use crate::report::run::{AT_START, ENERGY, LedgerPart};
@@ -108,7 +107,7 @@ fn known_sentence(run: &Run) -> String {
 
 fn arrested(run: &Run, depth: &str) -> String {
     let share = match (run.percent_of_baseline(), run.baseline_penetration_m) {
-        (Some(percent), Some(baseline)) if run.scene.plate.mount == Mount::Sprung => {
+        (Some(percent), Some(baseline)) if run.scene.is_sprung() => {
             let percent = fixed_significant(percent, 4);
             format!(", {percent} % of the {} on a rigid mount", short(baseline, "m"))
         }

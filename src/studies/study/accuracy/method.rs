@@ -301,13 +301,13 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
 
 /// The listing as printed. It follows the plate up to the horizon, which its contact alone exceeds.
 pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
-    if !scene.is_rigid() && !scene.mechanism.is_plain() {
+    if scene.is_sprung() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }
     let mut contact = scene.clone();
     contact.run.horizon_s = Some(dt_s);
     let listing = Listing { step_s: dt_s, ..Listing::default() };
-    let stop_m = scene.mechanism.stop.position_m.filter(|_| !scene.is_rigid());
+    let stop_m = scene.mechanism.stop.position_m.filter(|_| scene.is_sprung());
     let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
     let run = listing::compute(&Arc::new(contact), listing, stop_m.is_some(), go_on);
     let is_beyond = |row: &Sample| stop_m.is_some_and(|stop_m| row.plate_displacement_m >= stop_m);

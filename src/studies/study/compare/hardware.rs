@@ -2,7 +2,7 @@
 
 use crate::model::mechanism::load::{exceeded, stress_ratio};
 use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Scene;
 use crate::study::load::spring_energy_j;
 
 /// Energies this part apart are the same.
@@ -51,7 +51,7 @@ pub(super) fn is_own(scene: &Scene) -> bool {
 /// Whether something stops the plate of a scene.
 pub(super) fn is_held(scene: &Scene) -> bool {
     let mechanism = Mechanism::of(scene);
-    scene.plate.mount == Mount::Rigid || !mechanism.is_absent() || mechanism.stop.is_some()
+    !scene.is_sprung() || !mechanism.is_absent() || mechanism.stop.is_some()
 }
 
 /// A scene's hardware as it is built.
@@ -85,8 +85,7 @@ impl Built {
 
     /// What fails under a demand.
     pub(super) fn failure(&self, scene: &Scene, demand: &Demand) -> Option<Failure> {
-        let max_displacement_m =
-            demand.max_displacement_m.filter(|_| scene.plate.mount == Mount::Sprung)?;
+        let max_displacement_m = demand.max_displacement_m.filter(|_| scene.is_sprung())?;
         if let Some(limit) = exceeded(scene, max_displacement_m).next() {
             return Some(Failure { word: "spring law", words: limit.what });
         }

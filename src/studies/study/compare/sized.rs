@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Scene;
 use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Hardware, is_held};
 use crate::study::compare::solid::thickness_of_limit;
@@ -133,7 +133,7 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     let try_out = |factor: f64| shoot(scaled(scene, factor)).ok_or(Absence::NO_THICKNESS);
     // A plate that its mechanism does not help is as good as a free or a rigid one.
     let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
-        .filter(|_| scene.plate.mount == Mount::Sprung)
+        .filter(|_| scene.is_sprung())
         .map_or(solid, |free_m| free_m / thickness_m);
     let (mut thin, mut thick) = (free * (1.0 - width), solid * (1.0 + width));
     let mut widened = 0;

@@ -2,7 +2,7 @@
 
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{ContactModel, Mount, Scene};
+use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::larger;
 use crate::study::load::{self, spring_energy_j};
 
@@ -49,7 +49,7 @@ pub(super) fn least_peak_n(run: &Run) -> Option<f64> {
 /// Whether the force into the mount has to be looked for in the rows of a run: the listing of Appendix A does not locate it.
 pub(super) fn needs_course(scene: &Scene) -> bool {
     let is_listing = scene.contact.model == ContactModel::Appendix;
-    scene.plate.mount == Mount::Sprung && is_listing && !turn_tells_force(scene)
+    scene.is_sprung() && is_listing && !turn_tells_force(scene)
 }
 
 /// Whether the greatest force into the mount follows from where the plate starts and turns: of a power law, which is odd, without
@@ -64,7 +64,7 @@ pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
 /// The force into the mount of a spring alone, from where the plate starts and turns; `None` where that is not all.
 pub(super) fn force_n(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     let mechanism = Mechanism::of(scene);
-    if scene.is_rigid() || mechanism.is_absent() || !turn_tells_force(scene) {
+    if !scene.is_sprung() || mechanism.is_absent() || !turn_tells_force(scene) {
         return None;
     }
     if load::holds_still(scene, max_displacement_m) {

@@ -252,7 +252,7 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
     let mut state = scheme.start;
     for step in 1..=STEPS_MAX {
         let refused = scheme.step(&mut state);
-        let is_away = state.plate[1].abs() > fastest_m_s && !scene.is_rigid();
+        let is_away = state.plate[1].abs() > fastest_m_s && scene.is_sprung();
         let (outcome, value) = match (refused, scheme.ended(&state)) {
             _ if is_away => return Cell::BlownUp,
             (Err(EndReason::NonFinite), _) => return Cell::BlownUp,

@@ -4,7 +4,7 @@ use crate::model::contact::Geometry;
 use crate::model::contact_kernel::Contact;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::Outcome;
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Scene;
 use crate::model::variables::Group;
 use crate::study::first_contact::{
     FirstContact, TOLERANCE_FRACTION, Wanted, baseline_m, decides, is_through, max_displacement_m,
@@ -56,7 +56,7 @@ impl Kernel {
         let wanted = if self.displacement { Wanted::Displacement } else { Wanted::Contact };
         // The force into the mount, where it is an output, follows from where the plate starts and turns.
         let tells_force = || {
-            let sprung = scene.plate.mount == Mount::Sprung;
+            let sprung = scene.is_sprung();
             !self.force || (sprung && turn_tells_force(scene) && !Mechanism::of(scene).is_absent())
         };
         if !(decides(scene, wanted) && tells_force()) {

@@ -1,7 +1,6 @@
 //! The charts of the Run tab: as many as have room above each other in one box, each with its number in its title.
 
 use crate::model::run::{Outcome, Run, Warning, envelope};
-use crate::model::scene::Mount;
 use crate::report::chart::Below;
 use crate::report::figures::run::{contact_window_s, event_letter, event_marks};
 use crate::report::law::Law;
@@ -126,8 +125,7 @@ fn absence(app: &App, chart: usize) -> Option<String> {
     let quantity = app.pages.run.charts.quantities[chart];
     let of = |run: &Run| {
         if quantity == Channel::PlateDisplacement && is_held(run) {
-            let farthest =
-                run.max_plate_displacement_m.filter(|_| run.scene.plate.mount == Mount::Sprung);
+            let farthest = run.max_plate_displacement_m.filter(|_| run.scene.is_sprung());
             return Some(farthest.map_or_else(
                 || "plate held".to_owned(),
                 |farthest| format!("{}, held", engineering(farthest, "m")),
@@ -322,7 +320,7 @@ fn depth_titles(name: &str, run: &Run) -> Vec<String> {
     let Some(depth) = depth(run) else {
         return vec![format!("{name}: {}", page::outcome(run)), name.to_owned()];
     };
-    let percent = run.percent_of_baseline().filter(|_| run.scene.plate.mount == Mount::Sprung);
+    let percent = run.percent_of_baseline().filter(|_| run.scene.is_sprung());
     let share = |of: &str| percent.map_or_else(String::new, |it| format!(" ({it:.0} %{of})"));
     let plastic = plastic(run).map_or_else(String::new, |it| format!("; plastic: {it}"));
     let colon = if run.outcome == Outcome::Perforated { ":" } else { "" };
