@@ -30,7 +30,7 @@ fn inner([width, secant]: [f64; 2], [width_after, secant_after]: [f64; 2]) -> f6
 
 /// The one-sided three-point formula, kept from overshooting.
 fn end([width, secant]: [f64; 2], [width_next, secant_next]: [f64; 2]) -> f64 {
-    let slope = ((2.0 * width + width_next) * secant - width * secant_next) / (width + width_next);
+    let slope = secant + width * (secant - secant_next) / (width + width_next);
     if slope * secant <= 0.0 {
         0.0
     } else if secant * secant_next <= 0.0 && slope.abs() > 3.0 * secant.abs() {

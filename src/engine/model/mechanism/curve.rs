@@ -22,10 +22,8 @@ pub struct Curve {
     pub(super) pieces: Vec<Piece>,
     /// What each piece's energy lacks: continuous, and zero at the lowest point, J.
     offsets_j: Vec<f64>,
-    /// Knots and zeros of the force, rising: the energy rises or falls all the way between two of them, m.
+    /// Knots, zeros of the force and where it turns, rising: energy and force rise or fall all the way between two of them, m.
     pub(super) stations_m: Vec<f64>,
-    /// Where the force turns, m.
-    pub(super) extremes_m: Vec<f64>,
     /// A length that the law is made of, m.
     pub(super) scale_m: f64,
 }
@@ -38,7 +36,6 @@ impl Curve {
             knots_m: begins[1..].to_vec(),
             offsets_j: vec![0.0; pieces.len()],
             stations_m: Vec::new(),
-            extremes_m: Vec::new(),
             scale_m,
             pieces,
         };
@@ -47,10 +44,10 @@ impl Curve {
             curve.offsets_j[at + 1] = reached - curve.pieces[at + 1].energy(*knot);
         }
         let mut stations = curve.changes(Piece::force);
+        stations.extend(curve.changes(Piece::tangent));
         stations.extend_from_slice(&curve.knots_m);
         stations.sort_by(f64::total_cmp);
         stations.dedup();
-        curve.extremes_m = curve.changes(Piece::tangent);
         let energies = stations.iter().map(|x| curve.energy_in(stretch(&curve.knots_m, *x), *x));
         let lowest = energies.min_by(f64::total_cmp).unwrap_or(0.0);
         for offset in &mut curve.offsets_j {
@@ -113,7 +110,7 @@ impl Curve {
             for i in 0..LOOKS {
                 let (a, b) = (place(i), place(i + 1));
                 let (fa, fb) = (f(piece, a), f(piece, b));
-                if fa == 0.0 && i > 0 {
+                if fa == 0.0 && fb != 0.0 && i > 0 {
                     found.push(a);
                 } else if (fa > 0.0 && fb < 0.0) || (fa < 0.0 && fb > 0.0) {
                     found.push(in_bracket(a, b, |x| f(piece, x)));

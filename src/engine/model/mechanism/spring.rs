@@ -77,11 +77,11 @@ impl Spring {
         }
     }
 
-    /// Its stations and extremes, and a length that it is made of, m.
-    fn marks(&self) -> (&[f64], &[f64], f64) {
+    /// Its stations, and a length that it is made of, m.
+    fn stations_m(&self) -> (&[f64], f64) {
         match self {
-            Self::Power(_) => (&[0.0], &[], SCALE_M),
-            Self::Curve(curve) => (&curve.stations_m, &curve.extremes_m, curve.scale_m),
+            Self::Power(_) => (&[0.0], SCALE_M),
+            Self::Curve(curve) => (&curve.stations_m, curve.scale_m),
         }
     }
 
@@ -150,7 +150,7 @@ impl Spring {
     /// The greatest energy stored between two displacements, J.
     pub fn greatest_energy(&self, from_m: f64, to_m: f64) -> f64 {
         let (low, high) = if from_m < to_m { (from_m, to_m) } else { (to_m, from_m) };
-        let inside = self.marks().0.iter().copied().filter(|x| (low..=high).contains(x));
+        let inside = self.stations_m().0.iter().copied().filter(|x| (low..=high).contains(x));
         inside.chain([low, high]).map(|x| self.energy(x)).fold(0.0, larger)
     }
 
@@ -162,29 +162,28 @@ impl Spring {
             return way * law.at_integral(energy_j);
         }
         let missing = |x: f64| self.energy(x) - energy_j;
-        let stations = self.marks().0.iter();
-        let place = self.first_place(x, way, stations, |missing| missing > 0.0, missing);
+        let place = self.first_place(x, way, |missing| missing > 0.0, missing);
         place.unwrap_or(way * f64::INFINITY)
     }
 
-    /// The first place on the way from x, past those of these marks that lie ahead and on beyond them, where a function that is below zero
-    /// before has risen to zero, as `is_past` says of its value; x itself where it has already.
-    fn first_place<'a>(
+    /// The first place on the way from x, past the stations ahead and on beyond them, where a function that is below zero before has
+    /// risen to zero, as `is_past` says of its value; x itself where it has already.
+    fn first_place(
         &self,
         x: f64,
         way: f64,
-        marks: impl Iterator<Item = &'a f64>,
         is_past: impl Fn(f64) -> bool,
         function: impl Fn(f64) -> f64,
     ) -> Option<f64> {
-        let mut marks: Vec<f64> = marks.copied().filter(|at| way * (at - x) > 0.0).collect();
-        marks.sort_by(|a, b| (way * a).total_cmp(&(way * b)));
-        let last = marks.last().copied().unwrap_or(x);
-        let scale_m = self.marks().2;
+        let (stations_m, scale_m) = self.stations_m();
+        let is_ahead = |at: &f64| way * (at - x) > 0.0;
+        let mut ahead: Vec<f64> = stations_m.iter().copied().filter(is_ahead).collect();
+        ahead.sort_by(|a, b| (way * a).total_cmp(&(way * b)));
+        let last = ahead.last().copied().unwrap_or(x);
         // Steps that double: 1, 3, 7, ... sizes of the law.
         let beyond = (1..=DOUBLINGS).map(|i| last + way * scale_m * (2f64.powi(i) - 1.0));
         let mut from = x;
-        for to in marks.into_iter().chain(beyond) {
+        for to in ahead.into_iter().chain(beyond) {
             if is_past(function(to)) {
                 return Some(if function(from) >= 0.0 {
                     from
@@ -208,14 +207,13 @@ impl Spring {
         if force(x) >= 0.0 {
             return x;
         }
-        let stations = self.marks().0.iter();
-        self.first_place(x, 1.0, stations, |force| force >= 0.0, force).unwrap_or(f64::INFINITY)
+        self.first_place(x, 1.0, |force| force >= 0.0, force).unwrap_or(f64::INFINITY)
     }
 
     /// Which way, 1 or -1, it drives the plate on from x for ever: beyond the end of a table whose force runs away.
     pub fn drives_away(&self, x: f64) -> Option<f64> {
         let outward = -sign(self.force(x));
-        let ahead = self.marks().0.iter().any(|station| outward * (station - x) > 0.0);
+        let ahead = self.stations_m().0.iter().any(|station| outward * (station - x) > 0.0);
         let for_ever =
             outward != 0.0 && !ahead && self.reach(x, self.energy(x), outward).is_infinite();
         for_ever.then_some(outward)
@@ -227,10 +225,7 @@ impl Spring {
             return law.at_force(force_n);
         }
         let missing = |x: f64| self.force(x) - force_n.abs();
-        let (stations_m, extremes_m, _) = self.marks();
-        let marks = stations_m.iter().chain(extremes_m);
-        let place = self.first_place(0.0, 1.0, marks, |missing| missing >= 0.0, missing);
-        place.unwrap_or(f64::INFINITY)
+        self.first_place(0.0, 1.0, |missing| missing >= 0.0, missing).unwrap_or(f64::INFINITY)
     }
 
     /// The least and the greatest of zero and the forces between two displacements, N; infinite where it runs away on the way to an infinite one.
@@ -238,8 +233,7 @@ impl Spring {
         if let Self::Power(law) = self {
             return (smaller(law.force(low_m), 0.0), larger(law.force(high_m), 0.0));
         }
-        let (stations_m, extremes_m, _) = self.marks();
-        let inside = stations_m.iter().chain(extremes_m).filter(|x| (low_m..=high_m).contains(*x));
+        let inside = self.stations_m().0.iter().filter(|x| (low_m..=high_m).contains(*x));
         let ends = [low_m, high_m].map(|x| self.force_towards(x)).into_iter();
         ends.chain(inside.map(|x| self.force(*x)))
             .fold((0.0, 0.0), |(least, most), it| (smaller(it, least), larger(it, most)))
@@ -255,7 +249,7 @@ impl Spring {
         if x.is_finite() {
             return self.force(x);
         }
-        let (stations_m, _, scale_m) = self.marks();
+        let (stations_m, scale_m) = self.stations_m();
         let edge = if x > 0.0 { stations_m.last() } else { stations_m.first() };
         let far = edge.copied().unwrap_or(0.0) + sign(x) * scale_m;
         let tangent = self.tangent(far);
