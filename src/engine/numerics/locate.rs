@@ -1,6 +1,8 @@
 //! The first event on a step: a gap that is above zero and falls through it.
 
+use crate::numerics::maximum;
 use crate::numerics::root::in_bracket;
+use crate::numerics::smaller;
 
 /// Parts of a step at whose ends the gaps are looked at.
 pub(crate) const CELLS: usize = 16;
@@ -37,10 +39,11 @@ pub(crate) fn first_fall(gaps: &[[f64; CELLS + 1]], gap: impl Fn(f64, usize) -> 
                     return Found::Unresolved(which);
                 }
                 continue;
-            } else if let Some(bottom) = bottom(from, [gaps[cell - 2], b, c])
+            } else if is_deep([gaps[cell - 2], b, c])
+                && let bottom = maximum::in_bracket(before, to, &|part| -gap(part, which))
                 && gap(bottom, which) < 0.0
             {
-                fall(if bottom < from { before } else { from }, bottom, which)
+                fall(before, bottom, which)
             } else {
                 continue;
             };
@@ -55,15 +58,12 @@ pub(crate) fn first_fall(gaps: &[[f64; CELLS + 1]], gap: impl Fn(f64, usize) -> 
     Found::Nothing
 }
 
-/// Where the parabola through three gaps above zero, the middle one at `middle`, has its bottom, if that is deep.
-fn bottom(middle: f64, [a, b, c]: [f64; 3]) -> Option<f64> {
+/// Whether the parabola through three gaps above zero has a deep bottom between the outer ones.
+fn is_deep([a, b, c]: [f64; 3]) -> bool {
     let (bend, slope) = (a - 2.0 * b + c, 0.5 * (c - a));
+    let (least, lowest) = (smaller(smaller(a, b), c), b - 0.5 * slope * slope / bend);
     // A gap that begins at zero has risen by the first look.
-    if !(a > b && b > 0.0 && c > b) {
-        return None;
-    }
-    let lowest = b - 0.5 * slope * slope / bend;
-    (lowest < DEEP * b || b < DEEP * a.min(c)).then(|| middle - slope / bend / CELLS as f64)
+    least > 0.0 && slope.abs() < bend && (lowest < DEEP * least || b < DEEP * smaller(a, c))
 }
 
 #[cfg(test)]
@@ -102,9 +102,13 @@ mod tests {
 
     #[test]
     fn a_dip_between_two_looks_is_found() {
-        // 0.53 is between 8/16 and 9/16.
-        assert!(is_at(of(|t| (t - 0.53).powi(2) - 1e-6), 0.529));
-        assert_eq!(of(|t| (t - 0.53).powi(2) + 1e-6), Found::Nothing);
+        // 0.53 is between 8/16 and 9/16, 0.03 before 1/16, 0.97 beyond 15/16.
+        for dip in [0.03, 0.53, 0.97] {
+            assert!(is_at(of(|t| (t - dip).powi(2) - 1e-6), dip - 1e-3), "{dip}");
+            assert_eq!(of(|t| (t - dip).powi(2) + 1e-6), Found::Nothing);
+        }
+        // The parabola's bottom is beside that of a gap that bends more on one side.
+        assert!(matches!(of(|t| (t - 0.53).powi(2) * (1.0 + 9.0 * t) - 1e-9), Found::Fall(0, _)));
     }
 
     #[test]
