@@ -195,11 +195,12 @@ impl Equations<'_> {
         let by_spring = self.next_zero(state).filter(|(_, counts)| *counts);
         let mut least_s = by_spring.map_or(f64::INFINITY, |(way_s, _)| way_s);
         if !damper.is_smooth_at_zero() && state.w_m_s.abs() > self.creep_m_s() {
-            let w_m_s = state.w_m_s;
-            let way_s = -w_m_s / self.accelerations(state).1;
+            let (w_m_s, acceleration) = (state.w_m_s, self.accelerations(state).1);
+            let way_s = -w_m_s / acceleration;
             let counts = damper.force(w_m_s).abs() * way_s
                 > HELD * self.moving_kg() * self.setup.velocity_m_s;
-            if way_s > 0.0 && counts {
+            // Of forces that hold each other only rounding is left.
+            if way_s > 0.0 && counts && acceleration.abs() > self.rounding(state).1 {
                 least_s = smaller(least_s, way_s);
             }
         }
