@@ -129,9 +129,7 @@ worded! {
         #[default]
         Moving = "moving",
     }
-}
 
-worded! {
     /// Why the computation ended.
     #[derive(Default)]
     pub enum EndReason: words {
@@ -364,11 +362,9 @@ pub struct Cost {
 impl Run {
     /// Final penetration over the rigid mount's, in percent; `None` where either does not exist or the plate is perforated.
     pub fn percent_of_baseline(&self) -> Option<f64> {
-        if self.outcome == Outcome::Perforated {
-            return None;
-        }
         // The quotient first: what is equal is 100 %.
-        Some(100.0 * (self.final_penetration_m? / self.baseline_penetration_m?))
+        let percent = 100.0 * (self.final_penetration_m? / self.baseline_penetration_m?);
+        (self.outcome != Outcome::Perforated).then_some(percent)
     }
 
     /// The outcome of the whole shot by the scene's criterion: into a stack, that in the last plate struck. What protrudes from one

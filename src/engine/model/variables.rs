@@ -283,10 +283,7 @@ impl Variable {
 
     /// The words of a choice, in order; none for a number or a switch.
     pub fn words(&self) -> &'static [&'static str] {
-        match &self.kind {
-            Kind::Choice { words, .. } => words,
-            Kind::Number(_) | Kind::Switch { .. } => &[],
-        }
+        if let Kind::Choice { words, .. } = self.kind { words } else { &[] }
     }
 
     /// The stored unit's name; empty for pure numbers and words.
@@ -400,12 +397,9 @@ pub fn range_warnings(scene: &Scene) -> Vec<String> {
     let is_of_thesis = ["m_p", "R", "rho", "S_y", "closure", "face", "m_2"]
         .iter()
         .all(|name| find(name).is_ok_and(|variable| variable.show(scene) == variable.show(&usual)));
-    if !is_of_thesis {
-        return Vec::new();
-    }
     VARIABLES
         .iter()
-        .filter(|variable| is_used(variable, scene))
+        .filter(|variable| is_of_thesis && is_used(variable, scene))
         .filter_map(|variable| variable.range_warning(scene))
         .collect()
 }

@@ -9,7 +9,7 @@ use crate::model::contact_models::Law;
 use crate::model::impact::modes::{Contact, Hold, Mode};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
-use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
+use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind, Stop, StopKind};
 use crate::numerics::step::Slopes;
 use crate::numerics::{larger, smaller};
 
@@ -94,13 +94,12 @@ impl Setup {
         let closing_m_s = scene.closing_velocity_m_s();
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = moving_plate_kg(scene);
-        let absorber = scene.mechanism.spring.law().absorber();
-        let absorber = absorber.filter(|_| scene.is_sprung());
+        let absorbs = scene.is_sprung() && scene.mechanism.spring.kind == SpringKind::Crush;
         Self {
             law,
             geometry,
             spring: mechanism.spring,
-            absorber: absorber.map(|_| Box::new(scene.mechanism.clone())),
+            absorber: absorbs.then(|| Box::new(scene.mechanism.clone())),
             damper: mechanism.damper,
             stop: mechanism.stop,
             stop_at_m: mechanism.stop.and_then(|stop| stop.position_m).unwrap_or(f64::INFINITY),
@@ -136,7 +135,7 @@ impl Setup {
     /// The spring and how far its absorber is crushed, m, where a plate does not go on from x, and has crushed it farther than before.
     pub(super) fn crushed_at(&self, x_m: f64, before_m: f64) -> Option<(Spring, f64)> {
         let mechanism = self.absorber.as_ref()?;
-        let crushed_m = mechanism.spring.law().absorber()?.crushed_by(x_m, before_m)?;
+        let crushed_m = mechanism.spring.crush.crushed_by(x_m, before_m)?;
         Some((Spring::of(mechanism, crushed_m), crushed_m))
     }
 

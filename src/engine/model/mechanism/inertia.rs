@@ -67,7 +67,6 @@ impl Inertia {
 }
 
 /// The mass that answers when the plate is pushed: `m_2` and what its mechanism adds, kg.
-#[inline]
 pub fn moving_plate_kg(scene: &Scene) -> f64 {
     scene.plate_mass_kg() + Inertia::of(scene).added_kg
 }

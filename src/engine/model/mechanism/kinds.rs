@@ -166,11 +166,6 @@ pub(in crate::model) trait Law {
     fn yields_at_m(&self, _: &Spring) -> Option<f64> {
         None
     }
-
-    /// The parameters of a kind that keeps how far it was crushed.
-    fn absorber(&self) -> Option<&crush::Crush> {
-        None
-    }
 }
 
 impl Spring {

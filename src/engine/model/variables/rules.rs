@@ -59,15 +59,13 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
 /// The two closures for the flow strength each contain the bulge in their own way: never both.
 fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target_in_effect();
-    if closure != Closure::Cavity {
-        return Ok(());
-    }
-    require(!dishing, || {
+    let is_cavity = closure == Closure::Cavity;
+    require(!(is_cavity && dishing), || {
         "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
          material that holds it back: set dishing = off, or closure = double-yield"
             .to_owned()
     })?;
-    require(modulus_pa > yield_pa, || {
+    require(!is_cavity || modulus_pa > yield_pa, || {
         format!(
             "E (target.modulus_pa) = {} Pa is not greater than Y (target.yield_pa) = {} Pa: cavity expansion needs an elastic \
              body; for steel E is about 2e11 Pa, for aluminium 7e10 Pa",

@@ -75,8 +75,4 @@ impl Law for Crush {
     fn mass_kg(&self, spring: &Spring, energy_j_kg: Option<f64>) -> Option<f64> {
         Some(spring.count * self.force_n * self.stroke_m / energy_j_kg?)
     }
-
-    fn absorber(&self) -> Option<&Crush> {
-        Some(self)
-    }
 }

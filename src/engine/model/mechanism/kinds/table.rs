@@ -97,10 +97,9 @@ impl Law for Table {
     }
 
     fn limits(&self, _: &Spring, side: f64) -> Vec<(f64, &'static str)> {
-        let ends = self.points.first().zip(self.points.last());
-        let Some(([first, _], [last, _])) = ends else { return Vec::new() };
-        let behind = if self.is_odd() { -last } else { *first };
-        let limit_m = if side > 0.0 { *last } else { behind };
+        let (first, last) = (self.points[0][0], self.points[self.points.len() - 1][0]);
+        let behind = if self.is_odd() { -last } else { first };
+        let limit_m = if side > 0.0 { last } else { behind };
         vec![(limit_m, "the table ends; the force goes on straight")]
     }
 }
