@@ -124,9 +124,7 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
 /// Whether a scene uses a variable once it has a value.
 fn acts(variable: &Variable, scene: &Scene) -> bool {
     let mut scene = scene.clone();
-    if let Some(number) = variable.number()
-        && variable.value(&scene) == Value::Absent
-    {
+    if let (Some(number), Value::Absent) = (variable.number(), variable.value(&scene)) {
         (number.set)(&mut scene, Some(1.0));
     }
     is_used(variable, &scene) && is_listed(variable, &scene)

@@ -85,13 +85,8 @@ impl Law for Beam {
         let pivots = if spring.kind == SpringKind::FixedGuided { PIVOTS } else { 1.0 };
         let link = self.link(spring.count * pivots * pivots);
         let limit = self.limit_m();
-        let beyond = |x: f64| Piece::line(x, link.force(x), link.tangent(x));
-        let laws = vec![
-            (f64::NEG_INFINITY, beyond(-limit)),
-            (-limit, link.clone()),
-            (limit, beyond(limit)),
-        ];
-        Curve::new(laws, limit)
+        let beyond = Piece::line(limit, link.force(limit), link.tangent(limit));
+        Curve::odd(&[(0.0, link), (limit, beyond)], limit)
     }
 
     fn limits(&self, spring: &Spring, side: f64) -> Vec<(f64, &'static str)> {

@@ -28,9 +28,8 @@ impl Law for Bistable {
         let factor = spring.count * self.barrier_n / (top * (top - u) * (top - s));
         let c = [0.0, factor * u * s, -factor * sum, factor];
         // One cubic all over; its zeros are knots, between which the energy only rises or only falls.
-        let begins = vec![f64::NEG_INFINITY, 0.0, u, s];
-        let piece = Piece::Cubic { from_m: 0.0, c };
-        Curve::new(begins.into_iter().map(|from_m| (from_m, piece.clone())).collect(), s)
+        let law = |from_m: f64| (from_m, Piece::Cubic { from_m: 0.0, c });
+        Curve::new([f64::NEG_INFINITY, 0.0, u, s].map(law).to_vec(), s)
     }
 
     fn check(&self) -> Result<(), VariableError> {
