@@ -90,12 +90,8 @@ impl Piece {
 
     /// -F(-x), of a cubic; any other piece is odd.
     pub(super) fn mirrored(&self) -> Self {
-        match self {
-            Self::Cubic { from_m, c } => {
-                Self::Cubic { from_m: -from_m, c: [-c[0], c[1], -c[2], c[3]] }
-            }
-            _ => self.clone(),
-        }
+        let Self::Cubic { from_m, c } = self else { return self.clone() };
+        Self::Cubic { from_m: -from_m, c: [-c[0], c[1], -c[2], c[3]] }
     }
 
     /// Whether it is infinitely steep at zero.

@@ -62,10 +62,7 @@ impl Spring {
 
     /// The power law, where it is one.
     pub fn power(&self) -> Option<PowerLaw> {
-        match self {
-            Self::Power(law) => Some(*law),
-            Self::Curve(_) => None,
-        }
+        if let Self::Power(law) = self { Some(*law) } else { None }
     }
 
     /// The ends of its analytic stretches, rising, m: of a power law zero, or none where it goes smoothly through that.
@@ -162,19 +159,18 @@ impl Spring {
             return way * law.at_integral(energy_j);
         }
         let missing = |x: f64| self.energy(x) - energy_j;
-        let place = self.first_place(x, way, |missing| missing > 0.0, missing);
-        place.unwrap_or(way * f64::INFINITY)
+        self.first_place(x, way, |missing| missing > 0.0, missing)
     }
 
     /// The first place on the way from x, past the stations ahead and on beyond them, where a function that is below zero before has
-    /// risen to zero, as `is_past` says of its value; x itself where it has already.
+    /// risen to zero, as `is_past` says of its value; x itself where it has already, infinite where it never does.
     fn first_place(
         &self,
         x: f64,
         way: f64,
         is_past: impl Fn(f64) -> bool,
         function: impl Fn(f64) -> f64,
-    ) -> Option<f64> {
+    ) -> f64 {
         let (stations_m, scale_m) = self.stations_m();
         let is_ahead = |at: &f64| way * (at - x) > 0.0;
         let mut ahead: Vec<f64> = stations_m.iter().copied().filter(is_ahead).collect();
@@ -185,7 +181,7 @@ impl Spring {
         let mut from = x;
         for to in ahead.into_iter().chain(beyond) {
             if is_past(function(to)) {
-                return Some(if function(from) >= 0.0 {
+                return if function(from) >= 0.0 {
                     from
                 } else if from == 0.0 && self.is_steep_at_zero() {
                     // What a steep law does next to its zero is spread over the logarithm of the place.
@@ -193,11 +189,11 @@ impl Spring {
                     way * in_bracket(f64::MIN_POSITIVE.ln(), (way * to).ln(), log).exp()
                 } else {
                     in_bracket(from, to, function)
-                });
+                };
             }
             from = to;
         }
-        None
+        way * f64::INFINITY
     }
 
     /// Where, ahead of x, nothing drives a plate forward any more that is driven so at x; x itself otherwise, infinite where nothing
@@ -207,7 +203,7 @@ impl Spring {
         if force(x) >= 0.0 {
             return x;
         }
-        self.first_place(x, 1.0, |force| force >= 0.0, force).unwrap_or(f64::INFINITY)
+        self.first_place(x, 1.0, |force| force >= 0.0, force)
     }
 
     /// Which way, 1 or -1, it drives the plate on from x for ever: beyond the end of a table whose force runs away.
@@ -225,7 +221,7 @@ impl Spring {
             return law.at_force(force_n);
         }
         let missing = |x: f64| self.force(x) - force_n.abs();
-        self.first_place(0.0, 1.0, |missing| missing >= 0.0, missing).unwrap_or(f64::INFINITY)
+        self.first_place(0.0, 1.0, |missing| missing >= 0.0, missing)
     }
 
     /// The least and the greatest of zero and the forces between two displacements, N; infinite where it runs away on the way to an infinite one.

@@ -64,7 +64,6 @@ impl Law for Table {
         let points = &self.points;
         let count = points.len();
         let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
-        let does_not_rise = |pair: &[[f64; 2]]| pair[1][0] <= pair[0][0];
         let wrong = if !(2..=POINTS_MAX).contains(&count) {
             format!(
                 " has {count} points: it must have 2 to {POINTS_MAX}; write points = [[x, F], ...] in m and N, or file = \
@@ -75,7 +74,7 @@ impl Law for Table {
                 ": point {} is not finite: every x (m) and F (N) must be a number; remove the point",
                 at + 1
             )
-        } else if let Some(at) = points.windows(2).position(does_not_rise) {
+        } else if let Some(at) = points.windows(2).position(|pair| pair[1][0] <= pair[0][0]) {
             format!(
                 ": x = {} m of point {} does not exceed x = {} m of the point before it: a table must rise in x; sort the points \
                  and leave only one at each x",
