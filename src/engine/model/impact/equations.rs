@@ -364,9 +364,10 @@ impl Equations<'_> {
             (self.mechanism_slopes(state.x_m, state.w_m_s), 1.0 / self.moving_kg())
         };
         let slip = 1.0 / setup.projectile_kg + setup.cos * setup.cos * plate;
+        let slip_by_plate = if self.mode.contact == Contact::Fused { 0.0 } else { setup.cos };
         let rows = |contact: f64, mechanism: f64| {
             [
-                [-contact * slip, mechanism * setup.cos * plate],
+                [-contact * slip, mechanism * slip_by_plate * plate],
                 [contact * setup.cos * plate, -mechanism * plate],
             ]
         };
