@@ -443,3 +443,51 @@ impl Equations<'_> {
         KNOWN * (spring_n + by_place_n + others_n)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::impact::tests::{is_near, look};
+
+    #[test]
+    fn valid_slopes_are_differences_of_accelerations() {
+        for (pairs, contact, [q, u, x, w]) in [
+            ("k=1e6 n=0.5 b=50 m=2 gamma=3", Contact::Penetrating, [4e-3, 80.0, -1e-3, -9.0]),
+            ("k=1e5 theta=30deg", Contact::Withdrawing, [8e-3, -80.0, 1e-3, 9.0]),
+            ("k=1e5 model=lumped b_2=100", Contact::Withdrawing, [5e-3, -80.0, 1e-3, 9.0]),
+            ("k=1e5 b=50 m=1.5 theta=20deg", Contact::Fused, [5e-3, 0.0, 1e-3, 9.0]),
+            ("x_stop=1mm stop_kind=elastic b_stop=90", Contact::Perforated, [0.1, 50.0, 2e-3, 9.0]),
+            ("mount=rigid", Contact::Penetrating, [4e-3, 80.0, 0.0, 0.0]),
+        ] {
+            let at = |way: f64| {
+                let state = [q + way * 1e-7, u + way * 1e-2, x + way * 1e-7, w + way * 1e-2];
+                look(pairs, contact, state, |it, at| (it.accelerations(at), it.slopes(at)))
+            };
+            let [(ahead, _), (behind, _), (_, slopes)] = [1.0, -1.0, 0.0].map(at);
+            for (row, rise) in [ahead.0 - behind.0, ahead.1 - behind.1].into_iter().enumerate() {
+                let ([by_q, by_x], [by_u, by_w]) = (slopes.place[row], slopes.speed[row]);
+                let expected = 2e-7 * (by_q + by_x) + 2e-2 * (by_u + by_w);
+                assert!(is_near(rise, expected, 1e-6), "{pairs} {row}: {rise} {expected}");
+            }
+        }
+    }
+
+    /// In a hole p deep and A = pi p (2 R - p) wide: g A `S_y` above its bottom, as slowly or fast as the projectile slips.
+    #[test]
+    fn valid_friction_in_the_hole_is_the_grips_part_of_the_strength() {
+        let strength_n = std::f64::consts::PI * 2e-3 * (0.0127 - 2e-3) * 1.52e8;
+        for (contact, grip) in [(Contact::Closing, 0.1), (Contact::Withdrawing, -0.1)] {
+            let state = [3e-3, 80.0, 0.0, 0.0];
+            let part = look("k=1e5", contact, state, |it, at| it.contact_n(at) / strength_n);
+            assert!(is_near(part, grip, 1e-13), "{contact:?}: {part}");
+        }
+    }
+
+    /// At 60 degrees 200 N of the spring turn back 59 g and a quarter of the projectile's 29.5 g.
+    #[test]
+    fn valid_the_joined_interface_carries_what_turns_the_projectile_back() {
+        let (pairs, state) = ("gamma=2 k=1e5 theta=60deg", [4e-3, 0.0, 2e-3, 2.0]);
+        let part = look(pairs, Contact::Fused, state, |it, at| it.carried_n(at) / 200.0);
+        assert!(is_near(part, 0.5 * 29.5 / (59.0 + 29.5 / 4.0), 1e-13), "{part}");
+    }
+}

@@ -207,3 +207,32 @@ impl Equations<'_> {
         APPROACH * least_s
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::impact::modes::Contact;
+    use crate::model::impact::tests::{is_near, look};
+
+    /// `F = 2 pi R (2/3) (S_y + C_d rho v²/2) v t` at first. Alone it has moved the plate by `F t²/(6 m_2)`, 100 x, when it is k x^n.
+    #[test]
+    fn valid_a_steep_spring_holds_until_the_plate_follows_its_balance() {
+        let held = |it: &Equations<'_>, _: &State| it.holds_at_first();
+        let held_m = look("gamma=1 k=3e5 n=0.3", Contact::Penetrating, [0.0; 4], held).unwrap();
+        let rate_n_s = std::f64::consts::PI * 0.0127 / 1.5 * (1.52e8 + 6.775e6) * 100.0;
+        let t_s = 3e5 * held_m.powf(0.3) / rate_n_s;
+        assert!(is_near(rate_n_s * t_s.powi(3) / (6.0 * 0.0295), 100.0 * held_m, 1e-9));
+        assert_eq!(look("gamma=1 k=1e5 n=0.3", Contact::Penetrating, [0.0; 4], held), None);
+    }
+
+    /// k x^n = F, now and 1 ns later, when F has slowed the projectile.
+    #[test]
+    fn valid_a_plate_that_is_let_go_is_where_its_spring_balances_the_contact() {
+        let found = |it: &Equations<'_>, at: &State| (it.contact_n(at), it.balanced(at));
+        let at = |q, u| look("k=1e6 n=0.2", Contact::Penetrating, [q, u, 0.0, 0.0], found);
+        let (now_n, (x_m, w_m_s)) = at(3e-3, 80.0);
+        let (later_n, _) = at(3e-3 + 80.0 * 1e-9, 80.0 - now_n / 0.0295 * 1e-9);
+        assert!(is_near(1e6 * x_m.powf(0.2), now_n, 1e-13));
+        assert!(is_near(1e6 * (x_m + w_m_s * 1e-9).powf(0.2), later_n, 1e-9));
+    }
+}

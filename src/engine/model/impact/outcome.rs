@@ -321,20 +321,8 @@ mod tests {
     use super::*;
     use crate::model::impact::equations::Setup;
     use crate::model::impact::modes::{Mode, first};
+    use crate::model::impact::tests::look;
     use crate::model::variables::scene_with;
-
-    /// Looks at a state (q, u, x, w) in a hole of 5 mm of travel.
-    fn look<T>(
-        pairs: &str,
-        contact: Contact,
-        [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
-        look: impl Fn(&Equations<'_>, &State) -> T,
-    ) -> T {
-        let setup = Setup::of(&scene_with(pairs), 1e-12);
-        let mode = Mode { contact, deepest_m: 5e-3, ..first(&setup).0 };
-        let state = State { t_s: 0.0, q_m, u_m_s, x_m, w_m_s };
-        look(&Equations { setup: &setup, mode: &mode }, &state)
-    }
 
     /// Both bodies weigh 29.5 g, the interface carries half of the spring's force, 15 kN forwards and 1.5 kN backwards.
     #[rustfmt::skip]

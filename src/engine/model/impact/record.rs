@@ -436,3 +436,28 @@ fn sample(equations: &Equations<'_>, state: &State) -> Sample {
         },
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::impact::tests::{is_near, look};
+
+    /// In a step of a second. Half of k x goes through an interface that bears pi p (2 R - p) `S_y` pushed, and a tenth of it pulled.
+    #[test]
+    fn valid_an_excess_is_noted_where_the_force_exceeds_the_strength() {
+        let strength_n = std::f64::consts::PI / 300.0 * (0.0127 - 0.01 / 3.0) * 1.52e8;
+        for (way, (far_m, holds)) in [(4e-3, 1.0), (-4e-3, 0.1)].into_iter().enumerate() {
+            let at = |s: f64| State { t_s: s, q_m: 5e-3, x_m: far_m * s, ..State::default() };
+            let record = look("gamma=1 k=1e7", Contact::Fused, [0.0; 4], |equations, _| {
+                let mut record = Record::default();
+                record.step(equations, &Path::of(&at));
+                record
+            });
+            let t_s = record.loads.exceeded_s[way].unwrap();
+            assert!(is_near(t_s, holds * strength_n / (5e6 * 4e-3), 1e-9));
+            assert_eq!(record.events, [Event { t_s, kind: EventKind::InterfaceExceeded }]);
+            assert!(is_near(record.loads.ratios.unwrap()[way], 5e6 * 4e-3 / strength_n, 1e-13));
+            assert!(is_near(record.loads.mount_n, 1e7 * 4e-3, 1e-13));
+        }
+    }
+}

@@ -388,3 +388,31 @@ pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
         ..Run::default()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::impact::tests::{is_near, look};
+    use crate::model::variables::scene_with;
+
+    /// A hole of 1.5 pi (R p² - p³/3) in `S_y` is 4 mm deep, and two bodies of 29.5 g and their spring have 42.825 J left.
+    #[test]
+    fn valid_an_undecided_run_gives_bounds() {
+        let scene = &Arc::new(scene_with("gamma=1 k=1e5 g=0.125"));
+        let state = [6e-3, 30.0, 1e-3, 20.0];
+        let run = look("gamma=1 k=1e5 g=0.125", Contact::Penetrating, state, |it, &state| {
+            let mut record = Record { farthest_m: 2e-3, ..Record::default() };
+            record.loads.ratios = Some([0.5, 0.25]);
+            let (setup, mode) = (it.setup, it.mode.clone());
+            let course =
+                Course { scene, setup, mode, state, record, decided: None, horizon_s: 1.0 };
+            gather(course, EndReason::StepBudget)
+        });
+        let energy_j = |p: f64| 1.5 * std::f64::consts::PI * (0.00635 - p / 3.0) * p * p * 1.52e8;
+        let more_j = energy_j(run.penetration_at_most_m.unwrap()) - energy_j(4e-3);
+        assert!(is_near(more_j, 42.825, 1e-12), "{more_j}");
+        assert!(is_near(run.at_least.penetration_m.unwrap(), 4e-3, 1e-14));
+        assert_eq!(run.at_least.plate_displacement_m, Some(2e-3));
+        assert!(run.warnings.contains(&Warning::InterfaceRebound { ratio: 2.0 }));
+    }
+}

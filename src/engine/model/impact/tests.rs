@@ -1,8 +1,11 @@
-//! Whole runs against values from other methods: stored digits, closed forms, the interface law's reference.
+//! Whole runs against values from other methods: stored digits, closed forms, the interface law's reference. `look` serves the tests of
+//! the files as well.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use super::equations::{Equations, Setup, State};
+use super::modes::{Contact, Mode, first};
 use super::stepping::{Stepping, run_by};
 use crate::model::run::{CONTACT_WINDOW, EndReason, Outcome, Run, Sample, Settings};
 use crate::model::scene::Scene;
@@ -20,7 +23,27 @@ fn shot(pairs: &str) -> Run {
     found
 }
 
-fn is_near(value: f64, exact: f64, part: f64) -> bool {
+/// Looks at a state (q, u, x, w) after 0.1 ms, in a hole of 5 mm of travel.
+pub(super) fn look<T>(
+    pairs: &str,
+    contact: Contact,
+    [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
+    look: impl Fn(&Equations<'_>, &State) -> T,
+) -> T {
+    let setup = Setup::of(&scene_with(pairs), 1e-12);
+    let mode = Mode {
+        contact,
+        deepest_m: 5e-3,
+        piece: setup.geometry.piece(q_m),
+        is_pressed: x_m > setup.stop_at_m,
+        w_side: 1f64.copysign(w_m_s),
+        ..first(&setup).0
+    };
+    let state = State { t_s: 1e-4, q_m, u_m_s, x_m, w_m_s };
+    look(&Equations { setup: &setup, mode: &mode }, &state)
+}
+
+pub(super) fn is_near(value: f64, exact: f64, part: f64) -> bool {
     (value - exact).abs() <= part * exact.abs()
 }
 
