@@ -139,24 +139,21 @@ impl Equations<'_> {
         self.setup.damper.creep_m_s(self.setup.velocity_m_s)
     }
 
+    /// Slope of the damper's law at a velocity at which it is taken as linear, N s/m.
+    fn creep_slope_n_s_m(&self, w_m_s: f64) -> Option<f64> {
+        let creep_m_s = self.creep_m_s();
+        (w_m_s.abs() < creep_m_s).then(|| self.setup.damper.force(creep_m_s) / creep_m_s)
+    }
+
     /// Force of the damper, N.
     pub(super) fn damper_n(&self, w_m_s: f64) -> f64 {
-        let (damper, creep_m_s) = (self.setup.damper, self.creep_m_s());
-        if w_m_s.abs() < creep_m_s {
-            damper.force(creep_m_s) * (w_m_s / creep_m_s)
-        } else {
-            damper.force_on(self.mode.w_side, w_m_s)
-        }
+        let force_n = || self.setup.damper.force_on(self.mode.w_side, w_m_s);
+        self.creep_slope_n_s_m(w_m_s).map_or_else(force_n, |slope_n_s_m| slope_n_s_m * w_m_s)
     }
 
     /// Its derivative at a velocity other than zero, N s/m.
     pub(super) fn damper_slope_n_s_m(&self, w_m_s: f64) -> f64 {
-        let (damper, creep_m_s) = (self.setup.damper, self.creep_m_s());
-        if w_m_s.abs() < creep_m_s {
-            damper.force(creep_m_s) / creep_m_s
-        } else {
-            damper.tangent(w_m_s)
-        }
+        self.creep_slope_n_s_m(w_m_s).unwrap_or_else(|| self.setup.damper.tangent(w_m_s))
     }
 
     /// Whether the plate creeps, by nothing that counts, against a steep damper that holds whatever drives it outside the contact.

@@ -82,34 +82,21 @@ impl Equations<'_> {
         state.w_m_s <= 0.0 && self.mode.elastic.is_slack(f64::NEG_INFINITY, x_m)
     }
 
-    /// Most force forwards on the joined interface with this energy, N.
-    pub(super) fn push_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
-        if self.leaves(state) {
-            return 0.0;
-        }
+    /// Most force forwards and backwards on the joined interface with this energy, N.
+    pub(super) fn loads_at_most_n(&self, state: &State, energy_j: f64) -> [f64; 2] {
         let Equations { setup, mode } = self;
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
+        let back_m = mode.elastic.reach(self.displacement_m(state.x_m), energy_j, -1.0);
         let reach_m = self.reach_m(state, energy_j);
-        let x_m = self.displacement_m(state.x_m);
-        let elastic_n =
-            mode.elastic.forces_between(mode.elastic.reach(x_m, energy_j, -1.0), reach_m).1;
+        let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
         let stop = setup.stop.filter(|stop| stop.kind == StopKind::Elastic);
         let stop = stop.filter(|_| reach_m > setup.stop_at_m);
-        let damping_n = stop.map_or(0.0, |stop| stop.damping_n_s_m * speed);
-        setup.interface_fraction() * (elastic_n + damping_n + setup.damper.force(speed))
-    }
-
-    /// Most force backwards on it, N.
-    pub(super) fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
-        let Equations { setup, mode } = self;
-        if mode.spring.is_absent() && state.w_m_s >= 0.0 && setup.stop.is_none() {
-            return 0.0;
-        }
-        let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
-        let x_m = self.displacement_m(state.x_m);
-        let [back_m, reach_m] = [-1.0, 1.0].map(|way| mode.elastic.reach(x_m, energy_j, way));
-        let elastic_n = -mode.elastic.forces_between(back_m, reach_m).0;
-        setup.interface_fraction() * (elastic_n + setup.damper.force(speed))
+        let stop_n = stop.map_or(0.0, |stop| stop.damping_n_s_m * speed);
+        let damper_n = setup.damper.force(speed);
+        let goes_on = mode.spring.is_absent() && setup.stop.is_none() && state.w_m_s >= 0.0;
+        let push_n = if self.leaves(state) { 0.0 } else { most_n + stop_n + damper_n };
+        let pull_n = if goes_on { 0.0 } else { damper_n - least_n };
+        [push_n, pull_n].map(|load_n| setup.interface_fraction() * load_n)
     }
 
     /// Whether spring and elastic stop drive the plate on for ever, and which way, where no rigid stop is in it.
@@ -168,26 +155,23 @@ impl Equations<'_> {
             }
         }
         let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
-        let carries = |energy_j: f64, push_n: f64, pull_n: f64| {
-            self.push_at_most_n(state, energy_j) <= push_n
-                && self.pull_at_most_n(state, energy_j) <= pull_n
-        };
-        if carries(energy_j, push_n, pull_n) {
+        let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
+        if pushed_n <= push_n && pulled_n <= pull_n {
             return true;
         }
         // To and fro within the hole: each slip begins with more energy than the oscillation that the friction just holds, so that
         // the paths of all but the last add up to what the friction takes above that at most. Where they come to the bottom they
         // have no more than the work of the excess of the load over the friction on their way, and deepen the hole by that.
         let (q_m, geometry) = (state.q_m, &setup.geometry);
-        let load_n =
-            larger(self.push_at_most_n(state, energy_j), self.pull_at_most_n(state, energy_j));
-        let may_deepen_m = NEGLIGIBLE * mode.deepest_m * strength_n / (load_n - pull_n);
+        let excess_n = larger(pushed_n, pulled_n) - pull_n;
+        let may_deepen_m = NEGLIGIBLE * mode.deepest_m * strength_n / excess_n;
         let way_m = smaller(q_m, larger(mode.deepest_m - q_m, may_deepen_m));
         let area = smaller(geometry.area_m2(q_m - way_m), geometry.area_m2(q_m + way_m));
         let friction_n = smaller(setup.grip, 1.0) * setup.strength_pa * area;
         let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
         let is_off_stop = !self.meets_rigid_stop(state, energy_j);
-        way_m > 0.0 && is_off_stop && carries(larger(left_j, 0.0), friction_n, friction_n)
+        let [pushed_n, pulled_n] = self.loads_at_most_n(state, larger(left_j, 0.0));
+        way_m > 0.0 && is_off_stop && larger(pushed_n, pulled_n) <= friction_n
     }
 
     /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to the
@@ -201,13 +185,14 @@ impl Equations<'_> {
             return None;
         }
         let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
-        let excess = self.push_at_most_n(state, energy_j) / push_n - 1.0;
+        let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
+        let excess = pushed_n / push_n - 1.0;
         // It is where the plate turns that the interface has to carry most.
         let far_m = self.reach_m(state, energy_j);
         let grows = mode.elastic.tangent(far_m) > 0.0
             && setup.interface_fraction() * mode.elastic.force(far_m) > push_n;
         let is_small = excess > 0.0 && excess < LAST_SLIPS && grows;
-        if !is_small || self.pull_at_most_n(state, energy_j) > pull_n {
+        if !is_small || pulled_n > pull_n {
             return None;
         }
         let (geometry, strength) = (&setup.geometry, setup.strength_pa);
@@ -215,7 +200,7 @@ impl Equations<'_> {
         let overload_n = |travel_m: f64| {
             let q_m = state.q_m + travel_m;
             let left_j = energy_j - strength * (geometry.swept_m3(q_m) - swept_m3);
-            self.push_at_most_n(state, larger(left_j, 0.0)) - geometry.area_m2(q_m) * strength
+            self.loads_at_most_n(state, larger(left_j, 0.0))[0] - geometry.area_m2(q_m) * strength
         };
         let most_m = 0.5 * setup.joined_kg * state.w_m_s * state.w_m_s / push_n;
         let is_enough = overload_n(most_m) < 0.0;

@@ -71,8 +71,7 @@ impl Course<'_> {
             return false;
         }
         let energy_j = equations.energy_j(state);
-        let bounds =
-            [equations.push_at_most_n(state, energy_j), equations.pull_at_most_n(state, energy_j)];
+        let bounds = equations.loads_at_most_n(state, energy_j);
         let most_n = bounds.map(|most_n| most_n / setup.interface_fraction());
         let known_n = record.loads.known_n(&equations, state);
         let grows = |way: usize| most_n[way] > known_n[way] * (1.0 + GROWTH);
