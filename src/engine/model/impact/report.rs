@@ -114,20 +114,6 @@ impl Course<'_> {
         self.setup.law == Law::Flow
     }
 
-    /// The effects that the contact model does not contain.
-    fn notes(&self, depth_m: Option<f64>) -> impl Iterator<Item = Warning> {
-        let (setup, scene) = (self.setup, self.scene);
-        let through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);
-        let is_plastic = scene.interface.law == InterfaceLaw::Plastic;
-        let missing = [
-            through.then_some(NotModelled::RearFace),
-            is_plastic.then_some(NotModelled::PlasticLaw),
-        ];
-        let missing = missing.into_iter().flatten().filter(|_| !self.flows());
-        let arrest_s = self.record.first_arrest.map(|arrest| arrest.t_s);
-        missing.map(Warning::NotModelled).chain(setup.law.overruns(arrest_s))
-    }
-
     /// Travel of the bottom of the hole, m.
     fn deepest_m(&self) -> f64 {
         match self.mode.contact {
@@ -246,27 +232,20 @@ impl Course<'_> {
         }
     }
 
-    fn warnings(
-        &self,
-        end: EndReason,
-        ledger: &EnergyLedger,
-        max_displacement_m: Option<f64>,
-    ) -> Vec<Warning> {
+    fn warnings(&self, run: &Run) -> Vec<Warning> {
         let (setup, scene, loads) = (self.setup, self.scene, &self.record.loads);
-        let t_s = self.state.t_s;
-        let ended = scene.run.horizon_s.map_or(Warning::EndedEarly(end), |horizon_s| {
-            Warning::HorizonNotReached { reason: end, t_s, horizon_s }
+        let (reason, t_s) = (run.end, self.state.t_s);
+        let ended = scene.run.horizon_s.map_or(Warning::EndedEarly(reason), |horizon_s| {
+            Warning::HorizonNotReached { reason, t_s, horizon_s }
         });
         let [pushed_s, pulled_s] = loads.exceeded_s;
         let push = pushed_s.zip(loads.ratios);
-        let pull = self.tension().filter(|ratio| *ratio > 1.0);
+        let pull = run.interface_tension_ratio.filter(|ratio| *ratio > 1.0);
         let resumed_s = self.record.resumed_s.filter(|_| setup.plastic);
-        let residual = ledger.residual();
+        let residual = run.ledger.residual();
         let drifts = residual.abs() >= DRIFT || residual.is_nan();
-        let far_m = max_displacement_m.unwrap_or(self.record.farthest_m);
-        let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
-        let list = [
-            (!end.is_complete()).then_some(ended),
+        let happened = [
+            (!reason.is_complete()).then_some(ended),
             push.map(|(t_s, [ratio, _])| Warning::InterfacePush { ratio, t_s }),
             pull.and_then(|ratio| match (pulled_s, pushed_s) {
                 (Some(t_s), _) => Some(Warning::InterfacePull { ratio, t_s }),
@@ -277,8 +256,24 @@ impl Course<'_> {
             resumed_s.map(|t_s| Warning::PenetrationResumed { t_s }),
             drifts.then_some(Warning::EnergyDrift { residual }),
         ];
+        let far_m = run.max_plate_displacement_m.unwrap_or(self.record.farthest_m);
+        let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
         let limits = load::exceeded(scene, at_m).map(Warning::Limit).filter(|_| !setup.still);
-        list.into_iter().flatten().chain(limits).collect()
+        // The effects that the contact model does not contain.
+        let depth_m = run.final_penetration_m.filter(|_| !self.flows());
+        let is_through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);
+        let is_plastic = !self.flows() && scene.interface.law == InterfaceLaw::Plastic;
+        let Run { outcome, at_least, first_arrest, baseline_penetration_m, .. } = *run;
+        let is_moving = outcome == Outcome::Moving || at_least != AtLeast::default();
+        let notes = [
+            is_through.then_some(Warning::NotModelled(NotModelled::RearFace)),
+            is_plastic.then_some(Warning::NotModelled(NotModelled::PlasticLaw)),
+            setup.law.overruns(first_arrest.map(|arrest| arrest.t_s)),
+            // What goes through the first plate of a stack meets the next.
+            (baseline_penetration_m.is_none() && !scene.is_stack()).then_some(Warning::NoBaseline),
+            is_moving.then_some(Warning::StillMoving { outcome, at_least }),
+        ];
+        happened.into_iter().flatten().chain(limits).chain(notes.into_iter().flatten()).collect()
     }
 
     /// The greatest tension that a fused interface carried, over its strength in tension; infinite where it has none, `None` where it
@@ -317,7 +312,7 @@ impl Course<'_> {
 }
 
 /// The results of a run that ended for this reason.
-pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
+pub(super) fn gather(mut course: Course<'_>, end: EndReason) -> Run {
     let geometry = &course.setup.geometry;
     let outcome = course.decided.map_or_else(
         || course.equations().outcome(&course.state).unwrap_or(Outcome::Moving),
@@ -330,62 +325,50 @@ pub(super) fn gather(course: Course<'_>, end: EndReason) -> Run {
     let final_penetration_m = course.final_m(outcome, hole_m, penetration_at_most_m);
     let max_plate_displacement_m = course.max_displacement_m();
     let is_pending = !matches!(course.decided, Some((_, Farthest::Unbounded)));
-    let at_least = AtLeast {
-        penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
-        plate_displacement_m: (max_plate_displacement_m.is_none() && is_pending)
-            .then_some(course.record.farthest_m),
-    };
-    let ledger = course.ledger();
     // On a rigid mount both are the same, to the last digit.
     let is_own = course.setup.still && !course.flows();
-    let baseline_penetration_m =
-        final_penetration_m.filter(|_| is_own).or_else(|| course.baseline_m());
-    let mut warnings = course.warnings(end, &ledger, max_plate_displacement_m);
-    warnings.extend(course.notes(final_penetration_m));
-    // What goes through the first plate of a stack meets the next.
-    if baseline_penetration_m.is_none() && !course.scene.is_stack() {
-        warnings.push(Warning::NoBaseline);
-    }
-    if outcome == Outcome::Moving || at_least != AtLeast::default() {
-        warnings.push(Warning::StillMoving { outcome, at_least });
-    }
-    let (mechanism, omitted) = (course.load(max_plate_displacement_m), course.omitted());
-    let interface_tension_ratio = course.tension();
-    let Course { scene, record, .. } = course;
-    let mut events = record.events;
+    let baseline_m = final_penetration_m.filter(|_| is_own).or_else(|| course.baseline_m());
+    let series = std::mem::take(&mut course.record.series);
+    let mut events = std::mem::take(&mut course.record.events);
+    let record = &course.record;
     // A turn that was passed later, on a stop, was not the greatest displacement.
     events.retain(|event| {
         event.kind != EventKind::GreatestDisplacement || event.t_s >= record.farthest_s
     });
-    Run {
-        scene: Arc::clone(scene),
+    let mut run = Run {
+        scene: Arc::clone(course.scene),
         outcome,
         end,
         first_arrest: record.first_arrest,
         final_penetration_m,
-        baseline_penetration_m,
+        baseline_penetration_m: baseline_m,
         peak_contact_force_n: hole_m.map(|_| record.peak_contact_n),
         max_plate_displacement_m,
-        at_least,
+        at_least: AtLeast {
+            penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
+            plate_displacement_m: (max_plate_displacement_m.is_none() && is_pending)
+                .then_some(record.farthest_m),
+        },
         penetration_at_most_m,
         residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
         exit_time_s: record.exit.map(|exit| exit.t_s),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
         interface_demand_ratio: record.loads.ratios.map(|[push, _]| push),
-        interface_tension_ratio,
-        series: record.series,
+        interface_tension_ratio: course.tension(),
+        series,
         events,
-        ledger,
-        mechanism,
+        ledger: course.ledger(),
+        mechanism: course.load(max_plate_displacement_m),
         cost: Cost {
             method: "Radau IIA 17",
             reason: "one implicit method of high order: smooth, stiff and steep alike",
             ..record.cost
         },
-        omitted,
-        warnings,
+        omitted: course.omitted(),
         ..Run::default()
-    }
+    };
+    run.warnings = course.warnings(&run);
+    run
 }
 
 #[cfg(test)]
