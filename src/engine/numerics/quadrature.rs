@@ -13,22 +13,24 @@ pub fn gauss(a: f64, b: f64, panels: usize, mut f: impl FnMut(f64) -> f64) -> f6
     sum * half
 }
 
-/// Doublings of the number of panels in [`converged`] at most.
-const DOUBLINGS_MAX: u32 = 12;
-/// Part of an integral by which twice the panels may still change it: their own error is less by many orders.
-const CONVERGED: f64 = 1e-13;
+/// Halvings of an interval in [`converged`] at most.
+const HALVINGS_MAX: u32 = 12;
+/// Part of an integral by which its halves may change it: what they are off by themselves is about the square of that.
+const CONVERGED: f64 = 1e-10;
 
-/// The integral of `f` from `a` to `b` to rounding, with twice the panels until that changes nothing.
+/// The integral of `f` from `a` to `b` to rounding, on halves of halves until those change nothing.
 pub(crate) fn converged(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let mut found = gauss(a, b, 1, &f);
-    for doublings in 1..=DOUBLINGS_MAX {
-        let before = found;
-        found = gauss(a, b, 1 << doublings, &f);
-        if (found - before).abs() <= CONVERGED * found.abs() {
-            break;
-        }
+    halved((a, b), HALVINGS_MAX, &f)
+}
+
+fn halved((a, b): (f64, f64), halvings: u32, f: &impl Fn(f64) -> f64) -> f64 {
+    let (whole, halves) = (gauss(a, b, 1, f), gauss(a, b, 2, f));
+    let changes = (whole - halves).abs() > CONVERGED * halves.abs();
+    if halvings == 0 || !changes {
+        return halves;
     }
-    found
+    let middle = 0.5 * (a + b);
+    halved((a, middle), halvings - 1, f) + halved((middle, b), halvings - 1, f)
 }
 
 /// The positive nodes of the sixteen-point rule on (-1, 1) and their weights, which are the same at the negative ones: exact for
