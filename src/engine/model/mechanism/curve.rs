@@ -44,15 +44,15 @@ impl Curve {
             curve.offsets_j[at + 1] = reached - curve.pieces[at + 1].energy(*knot);
         }
         let mut stations = curve.changes(Piece::force);
-        stations.extend(curve.changes(Piece::tangent));
         stations.extend_from_slice(&curve.knots_m);
-        stations.sort_by(f64::total_cmp);
-        stations.dedup();
         let energies = stations.iter().map(|x| curve.energy_in(stretch(&curve.knots_m, *x), *x));
         let lowest = energies.min_by(f64::total_cmp).unwrap_or(0.0);
         for offset in &mut curve.offsets_j {
             *offset -= lowest;
         }
+        stations.extend(curve.changes(Piece::tangent));
+        stations.sort_by(f64::total_cmp);
+        stations.dedup();
         curve.stations_m = stations;
         curve
     }

@@ -35,10 +35,10 @@ impl Law for Table {
         let mut slopes = monotone::slopes(&points);
         let last = points.len() - 1;
         let scale_m = points[last][0] - points[0][0];
+        let rounding_n = ROUNDING * points.iter().map(|point| point[1].abs()).fold(0.0, larger);
         // A point beyond the end, on the tangent there.
         points.push([points[last][0] + scale_m, points[last][1] + slopes[last] * scale_m]);
         slopes.push(slopes[last]);
-        let rounding_n = ROUNDING * points.iter().map(|point| point[1].abs()).fold(0.0, larger);
         let line = |at: usize| Piece::line(points[at][0], points[at][1], slopes[at]);
         let before = (!self.is_odd()).then(|| (f64::NEG_INFINITY, line(0)));
         let mut laws = Vec::from_iter(before);
