@@ -325,7 +325,7 @@ fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
         if (Equations { setup, mode }).push_on_stop_n(state) >= 0.0 {
             return;
         }
-        leave_stop(setup, mode, state);
+        leave_stop(mode, state);
     }
     if !setup.plastic {
         return;
@@ -393,17 +393,16 @@ fn rebound(setup: &Setup, mode: &Mode, restitution: f64, state: &State) -> f64 {
 
 /// The plate leaves a rigid stop on which it rested.
 fn release(setup: &Setup, mode: &mut Mode, state: &State) {
-    leave_stop(setup, mode, state);
+    leave_stop(mode, state);
     if mode.contact == Contact::Fused {
         settle(setup, mode, state);
     }
 }
 
-fn leave_stop(setup: &Setup, mode: &mut Mode, state: &State) {
+fn leave_stop(mode: &mut Mode, state: &State) {
     mode.hold = Hold::Free;
     mode.w_side = -1.0;
     mode.stretch = mode.spring.stretch((mode.origin_m + state.x_m).next_down());
-    debug_assert!(setup.stop.is_some(), "only a stop lets go");
 }
 
 /// The way on which a plate at rest goes on, and the stretch of the spring into which one at the end of a stretch does.

@@ -24,10 +24,6 @@ impl<'a> Path<'a> {
         (self.at)(part)
     }
 
-    pub(super) fn start(&self) -> &State {
-        &self.looks[0]
-    }
-
     pub(super) fn end(&self) -> &State {
         &self.looks[CELLS]
     }

@@ -76,11 +76,6 @@ impl Record {
         self.row(equations, state);
     }
 
-    /// Keeps neither rows nor events any more.
-    pub(super) fn stop_drawing(&mut self) {
-        (self.keep_series, self.is_over) = (false, true);
-    }
-
     /// Notes a step, whose states are given by the part of it.
     pub(super) fn step(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
         self.cost.steps += 1;
@@ -107,7 +102,7 @@ impl Record {
         if !(slides || is_damped || is_pressed) {
             return;
         }
-        let span_s = path.end().t_s - path.start().t_s;
+        let span_s = path.end().t_s - path.looks[0].t_s;
         for (at, weight) in GAUSS_16 {
             for place in [-at, at] {
                 let state = path.at(0.5 + 0.5 * place);
@@ -209,7 +204,7 @@ impl Record {
             return;
         }
         if let Some(every_s) = self.every_s {
-            let (from_s, to_s) = (path.start().t_s, path.end().t_s);
+            let (from_s, to_s) = (path.looks[0].t_s, path.end().t_s);
             while let t_s = self.series.len() as f64 * every_s
                 && t_s <= to_s
             {
@@ -397,7 +392,7 @@ fn peak_n(
 ) -> f64 {
     let is_elastic = equations.is_undamped() && equations.mode.spring.power().is_some();
     if is_elastic && equations.mode.hold == Hold::Free && equations.setup.turning_kg == 0.0 {
-        larger(force_n(path.start()), force_n(path.end()))
+        larger(force_n(&path.looks[0]), force_n(path.end()))
     } else {
         path.greatest(known_n, force_n)
     }

@@ -151,7 +151,8 @@ impl Course<'_> {
         self.setup.spring.power().filter(|_| self.flows())?;
         let energy_j = self.equations().energy_left_j(&self.state);
         let swept_m3 = geometry.swept_m3(self.deepest_m()) + energy_j / self.setup.strength_pa;
-        geometry.travel_at_volume_m(swept_m3).map(|q_m| geometry.depth_m(q_m))
+        let travel_m = geometry.travel_at_volume_m(swept_m3)?;
+        Some(geometry.depth_m(larger(travel_m, self.deepest_m())))
     }
 
     /// The final depth of a hole that is so deep now, and may become so deep at most, m; `None` of one that is not known.

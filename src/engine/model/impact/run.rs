@@ -168,7 +168,8 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                 break None;
             }
             if !draws {
-                self.course.record.stop_drawing();
+                let record = &mut self.course.record;
+                (record.keep_series, record.is_over) = (false, true);
             }
             if loads.is_some() && !self.course.goes_farther() {
                 self.course.horizon_s = self.course.tail_s();

@@ -123,7 +123,7 @@ pub fn nose_pressure_ratio(scene: &Scene) -> f64 {
 
 /// Side of the plate's face over the projectile's diameter; `None` where the plate's mass is not used.
 pub fn face_ratio(scene: &Scene) -> Option<f64> {
-    (scene.is_sprung()).then(|| 0.5 * scene.plate_face_m() / scene.projectile.tip_radius_m)
+    scene.is_sprung().then(|| 0.5 * scene.plate_face_m() / scene.projectile.tip_radius_m)
 }
 
 /// The breaches that follow from a scene, in the order of the table.
