@@ -235,7 +235,7 @@ pub static QUANTITIES: &[Quantity] = &[
         .by_contact(Displacement(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").is(&[CountsSprings]),
     quantity("areal_mass_kg_m2", ArealMass, "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacement_m(run))))
         .by_contact(Displacement(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).is(&[CountsSprings]),
-    quantity("plate_face_m", Length, "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| sprung(scene).then(|| scene.plate_face_m()))),
+    quantity("plate_face_m", Length, "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| scene.is_sprung().then(|| scene.plate_face_m()))),
     quantity("face_over_diameter", Number, "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", Number, "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", Number, "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
@@ -374,10 +374,6 @@ impl Quantity {
     }
 }
 
-fn sprung(scene: &Scene) -> bool {
-    scene.is_sprung()
-}
-
 /// The error of the energy balance of the plate where it is greatest.
 fn energy_residual(run: &Run) -> Option<f64> {
     let residuals = run.plates().map(|run| run.ledger.residual());
@@ -386,7 +382,7 @@ fn energy_residual(run: &Run) -> Option<f64> {
 
 /// The least of limit over displacement, of every spring and limit; `None` where no spring has a limit that a run comes near.
 fn travel_margin(run: &Run) -> Option<f64> {
-    let farthest = run.max_plate_displacement_m.filter(|_| sprung(&run.scene))?;
+    let farthest = run.max_plate_displacement_m.filter(|_| run.scene.is_sprung())?;
     load::travel_margin(&run.scene, run.scene.start_m(), farthest)
 }
 
