@@ -97,7 +97,7 @@ fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {
 
 /// What the columns mean, a line each.
 const LEGEND: &str = "\
-ends        arrested, perforated, separated, moving (undecided at the horizon), or CUT
+ends        arrested, perforated, separated, moving (undecided), or CUT
 error       the greatest of depth, times, displacement, velocity and forces, against s stored digits, D DOP853 at 1e-13 \
 or R Radau IIA of order 5 at 1e-12, or t this solver at 1e-13 where both fail
 

@@ -15,7 +15,7 @@
 //!    [`mechanism::Mechanism`]) and has the motion: forces, accelerations and their derivatives.
 //! 3. `impact::modes` says what moves and what acts between two events (penetrating, joined, apart, held, on a stop), and what follows
 //!    each event; `impact::hold` when a spring that is infinitely steep holds the plate. Both are pure functions of mode and state.
-//! 4. `impact::run` is the loop. Each pass decides by energy whether the result can still change (`outcome`, `horizon`); takes one step
+//! 4. `impact::run` is the loop. Each pass decides by energy whether the result can still change (`outcome`); takes one step
 //!    (`numerics::collocation`, or another method of `stepping`), which is a polynomial; finds the first event of the mode on it
 //!    (`events`, `numerics::locate`); lands on that by a step of its own; lets `modes` react; and keeps rows, work and greatest forces
 //!    (`record`).

@@ -35,6 +35,16 @@ fn valid_a_plate_that_creeps_back_against_its_damper_has_its_stroke() {
     assert_near(found.stroke_m().unwrap(), 0.1, 1e-9);
 }
 
+/// On k x^n with n > 1 it comes ever more slowly, x' = -k x^n/b, and never to zero: that is as far as it goes.
+#[test]
+fn valid_a_plate_that_creeps_back_for_ever_goes_as_far_as_zero() {
+    for law in ["fused", "plastic"] {
+        let found = of(&format!("d=0.05 b=400 k=1e4 n=2.3 interface={law}"));
+        assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
+        assert_eq!(found.max_plate_displacement_m, Some(0.0), "{law}");
+    }
+}
+
 /// Friction holds the projectile more and more, half a millimetre from the bottom of its hole. Followed for much longer, the hole
 /// gets no deeper and the plate goes no farther.
 #[test]

@@ -16,6 +16,8 @@ use crate::numerics::{larger, smaller};
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
 /// differs from it by the 5/2 power of this, far below rounding, and its derivatives are singular there.
 const JOINT: f64 = 1e-5;
+/// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers iterations.
+const SLOPE_WIDTH: f64 = 1e-6;
 /// Below this obliquity in rad the window is too narrow to matter (its effect is of the order of its square).
 const NORMAL_BELOW: f64 = 1e-7;
 
@@ -326,6 +328,15 @@ impl AreaLaw {
                 nose.area_m2(p) - nose.area_m2(p - exit_depth_m)
             }
         }
+    }
+
+    /// Its derivative, m; of an oblique section by a difference.
+    pub fn slope_m(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
+        if let Self::Quadratic { origin_m, a } = *self {
+            return a[1] + 2.0 * a[2] * (q_m - origin_m);
+        }
+        let width = SLOPE_WIDTH * nose.radius_m;
+        (self.area_m2(nose, q_m + width) - self.area_m2(nose, q_m - width)) / (2.0 * width)
     }
 }
 

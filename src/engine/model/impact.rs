@@ -2,7 +2,7 @@
 //!
 //! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
 //! `moving` is what the integrator sees of it, `hold` when a steep spring holds the plate; `run` is the loop, and `stepping` the methods it
-//! can step by; `outcome` decides by energy when it is over, `horizon` when it is at the latest; `path` has the states on a step,
+//! can step by; `outcome` decides by energy when it is over; `path` has the states on a step,
 //! `record` keeps rows, work and greatest forces of them, and `report` makes the [`Run`].
 
 use std::ops::ControlFlow;
@@ -19,7 +19,6 @@ use stepping::run_by;
 mod equations;
 mod events;
 mod hold;
-mod horizon;
 mod modes;
 mod moving;
 mod outcome;

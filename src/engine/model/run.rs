@@ -26,13 +26,11 @@ pub struct Settings {
     pub every_s: Option<f64>,
     /// Compute the error estimate (a second computation of another order).
     pub estimate: bool,
-    /// Follow a run that oscillates on undecided for many times as long as usual, where the scene has no horizon.
-    pub long: bool,
 }
 
 impl Settings {
     /// The results alone.
-    pub const BARE: Self = Self { series: false, every_s: None, estimate: false, long: false };
+    pub const BARE: Self = Self { series: false, every_s: None, estimate: false };
     /// The series too.
     pub const SERIES: Self = Self { series: true, ..Self::BARE };
 }
@@ -137,7 +135,7 @@ worded! {
         Decided = "outcome decided",
         Horizon = "horizon reached",
         /// No horizon was given, and a plate that oscillates on has used up the work of a run undecided.
-        Oscillates = "undecided after many oscillations: set run.horizon_s to follow the plate further",
+        Oscillates = "undecided after many oscillations: the work of a run is used up",
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
         NonFinite = "ended early: a value stopped being finite",

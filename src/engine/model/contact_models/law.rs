@@ -32,13 +32,12 @@ impl Law {
         }
     }
 
-    /// How long the contact lasts on a rigid mount, about, s, and the travel that stands for its depth, m, of the models that have an
-    /// interface of their own.
-    pub(in crate::model) fn on_rigid_mount(&self) -> Option<(f64, f64)> {
+    /// The travel on a rigid mount that stands for the depth, m, of the models that have an interface of their own.
+    pub(in crate::model) fn on_rigid_mount_m(&self) -> Option<f64> {
         match self {
             Self::Flow | Self::AtOnce => None,
-            Self::History(history) => Some((history.duration_s, history.travel_m)),
-            Self::Lumped(lumped) => Some(lumped.on_rigid_mount()),
+            Self::History(history) => Some(history.travel_m),
+            Self::Lumped(lumped) => Some(lumped.on_rigid_mount_m()),
         }
     }
 

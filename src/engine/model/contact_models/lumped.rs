@@ -62,9 +62,8 @@ impl Lumped {
         0.5 * force_n * force_n / self.unload_n_m
     }
 
-    /// How long it is pressed in and springs back on a rigid mount, at most, s, and the dent that is left, m: of m q'' + b q' + k q = 0
-    /// from q = 0 at the impact velocity.
-    pub(super) fn on_rigid_mount(&self) -> (f64, f64) {
+    /// The dent that is left on a rigid mount, m: of m q'' + b q' + k q = 0 from q = 0 at the impact velocity.
+    pub(super) fn on_rigid_mount_m(&self) -> f64 {
         let (m, v) = (self.mass_kg, self.velocity_m_s);
         let rate = 0.5 * self.damping_n_s_m / m;
         let square = self.load_n_m / m - rate * rate;
@@ -77,7 +76,6 @@ impl Lumped {
         } else {
             1.0 / rate
         };
-        let pressed_m = v * (-rate * to_turn_s).exp() / (self.load_n_m / m).sqrt();
-        (2.0 * (m / self.load_n_m).sqrt(), self.dent_m(pressed_m))
+        self.dent_m(v * (-rate * to_turn_s).exp() / (self.load_n_m / m).sqrt())
     }
 }

@@ -4,17 +4,14 @@
 //! plate along its normal. With the contact force F, the mechanism's force G and the masses of both, `m_p v' = -F` and
 //! `m_2 w' = F cos - G`, where u = v - w cos.
 
-use crate::model::contact::{AreaLaw, Geometry};
+use crate::model::contact::Geometry;
 use crate::model::contact_models::Law;
 use crate::model::impact::modes::{Contact, Hold, Mode};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind, Stop, StopKind};
-use crate::numerics::step::Slopes;
+use crate::numerics::step::{Point, Slopes};
 use crate::numerics::{larger, smaller};
-
-/// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
-const SLOPE_WIDTH: f64 = 1e-6;
 
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
@@ -254,14 +251,7 @@ impl Equations<'_> {
         let (strength, drag) = self.pressure();
         let (nose, law) = (&self.setup.geometry.nose, self.mode.piece.law);
         let area = law.area_m2(nose, q_m);
-        let slope = match law {
-            AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q_m - origin_m),
-            AreaLaw::Partial { .. } => {
-                let width = SLOPE_WIDTH * nose.radius_m;
-                let rise = law.area_m2(nose, q_m + width) - law.area_m2(nose, q_m - width);
-                rise / (2.0 * width)
-            }
-        };
+        let slope = law.slope_m(nose, q_m);
         (slope * (strength + drag * u_m_s * u_m_s), 2.0 * area * drag * u_m_s)
     }
 
@@ -305,7 +295,7 @@ impl Equations<'_> {
             _ => (0.0, 0.0),
         };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
-        let (x_least_m, w_least_m_s) = self.least_sizes();
+        let ([_, x_least_m], [_, w_least_m_s]) = self.least_sizes();
         let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
         let x_m = larger(x_m.abs(), x_least_m).copysign(x_m);
         let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
@@ -408,22 +398,18 @@ impl Equations<'_> {
         UNRESOLVED * self.setup.velocity_m_s
     }
 
-    /// What errors of travel and slip are relative to: never less than a thousandth of tip radius and impact velocity.
-    pub(super) fn sizes_of_travel(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
-        let (v, r) = (self.setup.velocity_m_s, self.setup.geometry.nose.radius_m);
-        (larger(q_m.abs(), 1e-3 * r), larger(u_m_s.abs(), 1e-3 * v))
+    /// What errors of travel and displacement, and of slip and the plate's velocity, are relative to at least: a thousandth of tip radius
+    /// and impact velocity; of the plate's, a thousand-millionth and a millionth of these, less than which does not move the projectile.
+    fn least_sizes(&self) -> Point<2> {
+        let (r, v) = (self.setup.geometry.nose.radius_m, self.setup.velocity_m_s);
+        ([1e-3 * r, 1e-9 * r], [1e-3 * v, 1e-6 * v])
     }
 
-    /// The same of the plate: a thousand-millionth of the tip radius and a millionth of the velocity, less than which does not move the
-    /// projectile.
-    fn least_sizes(&self) -> (f64, f64) {
-        (1e-9 * self.setup.geometry.nose.radius_m, 1e-6 * self.setup.velocity_m_s)
-    }
-
-    /// The same at a displacement and a velocity.
-    pub(super) fn sizes_of_plate(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
-        let (x_least_m, w_least_m_s) = self.least_sizes();
-        (larger(x_m.abs(), x_least_m), larger(w_m_s.abs(), w_least_m_s))
+    /// The same at a state.
+    pub(super) fn sizes(&self, state: &State) -> Point<2> {
+        let ([q_m, x_m], [u_m_s, w_m_s]) = self.least_sizes();
+        let places = [larger(state.q_m.abs(), q_m), larger(state.x_m.abs(), x_m)];
+        (places, [larger(state.u_m_s.abs(), u_m_s), larger(state.w_m_s.abs(), w_m_s)])
     }
 
     /// What the mechanism's forces, which may hold each other, are off by through rounding, N: those of spring, damper and stop, and of a

@@ -7,33 +7,20 @@ use crate::numerics::larger;
 
 /// The events that can end a mode.
 pub(super) fn of(setup: &Setup, mode: &Mode) -> Vec<Event> {
-    let mut events = of_contact(setup, mode).to_vec();
-    match mode.hold {
-        Hold::Mount => return events,
-        Hold::OnStop => {
-            events.push(Event::StopRelease);
-            return events;
-        }
-        Hold::Spring => {
-            events.push(Event::Yields);
-            return events;
-        }
-        Hold::Free => events.push(Event::SpeedZero),
-    }
     let (below, above) = mode.spring.ends(mode.stretch);
-    if above.is_finite() {
-        events.push(Event::KnotAhead);
-    }
-    if below.is_finite() {
-        events.push(Event::KnotBehind);
-    }
-    if !mode.is_pressed && setup.stop.is_some() {
-        events.push(Event::StopReached);
-    } else if mode.is_pressed && mode.w_side < 0.0 {
+    let is_free = mode.hold == Hold::Free;
+    let of_plate = [
+        (mode.hold == Hold::OnStop, Event::StopRelease),
+        (mode.hold == Hold::Spring, Event::Yields),
+        (is_free, Event::SpeedZero),
+        (is_free && above.is_finite(), Event::KnotAhead),
+        (is_free && below.is_finite(), Event::KnotBehind),
+        (is_free && !mode.is_pressed && setup.stop.is_some(), Event::StopReached),
         // Only a plate that goes back can be faster than the stop follows.
-        events.push(Event::StopSlack);
-    }
-    events
+        (is_free && mode.is_pressed && mode.w_side < 0.0, Event::StopSlack),
+    ];
+    let of_plate = of_plate.into_iter().filter(|(has, _)| *has).map(|(_, event)| event);
+    of_contact(setup, mode).iter().copied().chain(of_plate).collect()
 }
 
 /// Those of the contact.

@@ -110,6 +110,7 @@ impl Equations<'_> {
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
         self.mode.hold == Hold::Free
             && self.setup.law == Law::Flow
+            && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
             && spring.is_steep_at_zero()
             && held_m < farthest_m
             && self.push_n(state).abs() < spring.force(held_m)
@@ -196,8 +197,11 @@ impl Equations<'_> {
             let way_s = -w_m_s / acceleration;
             let counts = damper.force(w_m_s).abs() * way_s
                 > HELD * self.moving_kg() * self.setup.velocity_m_s;
-            // Of forces that hold each other only rounding is left.
-            if way_s > 0.0 && counts && acceleration.abs() > self.rounding(state).1 {
+            // Of forces that hold each other only rounding is left, and what the velocity is off by.
+            let off_n =
+                self.damper_slope_n_s_m(w_m_s) * self.setup.tolerance * self.sizes(state).1[1];
+            let off_m_s2 = self.rounding(state).1 + off_n / self.moving_kg();
+            if way_s > 0.0 && counts && acceleration.abs() > off_m_s2 {
                 least_s = smaller(least_s, way_s);
             }
         }
@@ -231,5 +235,17 @@ mod tests {
         let (later_n, _) = at(3e-3 + 80.0 * 1e-9, 80.0 - now_n / 0.0295 * 1e-9);
         assert!(is_near(1e6 * x_m.powf(0.2), now_n, 1e-13));
         assert!(is_near(1e6 * (x_m + w_m_s * 1e-9).powf(0.2), later_n, 1e-9));
+    }
+    /// What is left cannot pull the projectile out of a hole that grips it; without a grip nothing keeps it there.
+    #[test]
+    fn a_steep_spring_holds_joined_bodies_that_stay_so() {
+        for (more, expected) in
+            [("", true), ("interface=plastic", true), ("interface=plastic g=0", false)]
+        {
+            let pairs = format!("k=1e5 n=0.5 {more}");
+            let state = [5e-3, 0.0, 0.0, 0.0];
+            let found = look(&pairs, Contact::Fused, state, |it, at| it.takes_hold(at, 1e-3));
+            assert_eq!(found, expected, "{more}");
+        }
     }
 }

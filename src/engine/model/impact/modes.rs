@@ -47,7 +47,7 @@ pub(super) struct Mode {
     /// Greatest travel so far, as far as the contact is beyond it only while it deepens.
     pub(super) deepest_m: f64,
     /// Displacement from which the state's is measured: the stop's, once it has been struck, so that bounces keep their digits, and
-    /// zero again where the plate turns nearer to that.
+    /// zero again where the plate is nearer to that.
     pub(super) origin_m: f64,
     pub(super) spring: Spring,
     /// Spring and elastic stop together.
@@ -170,10 +170,6 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
         Event::SpeedZero => {
             state.w_m_s = 0.0;
             next.w_side = -mode.w_side;
-            let x_m = mode.origin_m + state.x_m;
-            if x_m.abs() < state.x_m.abs() {
-                (next.origin_m, state.x_m) = (0.0, x_m);
-            }
         }
         Event::StopReached => reach_stop(setup, &mut next, state),
         Event::StopSlack => next.is_pressed = false,
@@ -405,6 +401,14 @@ fn leave_stop(mode: &mut Mode, state: &State) {
     mode.stretch = mode.spring.stretch((mode.origin_m + state.x_m).next_down());
 }
 
+/// Measures the displacement from zero where the plate is nearer to that than to the stop.
+pub(super) fn measure(mode: &mut Mode, state: &mut State) {
+    let x_m = mode.origin_m + state.x_m;
+    if x_m.abs() < state.x_m.abs() {
+        (mode.origin_m, state.x_m) = (0.0, x_m);
+    }
+}
+
 /// The way on which a plate at rest goes on, and the stretch of the spring into which one at the end of a stretch does.
 pub(super) fn face(setup: &Setup, mode: &mut Mode, state: &State) {
     if mode.hold != Hold::Free {
@@ -596,6 +600,17 @@ mod tests {
         assert_eq!(after(Event::StopReached, 2e-3, -1.0), (true, 2e-3));
         assert_eq!(after(Event::StopSlack, 2e-3, -1.0), (false, 2e-3));
         assert_eq!(after(Event::StopSlack, 1e-3, -1.0), (false, 1e-3));
+    }
+
+    #[test]
+    fn a_displacement_is_measured_from_the_nearer_of_stop_and_zero() {
+        let mode = first(&Setup::of(&scene_with("k=1e5 x_stop=1mm"), 1e-12)).0;
+        for (x_m, expected) in [(-4e-4, (1e-3, -4e-4)), (-7.5e-4, (0.0, 2.5e-4))] {
+            let mut mode = Mode { origin_m: 1e-3, ..mode.clone() };
+            let mut state = State { x_m, ..State::default() };
+            measure(&mut mode, &mut state);
+            assert_eq!((mode.origin_m, state.x_m), expected);
+        }
     }
 
     #[test]

@@ -1,97 +1,72 @@
 //! What moves in a mode, as the integrator takes it: both bodies, the plate (with the projectile or without it), or the projectile
 //! in a plate that rests.
 
+use std::array;
+
 use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::Contact;
 use crate::numerics::step::{Acceleration, Point, Slopes};
 
-/// The motion of `D` places from a state on.
+/// The motion from a state on of `D` places: the projectile's travel and the plate's displacement, or the one that moves.
 #[derive(Debug)]
 pub(super) struct Moving<'a, const D: usize> {
     pub(super) equations: Equations<'a>,
     pub(super) start: State,
 }
 
-/// Which places move.
-pub(super) trait Places<const D: usize> {
-    /// Of something for the projectile's travel and something for the plate's displacement what is for the places that move.
-    fn moving<T>(&self, travel: T, displacement: T) -> [T; D];
+impl<const D: usize> Moving<'_, D> {
+    /// Which of both is the first that moves.
+    fn first(&self) -> usize {
+        usize::from(D == 1 && !self.equations.plate_rests())
+    }
+
+    /// Of something for each of both what is for the places that move.
+    fn moving<T: Copy>(&self, both: [T; 2]) -> [T; D] {
+        let first = self.first();
+        array::from_fn(|d| both[first + d])
+    }
+
+    pub(super) fn point(&self, state: &State) -> Point<D> {
+        (self.moving([state.q_m, state.x_m]), self.moving([state.u_m_s, state.w_m_s]))
+    }
 
     /// The state at a point, after a time from the start.
-    fn state(&self, t: f64, point: &Point<D>) -> State;
-}
-
-impl Places<2> for Moving<'_, 2> {
-    fn moving<T>(&self, travel: T, displacement: T) -> [T; 2] {
-        [travel, displacement]
-    }
-
-    fn state(&self, t: f64, ([q_m, x_m], [u_m_s, w_m_s]): &Point<2>) -> State {
-        let t_s = self.start.t_s + t;
-        State { t_s, q_m: *q_m, u_m_s: *u_m_s, x_m: *x_m, w_m_s: *w_m_s }
-    }
-}
-
-impl Places<1> for Moving<'_, 1> {
-    fn moving<T>(&self, travel: T, displacement: T) -> [T; 1] {
-        [if self.equations.plate_rests() { travel } else { displacement }]
-    }
-
-    fn state(&self, t: f64, ([place], [speed]): &Point<1>) -> State {
+    pub(super) fn state(&self, t: f64, (places, speeds): &Point<D>) -> State {
         let Self { equations: Equations { setup, mode }, start } = self;
-        let t_s = start.t_s + t;
-        if self.equations.plate_rests() {
-            return State { t_s, q_m: *place, u_m_s: *speed, ..*start };
+        let mut both = [(start.q_m, start.u_m_s), (start.x_m, start.w_m_s)];
+        for d in 0..D {
+            both[self.first() + d] = (places[d], speeds[d]);
         }
-        let state = State { t_s, x_m: *place, w_m_s: *speed, ..*start };
-        if mode.contact == Contact::Fused {
+        let [(q_m, u_m_s), (x_m, w_m_s)] = both;
+        let state = State { t_s: start.t_s + t, q_m, u_m_s, x_m, w_m_s };
+        if self.first() == 0 || mode.contact == Contact::Fused {
             return state;
         }
         // A projectile that is through, or before the plate, keeps its velocity.
         let v = setup.projectile_m_s(start);
-        let q_m = start.q_m + v * t - setup.cos * (place - start.x_m);
-        State { q_m, u_m_s: v - setup.cos * speed, ..state }
+        let q_m = start.q_m + v * t - setup.cos * (x_m - start.x_m);
+        State { q_m, u_m_s: v - setup.cos * w_m_s, ..state }
     }
 }
 
-impl<const D: usize> Moving<'_, D>
-where
-    Self: Places<D>,
-{
-    pub(super) fn point(&self, state: &State) -> Point<D> {
-        (self.moving(state.q_m, state.x_m), self.moving(state.u_m_s, state.w_m_s))
-    }
-}
-
-impl<const D: usize> Acceleration<D> for Moving<'_, D>
-where
-    Self: Places<D>,
-{
+impl<const D: usize> Acceleration<D> for Moving<'_, D> {
     fn at(&self, t: f64, point: &Point<D>) -> [f64; D] {
-        let (slip, plate) = self.equations.accelerations(&self.state(t, point));
-        self.moving(slip, plate)
+        self.moving(self.equations.accelerations(&self.state(t, point)).into())
     }
 
     /// Whatever the time: a force history has no slope by place or speed.
     fn slopes(&self, point: &Point<D>) -> Slopes<D> {
         let Slopes { place, speed } = self.equations.slopes(&self.state(0.0, point));
-        let part = |rows: [[f64; 2]; 2]| {
-            let [slip, plate] =
-                rows.map(|[travel, displacement]| self.moving(travel, displacement));
-            self.moving(slip, plate)
-        };
+        let part = |rows: [[f64; 2]; 2]| self.moving(rows.map(|row| self.moving(row)));
         Slopes { place: part(place), speed: part(speed) }
     }
 
     fn sizes(&self, point: &Point<D>) -> Point<D> {
-        let State { q_m, u_m_s, x_m, w_m_s, .. } = self.state(0.0, point);
-        let (travel, slip) = self.equations.sizes_of_travel(q_m, u_m_s);
-        let (place, speed) = self.equations.sizes_of_plate(x_m, w_m_s);
-        (self.moving(travel, place), self.moving(slip, speed))
+        let (places, speeds) = self.equations.sizes(&self.state(0.0, point));
+        (self.moving(places), self.moving(speeds))
     }
 
     fn rounding(&self, t: f64, point: &Point<D>) -> [f64; D] {
-        let (slip, plate) = self.equations.rounding(&self.state(t, point));
-        self.moving(slip, plate)
+        self.moving(self.equations.rounding(&self.state(t, point)).into())
     }
 }

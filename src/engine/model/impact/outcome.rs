@@ -1,6 +1,6 @@
 //! Whether a run is decided: bounds by the energy that is left, as pure functions of mode and state.
 
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Contact, Hold, limits_n};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::PowerLaw;
@@ -22,15 +22,6 @@ const LAST_SLIPS: f64 = 2e-3;
 
 /// Of the way to the bottom of the hole, or out of it, the other half is left to the last slip.
 const SLIP_RESERVE: f64 = 2.0;
-
-/// The greatest displacement of the plate, as far as it is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Farthest {
-    Known(f64),
-    /// Nothing stops the plate.
-    Unbounded,
-    Pending,
-}
 
 impl Equations<'_> {
     /// Energy of the plate, with the projectile where joined, in spring and elastic stop, J.
@@ -105,12 +96,21 @@ impl Equations<'_> {
         self.mode.elastic.drives_away(x_m).filter(|_| !self.stops_rigidly())
     }
 
+    /// Whether the plate is held, or stands or creeps where its forces hold each other.
+    pub(super) fn stands(&self, state: &State) -> bool {
+        let is_balanced = || {
+            state.w_m_s.abs() < self.unresolved_m_s()
+                && self.accelerations(state).1.abs() <= self.rounding(state).1
+        };
+        self.plate_rests() || self.creeps(state) || is_balanced()
+    }
+
     /// Whether what still moves has no energy to speak of.
     fn is_at_rest(&self, state: &State) -> bool {
         // Where the spring drives the plate away, its energy is less than nothing.
         let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
         has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()
-            || (self.plate_rests() || self.creeps(state)) && self.mode.contact == Contact::Fused
+            || self.stands(state) && self.mode.contact == Contact::Fused
     }
 
     /// The outcome, if nothing can change it any more.
@@ -132,6 +132,12 @@ impl Equations<'_> {
         contact_j.is_some_and(|j| self.energy_left_j(state) + j < AT_REST * self.setup.initial_j())
     }
 
+    /// Energy that it takes to pull the joined projectile out of its hole, J: more than there is where they are fused.
+    pub(super) fn pull_out_j(&self, state: &State) -> f64 {
+        let Setup { plastic, grip, strength_pa, ref geometry, .. } = *self.setup;
+        if plastic { grip * strength_pa * geometry.swept_m3(state.q_m) } else { f64::INFINITY }
+    }
+
     /// Whether a plastic interface holds whatever comes.
     fn holds_for_good(&self, state: &State) -> bool {
         if self.is_at_rest(state) {
@@ -140,7 +146,7 @@ impl Equations<'_> {
         let Equations { setup, mode } = self;
         let energy_j = self.energy_j(state);
         let strength_n = self.strength_n(state);
-        let friction_j = setup.grip * setup.strength_pa * setup.geometry.swept_m3(state.q_m);
+        let friction_j = self.pull_out_j(state);
         // What is left can neither deepen the hole noticeably nor pull the projectile out of it.
         let is_nothing = |energy_j: f64| {
             energy_j < NEGLIGIBLE * mode.deepest_m * strength_n && energy_j < friction_j
@@ -240,55 +246,45 @@ impl Equations<'_> {
         v < 0.0 && (x_m - back_m) * setup.cos < apart_m
     }
 
-    /// The greatest displacement, once the outcome is decided, of a plate that has been so far.
-    pub(super) fn farthest(&self, state: &State, so_far_m: f64) -> Farthest {
+    /// The greatest displacement, once the outcome is decided, of a plate that has been so far, m: infinite where nothing stops it, and
+    /// `None` where it is still to be found.
+    pub(super) fn farthest_m(&self, state: &State, so_far_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
-        if self.creeps(state) {
-            // However slowly, it creeps to where nothing drives it, or to its stop.
-            let rest_m = mode.elastic.rest_ahead(self.displacement_m(state.x_m));
-            let end_m = if self.stops_rigidly() { setup.stop_at_m } else { f64::INFINITY };
-            return Farthest::Known(larger(smaller(rest_m, end_m), so_far_m));
+        if mode.hold == Hold::Mount || self.rests_in_contact(state) {
+            return Some(so_far_m);
         }
-        if mode.hold == Hold::Mount || self.is_at_rest(state) || self.rests_in_contact(state) {
-            return Farthest::Known(so_far_m);
+        let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
+        // What is driven on comes at least to where nothing drives it, however slowly, or to its stop; its energy there is known to
+        // rounding only.
+        let end_m = if self.stops_rigidly() { setup.stop_at_m } else { f64::INFINITY };
+        let far_m = larger(smaller(mode.elastic.rest_ahead(x_m), end_m), so_far_m);
+        if self.creeps(state) || self.is_at_rest(state) {
+            return Some(far_m);
         }
         if let Some(way) = self.drives_away(state)
             && way * state.w_m_s >= 0.0
         {
-            return if way > 0.0 { Farthest::Unbounded } else { Farthest::Known(so_far_m) };
+            return Some(if way > 0.0 { f64::INFINITY } else { so_far_m });
         }
-        let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
-        let reach_m = self.reach_m(state, energy_j);
         if self.leaves(state) {
-            return Farthest::Known(so_far_m);
+            return Some(so_far_m);
         }
-        // What is driven on comes at least to where nothing drives it; its energy there is known to rounding only.
-        let rest_m = mode.elastic.rest_ahead(x_m);
-        let far_m = if self.stops_rigidly() { so_far_m } else { larger(rest_m, so_far_m) };
+        let reach_m = self.reach_m(state, energy_j);
         let stroke_m = larger(far_m.abs(), far_m - setup.start_m);
         if reach_m - far_m <= NEGLIGIBLE * stroke_m {
-            return Farthest::Known(far_m);
+            return Some(far_m);
         }
         let coasts = !mode.is_pressed && state.w_m_s > 0.0;
         if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
-            let far_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
-            return match (far_m < setup.stop_at_m, far_m.is_finite()) {
-                (true, true) => Farthest::Known(larger(far_m, so_far_m)),
-                (_, false) if setup.stop.is_none() => Farthest::Unbounded,
-                _ => Farthest::Pending,
-            };
+            let end_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
+            let is_free = setup.stop.is_none() || end_m < setup.stop_at_m;
+            return is_free.then(|| larger(end_m, so_far_m));
         }
         let in_full = matches!(setup.stepping, Stepping::CollocationInFull(_));
-        if setup.damper.is_absent() && setup.stop.is_none() && !in_full {
-            // Nothing but the spring turns the plate, if anything does.
-            let is_gone = state.w_m_s < 0.0 && mode.spring.reach(x_m, energy_j, -1.0).is_infinite();
-            return match reach_m.is_finite() {
-                _ if is_gone => Farthest::Known(so_far_m),
-                true => Farthest::Known(larger(reach_m, so_far_m)),
-                false => Farthest::Unbounded,
-            };
-        }
-        Farthest::Pending
+        // Nothing but the spring turns the plate, if anything does.
+        let by_spring = setup.damper.is_absent() && setup.stop.is_none() && !in_full;
+        let is_gone = state.w_m_s < 0.0 && mode.spring.reach(x_m, energy_j, -1.0).is_infinite();
+        by_spring.then(|| if is_gone { so_far_m } else { larger(reach_m, so_far_m) })
     }
 }
 
@@ -304,9 +300,8 @@ fn coasting_m(damper: PowerLaw, kg: f64, w_m_s: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::equations::Setup;
     use crate::model::impact::modes::{Mode, first};
-    use crate::model::impact::tests::look;
+    use crate::model::impact::tests::{is_near, look};
     use crate::model::variables::scene_with;
 
     /// Both bodies weigh 29.5 g, the interface carries half of the spring's force, 15 kN forwards and 1.5 kN backwards.
@@ -335,21 +330,33 @@ mod tests {
         }
     }
 
+    /// Half a millimetre from where its stop begins and from the zero of the spring, which pushes as hard.
+    #[test]
+    fn valid_a_plate_stands_where_spring_and_stop_hold_each_other() {
+        let pairs = "k=1e5 interface=plastic x_stop=-1mm stop_kind=elastic k_stop=1e5";
+        let found = |x_m: f64, w_m_s: f64| {
+            look(pairs, Contact::Fused, [5e-3, 0.0, x_m, w_m_s], |it, at| {
+                (it.stands(at), it.outcome(at))
+            })
+        };
+        assert_eq!(found(5e-4, 0.0), (true, Some(Outcome::Arrested)));
+        assert!(!found(5e-4, 1e-3).0 && !found(6e-4, 0.0).0);
+    }
+
     /// 59 g at 50 m/s: x = w (M/k)^(1/2) on a spring, M w/b on a damper, less on both.
     #[test]
     fn valid_the_greatest_displacement_is_where_the_energy_is_spent() {
         let state = [5e-3, 0.0, 0.0, 50.0];
         let far = |pairs: &str| {
-            look(pairs, Contact::Fused, state, |equations, state| equations.farthest(state, 0.0))
+            look(pairs, Contact::Fused, state, |equations, state| equations.farthest_m(state, 0.0))
         };
-        let is_near = |found, exact: f64| matches!(found, Farthest::Known(x_m) if (x_m / exact - 1.0).abs() < 1e-14);
-        assert!(is_near(far("k=1e5 gamma=1"), 50.0 * (0.059f64 / 1e5).sqrt()));
-        assert!(is_near(far("k=0 b=100 gamma=1"), 0.059 * 50.0 / 100.0));
-        assert_eq!(far("k=1e5 b=100"), Farthest::Pending);
-        assert_eq!(far("k=1e5 x_stop=1mm"), Farthest::Pending);
-        assert_eq!(far("k=0"), Farthest::Unbounded);
-        assert_eq!(far("k=0 b=100 m=2"), Farthest::Unbounded);
-        assert_eq!(far("k=0 b=100 x_stop=1mm"), Farthest::Pending);
+        assert!(is_near(far("k=1e5 gamma=1").unwrap(), 50.0 * (0.059f64 / 1e5).sqrt(), 1e-14));
+        assert!(is_near(far("k=0 b=100 gamma=1").unwrap(), 0.059 * 50.0 / 100.0, 1e-14));
+        assert_eq!(far("k=0"), Some(f64::INFINITY));
+        assert_eq!(far("k=0 b=100 m=2"), Some(f64::INFINITY));
+        for pending in ["k=1e5 b=100", "k=1e5 x_stop=1mm", "k=0 b=100 x_stop=1mm"] {
+            assert_eq!(far(pending), None, "{pending}");
+        }
     }
 
     /// The energy is that of spring and stop, each half of stiffness times the square of its way.

@@ -6,7 +6,6 @@ use crate::model::closed_form::Passage;
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Contact, Mode};
-use crate::model::impact::outcome::Farthest;
 use crate::model::impact::record::Record;
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
@@ -36,8 +35,8 @@ pub(super) struct Course<'a> {
     pub(super) mode: Mode,
     pub(super) state: State,
     pub(super) record: Record,
-    /// Outcome and greatest displacement, once nothing can change them any more.
-    pub(super) decided: Option<(Outcome, Farthest)>,
+    /// Outcome and greatest displacement, once nothing can change them any more; infinite where nothing stops the plate.
+    pub(super) decided: Option<(Outcome, f64)>,
     /// When it ends at the latest, s.
     pub(super) horizon_s: f64,
 }
@@ -54,8 +53,8 @@ impl Course<'_> {
         }
         let equations = self.equations();
         let Some(outcome) = equations.outcome(&self.state) else { return };
-        let farthest = equations.farthest(&self.state, self.record.farthest_m);
-        self.decided = (farthest != Farthest::Pending).then_some((outcome, farthest));
+        let far_m = equations.farthest_m(&self.state, self.record.farthest_m);
+        self.decided = far_m.map(|far_m| (outcome, far_m));
     }
 
     /// Whether what follows may load the mount, or the joined interface, more than they have been; or, if not all loads are asked for, push
@@ -65,8 +64,7 @@ impl Course<'_> {
         let equations = Equations { setup, mode };
         let all = !matches!(setup.stepping, Stepping::Second(_));
         let is_joined = mode.contact == Contact::Fused;
-        let is_loaded = !(equations.plate_rests() || equations.creeps(state))
-            && equations.drives_away(state).is_none();
+        let is_loaded = !equations.stands(state) && equations.drives_away(state).is_none();
         if !is_loaded || !(all || is_joined) {
             return false;
         }
@@ -125,18 +123,17 @@ impl Course<'_> {
     /// Whether the plate is on its way to a greatest displacement that is known already.
     pub(super) fn goes_farther(&self) -> bool {
         let reached_m = self.record.farthest_m;
-        let far = self.decided.map(|(_, farthest)| farthest);
-        matches!(far, Some(Farthest::Known(far_m)) if far_m - reached_m > REACHED * far_m.abs())
+        self.decided.is_some_and(|(_, far_m)| far_m - reached_m > REACHED * far_m.abs())
     }
 
     /// The greatest displacement, m: where nothing stops the plate, that at the horizon it was given.
     fn max_displacement_m(&self) -> Option<f64> {
         let so_far_m = self.record.farthest_m;
-        match self.decided.map(|(_, farthest)| farthest) {
-            Some(Farthest::Known(x_m)) => Some(larger(x_m, so_far_m)),
-            Some(Farthest::Unbounded) => self.scene.run.horizon_s.map(|_| so_far_m),
+        match self.decided {
+            Some((_, far_m)) if far_m.is_finite() => Some(larger(far_m, so_far_m)),
+            Some(_) => self.scene.run.horizon_s.map(|_| so_far_m),
             // Of an undecided run as far as there is no energy to go farther.
-            Some(Farthest::Pending) | None => {
+            None => {
                 let equations = self.equations();
                 let reach_m = equations.reach_m(&self.state, equations.energy_left_j(&self.state));
                 (reach_m - so_far_m <= FINAL * so_far_m.abs()).then_some(so_far_m)
@@ -178,7 +175,7 @@ impl Course<'_> {
     fn baseline_m(&self) -> Option<f64> {
         let geometry = &self.setup.geometry;
         if !self.flows() {
-            return self.setup.law.on_rigid_mount().map(|(_, q_m)| geometry.depth_m(q_m));
+            return self.setup.law.on_rigid_mount_m().map(|q_m| geometry.depth_m(q_m));
         }
         Passage::rigid(self.scene, geometry).arrest_m().map(|q_m| geometry.depth_m(q_m))
     }
@@ -325,7 +322,7 @@ pub(super) fn gather(mut course: Course<'_>, end: EndReason) -> Run {
         if outcome == Outcome::Moving { course.depth_at_most_m() } else { None };
     let final_penetration_m = course.final_m(outcome, hole_m, penetration_at_most_m);
     let max_plate_displacement_m = course.max_displacement_m();
-    let is_pending = !matches!(course.decided, Some((_, Farthest::Unbounded)));
+    let is_bounded = course.decided.is_none_or(|(_, far_m)| far_m.is_finite());
     // On a rigid mount both are the same, to the last digit.
     let is_own = course.setup.still && !course.flows();
     let baseline_m = final_penetration_m.filter(|_| is_own).or_else(|| course.baseline_m());
@@ -347,7 +344,7 @@ pub(super) fn gather(mut course: Course<'_>, end: EndReason) -> Run {
         max_plate_displacement_m,
         at_least: AtLeast {
             penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
-            plate_displacement_m: (max_plate_displacement_m.is_none() && is_pending)
+            plate_displacement_m: (max_plate_displacement_m.is_none() && is_bounded)
                 .then_some(record.farthest_m),
         },
         penetration_at_most_m,

@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::events::{self, gap};
-use crate::model::impact::horizon;
-use crate::model::impact::modes::{self, Contact, Event, Hold};
-use crate::model::impact::moving::{Moving, Places};
+use crate::model::impact::modes::{self, Event, Hold};
+use crate::model::impact::moving::Moving;
 use crate::model::impact::path::Path;
 use crate::model::impact::record::{Loads, Record};
 use crate::model::impact::report::{self, Course};
@@ -32,13 +31,13 @@ const SECANTS: usize = 8;
 const NO_TIME: f64 = 1e-15;
 /// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
 const AT_ONCE: f64 = 1e-9;
-/// Turns and changes after which a run that has used up its work is said to oscillate on.
-const TURNS_MAX: usize = 100;
-/// How many times the usual horizon an undecided shot is followed that is followed for long.
-const LONG_HORIZONS: f64 = 50.0;
-/// Turns of the plate to which it is followed for its loads, forward and back, and steps for which it is drawn after the results are known: a
-/// stiff mount may oscillate a million times meanwhile.
+/// Turns and changes after which a plate oscillates on, and those after which that is said where the work is used up.
+const CHANGES_MAX: usize = 2_000;
+const CHANGES_FEW: usize = 100;
+/// Turns of the plate to which it is followed for its loads, forward and back, and steps in which one that creeps may not come to them.
 const TURNS_FOLLOWED: usize = 2;
+const STEPS_FOLLOWED: usize = 1_000;
+/// Steps for which it is drawn after the results are known: a stiff mount may oscillate a million times meanwhile.
 const STEPS_DRAWN: usize = 200;
 
 /// A run in progress.
@@ -62,12 +61,7 @@ pub(super) fn run<const S: usize>(
     observer: Observer<'_>,
 ) -> Run {
     let (mode, state) = modes::first(setup);
-    // Without a spring to bring it back a plate is followed to its stop, and until it has left that.
-    let waits = setup.spring.is_absent() && setup.stop.is_some();
-    let horizon_s = scene.run.horizon_s.unwrap_or_else(|| {
-        let horizons = if settings.long { LONG_HORIZONS } else { 1.0 };
-        if waits { f64::INFINITY } else { horizons * horizon::of(setup) }
-    });
+    let horizon_s = scene.run.horizon_s.unwrap_or(f64::INFINITY);
     let Settings { series: keep_series, every_s, .. } = settings;
     let record = Record { keep_series, every_s, ..Record::default() };
     let mut progress = Progress {
@@ -109,12 +103,9 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         loop {
             self.course.decide();
             let is_decided = self.course.decided.is_some();
-            let at_horizon = self.is_at(self.course.horizon_s);
-            if is_decided && (at_horizon || self.course.scene.run.horizon_s.is_none()) {
-                return EndReason::Decided;
-            }
-            if at_horizon {
-                return EndReason::Horizon;
+            let horizon_s = self.course.horizon_s;
+            if self.is_at(horizon_s) || is_decided && horizon_s.is_infinite() {
+                return if is_decided { EndReason::Decided } else { EndReason::Horizon };
             }
             if let Some(end) = self.go_on(observer) {
                 return end;
@@ -133,11 +124,12 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         }
         let record = &self.course.record;
         let Cost { rhs_evaluations, events, turns, .. } = record.cost;
-        if rhs_evaluations + S * (events + turns) > EVALUATIONS_MAX {
-            // The first contact ends, however often the plate turns in it.
-            let is_over = record.first_arrest.is_some() || record.exit.is_some();
-            let oscillates =
-                is_over && self.course.scene.run.horizon_s.is_none() && turns + events > TURNS_MAX;
+        // The first contact ends, however often the plate turns in it.
+        let is_over = record.first_arrest.is_some() || record.exit.is_some();
+        let is_open = self.course.scene.run.horizon_s.is_none();
+        let changes = if is_over && is_open { turns + events } else { 0 };
+        if changes > CHANGES_MAX || rhs_evaluations + S * (events + turns) > EVALUATIONS_MAX {
+            let oscillates = changes > CHANGES_FEW;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
         if let Some(event) = missed {
@@ -154,16 +146,16 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let scene = self.course.scene;
         let is_drawn = self.course.record.keep_series && scene.run.horizon_s.is_none();
         let Cost { turns, steps, .. } = self.course.record.cost;
-        self.course.horizon_s = self.course.state.t_s + horizon::of(self.course.setup);
+        self.course.horizon_s = f64::INFINITY;
         let mut loads: Option<Loads> = None;
         let ended = loop {
-            let turned = self.course.record.cost.turns - turns;
-            if loads.is_none() && (turned >= TURNS_FOLLOWED || !self.course.loads_may_grow()) {
+            let cost = &self.course.record.cost;
+            let (turned, stepped) = (cost.turns - turns, cost.steps - steps);
+            let is_followed = turned < TURNS_FOLLOWED && stepped < STEPS_FOLLOWED;
+            if loads.is_none() && !(is_followed && self.course.loads_may_grow()) {
                 loads = Some(self.course.record.loads);
             }
-            let draws = is_drawn
-                && self.course.record.cost.steps < steps + STEPS_DRAWN
-                && self.course.is_drawn();
+            let draws = is_drawn && stepped < STEPS_DRAWN && self.course.is_drawn();
             if (loads.is_some() && !draws) || self.is_at(self.course.horizon_s) {
                 break None;
             }
@@ -231,33 +223,14 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let mode = self.course.mode.clone();
         let equations = Equations { setup: self.course.setup, mode: &mode };
         let start = self.course.state;
-        let rests = equations.plate_rests();
-        match mode.contact {
-            Contact::Fused | Contact::Perforated if rests => self.rest(),
-            _ if equations.is_touching() && !rests => {
-                self.advance_by(&Moving::<2> { equations, start })
-            }
-            _ => self.advance_by(&Moving::<1> { equations, start }),
+        if equations.is_touching() && !equations.plate_rests() {
+            self.advance_by(&Moving::<2> { equations, start })
+        } else {
+            self.advance_by(&Moving::<1> { equations, start })
         }
     }
 
-    /// Nothing acts any more: the time goes on to the horizon.
-    fn rest(&mut self) -> Option<EndReason> {
-        let Course { setup, mode, state, record, horizon_s, .. } = &mut self.course;
-        let span_s = *horizon_s - state.t_s;
-        let at = |part: f64| {
-            let dt_s = part * span_s;
-            State { t_s: state.t_s + dt_s, q_m: state.q_m + state.u_m_s * dt_s, ..*state }
-        };
-        record.draw(&Equations { setup, mode }, &[at(1.0)], &Path::of(&at));
-        *state = at(1.0);
-        None
-    }
-
-    fn advance_by<const D: usize>(&mut self, law: &Moving<'_, D>) -> Option<EndReason>
-    where
-        for<'m> Moving<'m, D>: Places<D>,
-    {
+    fn advance_by<const D: usize>(&mut self, law: &Moving<'_, D>) -> Option<EndReason> {
         let Moving { equations, start } = law;
         let events = events::of(self.course.setup, equations.mode);
         let left_s = self.course.horizon_s - self.course.state.t_s;
@@ -298,6 +271,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                 let end = law.state(h_s, &step.end);
                 self.course.record.reach(equations, &end);
                 self.course.state = end;
+                modes::measure(&mut self.course.mode, &mut self.course.state);
                 self.last = None;
                 let mut acceleration = [[0.0; S]; 2];
                 acceleration[..D].copy_from_slice(&step.acceleration);
@@ -336,10 +310,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         events: &[Event],
         (which, about_s): (usize, f64),
         near: &Step<D, S>,
-    ) -> Result<State, f64>
-    where
-        for<'m> Moving<'m, D>: Places<D>,
-    {
+    ) -> Result<State, f64> {
         let Moving { equations, start } = law;
         let event = events[which];
         let mut h_s = about_s;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::equations::{Equations, Setup, State};
 use super::modes::{Contact, Mode, first};
 use super::stepping::{Stepping, run_by};
-use crate::model::run::{CONTACT_WINDOW, EndReason, Run, Sample, Settings};
+use crate::model::run::{EndReason, Run, Sample, Settings};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Look, simulate};
 use crate::model::variables::scene_with;
@@ -47,47 +47,6 @@ pub(super) fn is_near(value: f64, exact: f64, part: f64) -> bool {
     (value - exact).abs() <= part * exact.abs()
 }
 
-/// Seen from a free plate it is at rest, and the projectile comes with the difference of both velocities.
-#[test]
-fn valid_a_free_plate_that_moves_is_struck_as_one_at_rest_by_a_slower_shot() {
-    for (plate_m_s, theta) in [(30.0, 0.0_f64), (-40.0, 0.0), (30.0, 30.0)] {
-        let along_m_s = plate_m_s * theta.to_radians().cos();
-        for v in [100.0, 500.0] {
-            let of =
-                |v: f64, w: f64| shot(&format!("gamma=1 k=0 theta={theta}deg v_i={v} w_0={w}"));
-            let (moving, resting) = (of(v, plate_m_s), of(v - along_m_s, 0.0));
-            assert_eq!(moving.outcome, resting.outcome);
-            let same = |it: fn(&Run) -> Option<f64>, more: f64| {
-                let (own, other) = (it(&moving), it(&resting));
-                assert_eq!(own.is_some(), other.is_some());
-                let pair = own.zip(other);
-                assert!(pair.is_none_or(|(own, other)| is_near(own, other + more, 1e-11)));
-            };
-            same(|run| run.first_arrest.map(|it| it.penetration_m), 0.0);
-            same(|run| run.first_arrest.map(|it| it.t_s), 0.0);
-            same(|run| run.exit_time_s, 0.0);
-            same(|run| run.peak_contact_force_n, 0.0);
-            same(|run| run.residual_velocity_m_s, along_m_s);
-            same(|run| run.first_arrest.map(|it| it.plate_velocity_m_s), plate_m_s);
-        }
-    }
-}
-
-/// At the turn the spring has all energy but what the hole took, by a formula of its own for k x^n.
-#[test]
-fn valid_a_plate_that_moves_at_first_contact_brings_its_energy() {
-    for (n, k) in [(1.0, 1e5), (1.5, 1e6), (0.5, 2e4)] {
-        for w in [40.0, -40.0] {
-            let run = shot(&format!("gamma=1 d=0.002 k={k} n={n} w_0={w}"));
-            let stored_j = |x_m: f64| k * x_m.powf(n + 1.0) / (n + 1.0);
-            let initial_j = 0.5 * 0.0295 * (100.0 * 100.0 + w * w) + stored_j(0.002);
-            let spent_j =
-                run.ledger.penetration_j + stored_j(run.max_plate_displacement_m.unwrap());
-            assert!(is_near(spent_j, initial_j, 1e-10), "{n} {w}: {spent_j} J, not {initial_j} J");
-        }
-    }
-}
-
 /// On a free plate of the projectile's mass u = v cos(pi t/T): common velocity after half of the history, at a travel of v T/pi, and
 /// where the plate is v T (1/4 - 1/(2 pi)); afterwards both go on together. A rigid mount sees all of it: v T/2.
 #[test]
@@ -102,19 +61,6 @@ fn valid_a_half_sine_on_a_free_plate_and_on_a_rigid_mount() {
     let rigid = shot("mount=rigid dishing=off model=half-sine t_d=1e-4");
     assert!(is_near(rigid.final_penetration_m.unwrap(), 5e-3, 1e-12));
     assert!(is_near(rigid.first_arrest.unwrap().t_s, 1e-4, 1e-12));
-}
-
-/// Fewer stages and a looser tolerance: nothing in common but the law.
-#[test]
-fn the_two_members_agree() {
-    for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.2", "b=2000 k=1e5", "k=1e5 theta=30deg"] {
-        let scene = Arc::new(scene_with(pairs));
-        let nine = run_to_end(&scene, Stepping::Collocation(1e-12), Settings::BARE);
-        let seven = run_to_end(&scene, Stepping::Second(1e-11), Settings::BARE);
-        let depth = |run: &Run| run.final_penetration_m.unwrap();
-        assert!(is_near(depth(&nine), depth(&seven), 1e-11), "{pairs}");
-        assert!(nine.cost.steps < 300, "{pairs}: {:?}", nine.cost);
-    }
 }
 
 /// Methods of four families, one of them without events: each approaches the same run.
@@ -141,25 +87,6 @@ fn valid_every_method_steps_to_the_same_end() {
             }
         }
     }
-}
-
-/// Nothing but momentum passes between a free plate and its shot: `m_p v + m_2 w` at every row, both masses 29.5 g.
-#[test]
-fn valid_rows_at_equal_times_lie_on_the_motion() {
-    let scene = Arc::new(scene_with("gamma=1 k=0"));
-    let found = run_to_end(&scene, Stepping::Collocation(1e-12), Settings::SERIES);
-    let settings = Settings { every_s: Some(1e-6), ..Settings::SERIES };
-    let rows = run_to_end(&scene, Stepping::Collocation(1e-12), settings).series;
-    let end_s = CONTACT_WINDOW * found.first_arrest.unwrap().t_s;
-    assert!((rows.len() as f64 - 1.0 - (end_s / 1e-6).floor()).abs() < 0.5, "{}", rows.len());
-    for (index, row) in rows.iter().enumerate() {
-        assert!((row.t_s - index as f64 * 1e-6).abs() < 1e-18);
-        let momentum = row.projectile_velocity_m_s + row.plate_velocity_m_s;
-        assert!((momentum - 100.0).abs() < 1e-11, "{row:?}");
-        let way_m = row.projectile_displacement_m + row.plate_displacement_m;
-        assert!((way_m - 100.0 * row.t_s).abs() < 1e-15, "{row:?}");
-    }
-    assert!(found.series.len() > 8 * found.cost.steps, "{}", found.series.len());
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::study::first_contact::is_through;
 
 /// Relative width up to which undecided shots are one limit for any purpose.
 const ONE_POINT: f64 = 1e-6;
-/// Undecided shots, each followed for long, that are spent on the edge of what no run decides.
+/// Undecided shots, each of all the work of a run, that are spent on the edge of what no run decides.
 const UNDECIDED_MAX: usize = 8;
 
 /// Whether a shot goes through.
@@ -49,17 +49,16 @@ impl ShotOutcome {
     }
 }
 
-/// A shot and its verdict; one that is left undecided is followed for longer. `None` for a scene that makes no physical sense.
+/// A shot and its verdict; one that its horizon leaves undecided is followed beyond it. `None` for a scene that makes no physical sense.
 pub(in crate::study) fn decide(
     scene: &Arc<Scene>,
     observer: Observer<'_>,
 ) -> Option<(Run, ShotOutcome)> {
     let mut run = simulate(scene, &Settings::BARE, observer).ok()?;
-    if run.stack.is_none() && ShotOutcome::of(&run) == ShotOutcome::Undecided {
+    if scene.run.horizon_s.is_some() && ShotOutcome::of(&run) == ShotOutcome::Undecided {
         let mut own = Scene::clone(scene);
         own.run.horizon_s = None;
-        let settings = Settings { long: true, ..Settings::BARE };
-        run = simulate(&Arc::new(own), &settings, observer).ok()?;
+        run = simulate(&Arc::new(own), &Settings::BARE, observer).ok()?;
     }
     let verdict = ShotOutcome::of(&run);
     Some((run, verdict))
