@@ -126,6 +126,15 @@ fn energy_is_kept_on_combinations() {
     }
 }
 
+/// The spring's law changes where the stop begins, and the plate turns at once.
+#[test]
+fn energy_is_kept_where_a_spring_changes_at_the_stop() {
+    let spring = "spring=constant x_c=0.002 F_c=2.084e4 k=0 d=0.00802";
+    let stop = "x_stop=0.002 stop_kind=elastic k_stop=3.508e8 b_stop=2.579e4";
+    let run = run(scene(&format!("{spring} {stop} gamma=6.43 v_i=14.17 h=0.0055 horizon=0.0172")));
+    assert!(run.ledger.residual().abs() < 1e-10, "{:e}", run.ledger.residual());
+}
+
 #[test]
 fn a_constant_force_makes_a_parabola() {
     let run = run(scene("spring=constant F_c=3000 x_c=0.0005 horizon=0.0008"));

@@ -134,8 +134,8 @@ worded! {
         #[default]
         Decided = "outcome decided",
         Horizon = "horizon reached",
-        /// No horizon was given, and a plate that oscillates on has used up the work of a run undecided.
-        Oscillates = "undecided after many oscillations: the work of a run is used up",
+        /// No horizon was given, and a plate oscillates on undecided.
+        Oscillates = "undecided after many oscillations",
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
         NonFinite = "ended early: a value stopped being finite",

@@ -47,7 +47,7 @@ parts! {
         pub tolerance: f64 = 1e-9 => "tol", "tolerance", "relative error tolerance of depth and time",
             number(Number, Between(1e-14, 1e-2)).aliases(&["tolerance"]).is_log(true).source("default of this program");
         pub horizon_s: Option<f64> = None => "horizon", "end of the run", "the time the run goes on to",
-            optional(Time, Positive, "auto").source("absent: chosen from the scene");
+            optional(Time, Positive, "auto").source("absent: until the results are known");
     }
 
     /// The elements behind the scene's own plate.

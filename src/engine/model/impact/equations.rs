@@ -264,7 +264,7 @@ impl Equations<'_> {
     }
 
     /// Force of the elastic stop while it is pressed.
-    fn pressed_stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+    pub(super) fn pressed_stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         if self.mode.is_pressed { self.stop_n(x_m, w_m_s) } else { 0.0 }
     }
 
@@ -329,17 +329,20 @@ impl Equations<'_> {
 
     /// Accelerations of slip and plate.
     pub(super) fn accelerations(&self, state: &State) -> (f64, f64) {
-        let setup = self.setup;
-        let contact = self.contact_n(state);
+        self.moved_by(self.contact_n(state), || self.mechanism_n(state.x_m, state.w_m_s))
+    }
+
+    /// Those by forces of the contact and of the mechanism.
+    fn moved_by(&self, contact_n: f64, mechanism_n: impl Fn() -> f64) -> (f64, f64) {
+        let Setup { projectile_kg, cos, .. } = *self.setup;
         let plate = if self.plate_rests() {
             0.0
         } else {
-            let mechanism = self.mechanism_n(state.x_m, state.w_m_s);
-            (contact * setup.cos - mechanism) / self.moving_kg()
+            (contact_n * cos - mechanism_n()) / self.moving_kg()
         };
         let slip = match self.mode.contact {
             Contact::Fused => 0.0,
-            _ => -contact / setup.projectile_kg - plate * setup.cos,
+            _ => -contact_n / projectile_kg - plate * cos,
         };
         (slip, plate)
     }
@@ -366,15 +369,9 @@ impl Equations<'_> {
 
     /// What they are off by through the rounding of forces, which may hold each other.
     pub(super) fn rounding(&self, state: &State) -> (f64, f64) {
-        let setup = self.setup;
-        let contact = KNOWN * self.contact_n(state).abs();
-        let plate = if self.plate_rests() {
-            0.0
-        } else {
-            let mechanism = self.mechanism_rounding_n(state.x_m, state.w_m_s);
-            (contact * setup.cos + mechanism) / self.moving_kg()
-        };
-        (contact / setup.projectile_kg + plate * setup.cos, plate)
+        let mechanism_n = || -self.mechanism_rounding_n(state.x_m, state.w_m_s);
+        let (slip, plate) = self.moved_by(KNOWN * self.contact_n(state).abs(), mechanism_n);
+        (slip.abs(), plate)
     }
 
     /// What presses the plate forwards on a stop on which it rests, N: the mechanism's force at rest, and the contact's.

@@ -6,7 +6,7 @@ use crate::model::impact::modes::{Contact, Event, Hold, Mode, limits_n};
 use crate::numerics::larger;
 
 /// The events that can end a mode.
-pub(super) fn of(setup: &Setup, mode: &Mode) -> Vec<Event> {
+pub(super) fn of(setup: &Setup, mode: &Mode) -> impl Iterator<Item = Event> {
     let (below, above) = mode.spring.ends(mode.stretch);
     let is_free = mode.hold == Hold::Free;
     let of_plate = [
@@ -20,7 +20,7 @@ pub(super) fn of(setup: &Setup, mode: &Mode) -> Vec<Event> {
         (is_free && mode.is_pressed && mode.w_side < 0.0, Event::StopSlack),
     ];
     let of_plate = of_plate.into_iter().filter(|(has, _)| *has).map(|(_, event)| event);
-    of_contact(setup, mode).iter().copied().chain(of_plate).collect()
+    of_contact(setup, mode).iter().copied().chain(of_plate)
 }
 
 /// Those of the contact.
@@ -115,14 +115,14 @@ mod tests {
             let setup = Setup::of(&scene_with(pairs), 1e-12);
             let w_side = if is_pressed { -1.0 } else { 1.0 };
             let mode = Mode { contact, is_pressed, w_side, ..first(&setup).0 };
-            assert_eq!(of(&setup, &mode), expected, "{pairs} {contact:?}");
+            assert_eq!(of(&setup, &mode).collect::<Vec<_>>(), expected, "{pairs} {contact:?}");
         }
         let setup = Setup::of(&scene_with("mount=rigid"), 1e-12);
         let mode = first(&setup).0;
-        assert_eq!(of(&setup, &mode), [Event::PieceEnd, Event::SlipZero]);
+        assert!(of(&setup, &mode).eq([Event::PieceEnd, Event::SlipZero]));
         // Where the plate cannot move the slip is zero at the end of the history alone.
         let setup = Setup::of(&scene_with("mount=rigid model=half-sine"), 1e-12);
-        assert_eq!(of(&setup, &first(&setup).0), [Event::HistoryEnd]);
+        assert!(of(&setup, &first(&setup).0).eq([Event::HistoryEnd]));
     }
 
     /// Scene, contact and event, and states (q, u, x, w) before and beyond it.

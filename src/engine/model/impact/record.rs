@@ -95,11 +95,8 @@ impl Record {
 
     /// Work in the hole, of the damper and of the elastic stop, by Gauss's rule: exact for the product of two of the step's polynomials.
     fn add_work(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
-        let moves = !equations.plate_rests();
-        let is_damped = moves && !equations.setup.damper.is_absent();
-        let is_pressed = moves && equations.mode.is_pressed;
-        let slides = equations.is_touching();
-        if !(slides || is_damped || is_pressed) {
+        let is_damped = !equations.setup.damper.is_absent();
+        if !(equations.is_touching() || is_damped || equations.mode.is_pressed) {
             return;
         }
         let span_s = path.end().t_s - path.looks[0].t_s;
@@ -108,15 +105,9 @@ impl Record {
                 let state = path.at(0.5 + 0.5 * place);
                 let State { u_m_s, x_m, w_m_s, .. } = state;
                 let part_s = 0.5 * weight * span_s;
-                if slides {
-                    self.work.penetration_j += part_s * equations.contact_n(&state) * u_m_s;
-                }
-                if is_damped {
-                    self.work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
-                }
-                if is_pressed {
-                    self.work.stop_j += part_s * equations.stop_n(x_m, w_m_s) * w_m_s;
-                }
+                self.work.penetration_j += part_s * equations.contact_n(&state) * u_m_s;
+                self.work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
+                self.work.stop_j += part_s * equations.pressed_stop_n(x_m, w_m_s) * w_m_s;
             }
         }
     }

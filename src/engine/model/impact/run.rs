@@ -185,7 +185,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             return Some(Event::ZeroPassed);
         }
         let is_behind = |event: &Event| gap(&equations, *event, &self.course.state) < 0.0;
-        let mut events = events::of(self.course.setup, &self.course.mode).into_iter();
+        let mut events = events::of(self.course.setup, &self.course.mode);
         events.find(|event| is_behind(event) && !self.is_undone_by(*event))
     }
 
@@ -232,7 +232,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
 
     fn advance_by<const D: usize>(&mut self, law: &Moving<'_, D>) -> Option<EndReason> {
         let Moving { equations, start } = law;
-        let events = events::of(self.course.setup, equations.mode);
+        let events: Vec<_> = events::of(self.course.setup, equations.mode).collect();
         let left_s = self.course.horizon_s - self.course.state.t_s;
         let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
         let no_time_s = NO_TIME * self.course.setup.passage_s();
