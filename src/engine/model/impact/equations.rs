@@ -141,11 +141,6 @@ impl Setup {
         self.projectile_kg * self.cos / self.joined_kg
     }
 
-    /// Whether the plate crushes an absorber.
-    pub(super) fn is_absorbing(&self) -> bool {
-        self.absorber.is_some()
-    }
-
     /// Time in which the projectile goes its tip radius at first, s.
     pub(super) fn passage_s(&self) -> f64 {
         self.geometry.nose.radius_m / self.velocity_m_s
@@ -232,13 +227,6 @@ impl Equations<'_> {
     /// Whether the nose goes deeper than ever.
     pub(super) fn goes_in(&self) -> bool {
         self.mode.contact == Contact::Penetrating
-    }
-
-    /// What a contact that comes to rest without joining the bodies gives back, J; `None` of those that join them.
-    pub(super) fn contact_j(&self, state: &State) -> Option<f64> {
-        let Law::Lumped(lumped) = self.setup.law else { return None };
-        let gives_j = lumped.gives_back_j(self.goes_in(), self.mode.deepest_m, state.q_m);
-        Some(if self.is_touching() { gives_j } else { 0.0 })
     }
 
     /// Its derivatives by travel and slip.

@@ -2,7 +2,7 @@
 
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::{Contact, Event, Hold, Mode, limits_n};
+use crate::model::impact::modes::{Contact, Event, Hold, Mode};
 use crate::numerics::larger;
 
 /// The events that can end a mode.
@@ -53,9 +53,9 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::SlipZero => state.u_m_s,
         Event::Recontact => recontact(setup, mode, state),
         Event::ContactLost => equations.contact_n(state),
-        Event::HistoryEnd => history_left_s(setup, state),
-        Event::PushLimit => limits_n(setup, mode, state.q_m).0 - equations.carried_n(state),
-        Event::PullLimit => limits_n(setup, mode, state.q_m).1 + equations.carried_n(state),
+        Event::HistoryEnd => setup.law.lasts_s() - state.t_s,
+        Event::PushLimit => equations.limits_n(state).0 - equations.carried_n(state),
+        Event::PullLimit => equations.limits_n(state).1 + equations.carried_n(state),
         Event::KnotAhead => equations.knots_m().1 - state.x_m,
         Event::KnotBehind => state.x_m - equations.knots_m().0,
         Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
@@ -75,12 +75,6 @@ fn recontact(setup: &Setup, mode: &Mode, state: &State) -> f64 {
     let Law::Lumped(lumped) = setup.law else { return missing_m };
     let push_n = lumped.force_n(false, mode.deepest_m, (state.q_m, state.u_m_s));
     larger(missing_m, -push_n)
-}
-
-/// The time until the force history ends.
-fn history_left_s(setup: &Setup, state: &State) -> f64 {
-    let Law::History(history) = setup.law else { return f64::INFINITY };
-    history.duration_s - state.t_s
 }
 
 #[cfg(test)]

@@ -300,13 +300,6 @@ fn pull_out(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.piece = setup.geometry.piece(state.q_m.next_down());
 }
 
-/// The force that the interface can carry forwards and backwards while joined, N.
-pub(super) fn limits_n(setup: &Setup, mode: &Mode, q_m: f64) -> (f64, f64) {
-    let strength = setup.geometry.area_m2(q_m) * setup.strength_pa;
-    let friction = setup.grip * strength;
-    (if q_m >= mode.deepest_m { strength } else { friction }, friction)
-}
-
 /// What follows where the slip is zero: together, unless the interface cannot carry what it must.
 fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.contact = match (setup.law, mode.contact) {
@@ -326,8 +319,8 @@ fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
     if !setup.plastic {
         return;
     }
-    let carried_n = Equations { setup, mode }.carried_n(state);
-    let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
+    let equations = Equations { setup, mode };
+    let (carried_n, (push_n, pull_n)) = (equations.carried_n(state), equations.limits_n(state));
     if carried_n > push_n {
         push_in(setup, mode, state);
     } else if carried_n < -pull_n {
@@ -360,11 +353,8 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, stop.restitution, state) };
     if !(joined && (is_soft || !setup.plastic)) {
         state.u_m_s += (before - state.w_m_s) * setup.cos;
-        match mode.contact {
-            Contact::Fused | Contact::Withdrawing if state.u_m_s > 0.0 => {
-                push_in(setup, mode, state);
-            }
-            _ => {}
+        if state.u_m_s > 0.0 && matches!(mode.contact, Contact::Fused | Contact::Withdrawing) {
+            push_in(setup, mode, state);
         }
     }
     if state.w_m_s == 0.0 {

@@ -1,7 +1,8 @@
 //! Whether a run is decided: bounds by the energy that is left, as pure functions of mode and state.
 
+use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::{Contact, Hold, limits_n};
+use crate::model::impact::modes::{Contact, Hold};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
@@ -128,8 +129,10 @@ impl Equations<'_> {
 
     /// Whether all is at rest in a contact that does not join the bodies.
     fn rests_in_contact(&self, state: &State) -> bool {
-        let contact_j = self.contact_j(state);
-        contact_j.is_some_and(|j| self.energy_left_j(state) + j < AT_REST * self.setup.initial_j())
+        let Law::Lumped(lumped) = self.setup.law else { return false };
+        let gives_j = lumped.gives_back_j(self.goes_in(), self.mode.deepest_m, state.q_m);
+        let contact_j = if self.is_touching() { gives_j } else { 0.0 };
+        self.energy_left_j(state) + contact_j < AT_REST * self.setup.initial_j()
     }
 
     /// Energy that it takes to pull the joined projectile out of its hole, J: more than there is where they are fused.
@@ -160,7 +163,7 @@ impl Equations<'_> {
                 return false;
             }
         }
-        let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
+        let (push_n, pull_n) = self.limits_n(state);
         let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
         if pushed_n <= push_n && pulled_n <= pull_n {
             return true;
@@ -180,17 +183,20 @@ impl Equations<'_> {
         way_m > 0.0 && is_off_stop && larger(pushed_n, pulled_n) <= friction_n
     }
 
-    /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to the
-    /// energy above that of the oscillation whose peak just equals the strength of the deeper hole. Their travel in all, m.
-    pub(super) fn last_slips_m(&self, state: &State) -> Option<f64> {
+    /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips, once it is past its
+    /// greatest displacement; they add up to the energy above that of the oscillation whose peak just equals the strength of the deeper
+    /// hole. Their travel in all, m.
+    pub(super) fn last_slips_m(&self, state: &State, farthest_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
-        let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
         let energy_j = self.energy_j(state);
-        let keeps = self.is_undamped() && !setup.is_absorbing();
-        if !setup.plastic || !is_joined || !keeps || self.meets_rigid_stop(state, energy_j) {
+        let is_past = state.w_m_s < 0.0 && self.reach_m(state, energy_j) <= farthest_m;
+        let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
+        let keeps = self.is_undamped() && setup.absorber.is_none();
+        let may_slip = setup.plastic && is_past && is_joined && keeps;
+        if !may_slip || self.meets_rigid_stop(state, energy_j) {
             return None;
         }
-        let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
+        let (push_n, pull_n) = self.limits_n(state);
         let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
         let excess = pushed_n / push_n - 1.0;
         // It is where the plate turns that the interface has to carry most.
@@ -217,6 +223,13 @@ impl Equations<'_> {
     /// The force that the interface carries forwards at the bottom of the hole, N.
     pub(super) fn strength_n(&self, state: &State) -> f64 {
         self.setup.geometry.area_m2(state.q_m) * self.setup.strength_pa
+    }
+
+    /// The force that the joined interface can carry forwards and backwards, N.
+    pub(super) fn limits_n(&self, state: &State) -> (f64, f64) {
+        let strength_n = self.strength_n(state);
+        let friction_n = self.setup.grip * strength_n;
+        (if state.q_m >= self.mode.deepest_m { strength_n } else { friction_n }, friction_n)
     }
 
     /// Whether a projectile that is out of the plate never meets it again.
@@ -389,7 +402,7 @@ mod tests {
         let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
         let mode = Mode { contact: Contact::Fused, deepest_m: 0.012, ..first(&setup).0 };
         let state = State { q_m: 0.012, w_m_s, ..State::default() };
-        let travel_m = Equations { setup: &setup, mode: &mode }.last_slips_m(&state).unwrap();
+        let travel_m = Equations { setup: &setup, mode: &mode }.last_slips_m(&state, 1.0).unwrap();
         let expected_m = (energy_j - holding_j) / strength_n;
         assert!((travel_m / expected_m - 1.0).abs() < 1e-10, "{travel_m} {expected_m}");
     }

@@ -81,7 +81,7 @@ impl Record {
         self.cost.steps += 1;
         self.add_work(equations, path);
         self.note_forces(equations, path);
-        self.draw(equations, &path.looks[1..], path);
+        self.draw(equations, path);
     }
 
     /// Notes a state that the run has come to.
@@ -148,12 +148,18 @@ impl Record {
                 Found::Nothing | Found::Unresolved(_) => path.end().t_s,
             }
         };
-        self.note_load(equations, path.end(), greatest_n);
-        self.note_excess(equations, path.end(), greatest_n, first_s);
+        self.note_loads(equations, path.end(), greatest_n, |way| Some(first_s(way)));
     }
 
-    /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it.
-    pub(super) fn note_load(&mut self, equations: &Equations<'_>, state: &State, most_n: [f64; 2]) {
+    /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it, and, if known, when they first
+    /// ask too much of a fused interface, s.
+    pub(super) fn note_loads(
+        &mut self,
+        equations: &Equations<'_>,
+        state: &State,
+        most_n: [f64; 2],
+        first_s: impl Fn(usize) -> Option<f64>,
+    ) {
         let loads = &mut self.loads;
         // Of the force that turns the plate back the mount takes what does not turn the mass geared to it.
         let part = 1.0 - equations.setup.turning_kg / equations.moving_kg();
@@ -163,34 +169,23 @@ impl Record {
             loads.no_strength = true;
             return;
         }
-        let part = equations.setup.interface_fraction() / strength_n;
-        let known = loads.ratios.unwrap_or_default();
-        loads.ratios = Some(array::from_fn(|way| larger(part * most_n[way], known[way])));
-    }
-
-    /// Notes when these forces ask too much of a fused interface for the first time.
-    fn note_excess(
-        &mut self,
-        equations: &Equations<'_>,
-        state: &State,
-        most_n: [f64; 2],
-        first_s: impl Fn(usize) -> f64,
-    ) {
-        let setup = equations.setup;
-        let joint_n = equations.joint_n(state).filter(|n| *n > 0.0 && !setup.plastic);
-        let Some(strength_n) = joint_n else { return };
         for (way, holds) in equations.holds().into_iter().enumerate() {
-            let is_exceeded = setup.interface_fraction() * most_n[way] > holds * strength_n;
-            if is_exceeded && self.loads.exceeded_s[way].is_none() {
-                let t_s = first_s(way);
+            let ratio = equations.setup.interface_fraction() / strength_n * most_n[way];
+            let known = &mut self.loads.ratios.get_or_insert_default()[way];
+            *known = larger(ratio, *known);
+            let is_new = !equations.setup.plastic && self.loads.exceeded_s[way].is_none();
+            if is_new
+                && ratio > holds
+                && let Some(t_s) = first_s(way)
+            {
                 self.loads.exceeded_s[way] = Some(t_s);
                 self.note(t_s, EventKind::InterfaceExceeded);
             }
         }
     }
 
-    /// Draws a step: its rows at equal times, and those at some states of it, the last of them at its end.
-    pub(super) fn draw(&mut self, equations: &Equations<'_>, states: &[State], path: &Path<'_>) {
+    /// Draws a step: its rows at equal times, or at its looks.
+    fn draw(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
         if !self.keep_series {
             return;
         }
@@ -204,10 +199,8 @@ impl Record {
             }
             return;
         }
-        let skipped = if self.series.len() < ROWS_MAX { 0 } else { states.len() - 1 };
-        for state in &states[skipped..] {
-            self.series.push(sample(equations, state));
-        }
+        let from = if self.series.len() < ROWS_MAX { 1 } else { path.looks.len() - 1 };
+        self.series.extend(path.looks[from..].iter().map(|state| sample(equations, state)));
     }
 
     fn row(&mut self, equations: &Equations<'_>, state: &State) {
@@ -242,8 +235,7 @@ impl Record {
         self.cost.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
         if after.mode.contact == Contact::Fused && after.mode.hold == Hold::Free {
             let force_n = after.mechanism_n(to.x_m, to.w_m_s);
-            self.note_load(after, to, [force_n, -force_n]);
-            self.note_excess(after, to, [force_n, -force_n], |_| to.t_s);
+            self.note_loads(after, to, [force_n, -force_n], |_| Some(to.t_s));
         }
         let acts = |mode: &Mode| (mode.contact, mode.hold, mode.is_pressed);
         if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {

@@ -79,13 +79,13 @@ impl Course<'_> {
         let exceeds = all && is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
             || setup.stop.is_some()
-            || setup.is_absorbing()
+            || setup.absorber.is_some()
             || (exceeds && record.loads.exceeded_s[0].is_none())
         {
             return true;
         }
         // Nothing takes any of the energy on the way to where the spring pushes most, nor back.
-        record.note_load(&equations, state, most_n);
+        record.note_loads(&equations, state, most_n, |_| None);
         false
     }
 
@@ -279,11 +279,7 @@ impl Course<'_> {
     fn tension(&self) -> Option<f64> {
         let loads = &self.record.loads;
         let [_, pull] = loads.ratios.filter(|_| !self.setup.plastic)?;
-        Some(match (self.setup.grip > 0.0, pull > 0.0) {
-            (true, _) => pull / self.setup.grip,
-            (false, true) => f64::INFINITY,
-            (false, false) => 0.0,
-        })
+        Some(if pull > 0.0 { pull / self.setup.grip } else { 0.0 })
     }
 
     fn omitted(&self) -> Vec<&'static str> {

@@ -209,10 +209,10 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let before_j = new.kinetic_j(&state);
         (self.course.mode, self.course.state) = (next, state);
         // What is to be seen up to a horizon happens when it does.
-        let last_slips_m =
-            self.last_slips_m().filter(|_| self.course.scene.run.horizon_s.is_none());
-        if let Some(travel_m) = last_slips_m {
-            let Course { mode, state, record, .. } = &mut self.course;
+        let is_open = self.course.scene.run.horizon_s.is_none();
+        let Course { mode, state, record, .. } = &mut self.course;
+        let slips_m = Equations { setup, mode }.last_slips_m(state, record.farthest_m);
+        if let Some(travel_m) = slips_m.filter(|_| is_open) {
             modes::take_slips(setup, mode, state, travel_m);
             record.work.penetration_j += before_j - Equations { setup, mode }.kinetic_j(state);
         }
@@ -338,15 +338,6 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             return Ok(state);
         }
         Err(0.5 * h_s)
-    }
-
-    /// The travel of all slips to come, where they are so small that energy alone gives it.
-    fn last_slips_m(&self) -> Option<f64> {
-        let Course { state, record, .. } = &self.course;
-        let equations = self.course.equations();
-        let far_m = equations.reach_m(state, equations.energy_j(state));
-        let is_past = state.w_m_s < 0.0 && far_m <= record.farthest_m;
-        is_past.then(|| equations.last_slips_m(state)).flatten()
     }
 }
 
