@@ -134,8 +134,8 @@ worded! {
         #[default]
         Decided = "outcome decided",
         Horizon = "horizon reached",
-        /// No horizon was given, and a plate oscillates on undecided.
-        Oscillates = "undecided after many oscillations",
+        /// No horizon was given, and a plate oscillates on, or touches again and again, undecided.
+        Oscillates = "undecided after many turns and touches",
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
         NonFinite = "ended early: a value stopped being finite",

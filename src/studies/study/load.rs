@@ -7,6 +7,8 @@ use crate::numerics::larger;
 
 /// Part of the greatest displacement at which it is reached.
 const REACHED: f64 = 1e-9;
+/// Part of it by which rounding may put it off.
+const SAME: f64 = 4.0 * f64::EPSILON;
 
 /// The greatest force into the mount, N.
 ///
@@ -85,11 +87,11 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     let Some(far_m) = run.max_plate_displacement_m else {
         return Some(lost(last) - moving_plate_kg(scene) * last.plate_velocity_m_s);
     };
-    let farther =
-        |a: &&Sample, b: &&Sample| a.plate_displacement_m.total_cmp(&b.plate_displacement_m);
-    let turn = run.series.iter().max_by(farther)?;
-    let is_there = far_m - turn.plate_displacement_m <= REACHED * far_m.abs();
-    let row = if is_there { turn } else { last };
+    // On a stop it may stay, or be there again and again: the last time counts.
+    let most_m = run.series.iter().map(|row| row.plate_displacement_m).fold(f64::MIN, larger);
+    let turn =
+        run.series.iter().rfind(|row| most_m - row.plate_displacement_m <= SAME * far_m.abs());
+    let row = turn.filter(|_| far_m - most_m <= REACHED * far_m.abs()).unwrap_or(last);
     Some(if row.mode == Mode::Fused { m_p * cos * struck } else { lost(row) })
 }
 

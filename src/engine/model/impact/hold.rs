@@ -236,6 +236,7 @@ mod tests {
         assert!(is_near(1e6 * x_m.powf(0.2), now_n, 1e-13));
         assert!(is_near(1e6 * (x_m + w_m_s * 1e-9).powf(0.2), later_n, 1e-9));
     }
+
     /// What is left cannot pull the projectile out of a hole that grips it; without a grip nothing keeps it there.
     #[test]
     fn a_steep_spring_holds_joined_bodies_that_stay_so() {

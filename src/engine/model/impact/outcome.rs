@@ -189,7 +189,8 @@ impl Equations<'_> {
     pub(super) fn last_slips_m(&self, state: &State, farthest_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
         let energy_j = self.energy_j(state);
-        let is_past = state.w_m_s < 0.0 && self.reach_m(state, energy_j) <= farthest_m;
+        let far_m = self.reach_m(state, energy_j);
+        let is_past = state.w_m_s < 0.0 && far_m <= farthest_m;
         let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
         let keeps = self.is_undamped() && setup.absorber.is_none();
         let may_slip = setup.plastic && is_past && is_joined && keeps;
@@ -200,7 +201,6 @@ impl Equations<'_> {
         let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
         let excess = pushed_n / push_n - 1.0;
         // It is where the plate turns that the interface has to carry most.
-        let far_m = self.reach_m(state, energy_j);
         let grows = mode.elastic.tangent(far_m) > 0.0
             && setup.interface_fraction() * mode.elastic.force(far_m) > push_n;
         let is_small = excess > 0.0 && excess < LAST_SLIPS && grows;

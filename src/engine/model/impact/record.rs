@@ -87,7 +87,8 @@ impl Record {
     /// Notes a state that the run has come to.
     pub(super) fn reach(&mut self, equations: &Equations<'_>, state: &State) {
         let x_m = equations.displacement_m(state.x_m);
-        if x_m > self.farthest_m {
+        // By more than rounding: a plate may come to its stop again and again.
+        if x_m - self.farthest_m > 4.0 * f64::EPSILON * x_m.abs() {
             (self.farthest_m, self.farthest_s) = (x_m, state.t_s);
         }
         self.fastest_m_s = larger(state.w_m_s.abs(), self.fastest_m_s);
@@ -192,7 +193,7 @@ impl Record {
         if let Some(every_s) = self.every_s {
             let (from_s, to_s) = (path.looks[0].t_s, path.end().t_s);
             while let t_s = self.series.len() as f64 * every_s
-                && t_s <= to_s
+                && t_s <= to_s * (1.0 + 4.0 * f64::EPSILON)
             {
                 let state = State { t_s, ..path.at((t_s - from_s) / (to_s - from_s)) };
                 self.series.push(sample(equations, &state));

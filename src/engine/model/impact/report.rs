@@ -37,13 +37,18 @@ pub(super) struct Course<'a> {
     pub(super) record: Record,
     /// Outcome and greatest displacement, once nothing can change them any more; infinite where nothing stops the plate.
     pub(super) decided: Option<(Outcome, f64)>,
-    /// When it ends at the latest, s.
+    /// When it ends at the latest, s; infinite without a horizon.
     pub(super) horizon_s: f64,
 }
 
 impl Course<'_> {
     pub(super) fn equations(&self) -> Equations<'_> {
         Equations { setup: self.setup, mode: &self.mode }
+    }
+
+    /// Whether the scene leaves open when it ends.
+    pub(super) fn is_open(&self) -> bool {
+        self.scene.run.horizon_s.is_none()
     }
 
     /// Finds outcome and greatest displacement, once nothing can change them any more.
@@ -131,7 +136,7 @@ impl Course<'_> {
         let so_far_m = self.record.farthest_m;
         match self.decided {
             Some((_, far_m)) if far_m.is_finite() => Some(larger(far_m, so_far_m)),
-            Some(_) => self.scene.run.horizon_s.map(|_| so_far_m),
+            Some(_) => (!self.is_open()).then_some(so_far_m),
             // Of an undecided run as far as there is no energy to go farther.
             None => {
                 let equations = self.equations();

@@ -31,7 +31,8 @@ const SECANTS: usize = 8;
 const NO_TIME: f64 = 1e-15;
 /// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
 const AT_ONCE: f64 = 1e-9;
-/// Turns and changes after which a plate oscillates on, and those after which that is said where the work is used up.
+/// Turns of the plate and changes of its contact after which an undecided run ends, and those after which they are to blame where its work
+/// is used up before.
 const CHANGES_MAX: usize = 2_000;
 const CHANGES_FEW: usize = 100;
 /// Turns of the plate to which it is followed for its loads, forward and back, and steps in which one that creeps may not come to them.
@@ -126,8 +127,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let Cost { rhs_evaluations, events, turns, .. } = record.cost;
         // The first contact ends, however often the plate turns in it.
         let is_over = record.first_arrest.is_some() || record.exit.is_some();
-        let is_open = self.course.scene.run.horizon_s.is_none();
-        let changes = if is_over && is_open { turns + events } else { 0 };
+        let changes = if is_over && self.course.is_open() { turns + events } else { 0 };
         if changes > CHANGES_MAX || rhs_evaluations + S * (events + turns) > EVALUATIONS_MAX {
             let oscillates = changes > CHANGES_FEW;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
@@ -143,8 +143,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     /// Goes on after the results are known: for the greatest loads of mount and interface, to the second turn of the plate, and to draw the
     /// end of the contact and the way to the greatest displacement.
     fn follow_on(&mut self, observer: Observer<'_>) -> EndReason {
-        let scene = self.course.scene;
-        let is_drawn = self.course.record.keep_series && scene.run.horizon_s.is_none();
+        let is_drawn = self.course.record.keep_series && self.course.is_open();
         let Cost { turns, steps, .. } = self.course.record.cost;
         self.course.horizon_s = f64::INFINITY;
         let mut loads: Option<Loads> = None;
@@ -209,10 +208,12 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let before_j = new.kinetic_j(&state);
         (self.course.mode, self.course.state) = (next, state);
         // What is to be seen up to a horizon happens when it does.
-        let is_open = self.course.scene.run.horizon_s.is_none();
+        if !self.course.is_open() {
+            return;
+        }
         let Course { mode, state, record, .. } = &mut self.course;
         let slips_m = Equations { setup, mode }.last_slips_m(state, record.farthest_m);
-        if let Some(travel_m) = slips_m.filter(|_| is_open) {
+        if let Some(travel_m) = slips_m {
             modes::take_slips(setup, mode, state, travel_m);
             record.work.penetration_j += before_j - Equations { setup, mode }.kinetic_j(state);
         }

@@ -11,7 +11,7 @@ use crate::study::first_contact::is_through;
 
 /// Relative width up to which undecided shots are one limit for any purpose.
 const ONE_POINT: f64 = 1e-6;
-/// Undecided shots, each of all the work of a run, that are spent on the edge of what no run decides.
+/// Undecided shots, each followed as far as a run goes, that are spent on the edge of what no run decides.
 const UNDECIDED_MAX: usize = 8;
 
 /// Whether a shot goes through.

@@ -2,8 +2,8 @@
 
 pub(crate) mod draw;
 
-use crate::model::run::Run;
-use crate::numerics::larger;
+use crate::model::run::{Run, Sample};
+use crate::numerics::{larger, smaller};
 use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
 use crate::tui::app::pins::RunView;
@@ -26,6 +26,9 @@ const STEP: f64 = 0.01;
 /// A plate is as good as held that moves less than this part of the depth.
 const HELD: f64 = 1e-3;
 
+/// Part of its way at which a plate has settled.
+const SETTLED: f64 = 1e-2;
+
 /// Whether the plate of a run does not move, or so little that nobody sees it beside the depth.
 pub(crate) fn is_held(run: &Run) -> bool {
     let farthest = run.max_plate_displacement_m.map(f64::abs);
@@ -34,9 +37,15 @@ pub(crate) fn is_held(run: &Run) -> bool {
     starts_at_zero && share.is_some_and(|share| share < HELD)
 }
 
-/// The end of what the whole response shows, s: a plate that nothing stops is followed for two contact times.
+/// The end of what the whole response shows, s: of a plate that creeps on, half as long again as until it has settled to a hundredth of its
+/// way; one that nothing stops is followed for two contact times.
 fn whole_s(run: &Run) -> f64 {
-    let end_s = run.series.last().map_or(0.0, |sample| sample.t_s);
+    let Some(last) = run.series.last() else { return 0.0 };
+    let ahead_m = |row: &Sample| (row.plate_displacement_m - last.plate_displacement_m).abs();
+    let way_m = run.series.iter().map(ahead_m).fold(0.0, larger);
+    let settling = run.series.iter().rfind(|row| ahead_m(row) > SETTLED * way_m);
+    let settled_s = larger(1.5 * settling.map_or(0.0, |row| row.t_s), contact_window_s(run));
+    let end_s = smaller(last.t_s, settled_s);
     if is_free(run) { larger(end_s, 2.0 * run.contact_end_s()) } else { end_s }
 }
 
@@ -124,4 +133,27 @@ fn window(app: &mut App) {
     };
     *window = next;
     app.tell(format!("{name}: {words}"));
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::scene::Scene;
+    use crate::model::simulate::{Look, Settings, simulate};
+    use crate::model::variables::changed;
+
+    /// Without inertia x' = -k x^n/b comes from d to a hundredth of it after `b (100^(n-1) - 1)/(k (n-1) d^(n-1))`, 602 s, and goes on for
+    /// ever.
+    #[test]
+    fn valid_the_whole_response_of_a_plate_that_creeps_on_is_that_until_it_has_settled() {
+        let scene = changed(Scene::default(), "d=0.05 b=400 k=1e4 n=2.3").unwrap();
+        let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+        let run = simulate(&Arc::new(scene), &Settings::SERIES, go_on).unwrap();
+        let settled_s = 400.0 / (1e4 * 1.3) * (100f64.powf(1.3) - 1.0) / 0.05f64.powf(1.3);
+        assert!(run.series.last().unwrap().t_s > 1e3 * settled_s);
+        assert!((whole_s(&run) / settled_s - 1.5).abs() < 0.3, "{}", whole_s(&run));
+    }
 }

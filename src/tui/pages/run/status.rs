@@ -77,7 +77,7 @@ impl App {
             };
             parts.push(part(severity, stack.sentence()));
         } else if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates {
-            parts.push(part(Severity::Warning, "moving after many oscillations".to_owned()));
+            parts.push(part(Severity::Warning, "moving after many turns and touches".to_owned()));
         }
         parts.extend(demand(run).map(|text| part(Severity::Warning, text)));
         parts.extend(self.validity_part());
