@@ -249,4 +249,13 @@ mod tests {
             assert_eq!(found, expected, "{more}");
         }
     }
+    /// At 0.1 mm/s the damper's 100 N hold the spring's: a velocity that is off by 1e-12 of itself, as a step may leave it, sends it nowhere.
+    #[test]
+    fn a_plate_approaches_no_zero_by_what_its_velocity_is_off_by() {
+        let is_near_s = |part: f64, within_s: f64| {
+            let state = [5e-3, 0.0, -1e-3, 1e-4 * (1.0 + part)];
+            look("k=1e5 b=1e4 m=0.5", Contact::Fused, state, |it, at| it.approach_s(at) < within_s)
+        };
+        assert!(!is_near_s(1e-12, f64::INFINITY) && is_near_s(1e-3, 1e-3));
+    }
 }
