@@ -2,8 +2,8 @@
 //!
 //! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
 //! `moving` is what the integrator sees of it, `hold` when a steep spring holds the plate; `run` is the loop, and `stepping` the methods it
-//! can step by; `outcome` decides by energy when it is over; `path` has the states on a step,
-//! `record` keeps rows, work and greatest forces of them, and `report` makes the [`Run`].
+//! can step by; `outcome` decides by energy when it is over; `path` has the states on a step, `record` keeps rows, work and greatest forces
+//! of them, and `report` makes the [`Run`].
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

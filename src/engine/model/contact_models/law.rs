@@ -48,7 +48,7 @@ impl Law {
 
     /// Says where a prescribed history has overrun the first common velocity.
     pub(in crate::model) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
-        let duration_s = Some(self.lasts_s()).filter(|it| it.is_finite())?;
+        let Self::History(History { duration_s, .. }) = *self else { return None };
         let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
         early.map(|t_s| Warning::Overruns { t_s, duration_s })
     }

@@ -296,8 +296,11 @@ impl Equations<'_> {
         let in_full = matches!(setup.stepping, Stepping::CollocationInFull(_));
         // Nothing but the spring turns the plate, if anything does.
         let by_spring = setup.damper.is_absent() && setup.stop.is_none() && !in_full;
-        let is_gone = state.w_m_s < 0.0 && mode.spring.reach(x_m, energy_j, -1.0).is_infinite();
-        by_spring.then(|| if is_gone { so_far_m } else { larger(reach_m, so_far_m) })
+        by_spring.then(|| {
+            let back_m = mode.spring.reach(x_m, energy_j, -1.0);
+            let is_gone = state.w_m_s < 0.0 && back_m.is_infinite();
+            if is_gone { so_far_m } else { larger(reach_m, so_far_m) }
+        })
     }
 }
 
