@@ -112,7 +112,7 @@ impl<const S: usize> Collocation<'_, S> {
             }
             None => guess(law, &start, h).map(|value| [value; S]),
         };
-        let mut matrix = Factored::zero();
+        let mut newton = Factored::zero();
         let mut is_old = true;
         let mut before = f64::INFINITY;
         let enough = SOLVED + ROUNDING / tolerance;
@@ -128,14 +128,15 @@ impl<const S: usize> Collocation<'_, S> {
             let points = member.points(start, h, &stages);
             let is_new = is_old;
             if is_old {
-                member.derive(&mut matrix, law, &points, h);
+                let slopes = array::from_fn(|i| law.slopes(&points[i]));
+                newton.set(&member.a, &member.square, &slopes, h);
             }
             *evaluations += S;
             let mut change: Stages<D, S> = by_place(|i| law.at(h * member.nodes[i], &points[i]));
             for (change, stage) in change.as_flattened_mut().iter_mut().zip(stages.as_flattened()) {
                 *change -= stage;
             }
-            if !matrix.solve(&mut change) {
+            if !newton.solve(&mut change) {
                 return None;
             }
             for (stage, change) in stages.as_flattened_mut().iter_mut().zip(change.as_flattened()) {
@@ -154,7 +155,7 @@ impl<const S: usize> Collocation<'_, S> {
             // stages, is rounding.
             let stalls = before.is_finite() && contraction > 0.5 && {
                 let mut rounding = law.rounding(0.0, &start).map(|rounding| [rounding; S]);
-                matrix.solve(&mut rounding);
+                newton.solve(&mut rounding);
                 norm < 10.0 * enough || norm < size(&rounding)
             };
             if norm <= SOLVED || ahead <= enough || stalls {
@@ -203,16 +204,9 @@ impl<const S: usize> Collocation<'_, S> {
                 defect.0[d] += h * (1.0 - at) * missed;
             }
         }
-        let slopes = law.slopes(&step.end);
-        let mut filter = Factored::<D, 1>::zero();
-        for (e, [column]) in filter.columns.iter_mut().enumerate() {
-            for (d, [value]) in column.iter_mut().enumerate() {
-                let unit = if d == e { 1.0 } else { 0.0 };
-                let stiff = slopes.speed[d][e] + FILTER * h * slopes.place[d][e];
-                *value = unit - FILTER * h * stiff;
-            }
-        }
-        filter.factor();
+        let slopes = [law.slopes(&step.end)];
+        let mut filter = Factored::zero();
+        filter.set(&[[FILTER]], &[[FILTER * FILTER]], &slopes, h);
         let filtered = |error: [f64; D]| {
             let mut all = error.map(|error| [error]);
             // An infinite slope at the end damps without bound: nothing is known of the error then.
@@ -311,31 +305,6 @@ impl<const S: usize> Member<S> {
         })
     }
 
-    /// The matrix of Newton's method with the derivatives at these points.
-    fn derive<const D: usize>(
-        &self,
-        matrix: &mut Factored<D, S>,
-        law: &impl Acceleration<D>,
-        points: &[Point<D>; S],
-        h: f64,
-    ) {
-        let slopes: [Slopes<D>; S] = array::from_fn(|i| law.slopes(&points[i]));
-        for (e, columns) in matrix.columns.iter_mut().enumerate() {
-            for d in 0..D {
-                let by_speed: [f64; S] = array::from_fn(|i| h * slopes[i].speed[d][e]);
-                let by_place: [f64; S] = array::from_fn(|i| h * h * slopes[i].place[d][e]);
-                for (column, (a, square)) in columns.iter_mut().zip(self.a.iter().zip(&self.square))
-                {
-                    column[d] = array::from_fn(|i| -a[i] * by_speed[i] - square[i] * by_place[i]);
-                }
-            }
-            for (j, column) in columns.iter_mut().enumerate() {
-                column[e][j] += 1.0;
-            }
-        }
-        matrix.factor();
-    }
-
     fn polynomial<const D: usize>(
         &self,
         start: Point<D>,
@@ -394,7 +363,20 @@ impl<const D: usize, const S: usize> Factored<D, S> {
         Self { columns: [[[[0.0; S]; D]; S]; D], pivots: [[0; S]; D] }
     }
 
-    fn factor(&mut self) {
+    /// Becomes that of Newton's method, 1 - h A J' - h² A² J, with the derivatives J' by speed and J by place at the stages.
+    fn set(&mut self, a: &Square<S>, square: &Square<S>, slopes: &[Slopes<D>; S], h: f64) {
+        for (e, columns) in self.columns.iter_mut().enumerate() {
+            for d in 0..D {
+                let by_speed: [f64; S] = array::from_fn(|i| h * slopes[i].speed[d][e]);
+                let by_place: [f64; S] = array::from_fn(|i| h * h * slopes[i].place[d][e]);
+                for (column, (a, square)) in columns.iter_mut().zip(a.iter().zip(square)) {
+                    column[d] = array::from_fn(|i| -a[i] * by_speed[i] - square[i] * by_place[i]);
+                }
+            }
+            for (j, column) in columns.iter_mut().enumerate() {
+                column[e][j] += 1.0;
+            }
+        }
         let (columns, pivots) = (self.columns.as_flattened_mut(), self.pivots.as_flattened_mut());
         for (at, pivot) in pivots.iter_mut().enumerate() {
             let (done, rest) = columns.split_at_mut(at + 1);

@@ -9,7 +9,7 @@ use crate::model::contact_models::Law;
 use crate::model::impact::modes::{Contact, Hold, Mode};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
-use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind, Stop, StopKind};
+use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind};
 use crate::numerics::step::{Point, Slopes};
 use crate::numerics::{larger, smaller};
 
@@ -31,9 +31,13 @@ pub(super) struct Setup {
     /// What an absorber is part of, where there is one.
     pub(super) absorber: Option<Box<scene::Mechanism>>,
     pub(super) damper: PowerLaw,
-    pub(super) stop: Option<Stop>,
-    /// Infinite where there is none.
+    /// Where the stop is, m; infinite where there is none.
     pub(super) stop_at_m: f64,
+    /// Of a rigid stop.
+    pub(super) restitution: Option<f64>,
+    /// Stiffness and damping of an elastic one; nothing of any other.
+    pub(super) stop_n_m: f64,
+    pub(super) stop_n_s_m: f64,
     pub(super) projectile_kg: f64,
     /// `m_2` and what its mechanism adds.
     pub(super) plate_kg: f64,
@@ -95,11 +99,13 @@ impl Setup {
         Self {
             law,
             geometry,
-            spring: mechanism.spring,
             absorber: absorbs.then(|| Box::new(scene.mechanism.clone())),
             damper: mechanism.damper,
-            stop: mechanism.stop,
             stop_at_m: mechanism.stop.and_then(|stop| stop.position_m).unwrap_or(f64::INFINITY),
+            restitution: mechanism.rigid_stop().map(|stop| stop.restitution),
+            stop_n_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.stiffness_n_m),
+            stop_n_s_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.damping_n_s_m),
+            spring: mechanism.spring,
             projectile_kg,
             plate_kg,
             turning_kg: Inertia::of(scene).rotation_kg,
@@ -121,12 +127,14 @@ impl Setup {
 
     /// Spring and elastic stop together, without what damps.
     pub(super) fn with_stop(&self, spring: &Spring) -> Spring {
-        match self.stop {
-            Some(stop) if stop.kind == StopKind::Elastic => {
-                spring.beside_stop(self.stop_at_m, stop.stiffness_n_m)
-            }
-            _ => spring.clone(),
+        if self.stop_n_m == 0.0 {
+            return spring.clone();
         }
+        spring.beside_stop(self.stop_at_m, self.stop_n_m)
+    }
+
+    pub(super) fn has_stop(&self) -> bool {
+        self.stop_at_m.is_finite()
     }
 
     /// The spring and how far its absorber is crushed, m, where a plate does not go on from x, and has crushed it farther than before.
@@ -256,32 +264,15 @@ impl Equations<'_> {
         if self.mode.is_pressed { self.stop_n(x_m, w_m_s) } else { 0.0 }
     }
 
-    /// Displacement beyond the stop, or, of a plate that goes back, beyond where an elastic stop has come back to.
-    pub(super) fn beyond_following_stop_m(&self, state: &State) -> f64 {
-        let lag_s = match self.setup.stop {
-            Some(Stop { kind: StopKind::Elastic, damping_n_s_m, stiffness_n_m, .. })
-                if self.mode.w_side < 0.0 =>
-            {
-                damping_n_s_m / stiffness_n_m
-            }
-            _ => 0.0,
-        };
-        self.beyond_stop_m(state.x_m) + lag_s * state.w_m_s
-    }
-
     /// The force that the elastic stop would have if it could pull as well.
     pub(super) fn stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
-        self.setup.stop.map_or(0.0, |stop| {
-            stop.stiffness_n_m * self.beyond_stop_m(x_m) + stop.damping_n_s_m * w_m_s
-        })
+        self.setup.stop_n_m * self.beyond_stop_m(x_m) + self.setup.stop_n_s_m * w_m_s
     }
 
     /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
     pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
-        let (k, b) = match self.setup.stop {
-            Some(stop) if self.mode.is_pressed => (stop.stiffness_n_m, stop.damping_n_s_m),
-            _ => (0.0, 0.0),
-        };
+        let Setup { stop_n_m, stop_n_s_m, .. } = *self.setup;
+        let (k, b) = if self.mode.is_pressed { (stop_n_m, stop_n_s_m) } else { (0.0, 0.0) };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
         let ([_, x_least_m], [_, w_least_m_s]) = self.least_sizes();
         let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());

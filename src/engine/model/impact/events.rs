@@ -15,7 +15,7 @@ pub(super) fn of(setup: &Setup, mode: &Mode) -> impl Iterator<Item = Event> {
         (is_free, Event::SpeedZero),
         (is_free && above.is_finite(), Event::KnotAhead),
         (is_free && below.is_finite(), Event::KnotBehind),
-        (is_free && !mode.is_pressed && setup.stop.is_some(), Event::StopReached),
+        (is_free && !mode.is_pressed && setup.has_stop(), Event::StopReached),
         // Only a plate that goes back can be faster than the stop follows.
         (is_free && mode.is_pressed && mode.w_side < 0.0, Event::StopSlack),
     ];
@@ -59,7 +59,11 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::KnotAhead => equations.knots_m().1 - state.x_m,
         Event::KnotBehind => state.x_m - equations.knots_m().0,
         Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
-        Event::StopReached => -equations.beyond_following_stop_m(state),
+        // An elastic one follows a plate that goes back.
+        Event::StopReached if mode.w_side < 0.0 && setup.stop_n_m > 0.0 => {
+            -equations.stop_n(state.x_m, state.w_m_s)
+        }
+        Event::StopReached => -equations.beyond_stop_m(state.x_m),
         Event::StopSlack => equations.stop_n(state.x_m, state.w_m_s),
         Event::StopRelease => equations.push_on_stop_n(state),
         // The loop asks for these between steps: they are not waited for.

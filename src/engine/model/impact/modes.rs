@@ -10,7 +10,6 @@ use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::mechanism::{Spring, sign};
 /// The contact of projectile and plate, which is what a row of the series calls its mode.
 pub(super) use crate::model::run::Mode as Contact;
-use crate::model::scene::StopKind;
 use crate::numerics::larger;
 
 /// Part of the tip radius that all later bounces on a rigid stop may travel in all before the plate is taken to rest on it: depth and
@@ -330,27 +329,25 @@ fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
 
 /// The plate meets its stop, of either kind.
 fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
-    let Some(stop) = setup.stop else { return };
-    let is_elastic = stop.kind == StopKind::Elastic;
     // A plate that comes to it is where it stands; one that does not is caught up with where it is.
-    let is_beyond = is_elastic && state.w_m_s <= 0.0;
+    let is_beyond = setup.restitution.is_none() && state.w_m_s <= 0.0;
     let beyond_m = Equations { setup, mode }.beyond_stop_m(state.x_m);
     (mode.origin_m, state.x_m) = (setup.stop_at_m, if is_beyond { beyond_m } else { 0.0 });
-    if is_elastic {
+    let Some(restitution) = setup.restitution else {
         mode.is_pressed = true;
         // Its damper pushes at once.
         if mode.contact == Contact::Fused {
             settle(setup, mode, state);
         }
         return;
-    }
+    };
     let joined = mode.contact == Contact::Fused;
     let before = state.w_m_s;
     mode.w_side = -1.0;
     let blow_j = 0.5 * setup.joined_kg * before * before;
     let hole_j = setup.geometry.area_m2(mode.deepest_m) * setup.strength_pa * mode.deepest_m;
     let is_soft = joined && setup.plastic && blow_j < SOFT_BLOW * hole_j;
-    state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, stop.restitution, state) };
+    state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, restitution, state) };
     if !(joined && (is_soft || !setup.plastic)) {
         state.u_m_s += (before - state.w_m_s) * setup.cos;
         if state.u_m_s > 0.0 && matches!(mode.contact, Contact::Fused | Contact::Withdrawing) {

@@ -6,7 +6,6 @@ use crate::model::impact::modes::{Contact, Hold};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
-use crate::model::scene::StopKind;
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
@@ -45,16 +44,12 @@ impl Equations<'_> {
     }
 
     fn stops_rigidly(&self) -> bool {
-        self.setup.stop.is_some_and(|stop| stop.kind == StopKind::Rigid)
+        self.setup.restitution.is_some()
     }
 
     /// Whether nothing takes energy from the plate.
     pub(super) fn is_undamped(&self) -> bool {
-        let stop_n_s_m = self.setup.stop.map_or(0.0, |stop| match stop.kind {
-            StopKind::Elastic => stop.damping_n_s_m,
-            StopKind::Rigid => 0.0,
-        });
-        self.setup.damper.is_absent() && stop_n_s_m == 0.0
+        self.setup.damper.is_absent() && self.setup.stop_n_s_m == 0.0
     }
 
     /// How far forward the plate goes at most from a state with this energy, m from the spring's zero.
@@ -81,11 +76,9 @@ impl Equations<'_> {
         let back_m = mode.elastic.reach(self.displacement_m(state.x_m), energy_j, -1.0);
         let reach_m = self.reach_m(state, energy_j);
         let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
-        let stop = setup.stop.filter(|stop| stop.kind == StopKind::Elastic);
-        let stop = stop.filter(|_| reach_m > setup.stop_at_m);
-        let stop_n = stop.map_or(0.0, |stop| stop.damping_n_s_m * speed);
+        let stop_n = if reach_m > setup.stop_at_m { setup.stop_n_s_m * speed } else { 0.0 };
         let damper_n = setup.damper.force(speed);
-        let goes_on = mode.spring.is_absent() && setup.stop.is_none() && state.w_m_s >= 0.0;
+        let goes_on = mode.spring.is_absent() && !setup.has_stop() && state.w_m_s >= 0.0;
         let push_n = if self.leaves(state) { 0.0 } else { most_n + stop_n + damper_n };
         let pull_n = if goes_on { 0.0 } else { damper_n - least_n };
         [push_n, pull_n].map(|load_n| setup.interface_fraction() * load_n)
@@ -245,7 +238,7 @@ impl Equations<'_> {
         if v < -speed * setup.cos {
             return true;
         }
-        if mode.spring.is_absent() && setup.stop.is_none() {
+        if mode.spring.is_absent() && !setup.has_stop() {
             let keeps_going = setup.damper.is_absent();
             return state.u_m_s < 0.0 && (v <= 0.0 || state.w_m_s < 0.0 || keeps_going);
         }
@@ -290,12 +283,12 @@ impl Equations<'_> {
         let coasts = !mode.is_pressed && state.w_m_s > 0.0;
         if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
             let end_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
-            let is_free = setup.stop.is_none() || end_m < setup.stop_at_m;
+            let is_free = !setup.has_stop() || end_m < setup.stop_at_m;
             return is_free.then(|| larger(end_m, so_far_m));
         }
         let in_full = matches!(setup.stepping, Stepping::CollocationInFull(_));
         // Nothing but the spring turns the plate, if anything does.
-        let by_spring = setup.damper.is_absent() && setup.stop.is_none() && !in_full;
+        let by_spring = setup.damper.is_absent() && !setup.has_stop() && !in_full;
         by_spring.then(|| {
             let back_m = mode.spring.reach(x_m, energy_j, -1.0);
             let is_gone = state.w_m_s < 0.0 && back_m.is_infinite();

@@ -83,7 +83,7 @@ impl Course<'_> {
         }
         let exceeds = all && is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
-            || setup.stop.is_some()
+            || setup.has_stop()
             || setup.absorber.is_some()
             || (exceeds && record.loads.exceeded_s[0].is_none())
         {
@@ -295,7 +295,7 @@ impl Course<'_> {
             (setup.still, "plate motion"),
             (spring.is_absent(), "spring"),
             (setup.damper.is_absent(), "damper"),
-            (setup.stop.is_none(), "stop"),
+            (!setup.has_stop(), "stop"),
             (spring.power().is_some_and(whole), "spring power function"),
             (whole(setup.damper), "damper power function"),
             (setup.geometry.nose.sin == 0.0, "obliquity"),
