@@ -306,16 +306,7 @@ fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
         (Law::History(_) | Law::Lumped(_), Contact::Penetrating) => Contact::Withdrawing,
         _ => Contact::Fused,
     };
-    if mode.contact != Contact::Fused {
-        return;
-    }
-    if mode.hold == Hold::OnStop {
-        if (Equations { setup, mode }).push_on_stop_n(state) >= 0.0 {
-            return;
-        }
-        leave_stop(mode, state);
-    }
-    if !setup.plastic {
+    if mode.contact != Contact::Fused || !setup.plastic {
         return;
     }
     let equations = Equations { setup, mode };
@@ -356,11 +347,6 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     }
     if state.w_m_s == 0.0 {
         mode.hold = Hold::OnStop;
-        let in_contact =
-            matches!(mode.contact, Contact::Fused | Contact::Withdrawing) && setup.law == Law::Flow;
-        if in_contact && state.u_m_s == 0.0 {
-            settle(setup, mode, state);
-        }
     }
 }
 
@@ -376,16 +362,12 @@ fn rebound(setup: &Setup, mode: &Mode, restitution: f64, state: &State) -> f64 {
 
 /// The plate leaves a rigid stop on which it rested.
 fn release(setup: &Setup, mode: &mut Mode, state: &State) {
-    leave_stop(mode, state);
-    if mode.contact == Contact::Fused {
-        settle(setup, mode, state);
-    }
-}
-
-fn leave_stop(mode: &mut Mode, state: &State) {
     mode.hold = Hold::Free;
     mode.w_side = -1.0;
     mode.stretch = mode.spring.stretch((mode.origin_m + state.x_m).next_down());
+    if mode.contact == Contact::Fused {
+        settle(setup, mode, state);
+    }
 }
 
 /// Measures the displacement from zero where the plate is nearer to that than to the stop.
