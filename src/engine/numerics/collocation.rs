@@ -8,7 +8,8 @@
 use std::array;
 use std::sync::LazyLock;
 
-use crate::numerics::quadrature::legendre;
+use crate::numerics::quadrature::{self, legendre, legendre_and_slope};
+use crate::numerics::root::polished;
 use crate::numerics::step::{
     Acceleration, Near, Point, Slopes, Square, Step, Stepper, dot, series,
 };
@@ -224,22 +225,6 @@ impl<const S: usize> Collocation<'_, S> {
     }
 }
 
-/// The root of `f`, which has one there, from a value close by: Newton's method to rounding, with the slope by `f` itself.
-fn polished(start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
-    let mut x = start;
-    for _ in 0..20 {
-        let (value, slope) = f(x);
-        x -= value / slope;
-    }
-    x
-}
-
-/// The Legendre polynomial of degree n on (-1, 1), and its derivative.
-fn legendre_and_slope(n: usize, x: f64) -> (f64, f64) {
-    let p = legendre::<10>(x);
-    (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
-}
-
 /// The integrals of the Legendre polynomials of degree below S, shifted to (0, 1), from 0 to theta.
 fn integrals<const S: usize>(theta: f64) -> [f64; S] {
     let p = legendre::<10>(2.0 * theta - 1.0);
@@ -269,12 +254,10 @@ impl<const S: usize> Member<S> {
         let integrals = nodes.map(integrals);
         let a = modes.map(|modes| integrals.map(|integrals| dot(&integrals, &modes)));
         let square = a.map(|column| times(&a, &column));
-        let gauss = array::from_fn(|i| {
-            let guess = ((i as f64 + 0.75) / (order + 0.5) * std::f64::consts::PI).cos();
-            let x = polished(guess, |x| legendre_and_slope(S, x));
-            let slope = legendre_and_slope(S, x).1;
-            let (at, weight) = (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope));
-            Gauss { at, weight, values: legendre(x) }
+        let gauss = quadrature::rule().map(|(x, weight)| Gauss {
+            at: 0.5 * (1.0 + x),
+            weight: 0.5 * weight,
+            values: legendre(x),
         });
         Self { nodes, a, square, modes, gauss }
     }

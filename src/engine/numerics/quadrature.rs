@@ -1,13 +1,19 @@
 //! Gauss-Legendre quadrature.
 
+use std::array;
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+use crate::numerics::root::polished;
+
 /// The integral of `f` from `a` to `b` with the sixteen-point rule on each of `panels` equal parts.
 pub fn gauss(a: f64, b: f64, panels: usize, mut f: impl FnMut(f64) -> f64) -> f64 {
     let half = 0.5 * (b - a) / panels as f64;
     let mut sum = 0.0;
     for panel in 0..panels {
         let middle = a + half * (2 * panel + 1) as f64;
-        for (at, weight) in GAUSS_16 {
-            sum += weight * (f(middle - half * at) + f(middle + half * at));
+        for &(at, weight) in GAUSS_16.iter() {
+            sum += weight * f(middle + half * at);
         }
     }
     sum * half
@@ -34,18 +40,25 @@ pub(crate) fn converged(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
     sum
 }
 
-/// The positive nodes of the sixteen-point rule on (-1, 1) and their weights, which are the same at the negative ones: exact for
-/// polynomials of degree 31 (Abramowitz and Stegun, Table 25.4, n = 16).
-pub(crate) const GAUSS_16: [(f64, f64); 8] = [
-    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
-    (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
-    (0.458_016_777_657_227_37, 0.169_156_519_395_002_54),
-    (0.617_876_244_402_643_8, 0.149_595_988_816_576_74),
-    (0.755_404_408_355_003, 0.124_628_971_255_533_88),
-    (0.865_631_202_387_831_8, 0.095_158_511_682_492_79),
-    (0.944_575_023_073_232_6, 0.062_253_523_938_647_894),
-    (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
-];
+/// The rule with sixteen points.
+pub(crate) static GAUSS_16: LazyLock<[(f64, f64); 16]> = LazyLock::new(rule);
+
+/// The nodes of the rule with N points on (-1, 1), below twenty, and their weights: exact for polynomials of degree 2 N - 1. The nodes are
+/// the roots of P(N), which lie near the roots of a cosine.
+pub(crate) fn rule<const N: usize>() -> [(f64, f64); N] {
+    array::from_fn(|i| {
+        let guess = ((i as f64 + 0.75) / (N as f64 + 0.5) * PI).cos();
+        let x = polished(guess, |x| legendre_and_slope(N, x));
+        let slope = legendre_and_slope(N, x).1;
+        (x, 2.0 / ((1.0 - x * x) * slope * slope))
+    })
+}
+
+/// The Legendre polynomial of degree n, from 1 to 19, and its derivative.
+pub(crate) fn legendre_and_slope(n: usize, x: f64) -> (f64, f64) {
+    let p = legendre::<20>(x);
+    (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
+}
 
 /// The first N Legendre polynomials, by Bonnet's recurrence (n + 1) P(n+1) = (2n + 1) x P(n) - n P(n-1).
 pub(crate) fn legendre<const N: usize>(x: f64) -> [f64; N] {

@@ -1,4 +1,4 @@
-//! The root of a function in a bracket.
+//! The root of a function in a bracket, or close by.
 
 /// The root of an increasing or decreasing function between `a` and `b`, where it has opposite signs: regula falsi in the
 /// Illinois form, with a bisection where three rounds have not halved the bracket, to full precision of x.
@@ -40,6 +40,16 @@ pub fn in_bracket(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 
         }
     }
     0.5 * (a + b)
+}
+
+/// The root of `f`, which has one there, from a value close by: Newton's method to rounding, with the slope by `f` itself.
+pub(crate) fn polished(start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let mut x = start;
+    for _ in 0..10 {
+        let (value, slope) = f(x);
+        x -= value / slope;
+    }
+    x
 }
 
 #[cfg(test)]

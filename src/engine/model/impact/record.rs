@@ -101,15 +101,13 @@ impl Record {
             return;
         }
         let span_s = path.end().t_s - path.looks[0].t_s;
-        for (at, weight) in GAUSS_16 {
-            for place in [-at, at] {
-                let state = path.at(0.5 + 0.5 * place);
-                let State { u_m_s, x_m, w_m_s, .. } = state;
-                let part_s = 0.5 * weight * span_s;
-                self.work.penetration_j += part_s * equations.contact_n(&state) * u_m_s;
-                self.work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
-                self.work.stop_j += part_s * equations.pressed_stop_n(x_m, w_m_s) * w_m_s;
-            }
+        for &(at, weight) in GAUSS_16.iter() {
+            let state = path.at(0.5 + 0.5 * at);
+            let State { u_m_s, x_m, w_m_s, .. } = state;
+            let part_s = 0.5 * weight * span_s;
+            self.work.penetration_j += part_s * equations.contact_n(&state) * u_m_s;
+            self.work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
+            self.work.stop_j += part_s * equations.pressed_stop_n(x_m, w_m_s) * w_m_s;
         }
     }
 
