@@ -78,12 +78,10 @@ impl<const S: usize> Stepper<S> for Collocation<'_, S> {
         near: Option<Near<D, S>>,
         evaluations: &mut usize,
     ) -> Result<(Step<D, S>, f64), f64> {
-        let mut step = self.solve(law, start, h, near, evaluations);
+        let step = self.solve(law, start, h, near, evaluations);
         // The step before may mislead.
-        if step.is_none() && near.is_some() {
-            step = self.solve(law, start, h, None, evaluations);
-        }
-        let step = step.ok_or(AFTER_FAILURE * h)?;
+        let anew = || near.and_then(|_| self.solve(law, start, h, None, evaluations));
+        let step = step.or_else(anew).ok_or(AFTER_FAILURE * h)?;
         *evaluations += S;
         let excess = self.excess(law, &start, &step);
         let factor = (AIM / excess).powf(1.0 / Member::<S>::ERROR_ORDER);

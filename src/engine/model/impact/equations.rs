@@ -31,6 +31,8 @@ pub(super) struct Setup {
     /// What an absorber is part of, where there is one.
     pub(super) absorber: Option<Box<scene::Mechanism>>,
     pub(super) damper: PowerLaw,
+    /// Velocity below which it is linear, m/s.
+    pub(super) creep_m_s: f64,
     /// Where the stop is, m; infinite where there is none.
     pub(super) stop_at_m: f64,
     /// Of a rigid stop.
@@ -93,6 +95,7 @@ impl Setup {
         let mechanism = Mechanism::of(scene);
         let cos = geometry.nose.cos;
         let closing_m_s = scene.closing_velocity_m_s();
+        let velocity_m_s = larger(scene.projectile.velocity_m_s, closing_m_s);
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = moving_plate_kg(scene);
         let absorbs = scene.is_sprung() && scene.mechanism.spring.kind == SpringKind::Crush;
@@ -101,6 +104,7 @@ impl Setup {
             geometry,
             absorber: absorbs.then(|| Box::new(scene.mechanism.clone())),
             damper: mechanism.damper,
+            creep_m_s: mechanism.damper.creep_m_s(velocity_m_s),
             stop_at_m: mechanism.stop.and_then(|stop| stop.position_m).unwrap_or(f64::INFINITY),
             restitution: mechanism.rigid_stop().map(|stop| stop.restitution),
             stop_n_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.stiffness_n_m),
@@ -114,7 +118,7 @@ impl Setup {
             strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
             drag_kg_m3: if flows { scene.drag_kg_m3() } else { 0.0 },
             grip: scene.interface.grip,
-            velocity_m_s: larger(scene.projectile.velocity_m_s, closing_m_s),
+            velocity_m_s,
             start_m: scene.start_m(),
             start_m_s: scene.plate_velocity_m_s(),
             closing_m_s,

@@ -12,7 +12,7 @@ const FIRST_MOMENT: f64 = 1e-6;
 /// How many times farther its inertia alone must let a plate move that is to follow the balance of a law: the square of the oscillations
 /// about that, in radians, which leave a part of one over it.
 const FOLLOWS: f64 = 1e2;
-/// Part of the tip radius by which a steep spring may yield while it is taken to hold the plate: the travel is as far off at most.
+/// Part of the tip radius by which a plate may move that is taken to rest: depth and displacement are as far off at most.
 const HELD: f64 = 1e-13;
 /// Part of what a steep spring holds at which it takes hold again: it does not let go at once.
 const AGAIN: f64 = 0.5;
@@ -23,7 +23,7 @@ const RETURNED: f64 = 1e2;
 const APPROACH: f64 = 0.55;
 
 impl Setup {
-    /// Displacement by which a steep spring may yield while it is taken to hold the plate at first.
+    /// How far a plate may move that is taken to rest: where a steep spring holds it at first, or in all bounces to come.
     pub(super) fn held_m(&self) -> f64 {
         HELD * self.geometry.nose.radius_m
     }
@@ -135,15 +135,10 @@ impl Equations<'_> {
         (x_m - self.mode.origin_m, self.rate_n_s(state) / spring.tangent(x_m))
     }
 
-    /// Velocity below which the damper is linear, m/s.
-    fn creep_m_s(&self) -> f64 {
-        self.setup.damper.creep_m_s(self.setup.velocity_m_s)
-    }
-
     /// Slope of the damper's law at a velocity at which it is taken as linear, N s/m.
     fn creep_slope_n_s_m(&self, w_m_s: f64) -> Option<f64> {
-        let creep_m_s = self.creep_m_s();
-        (w_m_s.abs() < creep_m_s).then(|| self.setup.damper.force(creep_m_s) / creep_m_s)
+        let Setup { damper, creep_m_s, .. } = *self.setup;
+        (w_m_s.abs() < creep_m_s).then(|| damper.force(creep_m_s) / creep_m_s)
     }
 
     /// Force of the damper, N.
@@ -159,11 +154,11 @@ impl Equations<'_> {
 
     /// Whether the plate creeps, by nothing that counts, against a steep damper that holds whatever drives it outside the contact.
     pub(super) fn creeps(&self, state: &State) -> bool {
-        let creep_m_s = self.creep_m_s();
+        let Setup { damper, creep_m_s, .. } = *self.setup;
         self.mode.hold == Hold::Free
             && state.w_m_s.abs() < creep_m_s
             && !self.is_touching()
-            && self.mechanism_n(state.x_m, 0.0).abs() < self.setup.damper.force(creep_m_s)
+            && self.mechanism_n(state.x_m, 0.0).abs() < damper.force(creep_m_s)
     }
 
     /// The zero of a spring that is not smooth there: the time until the plate comes to it, s, and whether the energy that is left in the
@@ -189,14 +184,13 @@ impl Equations<'_> {
     /// The time in which the plate comes as close to the zero of a law that is not smooth there as a step may take it, s: short of
     /// that it is as far away as the step is long, where no polynomial is far off. Infinite where so little is left that it may pass.
     pub(super) fn approach_s(&self, state: &State) -> f64 {
-        let Setup { damper, .. } = self.setup;
+        let Setup { damper, creep_m_s, velocity_m_s, .. } = *self.setup;
         let by_spring = self.next_zero(state).filter(|(_, counts)| *counts);
         let mut least_s = by_spring.map_or(f64::INFINITY, |(way_s, _)| way_s);
-        if !damper.is_smooth_at_zero() && state.w_m_s.abs() > self.creep_m_s() {
+        if !damper.is_smooth_at_zero() && state.w_m_s.abs() > creep_m_s {
             let (w_m_s, acceleration) = (state.w_m_s, self.accelerations(state).1);
             let way_s = -w_m_s / acceleration;
-            let counts = damper.force(w_m_s).abs() * way_s
-                > HELD * self.moving_kg() * self.setup.velocity_m_s;
+            let counts = damper.force(w_m_s).abs() * way_s > HELD * self.moving_kg() * velocity_m_s;
             // Of forces that hold each other only rounding is left, and what the velocity is off by.
             let off_n =
                 self.damper_slope_n_s_m(w_m_s) * self.setup.tolerance * self.sizes(state).1[1];

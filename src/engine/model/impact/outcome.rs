@@ -14,7 +14,7 @@ const NO_ENERGY: f64 = 1e-24;
 /// Part of it with which bodies that nothing joins are at rest: their dent was made with all of it, and takes no part of this.
 const AT_REST: f64 = 1e-9;
 /// Part of depth or displacement by which no later change counts.
-const NEGLIGIBLE: f64 = 1e-12;
+pub(super) const NEGLIGIBLE: f64 = 1e-12;
 
 /// Excess of the greatest load of the joined interface over its strength below which the slips to come are summed by energy. Each has a
 /// speed of about its excess to the power 1.5, so that the drag takes this to the third power of the whole.

@@ -6,6 +6,7 @@ use crate::model::closed_form::Passage;
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Contact, Mode};
+use crate::model::impact::outcome::NEGLIGIBLE;
 use crate::model::impact::record::Record;
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
@@ -22,8 +23,6 @@ const ARRIVED_SPEED: f64 = 1e-2;
 const GROWTH: f64 = 1e-9;
 /// Part of the greatest displacement by which it counts as reached.
 const REACHED: f64 = 1e-9;
-/// Part of it that no energy may add for it to be final.
-const FINAL: f64 = 1e-12;
 /// Part of the energy from which on a balance that does not close is reported.
 const DRIFT: f64 = 1e-8;
 
@@ -141,7 +140,7 @@ impl Course<'_> {
             None => {
                 let equations = self.equations();
                 let reach_m = equations.reach_m(&self.state, equations.energy_left_j(&self.state));
-                (reach_m - so_far_m <= FINAL * so_far_m.abs()).then_some(so_far_m)
+                (reach_m - so_far_m <= NEGLIGIBLE * so_far_m.abs()).then_some(so_far_m)
             }
         }
     }
