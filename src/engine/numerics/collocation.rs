@@ -62,7 +62,6 @@ pub(crate) static THREE: LazyLock<Member<3>> = LazyLock::new(Member::new);
 pub(crate) static SEVEN: LazyLock<Member<7>> = LazyLock::new(Member::new);
 
 /// A member that steps to a tolerance.
-#[derive(Debug)]
 pub(crate) struct Collocation<'a, const S: usize> {
     member: &'a Member<S>,
     /// Error of a step relative to the sizes of what moves.

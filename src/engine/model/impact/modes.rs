@@ -134,7 +134,9 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         w_m_s: setup.start_m_s,
         ..State::default()
     };
-    face(setup, &mut mode, &state);
+    if setup.start_m_s != 0.0 {
+        face(setup, &mut mode, &state);
+    }
     if setup.law == Law::AtOnce {
         join(setup, &mut mode, &mut state);
     }

@@ -8,7 +8,6 @@ use crate::model::impact::modes::Contact;
 use crate::numerics::step::{Acceleration, Point, Slopes};
 
 /// The motion from a state on of `D` places: the projectile's travel and the plate's displacement, or the one that moves.
-#[derive(Debug)]
 pub(super) struct Moving<'a, const D: usize> {
     pub(super) equations: Equations<'a>,
     pub(super) start: State,

@@ -239,8 +239,7 @@ impl Equations<'_> {
             return true;
         }
         if mode.spring.is_absent() && !setup.has_stop() {
-            let keeps_going = setup.damper.is_absent();
-            return state.u_m_s < 0.0 && (v <= 0.0 || state.w_m_s < 0.0 || keeps_going);
+            return state.u_m_s < 0.0 && (v <= 0.0 || setup.damper.is_absent());
         }
         let x_m = self.displacement_m(state.x_m);
         // The plate is driven away from it, ever faster.
