@@ -23,7 +23,7 @@ pub mod timing;
 pub use method::RESULTS;
 use method::{Answer, Job, Ladder, Method, Parameter, Refusal, Results};
 use reference::{Reference, References, printed_limit};
-use timing::{Clock, Patience, time};
+use timing::{Clock, time};
 
 /// From here on the printed scheme is another model; a rigid mount and a perforation, whose depth is no measure, hide its fault.
 const PRINTED_OFF_FROM: f64 = 1e-3;
@@ -35,17 +35,17 @@ const ALIKE: f64 = 1.05;
 pub struct ComparisonOptions {
     /// Which values of the parameters.
     pub ladder: Ladder,
-    /// How much time each may take.
-    pub patience: Patience,
+    /// Time that is spent on repeats of one point, s.
+    pub point_s: f64,
+    /// Evaluations of the equations by a point after which finer ones of its method are not run.
+    pub evaluations: usize,
 }
 
 impl ComparisonOptions {
     /// A few seconds a scene.
-    pub const FULL: Self =
-        Self { ladder: Ladder::Full, patience: Patience { point_s: 1.2e-2, slow_s: 8e-2 } };
-    /// A fraction of a second a scene.
-    pub const QUICK: Self =
-        Self { ladder: Ladder::Quick, patience: Patience { point_s: 2e-3, slow_s: 1e-2 } };
+    pub const FULL: Self = Self { ladder: Ladder::Full, point_s: 1.2e-2, evaluations: 300_000 };
+    /// A fraction of a second a scene, or seconds where methods give up.
+    pub const QUICK: Self = Self { ladder: Ladder::Quick, point_s: 2e-3, evaluations: 40_000 };
 }
 
 /// The command's name and options.
@@ -178,7 +178,7 @@ pub fn compare(
             _ => references.engine,
         };
         report.methods.push(MethodReport { method, reference, points: Vec::new() });
-        let mut is_slow = false;
+        let mut is_costly = false;
         for parameter in parameters {
             report.is_complete = context.show(&report);
             if !report.is_complete {
@@ -188,14 +188,11 @@ pub fn compare(
             let job = Job::new(method, parameter, scene);
             let result = match reference {
                 None => Err(job.run().err().unwrap_or(Refusal::NoReference)),
-                Some(_) if is_slow => Err(Refusal::TooSlow),
+                Some(_) if is_costly => Err(Refusal::TooMuchWork),
                 Some(reference) => {
-                    let start = clock();
-                    let result = measure(scene, &job, &reference, effort.patience, clock);
-                    is_slow = match &result {
-                        Ok(measured) => effort.patience.is_slow(measured.min_s),
-                        Err(_) => clock() - start > effort.patience.slow_s,
-                    };
+                    let result = measure(scene, &job, &reference, effort.point_s, clock);
+                    let work = result.map_or(0, |measured| measured.answer.evaluations);
+                    is_costly = work > effort.evaluations;
                     result
                 }
             };
@@ -205,26 +202,26 @@ pub fn compare(
         }
     }
     if report.is_complete {
-        (report.run_s, report.savings) = savings(scene, effort.patience, clock);
+        (report.run_s, report.savings) = savings(scene, effort.point_s, clock);
         context.show(&report);
     }
     Ok(report)
 }
 
 /// The run time of a run as it is shown, and what is saved by leaving out its parts one after the other.
-fn savings(scene: &Arc<Scene>, patience: Patience, clock: Clock<'_>) -> (Option<f64>, Vec<Saving>) {
+fn savings(scene: &Arc<Scene>, point_s: f64, clock: Clock<'_>) -> (Option<f64>, Vec<Saving>) {
     let run = |settings: Settings| simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
     let tolerance = scene.run.tolerance;
     let kernel = Job::new(Method::ContactKernel, Parameter::Tolerance(tolerance), scene);
     let [shown_s, drawn_s, bare_s] = [Settings::default(), Settings::SERIES, Settings::BARE]
-        .map(|settings| run(settings).is_ok().then(|| time(clock, patience, || run(settings))));
+        .map(|settings| run(settings).is_ok().then(|| time(clock, point_s, || run(settings))));
     // The same engine with and without it.
     let ways = [Stepping::CollocationInFull(tolerance), Stepping::Collocation(tolerance)];
     let [followed_s, by_energy_s] = ways.map(|way| {
         let run = || step_by(way, scene);
-        run().is_ok_and(|run| run.is_some()).then(|| time(clock, patience, run))
+        run().is_ok_and(|run| run.is_some()).then(|| time(clock, point_s, run))
     });
-    let kernel_s = kernel.run().is_ok().then(|| time(clock, patience, || kernel.run()));
+    let kernel_s = kernel.run().is_ok().then(|| time(clock, point_s, || kernel.run()));
     let savings = [
         ("error estimate", shown_s, drawn_s),
         ("series to draw", drawn_s, bare_s),
@@ -241,7 +238,7 @@ fn measure(
     scene: &Scene,
     job: &Job,
     reference: &Reference,
-    patience: Patience,
+    point_s: f64,
     clock: Clock<'_>,
 ) -> Result<Measured, Refusal> {
     let answer = job.run()?;
@@ -252,7 +249,7 @@ fn measure(
     if errors.iter().flatten().any(|error| !error.is_finite()) {
         return Err(Refusal::NonFinite);
     }
-    let min_s = time(clock, patience, || job.run());
+    let min_s = time(clock, point_s, || job.run());
     let floor = reference.uncertainty.unwrap_or(f64::EPSILON);
     Ok(Measured { answer, errors, floor, min_s })
 }

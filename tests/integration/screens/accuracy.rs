@@ -56,7 +56,7 @@ fn point(method: Method, parameter: Parameter) -> Point {
         floor: 1e-15,
         min_s,
     };
-    Point { parameter, result: if is_refused { Err(Refusal::TooSlow) } else { Ok(measured) } }
+    Point { parameter, result: if is_refused { Err(Refusal::TooMuchWork) } else { Ok(measured) } }
 }
 
 /// Made-up measurements of the first few methods.

@@ -64,8 +64,8 @@ pub enum Refusal {
     NonFinite,
     /// No reference of another method could be computed.
     NoReference,
-    /// It has taken so long that coarser points are all this report waits for.
-    TooSlow,
+    /// A coarser point has taken so much work that this report does not wait for it.
+    TooMuchWork,
 }
 
 impl Refusal {
@@ -84,7 +84,7 @@ impl Refusal {
             Self::Ended(_) => "undecided",
             Self::OtherOutcome => "wrong: the outcome differs from the reference",
             Self::NoReference => "not run: no independent reference",
-            Self::TooSlow => "not run: would take too long",
+            Self::TooMuchWork => "not run: too much work",
         }
     }
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::reference::{ReferenceSource, stored};
 use super::*;
 use crate::model::reference::Stored;
-use crate::model::run::Outcome;
+use crate::model::run::{EndReason, Outcome};
 use crate::study::changed_free_plate;
 use crate::study::context::to_its_end;
 
@@ -13,15 +13,18 @@ fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
 }
 
-/// A comparison to its end, by a clock that ticks once a look: few repeats are made, since each seems to take long.
 fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
+    report_within(scene, ladder, usize::MAX)
+}
+
+/// A comparison to its end, by a clock that ticks once a look: no repeats are made, since each seems to take long.
+fn report_within(scene: &Arc<Scene>, ladder: Ladder, evaluations: usize) -> Report {
     let mut ticks = 0.0;
     let clock = &mut || {
         ticks += 1.0;
         ticks
     };
-    let effort =
-        ComparisonOptions { ladder, patience: Patience { point_s: 0.0, slow_s: f64::INFINITY } };
+    let effort = ComparisonOptions { ladder, point_s: 0.0, evaluations };
     compare(scene, effort, clock, &mut Context::new(1, &mut to_its_end)).unwrap()
 }
 
@@ -99,6 +102,17 @@ fn every_error_has_a_reference_of_other_steps_and_none_lies_below_its_uncertaint
             }
         }
     }
+}
+
+/// At its coarsest step the Runge-Kutta method finds no end on a spring that is steep at zero; at the next it does, with more work than this.
+#[test]
+fn a_point_of_much_work_is_the_last_of_its_method_and_a_failed_one_is_not() {
+    let report = report_within(&scene("k=1e5 n=0.2"), Ladder::Quick, 10);
+    let method = |it: &&MethodReport| it.method == Method::Rk4Events;
+    let points = &report.methods.iter().find(method).unwrap().points;
+    let results: Vec<_> = points.iter().map(|point| point.result.err()).collect();
+    let gave_up = Some(Refusal::Ended(EndReason::StepBudget));
+    assert_eq!(results[..3], [gave_up, None, Some(Refusal::TooMuchWork)], "{results:?}");
 }
 
 /// A report of points with a tolerance, an error and a run time each.

@@ -14,24 +14,9 @@ const BATCH_MAX: usize = 4096;
 /// Largest number of batches, and the smallest number for short computations.
 const BATCHES: (usize, usize) = (3, 31);
 
-/// How much time may be spent.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Patience {
-    /// On repeats of one point, s.
-    pub point_s: f64,
-    /// A point that takes longer is run once, and finer ones of its method not at all, s.
-    pub slow_s: f64,
-}
-
-impl Patience {
-    /// Whether a point of this run time is too slow to be repeated, s.
-    pub fn is_slow(self, once_s: f64) -> bool {
-        once_s.is_nan() || once_s >= self.slow_s
-    }
-}
-
-/// The least time of a computation that has just been warmed up, s: the best estimate of its cost without interruptions.
-pub fn time<T>(clock: Clock<'_>, patience: Patience, mut run: impl FnMut() -> T) -> f64 {
+/// The least time of a computation that has just been warmed up, s: the best estimate of its cost without interruptions. About `point_s` is
+/// spent on repeats.
+pub fn time<T>(clock: Clock<'_>, point_s: f64, mut run: impl FnMut() -> T) -> f64 {
     let mut batch_of = |repeats: usize| {
         let start = clock();
         for _ in 0..repeats {
@@ -40,7 +25,7 @@ pub fn time<T>(clock: Clock<'_>, patience: Patience, mut run: impl FnMut() -> T)
         (clock() - start) / repeats as f64
     };
     let once = batch_of(1);
-    if patience.is_slow(once) {
+    if once.is_nan() || once >= point_s {
         return once;
     }
     let mut size = 1;
@@ -49,7 +34,7 @@ pub fn time<T>(clock: Clock<'_>, patience: Patience, mut run: impl FnMut() -> T)
     }
     let (least, most) = BATCHES;
     let mut batches = least;
-    while batches < most && (batches * size) as f64 * once < patience.point_s {
+    while batches < most && (batches * size) as f64 * once < point_s {
         batches += 1;
     }
     (0..batches).map(|_| batch_of(size)).fold(f64::INFINITY, smaller)
