@@ -88,7 +88,10 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
         table.remove("file");
         put(table, "points", &points);
     }
-    if old.stack.layers != scene.stack.layers {
+    // What a further element leaves open it has from the first plate, which may have changed.
+    let layers = read::scene(&document.to_string(), file).ok().map(|now| now.stack.layers);
+    let root = document.as_table_mut();
+    if layers.as_ref() != Some(&scene.stack.layers) {
         put_layers(root, scene);
     }
     if old.sweep != scene.sweep {

@@ -134,6 +134,11 @@ fn elements_may_differ_and_are_kept() {
     assert_eq!(read::scene(&fresh, "own.toml").unwrap(), own, "{fresh}");
     let updated = write::updated("# mine\nformat = 1\n", "own.toml", &own).unwrap();
     assert_eq!(read::scene(&updated, "own.toml").unwrap(), own, "{updated}");
+    // They have what they leave open from the first plate; as it was when they were read.
+    let mut changed = own.clone();
+    variables::set_by_name(&mut changed, "gamma", "1.5").unwrap();
+    let updated = write::updated(text, "own.toml", &changed).unwrap();
+    assert_eq!(read::scene(&updated, "own.toml").unwrap(), changed, "{updated}");
     let found = run(own);
     let stack = found.stack.as_ref().unwrap();
     let thicknesses: Vec<f64> =
