@@ -66,14 +66,11 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
     }
     for variable in VARIABLES.iter() {
         let (parent, key) = split(variable);
-        let is_ratio = variable.key == PlateSize::KEYS[0];
-        if is_ratio && scene.plate.size.key() != variable.key {
-            // A scene gives the plate's size once.
+        if is_other_size(variable, scene) {
             table_at(root, parent).remove(key);
             continue;
         }
-        let is_given = !is_ratio || old.plate.size.key() == variable.key;
-        if is_given && same(variable.value(&old), variable.value(scene)) {
+        if is_kept(variable, &old, scene) {
             continue;
         }
         match value_text(variable, scene) {
@@ -104,6 +101,16 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
         }
     }
     Ok(document.to_string())
+}
+
+/// Whether it is a way to give the plate's size that the scene does not take: a scene gives that once.
+fn is_other_size(variable: &Variable, scene: &Scene) -> bool {
+    PlateSize::KEYS.contains(&variable.key) && scene.plate.size.key() != variable.key
+}
+
+/// Whether a variable has the same value in both scenes, and is given in the old one.
+fn is_kept(variable: &Variable, old: &Scene, scene: &Scene) -> bool {
+    !is_other_size(variable, old) && same(variable.value(old), variable.value(scene))
 }
 
 /// Equal to the last bit, so that 0.0 and -0.0 differ.
@@ -157,7 +164,7 @@ fn layers_text(scene: &Scene) -> String {
         (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
         text.push_str("\n[[stack.layer]]\n");
         for variable in VARIABLES.iter() {
-            if same(variable.value(&own), variable.value(scene)) {
+            if is_other_size(variable, &own) || is_kept(variable, scene, &own) {
                 continue;
             }
             let value = value_text(variable, &own).unwrap_or_else(|| quoted(&variable.show(&own)));

@@ -136,9 +136,13 @@ fn elements_may_differ_and_are_kept() {
     assert_eq!(read::scene(&updated, "own.toml").unwrap(), own, "{updated}");
     // They have what they leave open from the first plate; as it was when they were read.
     let mut changed = own.clone();
-    variables::set_by_name(&mut changed, "gamma", "1.5").unwrap();
-    let updated = write::updated(text, "own.toml", &changed).unwrap();
-    assert_eq!(read::scene(&updated, "own.toml").unwrap(), changed, "{updated}");
+    for (name, value) in [("gamma", "1.5"), ("m_2", "0.05"), ("face", "0.1"), ("gamma", "1")] {
+        variables::set_by_name(&mut changed, name, value).unwrap();
+        let updated = write::updated(text, "own.toml", &changed).unwrap();
+        assert_eq!(read::scene(&updated, "own.toml").unwrap(), changed, "{updated}");
+        let fresh = write::fresh(&changed);
+        assert_eq!(read::scene(&fresh, "own.toml").unwrap(), changed, "{fresh}");
+    }
     let found = run(own);
     let stack = found.stack.as_ref().unwrap();
     let thicknesses: Vec<f64> =
