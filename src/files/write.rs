@@ -9,7 +9,7 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
 use crate::files::{read, read_table};
-use crate::model::scene::{Layer, PlateSize, Scene, SpringKind, Sweep, SweepAxis};
+use crate::model::scene::{Layer, Scene, SpringKind, Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
@@ -64,32 +64,12 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
     if old.notes != scene.notes {
         put(root, "notes", &quoted(&scene.notes));
     }
-    for variable in VARIABLES.iter() {
-        let (parent, key) = split(variable);
-        if is_other_size(variable, scene) {
-            table_at(root, parent).remove(key);
-            continue;
-        }
-        if is_kept(variable, &old, scene) {
-            continue;
-        }
-        match value_text(variable, scene) {
-            Some(value) => put(table_at(root, parent), key, &value),
-            None => {
-                table_at(root, parent).remove(key);
-            }
-        }
-    }
-    if let Some((key, points)) = changed_table(&old, scene) {
-        let table = table_at(root, key);
-        table.remove("file");
-        put(table, "points", &points);
-    }
+    put_changes(root, &old, scene, false);
     // What a further element leaves open it has from the first plate, which may have changed.
-    let layers = read::scene(&document.to_string(), file).ok().map(|now| now.stack.layers);
+    let now = read::scene(&document.to_string(), file).ok();
     let root = document.as_table_mut();
-    if layers.as_ref() != Some(&scene.stack.layers) {
-        put_layers(root, scene);
+    if now.as_ref().is_none_or(|now| now.stack.layers != scene.stack.layers) {
+        put_layers(root, now.as_ref(), scene);
     }
     if old.sweep != scene.sweep {
         root.remove("sweep");
@@ -103,14 +83,35 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
     Ok(document.to_string())
 }
 
-/// Whether it is a way to give the plate's size that the scene does not take: a scene gives that once.
-fn is_other_size(variable: &Variable, scene: &Scene) -> bool {
-    PlateSize::KEYS.contains(&variable.key) && scene.plate.size.key() != variable.key
+/// Changes what differs between two scenes. A value that is no longer there is removed, or its absence written.
+fn put_changes(root: &mut Table, old: &Scene, scene: &Scene, writes_absent: bool) {
+    for variable in VARIABLES.iter().filter(|variable| !is_kept(variable, old, scene)) {
+        let (parent, key) = split(variable);
+        let absent = || writes_absent.then(|| quoted(&variable.show(scene)));
+        let value = value_text(variable, scene).or_else(absent);
+        match value.filter(|_| !is_other_size(variable, scene)) {
+            Some(value) => put(table_at(root, parent), key, &value),
+            None => {
+                table_at(root, parent).remove(key);
+            }
+        }
+    }
+    if let Some((key, points)) = changed_table(old, scene) {
+        let table = table_at(root, key);
+        table.remove("file");
+        put(table, "points", &points);
+    }
 }
 
-/// Whether a variable has the same value in both scenes, and is given in the old one.
+/// Whether it is a way to give the plate's size that the scene does not take: a scene gives that once.
+fn is_other_size(variable: &Variable, scene: &Scene) -> bool {
+    variables::sizes_plate(variable) && scene.plate.size.key() != variable.key
+}
+
+/// Whether a variable has the same value in both scenes, or gives neither's plate its size.
 fn is_kept(variable: &Variable, old: &Scene, scene: &Scene) -> bool {
-    !is_other_size(variable, old) && same(variable.value(old), variable.value(scene))
+    let [was_other, is_other] = [old, scene].map(|scene| is_other_size(variable, scene));
+    was_other == is_other && (is_other || same(variable.value(old), variable.value(scene)))
 }
 
 /// Equal to the last bit, so that 0.0 and -0.0 differ.
@@ -156,17 +157,19 @@ fn split(variable: &Variable) -> (&'static str, &'static str) {
     variable.key.rsplit_once('.').unwrap_or(("", variable.key))
 }
 
+/// A scene with the plate of a further element.
+fn with_layer(scene: &Scene, Layer { target, plate, mechanism }: &Layer) -> Scene {
+    Scene { target: *target, plate: *plate, mechanism: mechanism.clone(), ..scene.clone() }
+}
+
 /// The further elements of a stack: of each what differs from the scene's own plate.
 fn layers_text(scene: &Scene) -> String {
     let mut text = String::new();
-    for Layer { target, plate, mechanism } in &scene.stack.layers {
-        let mut own = scene.clone();
-        (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
+    for layer in &scene.stack.layers {
+        let own = with_layer(scene, layer);
         text.push_str("\n[[stack.layer]]\n");
-        for variable in VARIABLES.iter() {
-            if is_other_size(variable, &own) || is_kept(variable, scene, &own) {
-                continue;
-            }
+        let is_open = |it: &&Variable| is_other_size(it, &own) || is_kept(it, scene, &own);
+        for variable in VARIABLES.iter().filter(|it| !is_open(it)) {
             let value = value_text(variable, &own).unwrap_or_else(|| quoted(&variable.show(&own)));
             let _ = writeln!(text, "{} = {value}", variable.key);
         }
@@ -177,13 +180,24 @@ fn layers_text(scene: &Scene) -> String {
     text
 }
 
-fn put_layers(root: &mut Table, scene: &Scene) {
+/// Changes the further elements where they stand, if there are as many `now`; else writes them anew.
+fn put_layers(root: &mut Table, now: Option<&Scene>, scene: &Scene) {
     let stack = table_at(root, "stack");
+    let layers = &scene.stack.layers;
+    if let Some(tables) = stack.get_mut("layer").and_then(Item::as_array_of_tables_mut)
+        && let Some(now) = now.filter(|now| now.stack.layers.len() == layers.len())
+    {
+        for (table, (old, new)) in tables.iter_mut().zip(now.stack.layers.iter().zip(layers)) {
+            put_changes(table, &with_layer(scene, old), &with_layer(scene, new), true);
+        }
+        return;
+    }
     stack.remove("layer");
     let parsed = layers_text(scene).parse::<DocumentMut>().ok();
     let layers = parsed.and_then(|mut text| text.get_mut("stack")?.as_table_mut()?.remove("layer"));
-    if let Some(layers) = layers {
-        stack.insert("layer", layers);
+    if let Some(Item::ArrayOfTables(mut layers)) = layers {
+        layers.iter_mut().for_each(|layer| layer.set_position(None));
+        stack.insert("layer", Item::ArrayOfTables(layers));
     }
 }
 
@@ -210,7 +224,7 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));
     }
-    if variable.key == PlateSize::KEYS[0] && scene.plate.size.key() != variable.key {
+    if is_other_size(variable, scene) {
         return false;
     }
     if variable.is_seldom {

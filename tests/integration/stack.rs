@@ -134,15 +134,6 @@ fn elements_may_differ_and_are_kept() {
     assert_eq!(read::scene(&fresh, "own.toml").unwrap(), own, "{fresh}");
     let updated = write::updated("# mine\nformat = 1\n", "own.toml", &own).unwrap();
     assert_eq!(read::scene(&updated, "own.toml").unwrap(), own, "{updated}");
-    // They have what they leave open from the first plate; as it was when they were read.
-    let mut changed = own.clone();
-    for (name, value) in [("gamma", "1.5"), ("m_2", "0.05"), ("face", "0.1"), ("gamma", "1")] {
-        variables::set_by_name(&mut changed, name, value).unwrap();
-        let updated = write::updated(text, "own.toml", &changed).unwrap();
-        assert_eq!(read::scene(&updated, "own.toml").unwrap(), changed, "{updated}");
-        let fresh = write::fresh(&changed);
-        assert_eq!(read::scene(&fresh, "own.toml").unwrap(), changed, "{fresh}");
-    }
     let found = run(own);
     let stack = found.stack.as_ref().unwrap();
     let thicknesses: Vec<f64> =
@@ -150,6 +141,31 @@ fn elements_may_differ_and_are_kept() {
     assert_eq!(thicknesses, [0.004, 0.003, 0.02]);
     let meets = found.warnings.iter().filter(|it| matches!(it, Warning::PlateMeetsNext { .. }));
     assert_eq!(meets.count(), 3);
+}
+
+/// What an element leaves open is the first plate's when the file is read. Changed afterwards, that is another's.
+#[test]
+fn saving_another_first_plate_leaves_the_elements_as_they_are() {
+    let text = "format = 1\n[target]\nthickness_m = 0.02\n[stack]\nbase_thickness_m = 0.02\n\
+                [[stack.layer]] # as the first\n\
+                [[stack.layer]] # thin\ntarget.thickness_m = 0.004 # m\n[[stack.layer]]\nplate.mass_kg = 0.04\n";
+    let mut own = read::scene(text, "own.toml").unwrap();
+    for (name, value) in [("gamma", "1.5"), ("m_2", "0.05"), ("face", "0.1"), ("x_stop", "1mm")] {
+        variables::set_by_name(&mut own, name, value).unwrap();
+        let (updated, fresh) =
+            (write::updated(text, "own.toml", &own).unwrap(), write::fresh(&own));
+        for written in [&updated, &fresh] {
+            assert_eq!(&read::scene(written, "own.toml").unwrap(), &own, "{written}");
+        }
+        let places = ["[target]", "[stack]", "# as the first", "# thin\ntarget", "0.004 # m"];
+        let places = places.map(|part| updated.find(part));
+        assert!(places.is_sorted() && places[0].is_some(), "{updated}");
+    }
+    // One more is written below the others' place.
+    own.stack.layers.push(own.stack.layers[1].clone());
+    let updated = write::updated(text, "own.toml", &own).unwrap();
+    assert_eq!(read::scene(&updated, "own.toml").unwrap(), own, "{updated}");
+    assert!(updated.find("[stack]") < updated.find("[[stack.layer]]"), "{updated}");
 }
 
 /// rho h face^2 of 2710 kg/m3, 5 mm and 0.1 m is 0.1355 kg, whatever strikes it.

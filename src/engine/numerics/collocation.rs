@@ -343,7 +343,7 @@ impl<const D: usize, const S: usize> Factored<D, S> {
         Self { columns: [[[[0.0; S]; D]; S]; D], pivots: [[0; S]; D] }
     }
 
-    /// Becomes that of Newton's method, 1 - h A J' - h² A² J, with the derivatives J' by speed and J by place at the stages.
+    /// Becomes the matrix 1 - h J' A - h² J A² of Newton's method, factored: with the derivatives J' by speed and J by place at the stages.
     fn set(&mut self, a: &Square<S>, square: &Square<S>, slopes: &[Slopes<D>; S], h: f64) {
         for (e, columns) in self.columns.iter_mut().enumerate() {
             for d in 0..D {

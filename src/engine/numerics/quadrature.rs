@@ -43,8 +43,8 @@ pub(crate) fn converged(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
 /// The rule with sixteen points.
 pub(crate) static GAUSS_16: LazyLock<[(f64, f64); 16]> = LazyLock::new(rule);
 
-/// The nodes of the rule with N points on (-1, 1), below twenty, and their weights: exact for polynomials of degree 2 N - 1. The nodes are
-/// the roots of P(N), which lie near the roots of a cosine.
+/// The nodes on (-1, 1) and the weights of the rule with N points, 19 at most: exact for polynomials of degree 2 N - 1. The nodes are the
+/// roots of P(N), which lie near those of a cosine.
 pub(crate) fn rule<const N: usize>() -> [(f64, f64); N] {
     array::from_fn(|i| {
         let guess = ((i as f64 + 0.75) / (N as f64 + 0.5) * PI).cos();

@@ -42,7 +42,7 @@ pub fn in_bracket(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 
     0.5 * (a + b)
 }
 
-/// The root of `f`, which has one there, from a value close by: Newton's method to rounding, with the slope by `f` itself.
+/// The root of a function close to a value: Newton's method to rounding. `f` gives the function and its slope.
 pub(crate) fn polished(start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let mut x = start;
     for _ in 0..10 {

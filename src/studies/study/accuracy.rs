@@ -35,14 +35,14 @@ const ALIKE: f64 = 1.05;
 pub struct ComparisonOptions {
     /// Which values of the parameters.
     pub ladder: Ladder,
-    /// Time that is spent on repeats of one point, s.
+    /// For how long one point is repeated at most, beyond a few batches, s.
     pub point_s: f64,
     /// Evaluations of the equations by a point after which finer ones of its method are not run.
     pub evaluations: usize,
 }
 
 impl ComparisonOptions {
-    /// A few seconds a scene.
+    /// A few seconds a scene; most where methods give up.
     pub const FULL: Self = Self { ladder: Ladder::Full, point_s: 1.2e-2, evaluations: 300_000 };
     /// A fraction of a second a scene, or seconds where methods give up.
     pub const QUICK: Self = Self { ladder: Ladder::Quick, point_s: 2e-3, evaluations: 40_000 };

@@ -31,13 +31,13 @@ pub(super) struct Setup {
     /// What an absorber is part of, where there is one.
     pub(super) absorber: Option<Box<scene::Mechanism>>,
     pub(super) damper: PowerLaw,
-    /// Velocity below which it is linear, m/s.
+    /// Velocity below which a steep one is taken as linear, m/s; zero of any other.
     pub(super) creep_m_s: f64,
     /// Where the stop is, m; infinite where there is none.
     pub(super) stop_at_m: f64,
     /// Of a rigid stop.
     pub(super) restitution: Option<f64>,
-    /// Stiffness and damping of an elastic one; nothing of any other.
+    /// Stiffness and damping of an elastic one; zero of any other.
     pub(super) stop_n_m: f64,
     pub(super) stop_n_s_m: f64,
     pub(super) projectile_kg: f64,
@@ -268,7 +268,7 @@ impl Equations<'_> {
         if self.mode.is_pressed { self.stop_n(x_m, w_m_s) } else { 0.0 }
     }
 
-    /// The force that the elastic stop would have if it could pull as well.
+    /// The force that the stop, an elastic one, would have if it could pull as well.
     pub(super) fn stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         self.setup.stop_n_m * self.beyond_stop_m(x_m) + self.setup.stop_n_s_m * w_m_s
     }

@@ -12,7 +12,7 @@ const FIRST_MOMENT: f64 = 1e-6;
 /// How many times farther its inertia alone must let a plate move that is to follow the balance of a law: the square of the oscillations
 /// about that, in radians, which leave a part of one over it.
 const FOLLOWS: f64 = 1e2;
-/// Part of the tip radius by which a plate may move that is taken to rest: depth and displacement are as far off at most.
+/// Part that does not count: of the tip radius, by which a plate may move that is taken to rest, and of energy and velocity at a zero.
 const HELD: f64 = 1e-13;
 /// Part of what a steep spring holds at which it takes hold again: it does not let go at once.
 const AGAIN: f64 = 0.5;

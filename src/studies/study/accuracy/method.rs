@@ -64,7 +64,7 @@ pub enum Refusal {
     NonFinite,
     /// No reference of another method could be computed.
     NoReference,
-    /// A coarser point has taken so much work that this report does not wait for it.
+    /// A coarser point took so much work that no finer one is run.
     TooMuchWork,
 }
 

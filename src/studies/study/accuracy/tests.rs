@@ -104,7 +104,8 @@ fn every_error_has_a_reference_of_other_steps_and_none_lies_below_its_uncertaint
     }
 }
 
-/// At its coarsest step the Runge-Kutta method finds no end on a spring that is steep at zero; at the next it does, with more work than this.
+/// At its coarsest step the Runge-Kutta method finds no end on a spring that is steep at zero. At the next it does, in more evaluations than
+/// the ten that are allowed here.
 #[test]
 fn a_point_of_much_work_is_the_last_of_its_method_and_a_failed_one_is_not() {
     let report = report_within(&scene("k=1e5 n=0.2"), Ladder::Quick, 10);

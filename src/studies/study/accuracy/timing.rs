@@ -11,11 +11,13 @@ pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 const BATCH_S: f64 = 5e-5;
 /// Maximum number of repeats in a batch: a clock that stands still must not hang the program.
 const BATCH_MAX: usize = 4096;
-/// Largest number of batches, and the smallest number for short computations.
+/// Fewest and most batches of a computation that is repeated.
 const BATCHES: (usize, usize) = (3, 31);
+/// A computation that takes so many times as long as its batches may take is not repeated.
+const ONCE: f64 = 8.0;
 
-/// The least time of a computation that has just been warmed up, s: the best estimate of its cost without interruptions. About `point_s` is
-/// spent on repeats.
+/// The least time of a computation that has just been warmed up, s: the best estimate of its cost without interruptions. Beyond the fewest
+/// batches it is repeated for `point_s` at most.
 pub fn time<T>(clock: Clock<'_>, point_s: f64, mut run: impl FnMut() -> T) -> f64 {
     let mut batch_of = |repeats: usize| {
         let start = clock();
@@ -25,7 +27,7 @@ pub fn time<T>(clock: Clock<'_>, point_s: f64, mut run: impl FnMut() -> T) -> f6
         (clock() - start) / repeats as f64
     };
     let once = batch_of(1);
-    if once.is_nan() || once >= point_s {
+    if once.is_nan() || once >= ONCE * point_s {
         return once;
     }
     let mut size = 1;
