@@ -564,6 +564,7 @@ mod tests {
         assert_eq!(after(Event::StopReached, 1e-3 + 1e-18, 2.0), (true, 1e-3));
         assert_eq!(after(Event::StopReached, 2e-3, -1.0), (true, 2e-3));
         assert_eq!(after(Event::StopSlack, 2e-3, -1.0), (false, 2e-3));
+        assert_eq!(after(Event::StopSlack, 1e-3, -1.0), (false, 1e-3));
     }
 
     #[test]
