@@ -6,7 +6,7 @@ use crate::numerics::larger;
 /// Cells of the interval.
 const CELLS: usize = 8;
 /// Part of the interval by which the slope of the function at an end of it is seen.
-const INSIDE: f64 = 1e-4;
+const INSIDE: f64 = 1e-6;
 /// Part of the interval to which a maximum is located: the value is then right to rounding.
 const LOCATED: f64 = 1e-8;
 /// Evaluations after which the best place found is taken.
@@ -100,6 +100,7 @@ mod tests {
         // Close to an end, within a cell of it.
         assert!(is_near(|s| 3.0 - (s - 0.01).powi(2), 3.0));
         assert!(is_near(|s| 3.0 - (s - 0.99).powi(2), 3.0));
+        assert!(is_near(|s| 3.0 - (s - (1.0 - 3e-5)).powi(2), 3.0));
         assert!(is_near(|s| s, 1.0) && is_near(|s| -s, 0.0));
         // 1.5 at s = 1/4, 2 at s = 3/4.
         let two = |s: f64| {
