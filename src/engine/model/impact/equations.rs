@@ -330,6 +330,7 @@ impl Equations<'_> {
         (slip, plate)
     }
 
+    #[inline]
     /// Their derivatives by travel and displacement, and by slip and the plate's velocity.
     pub(super) fn slopes(&self, state: &State) -> Slopes<2> {
         let setup = self.setup;

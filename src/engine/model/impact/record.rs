@@ -8,7 +8,7 @@ use crate::model::impact::modes::{self, Contact, Hold, Mode};
 use crate::model::impact::path::Path;
 use crate::model::run::{Arrest, Cost, Departure, EnergyLedger, Event, EventKind, Sample};
 use crate::numerics::locate::{Found, first_fall};
-use crate::numerics::quadrature::GAUSS_16;
+use crate::numerics::quadrature::GAUSS_10;
 use crate::numerics::{larger, smaller};
 
 /// Rows after which only the ends of steps are kept: as many as a run's work allows.
@@ -101,7 +101,7 @@ impl Record {
             return;
         }
         let span_s = path.end().t_s - path.looks[0].t_s;
-        for &(at, weight) in GAUSS_16.iter() {
+        for &(at, weight) in GAUSS_10.iter() {
             let state = path.at(0.5 + 0.5 * at);
             let State { u_m_s, x_m, w_m_s, .. } = state;
             let part_s = 0.5 * weight * span_s;

@@ -132,12 +132,9 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             let oscillates = changes > CHANGES_FEW;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
-        if let Some(event) = missed {
-            self.react(event, self.course.state);
-            None
-        } else {
-            self.advance()
-        }
+        let Some(event) = missed else { return self.advance() };
+        self.react(event, self.course.state);
+        None
     }
 
     /// Goes on after the results are known: for the greatest loads of mount and interface, to the second turn of the plate, and to draw the
@@ -323,8 +320,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             let at = |theta: f64| law.state(theta * h_s, &step.at(theta));
             let theta = near_root(|theta| gap(equations, event, &at(theta)));
             if (theta - 1.0).abs() > NEAR_END {
-                let next = if theta > 0.1 && theta < 2.0 { theta } else { 0.5 };
-                h_s *= next;
+                h_s *= if theta > 0.1 && theta < 2.0 { theta } else { 0.5 };
                 continue;
             }
             let state = at(theta);
