@@ -21,7 +21,8 @@
 //!    (`record`).
 //! 5. `impact::report` makes the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings. [`run::envelope`] has the
 //!    range of validity of the model, and warns outside.
-//! 6. A second computation by another member of the family of methods gives [`estimate::set`] the error of each result.
+//! 6. The [`closed_form`] of a plate that is rigid or free, or else a second computation by another member of the family of methods,
+//!    gives [`estimate::set`] the error of each result.
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
 //! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the

@@ -56,6 +56,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     let factor = match basis {
         // First order: half the step leaves half of the error.
         EstimateBasis::HalfStep => 2.0,
+        EstimateBasis::ClosedForm => 1.0,
         _ if run.cost.events != second.cost.events => ANOTHER_WAY,
         _ => 1.0,
     };

@@ -8,6 +8,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::closed_form;
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::run::{EndReason, EstimateBasis, Look, Observer, Run, Settings};
 use crate::model::scene::{ContactModel, Scene};
@@ -49,16 +50,19 @@ fn local_tolerance(scene: &Scene) -> f64 {
     larger(LOCAL * scene.run.tolerance, LEAST)
 }
 
-/// The run with the estimates of its errors, from a second computation by another member of the family of methods.
+/// The run with the estimates of its errors, from closed forms or a second computation by another member of the family of methods.
 fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
     let scene = Arc::clone(&run.scene);
-    let mut shown = |look: &Look<'_>| observer(&Look { so_far: &|| Some(run.clone()), ..*look });
     let tolerance = local_tolerance(&scene);
-    let stepping = Stepping::Second(LOOSER * tolerance);
-    let second = run_by(&scene, Settings::BARE, stepping, &mut shown);
+    let closed = closed_form::results(&scene).map(|results| (results, EstimateBasis::ClosedForm));
+    let (second, basis) = closed.unwrap_or_else(|| {
+        let shown =
+            &mut |look: &Look<'_>| observer(&Look { so_far: &|| Some(run.clone()), ..*look });
+        let stepping = Stepping::Second(LOOSER * tolerance);
+        (run_by(&scene, Settings::BARE, stepping, shown), EstimateBasis::SecondComputation)
+    });
     if second.end != EndReason::Cancelled {
-        let floor = larger(ROUNDING, FLOOR * tolerance);
-        estimate::set(&mut run, &second, EstimateBasis::SecondComputation, floor);
+        estimate::set(&mut run, &second, basis, larger(ROUNDING, FLOOR * tolerance));
     }
     run
 }

@@ -24,7 +24,7 @@ pub struct Settings {
     pub series: bool,
     /// Its rows at equal times so far apart, s, instead of at the solver's own steps.
     pub every_s: Option<f64>,
-    /// Compute the error estimate (a second computation of another order).
+    /// Compute the error estimate (from a closed form or a second computation).
     pub estimate: bool,
 }
 
@@ -252,6 +252,8 @@ worded! {
 pub enum EstimateBasis {
     /// Difference to a second computation of another order.
     SecondComputation,
+    /// Difference to the closed form.
+    ClosedForm,
     /// Unknown: the second computation ended otherwise, with this outcome.
     OutcomeDiffers(Outcome),
     /// Twice the difference to the same first-order scheme at half the step: against the scheme's own limit.

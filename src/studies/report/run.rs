@@ -170,6 +170,7 @@ pub fn json(name: &str, run: &Run) -> String {
     object["nose_protrusion_m"] = run.protrusion_m().into();
     let basis = run.estimate_basis.map(|basis| match basis {
         EstimateBasis::SecondComputation => "second computation",
+        EstimateBasis::ClosedForm => "closed form",
         EstimateBasis::HalfStep => "half the step",
         EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
     });

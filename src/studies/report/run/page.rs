@@ -284,6 +284,7 @@ fn error(run: &Run) -> Option<String> {
     let estimate = run.error_estimate?;
     let basis = match run.estimate_basis? {
         EstimateBasis::SecondComputation => "from a second computation with fewer stages",
+        EstimateBasis::ClosedForm => "from the closed form",
         EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
         EstimateBasis::OutcomeDiffers(other) => {
             return Some(format!(
