@@ -15,10 +15,10 @@ use crate::numerics::step::{
 };
 use crate::numerics::{larger, smaller};
 
-/// Iterations after which a step has failed. One that contracts by the usual tenth is at rounding after 16.
+/// Iterations after which a step has failed. One that contracts by a fifth is at rounding after them.
 const ITERATIONS_MAX: usize = 20;
 /// Contraction of the iteration that is worse than the price of new derivatives.
-const SLOW: f64 = 0.1;
+const SLOW: f64 = 0.2;
 /// Part of the step's tolerance to which the stage equations are solved: far below the error that is accepted.
 const SOLVED: f64 = 1e-2;
 /// Rounding of the stage equations, relative to the scales: a few units of the last place of a sum of ten terms.
