@@ -1,4 +1,4 @@
-//! Error estimates of the results of a run: the difference of each from a second computation of the same scene.
+//! Error estimates of the results of a run: the difference of each from a second computation of the same scene, in closed form if it has one.
 //!
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
