@@ -100,6 +100,7 @@ impl<const D: usize, const S: usize> Step<D, S> {
     }
 
     /// Places and speeds at a part of it; a little beyond its end, too.
+    #[inline]
     pub(crate) fn at(&self, theta: f64) -> Point<D> {
         let changed = sums(&self.powers, 2.0 * theta - 1.0);
         let after = |get: fn(&Point<D>) -> &[f64; D]| {

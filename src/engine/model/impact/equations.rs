@@ -212,6 +212,7 @@ impl Equations<'_> {
     }
 
     /// Force between the bodies along the projectile's axis, positive where it pushes them apart, N; nothing while joined.
+    #[inline]
     pub(super) fn contact_n(&self, state: &State) -> f64 {
         if !self.is_touching() {
             return 0.0;

@@ -282,7 +282,6 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                 self.react(events[which], law.state(h_s, &step.end));
             }
             Found::Fall(which, theta) => {
-                let whole_s = self.h_s;
                 match self.land(law, &events, (which, theta * h_s), &step) {
                     Ok(state) => {
                         self.react(events[which], state);
@@ -291,7 +290,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                         let most_s =
                             if is_touching { self.course.setup.passage_s() } else { f64::INFINITY };
                         // Events that rounding repeats at one place are left behind by a step that moves the time.
-                        self.h_s = larger(smaller(whole_s, most_s), no_time_s);
+                        self.h_s = larger(smaller(self.h_s, most_s), no_time_s);
                     }
                     Err(shorter_s) => self.h_s = shorter_s,
                 }
