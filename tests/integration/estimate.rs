@@ -261,3 +261,18 @@ fn an_estimate_from_two_outcomes_is_unknown() {
     assert_eq!(quantities::find("error_estimate").unwrap().value(&run), None);
     assert!(run.error_estimates.is_empty());
 }
+
+#[test]
+fn a_rigid_or_free_plate_is_held_against_its_closed_form() {
+    for (changes, basis) in [
+        ("mount=rigid", EstimateBasis::ClosedForm),
+        ("k=0", EstimateBasis::ClosedForm),
+        ("k=1e5", EstimateBasis::SecondComputation),
+        ("mount=rigid horizon=1ms", EstimateBasis::SecondComputation),
+    ] {
+        let scene = cmra::model::variables::changed(Scene::default(), changes).unwrap();
+        let run = run_of(&Arc::new(scene));
+        assert_eq!(run.estimate_basis, Some(basis), "{changes}");
+        assert!(run.error_of("peak_contact_force_n").unwrap() < 1e-12, "{changes}");
+    }
+}

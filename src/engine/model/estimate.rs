@@ -1,4 +1,4 @@
-//! Error estimates of the results of a run: the difference of each from a second computation of the same scene, in closed form if it has one.
+//! Error estimates of the results of a run: the difference of each from its closed form, or from a second computation of the same scene.
 //!
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
@@ -45,7 +45,7 @@ const ESTIMATED: [Estimated; 13] = [
     ("interface_demand_ratio", Scale::Own, |run| run.interface_demand_ratio),
 ];
 
-/// Set a run's estimates from a second computation. `floor` is what neither computation can see, relative. Computations that do
+/// Set a run's estimates from another computation. `floor` is what neither computation can see, relative. Computations that do
 /// not end alike say nothing of each other.
 pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     if run.outcome != second.outcome {
@@ -56,8 +56,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     let factor = match basis {
         // First order: half the step leaves half of the error.
         EstimateBasis::HalfStep => 2.0,
-        EstimateBasis::ClosedForm => 1.0,
-        _ if run.cost.events != second.cost.events => ANOTHER_WAY,
+        EstimateBasis::SecondComputation if run.cost.events != second.cost.events => ANOTHER_WAY,
         _ => 1.0,
     };
     let struck = run.scene.projectile.velocity_m_s;

@@ -54,8 +54,8 @@ fn local_tolerance(scene: &Scene) -> f64 {
 fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
     let scene = Arc::clone(&run.scene);
     let tolerance = local_tolerance(&scene);
-    let closed = closed_form::results(&scene).map(|results| (results, EstimateBasis::ClosedForm));
-    let (second, basis) = closed.unwrap_or_else(|| {
+    let exact = closed_form::results(&scene).map(|exact| (exact, EstimateBasis::ClosedForm));
+    let (second, basis) = exact.unwrap_or_else(|| {
         let shown =
             &mut |look: &Look<'_>| observer(&Look { so_far: &|| Some(run.clone()), ..*look });
         let stepping = Stepping::Second(LOOSER * tolerance);

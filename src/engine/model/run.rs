@@ -254,7 +254,7 @@ pub enum EstimateBasis {
     SecondComputation,
     /// Difference to the closed form.
     ClosedForm,
-    /// Unknown: the second computation ended otherwise, with this outcome.
+    /// Unknown: the other computation ended otherwise, with this outcome.
     OutcomeDiffers(Outcome),
     /// Twice the difference to the same first-order scheme at half the step: against the scheme's own limit.
     HalfStep,

@@ -21,7 +21,7 @@ fn by_rule(rule: &[(f64, f64)], middle: f64, half: f64, f: impl Fn(f64) -> f64) 
 /// Parts into which [`converged`] may cut an interval in all.
 const PARTS_MAX: usize = 200;
 /// Part of an integral by which six more points may change it: what it is off by with them is far less.
-const CONVERGED: f64 = 1e-8;
+const CONVERGED: f64 = 1e-10;
 
 /// The integral of `f` from `a` to `b` to rounding, on halves of halves until six more points on each change nothing.
 pub(crate) fn converged(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {

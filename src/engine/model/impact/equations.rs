@@ -331,8 +331,8 @@ impl Equations<'_> {
         (slip, plate)
     }
 
-    #[inline]
     /// Their derivatives by travel and displacement, and by slip and the plate's velocity.
+    #[inline]
     pub(super) fn slopes(&self, state: &State) -> Slopes<2> {
         let setup = self.setup;
         let contact = self.contact_slopes(state.q_m, state.u_m_s);

@@ -288,7 +288,7 @@ fn error(run: &Run) -> Option<String> {
         EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
         EstimateBasis::OutcomeDiffers(other) => {
             return Some(format!(
-                "unknown: outcome differs (a second computation ends {})",
+                "unknown: outcome differs (the other computation ends {})",
                 other.word()
             ));
         }
