@@ -75,25 +75,29 @@ impl<'a> Passage<'a> {
         if c == 0.0 {
             return left + 2.0 * s * volume_m3 * self.mobility_per_kg;
         }
-        left + (s / c + left) * (2.0 * c * self.mobility_per_kg * volume_m3).exp_m1()
+        left + (s / c + left) * (self.decay_per_m3() * volume_m3).exp_m1()
+    }
+
+    /// 2 c/mu, 1/m³: the part that drag takes of u² per volume swept.
+    fn decay_per_m3(&self) -> f64 {
+        2.0 * self.drag_kg_m3 * self.mobility_per_kg
     }
 
     /// u² after a travel that is not farther than the arrest, m²/s².
     fn slip_squared_at(&self, travel_m: f64) -> f64 {
         let (v, volume_m3) = (self.velocity_m_s, self.geometry.swept_m3(travel_m));
         let stopped = self.slip_squared_before(volume_m3, 0.0);
-        let drags = 2.0 * self.drag_kg_m3 * self.mobility_per_kg * volume_m3;
-        larger(v * v - stopped, 0.0) * (-drags).exp()
+        larger(v * v - stopped, 0.0) * (-self.decay_per_m3() * volume_m3).exp()
     }
 
     /// The greatest contact force up to a travel, N: F = A (S + c u²) grows by dF/dq = (A' - 2 c A²/mu) (S + c u²).
     fn peak_n(&self, end_m: f64) -> f64 {
-        let (nose, per_area) = (&self.geometry.nose, 2.0 * self.drag_kg_m3 * self.mobility_per_kg);
+        let (nose, decay_per_m3) = (&self.geometry.nose, self.decay_per_m3());
         let passed = self.geometry.pieces().iter().take_while(|piece| piece.from_m < end_m);
         let greatest_n = passed.map(|AreaPiece { from_m, to_m, law }| {
             let to_m = smaller(*to_m, end_m);
             let area_m2 = |q_m: f64| law.area_m2(nose, q_m);
-            let rise = |q_m: f64| law.slope_m(nose, q_m) - per_area * area_m2(q_m).powi(2);
+            let rise = |q_m: f64| law.slope_m(nose, q_m) - decay_per_m3 * area_m2(q_m).powi(2);
             let force_n = |q_m: f64| {
                 area_m2(q_m) * (self.strength_pa + self.drag_kg_m3 * self.slip_squared_at(q_m))
             };
@@ -136,14 +140,18 @@ impl<'a> Passage<'a> {
     }
 }
 
+/// Whether nothing but the shot moves the plate, or nothing at all, and the contact has the law of these closed forms.
+pub fn is_unsprung(scene: &Scene) -> bool {
+    let mechanism = Mechanism::of(scene);
+    let acts = !mechanism.is_absent() || mechanism.stop.is_some();
+    scene.contact.model == ContactModel::Hydrodynamic && !acts
+}
+
 /// What becomes of a shot into a plate that is rigid, or that nothing but the shot moves. `None` of other plates and contact models, of a
 /// shot at an angle, whose swept volumes are integrals themselves, and of a run with a horizon.
 pub(super) fn results(scene: &Scene) -> Option<Run> {
-    let is_simple = scene.contact.model == ContactModel::Hydrodynamic
-        && scene.projectile.obliquity_deg == 0.0
-        && scene.run.horizon_s.is_none();
-    let mechanism = Mechanism::of(scene);
-    if !is_simple || !mechanism.is_absent() || mechanism.stop.is_some() {
+    let is_oblique = scene.projectile.obliquity_deg != 0.0;
+    if !is_unsprung(scene) || is_oblique || scene.run.horizon_s.is_some() {
         return None;
     }
     let geometry = Geometry::of(scene);
@@ -151,7 +159,7 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
     let arrest_m = passage.arrest_m();
     let end_m = arrest_m.unwrap_or(geometry.exit_m);
     let end_s = passage.time_s(arrest_m);
-    let left_m_s = arrest_m.map_or_else(|| passage.slip_squared_at(end_m).sqrt(), |_| 0.0);
+    let left_m_s = if arrest_m.is_some() { 0.0 } else { passage.slip_squared_at(end_m).sqrt() };
     // What the projectile loses of its velocity relative to the plate the plate gains by its part of the mass.
     let m_p = scene.projectile.mass_kg;
     let part = if scene.is_sprung() { m_p / (m_p + moving_plate_kg(scene)) } else { 0.0 };

@@ -5,12 +5,11 @@
 
 use std::sync::Arc;
 
-use crate::model::closed_form::Passage;
+use crate::model::closed_form::{Passage, is_unsprung};
 use crate::model::contact::Geometry;
-use crate::model::mechanism::Mechanism;
 use crate::model::run::envelope::oblique_error;
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{ContactModel, Criterion, Scene};
+use crate::model::scene::{Criterion, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::context::{Context, to_its_end};
@@ -235,16 +234,12 @@ pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
 /// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts, or for another
 /// model or criterion.
 pub fn closed_form(scene: &Scene) -> Option<f64> {
-    let mechanism = &scene.mechanism;
-    let rigid = !scene.is_sprung();
-    let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
     let by_passage = scene.target.criterion == Criterion::Passage;
-    let is_hydrodynamic = scene.contact.model == ContactModel::Hydrodynamic;
-    if (acts && !rigid) || scene.is_stack() || !is_hydrodynamic || !by_passage {
+    if !is_unsprung(scene) || scene.is_stack() || !by_passage {
         return None;
     }
     let geometry = Geometry::of(scene);
-    let passage = Passage::unsprung(scene, &geometry, !rigid);
+    let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
     let plate_m_s = scene.plate_velocity_m_s() * scene.cos_obliquity();
     Some(passage.limit_velocity_m_s() + plate_m_s)
 }
