@@ -92,5 +92,3 @@ mod units;
 mod validation;
 #[cfg(test)]
 mod values;
-#[cfg(test)]
-mod words;
