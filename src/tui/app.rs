@@ -139,6 +139,7 @@ impl App {
         Snapshot {
             scene: Arc::clone(&self.scene),
             base: self.base.clone(),
+            units: self.pages.run.editor.units.clone(),
             search: Arc::clone(&self.pages.search.setup),
             picture: self.pages.explore.picture,
             pins: self.pins.iter().map(|pin| Pin { run: None, job: None, ..pin.clone() }).collect(),

@@ -357,7 +357,7 @@ mod tests {
         app.settings.theme.glyphs = app.settings.theme.glyphs.next();
         app.files.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);
-        press(&mut app, "2\tkl4gj\n45\nj\nk\njj\n9e6\nk\n8e6\n");
+        press(&mut app, "2\tkl4gj\n45\nj\nk\njj\n9e3\nk\n8e3\n");
         press(&mut app, "4glgjjjjjj\n1..5\njjl");
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::files::preset;
+use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::{Typing, edit, jobs};
 use crate::tui::keymap::Key;
@@ -186,9 +187,14 @@ fn commit(app: &mut App) {
     if field.all_selected || !page.is_new(app, &text) {
         return;
     }
+    let variable = page.field_quantity(app).and_then(|quantity| quantity.variable);
+    let before = app.snapshot();
     if let Err(error) = page.change(app, Input::Text(&text)) {
         field.error = Some(error);
         app.typing = Some(Typing::Field(field));
+    } else if let Some(variable) = variable {
+        let index = VARIABLES.iter().position(|it| it.key == variable.key).unwrap_or_default();
+        edit::show_in_unit_of(app, index, &text, before);
     }
 }
 

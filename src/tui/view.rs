@@ -73,8 +73,11 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
     let (entries, last) = match (&app.dialog, app.field()) {
         (Some(dialog), _) => (keys_of(app, dialog.footer()), ""),
-        (None, Some(_)) if pages::of(app.tab).takes_unit(app) => (keys_of(app, QUANTITY), ""),
-        (None, Some(_)) => (keys_of(app, WORD), ""),
+        (None, Some(_)) => {
+            let quantity = pages::of(app.tab).field_quantity(app);
+            let bare = quantity.map(|it| unit_of_bare(&it.unit)).unwrap_or_default();
+            (keys_of(app, &format!("{WORD}{bare}")), "")
+        }
         (None, None) => (from_table(app), LAST),
     };
     let last = keys_of(app, last);
@@ -105,10 +108,14 @@ fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put(area, (hint_at, 0), hint, Role::Dim);
 }
 
-/// While a quantity is typed.
-const QUANTITY: &str =
-    "<enter> ok  <back> old value  Up/Down ok and move  also 25.4mm 7.5MN/m 1/3 *2 +5%";
-/// While a name or a count is typed.
+/// The unit of a bare number, and what else may be written.
+fn unit_of_bare(unit: &str) -> String {
+    let alone =
+        if unit.is_empty() { String::new() } else { format!("  a number alone is in {unit}") };
+    format!("{alone}  also 1/3 *2 +5%")
+}
+
+/// While a text is typed.
 const WORD: &str = "<enter> ok  <back> old value  Up/Down ok and move";
 
 /// The keys of a footer, each with a word or two for what it does: `<enter> load  <back> close`.

@@ -25,15 +25,17 @@ fn quoted(text: &str) -> String {
 
 /// The unit of a bare number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bare {
+pub enum Bare<'u> {
     /// SI, on the command line; an angle needs its unit there.
     Si,
     /// The stored unit: where it is shown beside the field, or stands in the name, as in files (degrees for angles).
     Stored,
+    /// The unit shown beside the field.
+    In(&'u str),
 }
 
 /// Read a quantity; the result is in the stored unit (SI, degrees for angles). A refusal has its cure, and counts columns from 1.
-pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, String> {
+pub fn parse(text: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, String> {
     let trimmed = text.trim();
     let example = quantity.example();
     if trimmed.is_empty() {
@@ -48,7 +50,10 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, String>
     if let Some(point) = with_point(trimmed, rest) {
         return Err(format!("`{shown}` has a comma (column {}): {point}", column(rest)));
     }
-    let unit = rest.trim();
+    let unit = match (rest.trim(), bare) {
+        ("", Bare::In(shown)) => shown,
+        (written, _) => written,
+    };
     let needs_unit = bare == Bare::Si && quantity == Dimension::Angle;
     // Zero is the same in every unit.
     if unit.is_empty() && needs_unit && value != 0.0 {
@@ -57,16 +62,21 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, String>
         ));
     }
     let (times, over) = factor(unit, quantity).ok_or_else(|| {
-        let bare = match quantity.unit() {
+        let bare = match bare {
             _ if needs_unit => String::new(),
-            "" => ", or no unit".to_owned(),
-            stored => format!(", or no unit for {stored}"),
+            Bare::Si | Bare::Stored => no_unit_for(quantity.unit()),
+            Bare::In(shown) => no_unit_for(shown),
         };
         let (shown, column, accepted) = (quoted(unit), column(unit), quantity.accepted());
         format!("`{shown}` is not a unit of this quantity (column {column}): use {accepted}{bare}")
     })?;
     let scaled = value * times / over;
     if scaled.is_finite() { Ok(scaled) } else { Err(not_finite(trimmed, quantity)) }
+}
+
+/// The unit of a bare number, as the end of a sentence.
+fn no_unit_for(unit: &str) -> String {
+    if unit.is_empty() { ", or no unit".to_owned() } else { format!(", or no unit for {unit}") }
 }
 
 /// The cure where a decimal comma, or one between thousands, follows the number that was read.
@@ -111,7 +121,7 @@ pub fn parse_relative(
     text: &str,
     old: f64,
     quantity: Dimension,
-    bare: Bare,
+    bare: Bare<'_>,
 ) -> Result<f64, String> {
     let trimmed = text.trim();
     let plain = |rest: &str| parse(rest, Dimension::Number, Bare::Stored);

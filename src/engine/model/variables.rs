@@ -237,7 +237,7 @@ impl Variable {
 
     /// Read a text as a value of this variable; numbers may be relative to the scene's present value. Whether a number makes sense
     /// is found when it is set.
-    pub fn parse(&self, scene: &Scene, text: &str, bare: Bare) -> Result<Value, VariableError> {
+    pub fn parse(&self, scene: &Scene, text: &str, bare: Bare<'_>) -> Result<Value, VariableError> {
         let word = text.trim();
         match &self.kind {
             Kind::Number(number) => {
@@ -263,7 +263,7 @@ impl Variable {
     }
 
     /// The unit of a bare number under this name on the command line: the full key ends in its unit.
-    pub fn bare(&self, name: &str) -> Bare {
+    pub fn bare(&self, name: &str) -> Bare<'static> {
         if name == self.key { Bare::Stored } else { Bare::Si }
     }
 

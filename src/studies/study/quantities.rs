@@ -319,6 +319,16 @@ impl Quantity {
         units::parse(bare, self.kind, Bare::Si)
     }
 
+    /// Reads a value; a bare number has the unit shown beside the field.
+    pub fn parse_in(&self, text: &str, unit: &str) -> Result<f64, String> {
+        // Percentages are numbers of per cent.
+        if self.unit() == "%" {
+            self.parse(text)
+        } else {
+            units::parse(text, self.kind, Bare::In(unit))
+        }
+    }
+
     /// Its lower bound, if a run ended before it was final; `None` if it is final or unknown.
     pub fn lower_bound(&self, run: &Run) -> Option<f64> {
         // The bounds of a run are those of its first plate.

@@ -10,7 +10,7 @@ use crate::tui::app::history::{Edit, Snapshot};
 use crate::tui::app::jobs;
 use crate::tui::app::pins::Pin;
 use crate::tui::pages::explore::state::Picture;
-use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::editor::shown_in;
 use crate::tui::prelude::*;
 use crate::tui::preset::{Base, LabelledScene};
 use crate::tui::widgets::cycled;
@@ -29,8 +29,9 @@ pub(crate) fn set(
         return Ok(());
     }
     let old = app.history.extended(stepping).map_or(&app.scene, |first| &first.scene);
-    let old = shown_value(variable, old);
-    let label = format!("{} {old} -> {}", variable.symbol, shown_value(variable, &scene));
+    let unit = app.pages.run.editor.unit(index);
+    let shown = |scene: &Scene| shown_in(variable, scene, unit, 6);
+    let label = format!("{} {} -> {}", variable.symbol, shown(old), shown(&scene));
     // What was outside before is marked in the list; what comes to be outside is reported.
     let before = envelope::of_scene(&app.scene);
     let breach = envelope::of_scene(&scene)
@@ -62,9 +63,26 @@ pub(crate) fn with(present: &Scene, variable: &Variable, value: Value) -> Result
 
 /// Set a variable to what was typed: a value with its unit, a fraction, or a change of the old value.
 pub(crate) fn read(app: &mut App, index: usize, text: &str) -> Result<(), String> {
-    let text = app.pages.run.editor.with_unit(index, text);
-    let value = VARIABLES[index].parse(&app.scene, &text, Bare::Stored);
+    let unit = app.pages.run.editor.unit(index);
+    let value = VARIABLES[index].parse(&app.scene, text, Bare::In(unit));
     set(app, index, value.map_err(|error| error.to_string())?, None)
+}
+
+/// Show a variable in the unit that was typed for it, as a part of the edit made since `before`.
+pub(crate) fn show_in_unit_of(app: &mut App, index: usize, text: &str, before: Snapshot) {
+    app.pages.run.editor.show_in_unit_of(index, text);
+    let after = app.snapshot();
+    if after.units == before.units {
+        return;
+    }
+    let is_edited = (&after.scene, &after.search) != (&before.scene, &before.search);
+    match app.history.edits.last_mut().filter(|_| is_edited) {
+        Some(edit) => edit.states.1 = after,
+        None => {
+            let (symbol, unit) = (VARIABLES[index].symbol, app.pages.run.editor.unit(index));
+            note(app, before, format!("{symbol} in {unit}"), None);
+        }
+    }
 }
 
 /// Make another scene the current one, as one edit.
@@ -136,6 +154,9 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     if from.search != to.search {
         app.pages.search.setup = to.search;
         app.pages.search.problem = Default::default();
+    }
+    if from.units != to.units {
+        app.pages.run.editor.units = to.units;
     }
     if from.picture != to.picture {
         app.pages.explore.picture = to.picture;

@@ -1,5 +1,6 @@
 //! Edits that can be undone: the last thousand of the session, held arrow keys merged into one.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
@@ -14,6 +15,8 @@ pub struct Snapshot {
     pub scene: Arc<Scene>,
     /// The preset it is compared with.
     pub base: Base,
+    /// The units that variables are shown in.
+    pub units: BTreeMap<usize, &'static str>,
     /// The setup of the Search tab.
     pub search: Arc<Setup>,
     /// Whether the Explore tab draws curves or a map.

@@ -25,10 +25,11 @@ pub(crate) mod prelude {
 use prelude::*;
 use ratatui::buffer::Buffer;
 
+use crate::model::variables::{self, VARIABLES};
 use crate::tui::app::Typing;
 use crate::tui::app::running::Kept;
 use crate::tui::pages;
-use crate::tui::widgets::form::Form;
+use crate::tui::widgets::form::{FieldQuantity, Form};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::{Layout, layout};
 use crate::tui::widgets::steps::Input;
@@ -164,9 +165,9 @@ pub(crate) trait Page: Sync {
         text().unwrap_or_default()
     }
 
-    /// Whether the open field takes a number with a unit.
-    fn takes_unit(&self, app: &App) -> bool {
-        self.form(app).is_some_and(|form| form.line().is_some_and(|line| line.takes_unit))
+    /// What the open field reads, where that is a quantity.
+    fn field_quantity(&self, app: &App) -> Option<FieldQuantity> {
+        self.form(app)?.line()?.quantity.clone()
     }
 
     /// Whether a text differs from that of the row; a dim value has no effect at present, and gets one when it is typed again.
@@ -192,6 +193,13 @@ pub(crate) trait Page: Sync {
 }
 
 impl App {
+    /// The unit that the fields of every page show a variable in, and that a bare number has there.
+    pub(crate) fn unit_of(&self, name: &str) -> &'static str {
+        let key = variables::find(name).map_or("", |variable| variable.key);
+        let index = VARIABLES.iter().position(|variable| variable.key == key);
+        index.map_or("", |index| self.pages.run.editor.unit(index))
+    }
+
     pub fn layout(&self) -> Layout {
         // A pinned run takes the row that says how to pin one.
         let has_hint = self.tab != Tab::Run || self.pins.is_empty();

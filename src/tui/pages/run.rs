@@ -9,6 +9,8 @@ mod status;
 use crate::model::variables::Kind;
 use crate::tui::pages::page::open_field;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::widgets::axis::FIELD_DIGITS;
+use crate::tui::widgets::form::FieldQuantity;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::steps::{Input, Press};
@@ -143,15 +145,17 @@ impl Page for RunTab {
         (app.pane() == VARIABLES).then_some(&mut app.pages.run.editor.filter)
     }
 
-    fn takes_unit(&self, _app: &App) -> bool {
-        true
+    fn field_quantity(&self, app: &App) -> Option<FieldQuantity> {
+        let editor = &app.pages.run.editor;
+        let unit = editor.unit(editor.selected).to_owned();
+        Some(FieldQuantity { unit, variable: Some(editor.variable()) })
     }
 
     /// The number in the unit that stands behind it.
     fn text(&self, app: &App) -> String {
         let editor = &app.pages.run.editor;
         let unit = editor.unit(editor.selected);
-        editor::number_in(editor.variable(), &app.scene, unit, editor::FIELD_DIGITS)
+        editor::number_in(editor.variable(), &app.scene, unit, FIELD_DIGITS)
     }
 
     fn change(&self, app: &mut App, input: Input<'_>) -> Result<(), String> {

@@ -304,11 +304,12 @@ fn note_change(app: &mut App, row: Row, before: Snapshot) {
 
 pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
     let bounds = app.search_bounds();
+    let unit = app.search_line(row, &bounds).quantity.unwrap_or_default().unit;
     let setup = Arc::make_mut(&mut app.pages.search.setup);
     match (row, input) {
         (Row::Axis(part), _) => {
             let mut axis = setup.seek.clone();
-            part.change(&mut axis, &app.scene, input, &SCAN)?;
+            part.change(&mut axis, (&app.scene, &unit), input, &SCAN)?;
             // There can be a scan of it.
             Axis::of(&axis, &SCAN).map_err(|error| error.to_string())?;
             setup.seek = axis;
@@ -323,12 +324,12 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
         (Row::Output, _) => setup.output = quantity_after(setup.output, input)?,
         (Row::Goal, Input::Text(text)) => {
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;
-            setup.goal.1 = column.parse(text)?;
+            setup.goal.1 = column.parse_in(text, &unit)?;
         }
         (Row::Bound(at), _) => {
             let old = bounds.get(at).ok_or("this variable no longer exists")?;
             let new = match input {
-                Input::Text(text) => read_bound(old, text)?,
+                Input::Text(text) => read_bound(old, text, &unit)?,
                 Input::Step(_) => Bound { on: !old.on, ..old.clone() },
             };
             setup.bounds.clone_from(&bounds);

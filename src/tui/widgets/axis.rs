@@ -8,8 +8,11 @@ use crate::model::scene::{Scene, SweepAxis};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Allowed, Number, VARIABLES, Variable};
 use crate::tui::widgets::cycled;
-use crate::tui::widgets::form::{FormRow, VALUE_WIDTH};
+use crate::tui::widgets::form::{FieldQuantity, FormRow, VALUE_WIDTH};
 use crate::tui::widgets::steps::{self, Input, shown_number};
+
+/// Digits of a field: as many as a number that was typed may have.
+pub(crate) const FIELD_DIGITS: usize = 12;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
@@ -21,13 +24,19 @@ pub enum Part {
 }
 
 impl Part {
-    pub(crate) fn line(self, axis: &SweepAxis) -> FormRow {
+    /// The row of a form, with the ends in the unit that the variable is shown in.
+    pub(crate) fn line(self, axis: &SweepAxis, unit: &'static str) -> FormRow {
         let variable = variables::find(&axis.name).ok();
-        let end = |label: &str, value: f64| FormRow {
-            text: Some(units::shortest(value)),
-            unit: variable.map_or("", |found| found.unit()),
-            takes_unit: true,
-            ..FormRow::word(label, shown_number(value, usize::from(VALUE_WIDTH)))
+        let end = |label: &str, value: f64| {
+            let number = variable.and_then(Variable::number);
+            let value =
+                number.and_then(|it| units::in_unit(value, unit, it.quantity)).unwrap_or(value);
+            FormRow {
+                text: Some(units::significant(value, FIELD_DIGITS)),
+                unit,
+                quantity: Some(FieldQuantity { unit: unit.to_owned(), variable }),
+                ..FormRow::word(label, shown_number(value, usize::from(VALUE_WIDTH)))
+            }
         };
         let line = match self {
             Self::Name => FormRow::typed("variable", &axis.name),
@@ -43,7 +52,7 @@ impl Part {
     pub(crate) fn change(
         self,
         axis: &mut SweepAxis,
-        scene: &Scene,
+        (scene, unit): (&Scene, &str),
         input: Input<'_>,
         counts: &RangeInclusive<u64>,
     ) -> Result<(), String> {
@@ -59,7 +68,7 @@ impl Part {
             (Self::From | Self::To, _) => {
                 let greatest = if axis.from.abs() > axis.to.abs() { axis.from } else { axis.to };
                 let end = if self == Self::From { &mut axis.from } else { &mut axis.to };
-                *end = changed_end(find(&axis.name)?, *end, greatest, input)?;
+                *end = changed_end((find(&axis.name)?, unit), *end, greatest, input)?;
             }
             (Self::Points, Input::Text(text)) => {
                 axis.count = usize::try_from(whole(text, counts)?).unwrap_or(usize::MAX);
@@ -73,14 +82,14 @@ impl Part {
 
 /// Another value of an end; it is stepped by the size of the range: from 0 there is no size of its own.
 fn changed_end(
-    variable: &'static Variable,
+    (variable, unit): (&'static Variable, &str),
     end: f64,
     greatest: f64,
     input: Input<'_>,
 ) -> Result<f64, String> {
     let number = number_of(variable)?;
     match input {
-        Input::Text(text) => units::parse_relative(text, end, number.quantity, Bare::Stored)
+        Input::Text(text) => units::parse_relative(text, end, number.quantity, Bare::In(unit))
             .map_err(|problem| format!("{}: {problem}", variable.symbol)),
         Input::Step(press) => {
             let plain = steps::decade(variable, greatest);

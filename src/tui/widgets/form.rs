@@ -2,6 +2,7 @@
 
 use ratatui::layout::Rect;
 
+use crate::model::variables::Variable;
 use crate::study::quantities::{QUANTITIES, Quantity, named};
 use crate::tui::keymap::{Pane, Target};
 use crate::tui::theme::Role;
@@ -31,10 +32,19 @@ pub(crate) struct FormRow {
     pub text: Option<String>,
     /// Its meaning, for the message area.
     pub meaning: String,
-    /// Its field takes a number with a unit.
-    pub takes_unit: bool,
+    /// What its field reads, where that is a quantity.
+    pub quantity: Option<FieldQuantity>,
     /// Headings are titles; a value that has no effect at present is dim.
     pub role: Role,
+}
+
+/// The quantity that a field reads.
+#[derive(Clone, Default)]
+pub(crate) struct FieldQuantity {
+    /// The unit of a bare number; empty for a pure number.
+    pub unit: String,
+    /// The variable that is shown in this unit.
+    pub variable: Option<&'static Variable>,
 }
 
 impl FormRow {

@@ -167,3 +167,80 @@ fn the_search_setup_is_undone_and_redone_like_any_edit() {
     assert_eq!(bench.app.pages.search.setup.goal.0, next);
     assert_eq!(bench.app.scene, scene);
 }
+
+/// A bare number is in the unit that the field shows, on every page, and the footer says which.
+#[test]
+fn a_bare_number_has_the_unit_that_its_field_shows_on_every_page() {
+    use cmra::tui::pages::explore::state::{Part, SetupRow};
+    use cmra::tui::pages::search::state::Row;
+
+    #[track_caller]
+    fn near(value: f64, exact: f64) {
+        assert!((value - exact).abs() < 1e-15, "{value}");
+    }
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("j<Enter>");
+    assert!(bench.screen().contains("a number alone is in mm"), "{}", bench.screen());
+    bench.keys("0.5<Enter>");
+    near(bench.app.scene.plate.cocking_m, 0.5e-3);
+    // Explore: the ends of an axis.
+    keys(&mut bench, "2<Tab>");
+    bench.app.pages.explore.row = SetupRow::Axis(0, Part::Name);
+    keys(&mut bench, "<Enter>d<Enter>");
+    bench.app.pages.explore.row = SetupRow::Axis(0, Part::To);
+    keys(&mut bench, "<Enter>");
+    assert!(bench.screen().contains("a number alone is in mm"), "{}", bench.screen());
+    keys(&mut bench, "40 kg<Enter>");
+    assert!(bench.message().contains("or no unit for mm"), "{}", bench.message());
+    keys(&mut bench, "<Esc><Enter>40<Enter>");
+    near(bench.app.sweep_plan().expect("a plan").axes()[0].ends().1, 0.04);
+    // Goal seek: its range and its goal.
+    bench.keys("4");
+    bench.app.pages.search.row = Row::Axis(Part::Name);
+    bench.keys("<Enter>d<Enter>");
+    bench.app.pages.search.row = Row::Axis(Part::To);
+    bench.keys("<Enter>25<Enter>");
+    near(bench.app.pages.search.setup.seek.to, 0.025);
+    bench.app.pages.search.row = Row::Result;
+    bench.keys("<Enter>max plate displacement<Enter>");
+    bench.app.pages.search.row = Row::Goal;
+    bench.keys("<Enter>3 cm<Enter><Enter>");
+    assert!(bench.screen().contains("a number alone is in mm"), "{}", bench.screen());
+    bench.keys("7<Enter>");
+    near(bench.app.pages.search.setup.goal.1, 7e-3);
+    // The variables of a front.
+    bench.app.pages.search.page = cmra::tui::pages::search::state::Page::Front;
+    let at = bench.app.search_bounds().iter().position(|it| it.axis.symbol() == "d").expect("d");
+    bench.app.pages.search.row = Row::Bound(at);
+    bench.keys("<Enter>1..20<Enter>");
+    let ends = bench.app.search_bounds()[at].axis.ends();
+    near(ends.0, 1e-3);
+    near(ends.1, 0.02);
+    // A unit that was typed is that of every field.
+    bench.keys("<Enter>1in..3in<Enter>1/<Esc>");
+    assert!(bench.screen().contains("in"), "{}", bench.screen());
+    assert_eq!(bench.app.pages.run.editor.units.values().collect::<Vec<_>>(), [&"in"]);
+}
+
+/// 5 lbf/in is 875.6 N/m: 4.4482216152605 N over 25.4 mm, five times.
+#[test]
+fn undo_brings_back_value_and_unit() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("jj<Enter>5 lbf/in<Enter>");
+    assert!(bench.screen().contains("5 lbf/in"), "{}", bench.screen());
+    bench.keys("<Enter>");
+    assert!(bench.screen().contains("a number alone is in lbf/in"), "{}", bench.screen());
+    bench.keys("<Esc>u");
+    assert!(bench.screen().contains("100 kN/m^n"), "{}", bench.screen());
+    bench.keys("<Enter>7<Enter>");
+    assert_eq!(bench.app.scene.mechanism.spring.coefficient.to_bits(), 7000_f64.to_bits());
+    // A refused value leaves the unit; the same value in another unit is an edit.
+    bench.keys("<Enter>-5 lbf/in<Enter><Esc>");
+    assert!(bench.screen().contains("7 kN/m^n"), "{}", bench.screen());
+    bench.keys("<Enter>7000 N/m<Enter>");
+    assert!(bench.screen().contains("7000 N/m"), "{}", bench.screen());
+    bench.keys("u");
+    assert!(bench.screen().contains("7 kN/m^n"), "{}", bench.screen());
+    bench.keys("<C-r>");
+    assert!(bench.screen().contains("7000 N/m"), "{}", bench.screen());
+}

@@ -60,7 +60,7 @@ impl App {
             SetupRow::Axis(1, Part::Name) if has_one => FormRow::typed("variable", "none").means(
                 "curves can be repeated for values of a second variable: <right>, or <enter> and its name",
             ),
-            SetupRow::Axis(at, part) => part.line(&sweep.axes[at]),
+            SetupRow::Axis(at, part) => part.line(&sweep.axes[at], self.unit_of(&sweep.axes[at].name)),
             SetupRow::Picture => {
                 let word = if picture == Picture::Line { "curves" } else { "map" };
                 FormRow::word("shown as", word).means(
@@ -86,7 +86,8 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
             next_variable(app, at, press.by())?;
         }
         (SetupRow::Axis(at, part), _) => {
-            part.change(&mut sweep.axes[at], &app.scene, input, &GRID_COUNTS)?;
+            let unit = app.unit_of(&sweep.axes[at].name);
+            part.change(&mut sweep.axes[at], (&app.scene, unit), input, &GRID_COUNTS)?;
             checked(app, sweep, at)?;
         }
         (SetupRow::Picture, Input::Step(press)) => {

@@ -125,19 +125,15 @@ impl Editor {
         self.units.get(&index).copied().unwrap_or_else(usual)
     }
 
-    /// What was typed, with its unit; that is the unit of the variable from now on.
-    pub fn with_unit(&mut self, index: usize, text: &str) -> String {
-        let is_relative = text.starts_with(['*', '/']) || text.ends_with('%');
-        match units::written_unit(text).filter(|_| !is_relative) {
-            Some("") => format!("{text} {}", self.unit(index)).trim_end().to_owned(),
-            Some(unit) => {
-                let number = VARIABLES[index].number();
-                let unit = number.and_then(|it| units::unit_named(unit, it.quantity));
-                self.units.extend(unit.map(|unit| (index, unit)));
-                text.to_owned()
-            }
-            None => text.to_owned(),
-        }
+    /// Shows a variable in the unit that was typed, a single value or a range `LO..HI`, if that unit has a usual name.
+    pub fn show_in_unit_of(&mut self, index: usize, text: &str) {
+        let is_relative = text.starts_with(['*', '/', '+', '-']) && text.ends_with('%');
+        let end = text.rsplit("..").next().unwrap_or(text);
+        let end = end.split(':').next().unwrap_or(end);
+        let written = units::written_unit(end).filter(|_| !is_relative);
+        let number = VARIABLES[index].number();
+        let unit = written.zip(number).and_then(|(unit, it)| units::unit_named(unit, it.quantity));
+        self.units.extend(unit.map(|unit| (index, unit)));
     }
 }
 
@@ -148,7 +144,7 @@ pub fn shown_value(variable: &Variable, scene: &Scene) -> String {
 }
 
 /// The value in a unit, in so many digits.
-fn shown_in(variable: &Variable, scene: &Scene, unit: &str, digits: usize) -> String {
+pub(crate) fn shown_in(variable: &Variable, scene: &Scene, unit: &str, digits: usize) -> String {
     match variable.value(scene) {
         Value::Number(_) => {
             format!("{} {unit}", number_in(variable, scene, unit, digits)).trim_end().to_owned()
@@ -168,6 +164,3 @@ pub(crate) fn number_in(variable: &Variable, scene: &Scene, unit: &str, digits: 
     };
     shown().unwrap_or_else(|| variable.show(scene))
 }
-
-/// Digits of a field: as many as a number that was typed may have.
-pub(crate) const FIELD_DIGITS: usize = 12;

@@ -1,5 +1,6 @@
 //! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
+use crate::model::units;
 use crate::model::variables::{self, Group, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::front::{Constraint, USUAL};
@@ -8,8 +9,8 @@ use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::STUDIES;
 use crate::tui::pages::search::state::{Bound, Page, Row};
-use crate::tui::widgets::axis::{Part, meaning, numeric, over};
-use crate::tui::widgets::form::{Form, FormRow, quantity_meaning};
+use crate::tui::widgets::axis::{FIELD_DIGITS, Part, meaning, numeric, over};
+use crate::tui::widgets::form::{FieldQuantity, Form, FormRow, quantity_meaning};
 use crate::worker::studies::SearchRequest;
 
 /// Short names of the usual objectives.
@@ -86,16 +87,22 @@ impl App {
         match row {
             Row::Heading(heading) => FormRow::heading(heading),
             Row::Axis(Part::Points) => Part::Points
-                .line(&setup.seek)
+                .line(&setup.seek, "")
                 .means("points of the scan: solutions closer together may be missed"),
-            Row::Axis(part) => part.line(&setup.seek),
+            Row::Axis(part) => part.line(&setup.seek, self.unit_of(&setup.seek.name)),
             Row::Result => FormRow::quantity(setup.goal.0),
             Row::Goal => {
                 let goal = named(setup.goal.0).map(|quantity| quantity.show(setup.goal.1, 6));
-                FormRow { takes_unit: true, ..FormRow::typed("is", goal.unwrap_or_default()) }
+                let goal = goal.unwrap_or_default();
+                let unit = shown_unit(&goal).to_owned();
+                let quantity = Some(FieldQuantity { unit, variable: None });
+                FormRow { quantity, ..FormRow::typed("is", goal) }
                     .means(quantity_meaning(setup.goal.0))
             }
-            Row::Bound(at) => bounds.get(at).map_or_else(|| FormRow::word("", ""), bound_line),
+            Row::Bound(at) => bounds.get(at).map_or_else(
+                || FormRow::word("", ""),
+                |bound| bound_line(bound, self.unit_of(bound.axis.symbol())),
+            ),
             Row::Objective(at) => {
                 let objective = FormRow::switch(OBJECTIVES[at], setup.objectives[at]);
                 objective.means(quantity_meaning(USUAL[at]))
@@ -107,7 +114,9 @@ impl App {
                 };
                 let how = "QUANTITY<=VALUE or QUANTITY>=VALUE, separated by commas, or none";
                 let (shown, text) = (written(&short_words), written(&Constraint::to_string));
-                FormRow { text: Some(text.clone()), takes_unit: true, ..FormRow::word("bounds", shown) }
+                let unit = "the unit that QUANTITY ends in".to_owned();
+                let quantity = Some(FieldQuantity { unit, variable: None });
+                FormRow { text: Some(text.clone()), quantity, ..FormRow::word("bounds", shown) }
                     .means(format!("{text} ({how}: peak_mount_force_n<=20kN)"))
             }
             Row::Feasible => FormRow::switch("feasible", setup.feasible).means(
@@ -142,28 +151,39 @@ impl App {
     }
 }
 
-/// Its row in a form: `0.8..7` or `1e3..7.5e6:log`.
-pub(crate) fn bound_line(bound: &Bound) -> FormRow {
+/// The unit behind the number of a shown value: `mm`.
+pub(super) fn shown_unit(value: &str) -> &str {
+    value.split_once(' ').map_or("", |(_, unit)| unit)
+}
+
+/// The row of a bound in the unit that its variable is shown in: `0.8..7` or `1..7500 kN/m^n log`.
+pub(crate) fn bound_line(bound: &Bound, unit: &'static str) -> FormRow {
+    let variable = bound.axis.variable();
+    let number_in = |value: f64| {
+        let number = variable.number();
+        number.and_then(|it| units::in_unit(value, unit, it.quantity)).unwrap_or(value)
+    };
     let (low, high) = bound.axis.ends();
     let log = if bound.axis.spacing() == Spacing::Log { ":log" } else { "" };
-    let range = format!("{}..{}{log}", significant(low, 5), significant(high, 5));
-    let shown = if bound.on { range.clone() } else { "held".to_owned() };
-    let meaning = meaning(bound.axis.variable());
+    let range = |digits: usize| {
+        let shown = |end| significant(number_in(end), digits);
+        format!("{}..{}", shown(low), shown(high))
+    };
+    let shown = format!("{} {unit}", range(5));
+    let shown = if bound.on { format!("{}{log}", shown.trim_end()) } else { "held".to_owned() };
+    let meaning = meaning(variable);
     FormRow {
-        text: Some(range),
-        takes_unit: true,
+        text: Some(format!("{}{log}", range(FIELD_DIGITS))),
+        quantity: Some(FieldQuantity { unit: unit.to_owned(), variable: Some(variable) }),
         role: if bound.on { Role::Text } else { Role::Dim },
         ..FormRow::word(bound.axis.symbol(), shown)
     }
     .means(format!("{meaning} (<enter>: LO..HI, LO..HI:log; <left>/<right> held or varied)"))
 }
 
-/// Read `0.8..7`, `1e3..7.5e6:log`, with units or without.
-pub(crate) fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
-    // An angle by its key, whose unit is that of the values.
-    let variable = old.axis.variable();
-    let name = if variable.unit() == "deg" { variable.key } else { variable.symbol };
-    let text = format!("{name}={text}");
-    let axis = Axis::read_range(&text, Some(old.axis.count()), &COUNTS);
+/// Read `0.8..7`, `1e3..7.5e6:log`, with units or in the unit that is shown.
+pub(crate) fn read_bound(old: &Bound, text: &str, unit: &str) -> Result<Bound, String> {
+    let (name, count) = (old.axis.symbol(), Some(old.axis.count()));
+    let axis = Axis::read_range_in(unit, (name, text), count, &COUNTS);
     Ok(Bound { axis: axis.map_err(|error| error.to_string())?, on: true })
 }

@@ -22,8 +22,22 @@ impl Axis {
         let form = || refuse(FORM.to_owned());
         let (name, rest) = argument.split_once('=').ok_or_else(form)?;
         let name = name.trim();
-        let (variable, number) = numeric(name)?;
-        let (quantity, bare) = (number.quantity, variable.bare(name));
+        let (variable, _) = numeric(name)?;
+        Self::read_values(name, rest, variable.bare(name), usual, counts)
+    }
+
+    /// Reads the values of the axis NAME, with a unit for bare numbers.
+    fn read_values(
+        name: &str,
+        rest: &str,
+        bare: Bare<'_>,
+        usual: Option<u64>,
+        counts: &RangeInclusive<u64>,
+    ) -> Result<Self, SweepError> {
+        let refuse = |problem: String| SweepError(format!("axis {name}={rest}: {problem}"));
+        let form = || refuse(FORM.to_owned());
+        let (_, number) = numeric(name)?;
+        let quantity = number.quantity;
         if let Some((low, rest)) = rest.split_once("..") {
             let (high, count, log) = high_end(rest, counts).map_err(refuse)?;
             let missing = || refuse(format!("COUNT is missing; {FORM}"));
@@ -52,15 +66,29 @@ impl Axis {
         usual: Option<u64>,
         counts: &RangeInclusive<u64>,
     ) -> Result<Self, SweepError> {
-        let axis = Self::read(argument, usual, counts)?;
-        if axis.spacing() != Spacing::Listed {
-            return Ok(axis);
+        Self::read(argument, usual, counts)?.only_a_range(argument)
+    }
+
+    /// Reads `LO..HI[:COUNT][:log]` for the axis NAME; bare numbers have the unit shown beside the field.
+    pub fn read_range_in(
+        unit: &str,
+        (name, text): (&str, &str),
+        usual: Option<u64>,
+        counts: &RangeInclusive<u64>,
+    ) -> Result<Self, SweepError> {
+        let axis = Self::read_values(name, text, Bare::In(unit), usual, counts)?;
+        axis.only_a_range(&format!("{name}={text}"))
+    }
+
+    fn only_a_range(self, argument: &str) -> Result<Self, SweepError> {
+        if self.spacing() != Spacing::Listed {
+            return Ok(self);
         }
-        let (low, high) = axis.ends();
+        let (low, high) = self.ends();
         let (low, high) = (units::shortest(low), units::shortest(high));
         Err(SweepError(format!(
             "axis {argument}: a list of values is for `cmra sweep`; write a range here, for example {}={low}..{high}",
-            axis.symbol()
+            self.symbol()
         )))
     }
 }
@@ -95,13 +123,13 @@ pub(in crate::study) fn ends(
     low: &str,
     high: &str,
     quantity: Dimension,
-    bare: Bare,
+    bare: Bare<'_>,
 ) -> Result<(f64, f64), String> {
     let ends = (value(low, "LO", quantity, bare)?, value(high, "HI", quantity, bare)?);
     units::one_bare_end(low, high, quantity).map_or(Ok(ends), Err)
 }
 
-fn value(text: &str, place: &str, quantity: Dimension, bare: Bare) -> Result<f64, String> {
+fn value(text: &str, place: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, String> {
     units::parse(text, quantity, bare).map_err(|problem| format!("{place}: {problem}"))
 }
 
