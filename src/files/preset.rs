@@ -12,6 +12,7 @@ use crate::files::bundled::{self, BUNDLED, Bundled};
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::paths::Paths;
 use crate::files::read;
+use crate::files::session;
 use crate::files::write;
 use crate::model::scene::Scene;
 use crate::model::variables;
@@ -100,9 +101,10 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     }
 }
 
-/// A scene in a file.
+/// A scene in a file, or that of a session that was kept.
 pub fn from_file(path: &Path) -> Result<Preset, FileError> {
     let text = read::text_file(path, read::BYTES_MAX)?;
+    let text = session::scene_in(&text).unwrap_or(text);
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
 

@@ -1,4 +1,4 @@
-//! The last five scenes that were left unsaved: scene files in a folder of their own, which the list of presets shows as recent.
+//! The last five sessions that were left unsaved, each whole in a file of its own, which the list of presets shows as recent.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,29 +7,27 @@ use std::time::SystemTime;
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::read;
-use crate::files::write;
-use crate::model::scene::Scene;
+use crate::files::session::BYTES_MAX;
 
-/// How many scenes are kept.
+/// How many sessions are kept.
 const KEPT: u32 = 5;
 
-/// Keep a scene, and give its file: over an older one of the same scene, else over the one that was kept `before`, else where there is
+/// Keeps the text of a session, and gives its file: over the same text, else over the one that was kept `before`, else where there is
 /// none, else over the oldest.
 pub fn keep(
     folder: &Path,
-    scene: &Scene,
-    before: Option<(&Path, &Scene)>,
+    session: &str,
+    before: Option<(&Path, &str)>,
 ) -> Result<PathBuf, FileError> {
-    let text_of = |scene: &Scene| format!("# left unsaved\n{}", write::fresh(scene));
-    let text = text_of(scene);
+    let text_of = |session: &str| format!("# left unsaved\n{session}");
+    let text = text_of(session);
     let files = (1..=KEPT).map(|number| folder.join(format!("unsaved-{number}.toml")));
     let files: Vec<PathBuf> = files.collect();
-    let has = |path: &Path, text: &str| {
-        read::text_file(path, read::BYTES_MAX).is_ok_and(|there| there == text)
-    };
+    let has =
+        |path: &Path, text: &str| read::text_file(path, BYTES_MAX).is_ok_and(|there| there == text);
     let is_same = |path: &&PathBuf| has(path, &text);
     // Someone else may have taken its place.
-    let older = || before.filter(|(path, scene)| has(path, &text_of(scene)));
+    let older = || before.filter(|(path, session)| has(path, &text_of(session)));
     let older = || older().and_then(|(path, _)| files.iter().find(|it| *it == path));
     let free = || files.iter().find(|path| fs::symlink_metadata(path).is_err());
     let oldest = || files.iter().min_by_key(|path| modified(path));
@@ -59,10 +57,11 @@ fn modified(path: &Path) -> Option<SystemTime> {
 mod tests {
     use super::*;
     use crate::files::preset;
-    use crate::model::scene::PlateSize;
+    use crate::files::session::{self, Session};
+    use crate::model::scene::{PlateSize, Scene};
 
     #[test]
-    fn five_scenes_are_kept_and_open_by_their_paths() {
+    fn five_sessions_are_kept_and_their_scenes_open_by_their_paths() {
         let place = tempfile::tempdir().unwrap();
         let folder = place.path().join("recent");
         let of = |ratio: f64| {
@@ -72,7 +71,8 @@ mod tests {
         };
         let scene_in = |path: &Path| preset::from_file(path).unwrap().scene;
         for ratio in [1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 6.0] {
-            let path = keep(&folder, &of(ratio), None).unwrap();
+            let session = Session { scene: of(ratio), ..Session::default() };
+            let path = session::keep(&folder, &session).unwrap();
             assert_eq!(scene_in(&path), of(ratio));
         }
         assert_eq!(list(&folder).len(), 5);

@@ -20,7 +20,7 @@ use crate::model::scene::Scene;
 const RECENT_MAX: usize = 10;
 
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
-const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
+pub(super) const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
 
 /// Edits that can be undone after a restart, and the bytes that their scenes may take.
 pub const UNDO_MAX: usize = 20;
@@ -180,8 +180,8 @@ pub struct Known {
     body: Option<String>,
     /// This workbench, as its first line names it.
     writer: String,
-    /// Other writers whose scenes were kept aside: the last scene of each, and where.
-    kept: HashMap<String, (PathBuf, Scene)>,
+    /// Other writers whose sessions were kept aside: the last text of each, and where.
+    kept: HashMap<String, (PathBuf, String)>,
 }
 
 impl Default for Known {
@@ -200,7 +200,7 @@ fn parts(text: &str) -> (&str, &str) {
     (first.split_once(WRITER).map_or("", |(_, writer)| writer), body)
 }
 
-/// Save the session, whole or not at all. The scene of another workbench that has written there since `known` is kept among the recent
+/// Save the session, whole or not at all. The session of another workbench that has written there since `known` is kept among the recent
 /// ones first, and where is returned, in the place of an earlier one of the same workbench; a session that was saved like this before
 /// does not replace it.
 pub fn save(
@@ -219,12 +219,12 @@ pub fn save(
     let other = there.filter(|there| known.body.as_deref() != Some(parts(there).1));
     let mut aside = None;
     if let Some(there) = other
-        && let Some(Session { scene, .. }) = parse(&there).0
+        && parse(&there).0.is_some()
     {
-        let (writer, folder) = (parts(&there).0, path.with_file_name("recent"));
-        let before = known.kept.get(writer).map(|(path, scene)| (path.as_path(), scene));
-        let place = recent::keep(&folder, &scene, before)?;
-        known.kept.insert(writer.to_owned(), (place.clone(), scene));
+        let ((writer, body), folder) = (parts(&there), path.with_file_name("recent"));
+        let before = known.kept.get(writer).map(|(path, body)| (path.as_path(), body.as_str()));
+        let place = recent::keep(&folder, body, before)?;
+        known.kept.insert(writer.to_owned(), (place.clone(), body.to_owned()));
         aside = Some(place);
     }
     let (version, writer) = (env!("CARGO_PKG_VERSION"), &known.writer);
@@ -232,6 +232,22 @@ pub fn save(
     atomic::write(path, text.as_bytes(), Existing::Replace)?;
     known.body = Some(body);
     Ok(aside)
+}
+
+/// Keeps a session whole among the recent ones, and gives its file.
+pub fn keep(folder: &Path, session: &Session) -> Result<PathBuf, FileError> {
+    recent::keep(folder, &body(folder, session)?, None)
+}
+
+/// A session that was kept whole; `None` if the file holds something else.
+pub fn kept(path: &Path) -> Option<Session> {
+    let text = read::text_file(path, BYTES_MAX).ok()?;
+    parse(&text).0
+}
+
+/// The text of the scene in a session; `None` if the text is something else.
+pub(super) fn scene_in(text: &str) -> Option<String> {
+    toml::from_str(text).ok().map(|file: SessionFile| file.scene)
 }
 
 fn body(path: &Path, session: &Session) -> Result<String, FileError> {
@@ -391,25 +407,23 @@ mod tests {
 
     /// The mass ratio of a kept scene.
     fn ratio_in(path: impl AsRef<Path>) -> f64 {
-        let text = fs::read_to_string(path).unwrap();
-        read::scene(&text, "kept").unwrap().mass_ratio()
+        kept(path.as_ref()).unwrap().scene.mass_ratio()
     }
 
     #[test]
     fn the_scene_of_another_workbench_is_kept() {
         let (place, path) = place();
-        let kept = || recent::list(&place.path().join("recent")).len();
+        let count = || recent::list(&place.path().join("recent")).len();
         save(&path, &of(1.0), &mut Known::default()).unwrap();
         let (mut first, mut second) = (load(&path).known, load(&path).known);
         // The second one saves; the first one has done nothing since and leaves.
         assert_eq!(save(&path, &of(2.0), &mut second).unwrap(), None);
         assert_eq!(save(&path, &of(1.0), &mut first).unwrap(), None);
-        assert_eq!((load(&path).session, kept()), (Some(of(2.0)), 0));
+        assert_eq!((load(&path).session, count()), (Some(of(2.0)), 0));
         // It goes on working.
         let aside = save(&path, &of(3.0), &mut first).unwrap().unwrap();
-        let text = fs::read_to_string(aside).unwrap();
-        assert_eq!(read::scene(&text, "kept").unwrap(), of(2.0).scene);
-        assert_eq!((load(&path).session, kept()), (Some(of(3.0)), 1));
+        assert_eq!(kept(&aside), Some(of(2.0)));
+        assert_eq!((load(&path).session, count()), (Some(of(3.0)), 1));
         // Someone took the file away: it is written again.
         fs::remove_file(&path).unwrap();
         assert_eq!(save(&path, &of(3.0), &mut first).unwrap(), None);
@@ -421,7 +435,7 @@ mod tests {
     fn two_that_work_in_turn_leave_older_scenes_where_they_are() {
         let (place, path) = place();
         let folder = place.path().join("recent");
-        recent::keep(&folder, &of(0.5).scene, None).unwrap();
+        keep(&folder, &of(0.5)).unwrap();
         let known = |writer: &str| Known { writer: writer.to_owned(), ..load(&path).known };
         let mut first = known("1");
         save(&path, &of(1.0), &mut first).unwrap();

@@ -12,6 +12,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::signals::Incoming;
+use super::start;
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::Destination;
@@ -209,7 +210,7 @@ impl FileQueue {
 /// The message about another session found in place of ours.
 pub(super) fn of_another(aside: &Path) -> String {
     format!(
-        "another workbench has kept its session meanwhile: its scene is kept as {}",
+        "another workbench has kept its session meanwhile: it is kept as {}, and the list of presets has it",
         aside.display()
     )
 }
@@ -254,7 +255,6 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
         .map(|error| PresetEntry::broken("library".to_owned(), error.to_string()));
     // A recent file that is gone or broken is omitted: loading it says why.
     let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
-    let recent = unsaved.iter().chain(opened).filter_map(|path| preset::from_file(path).ok());
     let entry = |found: Preset| PresetEntry {
         origin: found.origin.word(),
         name: found.name,
@@ -262,10 +262,16 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
         comment: found.comment,
         ..PresetEntry::default()
     };
+    let recent = |path: &PathBuf| match session::kept(path) {
+        Some(session) => Some(start::entry_of_session(session, paths)),
+        None => {
+            preset::from_file(path).ok().map(|it| PresetEntry { origin: "recent", ..entry(it) })
+        }
+    };
     presets
         .into_iter()
         .map(entry)
-        .chain(recent.map(|found| PresetEntry { origin: "recent", ..entry(found) }))
+        .chain(unsaved.iter().chain(opened).filter_map(recent))
         .chain(parts.into_iter().map(PresetEntry::of_part))
         .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.0, it.1.to_string())))
         .chain(wrong_parts)
@@ -282,7 +288,7 @@ mod tests {
     /// A test that waits so long hangs.
     const HANG: Duration = Duration::from_secs(120);
 
-    fn start(delay: Duration) -> (tempfile::TempDir, Paths, IoThread, Receiver<Incoming>) {
+    fn started(delay: Duration) -> (tempfile::TempDir, Paths, IoThread, Receiver<Incoming>) {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         let (send, receive) = mpsc::channel();
@@ -308,7 +314,7 @@ mod tests {
 
     #[test]
     fn a_session_that_cannot_be_kept_is_reported_once() {
-        let (place, paths, io_thread, inbox) = start(Duration::ZERO);
+        let (place, paths, io_thread, inbox) = started(Duration::ZERO);
         // Where the folder should be there is a file.
         let state = paths.state.clone();
         fs::create_dir_all(state.parent().unwrap()).unwrap();
@@ -332,7 +338,7 @@ mod tests {
 
     #[test]
     fn a_session_that_changes_often_is_saved_once() {
-        let (_place, paths, io_thread, inbox) = start(Duration::from_secs(1_000_000));
+        let (_place, paths, io_thread, inbox) = started(Duration::from_secs(1_000_000));
         io_thread.session_changed(session_of(2.0));
         // The answer comes when the change has been dealt with.
         io_thread.ask(Task::ListPresets(Vec::new()));
@@ -345,7 +351,7 @@ mod tests {
 
     #[test]
     fn a_preset_is_not_replaced_without_consent() {
-        let (_place, paths, io_thread, inbox) = start(Duration::ZERO);
+        let (_place, paths, io_thread, inbox) = started(Duration::ZERO);
         let ask = |overwrite| {
             io_thread.ask(Task::SaveScene {
                 name: "mine".to_owned(),

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::files::session::Session;
 use crate::model::library::Entry;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
@@ -25,6 +26,8 @@ pub struct PresetEntry {
     pub comment: String,
     /// The entry of a library, where it is one: it changes a part of the present scene.
     pub part: Option<Entry>,
+    /// The session that was kept, with the reference of its scene, where it is one.
+    pub session: Option<Box<(Base, Session)>>,
     /// Why its file cannot be read: then there is no scene to load.
     pub problem: Option<String>,
 }

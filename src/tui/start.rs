@@ -5,21 +5,21 @@ use std::sync::Arc;
 
 use super::Options;
 use crate::files::bundled::BASELINE;
+use crate::files::config;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session, UNDO_MAX, UndoStep, View};
-use crate::files::{config, recent};
 use crate::model::scene::Scene;
 use crate::tui::app::history::{Edit, History, Snapshot};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::pins::{LETTERS, Pin};
-use crate::tui::app::{App, Settings};
+use crate::tui::app::{App, Settings, edit};
 use crate::tui::keymap::Keymap;
 use crate::tui::pages::explore::state::{Picture, sweep_of};
 use crate::tui::pages::search::state::Setup;
 use crate::tui::pages::thesis;
-use crate::tui::preset::Base;
+use crate::tui::preset::{Base, PresetEntry};
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 
@@ -114,7 +114,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     }
 }
 
-/// Keep the scenes of the last session where another start would lose them: of pins, and an edited one. What to say of it.
+/// Keeps the last session whole where another start would lose something of it: pins, or an edited scene. Gives what to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     let base = base_named(last.preset.as_deref(), &last.scene, Some(paths));
     let untouched = *base.scene == scene_of_session(last, &base)
@@ -122,22 +122,34 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     if untouched && last.pins.is_empty() {
         return None;
     }
-    let folder = paths.recent_folder();
-    // The scene last: it is the newest.
-    let scenes =
-        last.pins.iter().map(|(_, scene)| scene).chain((!untouched).then_some(&last.scene));
-    let kept =
-        scenes.map(|scene| recent::keep(&folder, scene, None)).collect::<Result<Vec<_>, _>>();
-    let pins = counted_pins(last.pins.len());
-    Some(match kept {
+    Some(match session::keep(&paths.recent_folder(), last) {
         Ok(_) => {
-            let name = last.preset.as_deref().unwrap_or("a scene");
-            let text =
-                format!("the last session ({name}{pins}) is kept: <presets> lists it as recent");
+            let name = label(last);
+            let text = format!("the last session ({name}) is kept: <presets> lists it as recent");
             (Severity::Note, text)
         }
         Err(error) => (Severity::Warning, format!("the last session is not kept: {error}")),
     })
+}
+
+/// A session in a few words: `cocked, 8 pinned runs`.
+fn label(session: &Session) -> String {
+    let name = session.preset.as_deref().unwrap_or("a scene");
+    // A path is too long for a list.
+    let name = name.rsplit('/').next().unwrap_or(name);
+    format!("{name}{}", counted_pins(session.pins.len()))
+}
+
+/// A kept session in the list of presets.
+pub(super) fn entry_of_session(session: Session, paths: Option<&Paths>) -> PresetEntry {
+    let base = base_named(session.preset.as_deref(), &session.scene, paths);
+    PresetEntry {
+        name: label(&session),
+        origin: "recent",
+        scene: scene_of_session(&session, &base),
+        session: Some(Box::new((base, session))),
+        ..PresetEntry::default()
+    }
 }
 
 /// The part of the state that the session file keeps.
@@ -174,6 +186,12 @@ impl App {
 
     /// Take over what was kept, as far as it still means something.
     pub fn restore_setups(&mut self, kept: session::Setup) {
+        self.take_setups(kept);
+        // Restoring is no edit.
+        (self.history, self.effects) = Default::default();
+    }
+
+    fn take_setups(&mut self, kept: session::Setup) {
         let picture = kept.explore.unwrap_or_default();
         let explore = &mut self.pages.explore;
         explore.picture = if picture.is_map { Picture::Surface } else { Picture::Line };
@@ -181,8 +199,19 @@ impl App {
         explore.output = outputs.iter().position(|it| *it == picture.output).unwrap_or(0);
         let search = kept.search.map_or_else(Setup::default, |kept| Setup::of(&kept));
         self.pages.search.setup = Arc::new(search);
-        // Restoring is no edit.
-        (self.history, self.effects) = Default::default();
+    }
+
+    /// Opens a session that was kept, whole, as one edit: its scene, its pins and its setups.
+    pub(crate) fn open_session(&mut self, (base, session): (Base, Session)) {
+        let before = self.snapshot();
+        let label = format!("open {}", label(&session));
+        self.pages.run.charts.cursor_s = None;
+        self.scene = Arc::new(scene_of_session(&session, &base));
+        self.base = base;
+        self.pins = pins_of(self, session.pins);
+        self.take_setups(session.setup);
+        self.tell(format!("{label} (<undo> undoes)"));
+        edit::opened(self, before, label);
     }
 }
 
@@ -269,9 +298,7 @@ fn scene_of_session(last: &Session, base: &Base) -> Scene {
 /// Take over what the session has, and say so.
 fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option<&Paths>) {
     app.scene = Arc::new(scene_of_session(&last, &app.base));
-    for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
-        app.pins.push(Pin::new(letter, app.name_of(&scene), Arc::new(scene)));
-    }
+    app.pins = pins_of(app, last.pins);
     let View { glyphs: set, colours } = last.view;
     if glyphs.is_none()
         && let Some(Ok(Some(set))) = set.as_deref().map(GlyphSet::named)
@@ -287,6 +314,13 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
     let pins = counted_pins(app.pins.len());
     let name = &app.base.name;
     app.tell(format!("session restored: {name}{modified}{pins} (or: cmra --fresh)"));
+}
+
+fn pins_of(app: &App, pins: Vec<(String, Scene)>) -> Vec<Pin> {
+    let pin = |(letter, (_, scene)): (char, (String, Scene))| {
+        Pin::new(letter, app.name_of(&scene), Arc::new(scene))
+    };
+    LETTERS.into_iter().zip(pins).map(pin).collect()
 }
 
 /// `, 2 pinned runs`; empty where there is none.
@@ -305,8 +339,8 @@ mod tests {
     use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
     use super::*;
+    use crate::files::recent;
     use crate::model::scene::PlateSize;
-    use crate::tui::app::edit;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
     use crate::tui::update;
@@ -455,6 +489,53 @@ mod tests {
         assert!(text.contains("1 pinned run") && text.contains("as recent"), "{text}");
         let kept = recent::list(&paths.recent_folder());
         assert_eq!(preset::resolve(kept[0].to_str().unwrap(), None).unwrap().scene, last.scene);
+    }
+
+    /// Nine scenes are one session: it is one row of the list, which opens it whole, and of six sessions the last five are kept.
+    #[test]
+    fn a_session_is_kept_and_opened_whole() {
+        let place = tempfile::tempdir().unwrap();
+        let paths = Paths::below(place.path());
+        let of = |ratio: f64| {
+            let mut scene = preset::baseline().unwrap().scene;
+            scene.plate.size = PlateSize::Ratio(ratio);
+            scene
+        };
+        let session_of = |first: u32| {
+            let pins = (1..=8).map(|pin| (pin.to_string(), of(f64::from(first + pin)))).collect();
+            let preset = Some("thesis-baseline".to_owned());
+            Session { scene: of(f64::from(first)), pins, preset, ..Session::default() }
+        };
+        for first in [100, 200, 300, 400, 500, 600] {
+            session::save(&paths.session_file(), &session_of(first), &mut Known::default())
+                .unwrap();
+            app(FRESH, Some(&paths));
+        }
+        let files = recent::list(&paths.recent_folder());
+        let ratios = |session: &Session| {
+            let pins = session.pins.iter().map(|(_, scene)| scene.mass_ratio());
+            std::iter::once(session.scene.mass_ratio()).chain(pins).collect::<Vec<f64>>()
+        };
+        let mut kept: Vec<Session> = files.iter().filter_map(|path| session::kept(path)).collect();
+        kept.sort_by(|a, b| a.scene.mass_ratio().total_cmp(&b.scene.mass_ratio()));
+        let all = [200, 300, 400, 500, 600].map(|first| ratios(&session_of(first)));
+        assert_eq!(kept.iter().map(ratios).collect::<Vec<_>>(), all);
+        // It opens whole, as one edit.
+        let (mut state, _) = app(FRESH, Some(&paths));
+        let entry = entry_of_session(session_of(300), Some(&paths));
+        assert_eq!((&*entry.name, entry.origin), ("thesis-baseline, 8 pinned runs", "recent"));
+        state.size = (80, 24);
+        state.files.presets = vec![entry];
+        let before = state.snapshot();
+        press(&mut state, "pthesis\n");
+        let pins: Vec<f64> = state.pins.iter().map(|pin| pin.scene.mass_ratio()).collect();
+        assert_eq!(
+            (state.scene.mass_ratio(), pins),
+            (300.0, ratios(&session_of(300))[1..].to_vec())
+        );
+        assert_eq!(state.base.name, "thesis-baseline");
+        press(&mut state, "u");
+        assert_eq!(state.snapshot(), before);
     }
 
     #[test]

@@ -116,6 +116,12 @@ pub(crate) fn load(app: &mut App, base: Base, picture: Picture) {
     commit(app, before, label, None);
 }
 
+/// Notes that a session was opened, as one edit, and computes its pins.
+pub(crate) fn opened(app: &mut App, before: Snapshot, label: String) {
+    commit(app, before, label, None);
+    follow_pins(app);
+}
+
 fn commit(app: &mut App, before: Snapshot, label: String, stepping: Option<usize>) {
     note(app, before, label, stepping);
     app.first_run = false;

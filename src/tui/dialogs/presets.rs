@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::files::session::Session;
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::Outcome;
@@ -101,7 +102,12 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     }
     let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
     lines.extend(wrapped(title, width, Role::Title));
-    if entry.part.is_none() {
+    if let Some(session) = &entry.session {
+        lines.push(("a session that was left unsaved: it opens whole".to_owned(), Role::Dim));
+        let (_, Session { pins, .. }) = &**session;
+        let names = pins.iter().map(|(letter, scene)| format!("{letter}: {}", app.name_of(scene)));
+        lines.extend(names.map(|name| (clip(&name, usize::from(width)), Role::Text)));
+    } else if entry.part.is_none() {
         let tab = if thesis::axes(&entry.scene) > 0 { Tab::Explore } else { Tab::Run };
         let text = format!("shows on {}", tab.title(&app.keymap));
         lines.push((text, Role::Dim));
@@ -147,6 +153,10 @@ fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
 pub(crate) fn take(app: &mut App, entry: PresetEntry) -> Result<(), String> {
     if let Some(problem) = entry.problem {
         return Err(format!("{} cannot be loaded: {problem}", entry.name));
+    }
+    if let Some(session) = entry.session {
+        app.open_session(*session);
+        return Ok(());
     }
     let Some(part) = &entry.part else {
         thesis::show(app, entry.base());
