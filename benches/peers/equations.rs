@@ -51,7 +51,7 @@ pub(crate) struct Equations {
 }
 
 impl Equations {
-    /// Of a scene.
+    /// Builds the equations of a scene.
     pub(crate) fn of(scene: &Scene) -> Self {
         let (m, r, v) = (
             scene.projectile.mass_kg,

@@ -15,7 +15,7 @@ const UNTIL: f64 = 1e4;
 /// Steps after which it has failed.
 const STEPS_MAX: u32 = 50_000;
 
-/// What the equations run on.
+/// Independent variable of the equations.
 #[derive(Clone, Copy)]
 enum Independent {
     Time,
@@ -23,7 +23,7 @@ enum Independent {
     Slip,
 }
 
-/// Which of its two methods.
+/// Method of the library.
 #[derive(Clone, Copy)]
 enum Method {
     Dop853,

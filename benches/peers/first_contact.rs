@@ -13,7 +13,7 @@ pub(crate) struct FirstContact {
     pub(crate) t_s: f64,
     /// Depth then, m.
     pub(crate) depth_m: f64,
-    /// What found it: `kernel` for the contact kernel, `full` for the simulation.
+    /// Label of the solver: `kernel` for the contact kernel, `full` for the simulation.
     pub(crate) kernel: &'static str,
 }
 

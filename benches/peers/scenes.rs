@@ -39,7 +39,7 @@ const TIGHT: f64 = 1e-14;
 /// Time, s, and depth, m, at the end of the contact.
 pub(crate) type End = (f64, f64);
 
-/// What a solver is compared with.
+/// Reference results of a scene.
 pub(crate) struct Reference {
     /// The time, s, and of an arrest the depth, m.
     t_s: f64,

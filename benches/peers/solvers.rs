@@ -5,11 +5,11 @@ use crate::first_contact::first_contact;
 use crate::scenes::{End, scene};
 use crate::{explicit, stiff};
 
-/// What a solver says.
+/// Result of a solver.
 pub(crate) enum Outcome {
     /// Time, s, and depth, m.
     Answer(End),
-    /// That it failed: not held against its looser tolerances.
+    /// Failure; looser tolerances of the solver are tried all the same.
     Failed,
 }
 

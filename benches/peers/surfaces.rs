@@ -28,7 +28,7 @@ use crate::solvers::Outcome;
 
 /// Measured error of both outputs.
 const TARGET: f64 = 1e-6;
-/// One in this many points is checked.
+/// Stride of the points that are checked.
 const CHECKED: usize = 37;
 /// Displacements below this are not known relative to themselves, m.
 const NANOMETRE: f64 = 1e-9;

@@ -28,7 +28,7 @@ pub mod validation;
 /// Words about a result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
-    /// Its subject; empty if the words contain it.
+    /// Subject of the line; empty if the text contains it.
     pub about: &'static str,
     /// The words.
     pub text: String,
@@ -42,7 +42,7 @@ impl Remark {
         Self { about, text: text.into(), is_caution: false }
     }
 
-    /// The same where a reader has to take care.
+    /// Builds a line that asks for caution.
     pub fn caution(about: &'static str, text: impl Into<String>) -> Self {
         Self { is_caution: true, ..Self::new(about, text) }
     }

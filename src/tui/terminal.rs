@@ -66,7 +66,7 @@ pub(crate) type Cursor = ((u16, u16), bool);
 
 /// A terminal that restores itself when dropped.
 pub(super) struct Guard {
-    /// What it shows.
+    /// Cells that the terminal shows.
     shown: Buffer,
     /// Where its cursor stands, and whether it is shown, as last sent.
     cursor: Option<Cursor>,
@@ -259,7 +259,7 @@ pub(super) fn make_room() {
     let _ = kill_process(getpid(), Signal::WINCH);
 }
 
-/// What undoes [`Guard::queue_entry`], and whatever a frame cut short has left.
+/// Returns the bytes that undo [`Guard::queue_entry`] and end an incomplete frame.
 fn farewell() -> Vec<u8> {
     let mut bytes = Vec::with_capacity(64);
     // Writing to a vector does not fail.

@@ -128,8 +128,8 @@ mod tests {
         Role::Key,
     ];
 
-    /// Of the variables of the locale the first one that is set decides about characters; `TERM` promises colours, never more than
-    /// the terminal surely has.
+    /// The first locale variable that is set decides the characters. `TERM` decides the colours, at most those that every terminal of the
+    /// name has.
     #[test]
     fn the_environment_says_what_a_terminal_shows() {
         use {ColourDepth as D, GlyphSet as G};

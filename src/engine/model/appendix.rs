@@ -26,7 +26,7 @@ pub struct State {
     pub velocity_m_s: f64,
     /// Plate displacement, m, and velocity, m/s.
     pub plate: [f64; 2],
-    /// The same before the last step.
+    /// Plate state before the last step.
     pub plate_before: [f64; 2],
     /// Relative velocity, m/s.
     pub slip_m_s: f64,
@@ -46,7 +46,7 @@ pub struct Scheme {
     projectile_kg: f64,
     strength_pa: f64,
     drag_kg_m3: f64,
-    /// Of the coupling between force, plate and slip.
+    /// Cosine that couples force, plate and relative travel.
     cos: f64,
     plate: Plate,
     /// The state at first contact. As printed, its relative velocity is the projectile's own.
@@ -120,10 +120,10 @@ impl Scheme {
         }
     }
 
-    /// One step.
+    /// Advances the state by one step.
     ///
     /// # Errors
-    /// [`EndReason::BreaksOff`] at a negative depth, [`EndReason::NonFinite`] where it diverges.
+    /// [`EndReason::BreaksOff`] at a negative depth, [`EndReason::NonFinite`] if it diverges.
     pub fn step(&self, state: &mut State) -> Result<(), EndReason> {
         if self.listing.corrects_scheme {
             self.step_by_runge_kutta(state)?;
@@ -147,7 +147,7 @@ impl Scheme {
         Ok(())
     }
 
-    /// Both bodies by one Runge-Kutta step; the force is evaluated at its stages.
+    /// Advances both bodies by one Runge-Kutta step; the force is evaluated at its stages.
     fn step_by_runge_kutta(&self, state: &mut State) -> Result<(), EndReason> {
         let increment = state.plate[0] - state.plate_before[0];
         let rate = |[pen, travel, v, x, w]: [f64; 5]| {

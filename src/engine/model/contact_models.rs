@@ -19,7 +19,7 @@ impl ContactModel {
     pub const IN_TABLE_8_1: [Self; 5] =
         [Self::Hydrodynamic, Self::Lumped, Self::HalfSine, Self::InitialVelocity, Self::Appendix];
 
-    /// What Table 8.1 calls its strength, in other words, and what limits it.
+    /// Returns the model's strength according to Table 8.1, and its limitation.
     pub fn about(self) -> &'static str {
         match self {
             Self::Hydrodynamic => "simple; models the contact force as a modified fluid drag",
@@ -30,7 +30,7 @@ impl ContactModel {
         }
     }
 
-    /// Its parameters in a scene, in words; empty if none have to be chosen.
+    /// Describes the model's parameters in a scene; empty if it has none.
     pub fn parameters(self, scene: &Scene) -> String {
         let (contact, step_s) = (&scene.contact, scene.contact.appendix.step_s);
         match self {

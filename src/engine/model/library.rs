@@ -7,7 +7,7 @@ use crate::model::variables::{self, Value, VariableError};
 use crate::model::worded::worded;
 
 worded! {
-    /// Which library, by the name of its file.
+    /// Library, named after its file.
     pub enum Library: file {
         Threats = "threats",
         Materials = "materials",
@@ -46,7 +46,7 @@ worded! {
     }
 }
 
-/// One entry of a library.
+/// Entry of a library.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
     /// The library it belongs to.

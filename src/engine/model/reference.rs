@@ -5,13 +5,13 @@ use crate::model::run::Outcome;
 /// A row of `data/reference.csv`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stored {
-    /// Its name.
+    /// Name of the reference scene.
     pub name: &'static str,
     /// Changes to Table 9.1 with gamma = 1 and neither spring nor damper, for `changed_free_plate`.
     pub changes: String,
     /// How the contact ends: arrested or perforated.
     pub outcome: Outcome,
-    /// Its time, s.
+    /// End time, s.
     pub t_s: f64,
     /// Depth then, m.
     pub depth_m: f64,

@@ -165,8 +165,7 @@ fn squeezed(unit: &str) -> String {
     name
 }
 
-/// One of the unit with this name, or of the stored one where there is none, is the first number, divided by the second, in the
-/// stored unit.
+/// Returns numerator and denominator of the factor from a named unit to the stored unit; an empty name is the stored unit.
 fn factor(unit: &str, quantity: Dimension) -> Option<(f64, f64)> {
     let (name, stored) = (squeezed(unit), squeezed(quantity.unit()));
     if name.is_empty() || name == stored {
@@ -269,11 +268,11 @@ pub fn velocity(value_m_s: f64, digits: usize) -> String {
 /// An SI prefix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prefix {
-    /// Its factor to the stored unit: 1e-3.
+    /// Factor to the stored unit: 1e-3.
     pub size: f64,
     /// How many of it make one: 1e3, written out because 1/1e-6 is not 1e6.
     pub in_one: f64,
-    /// Its letter: m.
+    /// Letter of the prefix: m.
     pub letter: &'static str,
 }
 
@@ -292,7 +291,7 @@ impl Prefix {
         Self { size: 1e-15, in_one: 1e15, letter: "f" },
     ];
 
-    /// The same where the unit takes a prefix: none does that begins with kg, a power, an angle, a number or nothing. km3 is not
+    /// Chooses the prefix for a value in a unit. Units that begin with kg, powers, angles, numbers and pure numbers take none: km3 is not
     /// 1000 m3.
     pub fn for_unit(value: f64, unit: &str) -> Self {
         let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");

@@ -10,14 +10,14 @@ pub(crate) const CELLS: usize = 16;
 /// narrow as a cell, and the parabola misses the bottom by less than that.
 const DEEP: f64 = 0.25;
 
-/// What the gaps do on a step.
+/// Result of the search for a sign change of the event functions on a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Found {
     /// None falls through zero.
     Nothing,
     /// The one with this index does, first of all, at this part of the step.
     Fall(usize, f64),
-    /// One that begins at zero is below at once: it may have risen and fallen before the first look.
+    /// Event function that starts at zero and is negative at the first sampling point; it may have changed sign twice before.
     Unresolved(usize),
 }
 

@@ -1,4 +1,4 @@
-//! What methods that step through a motion have in common: the law of the motion, and each step as polynomials.
+//! Interface between equations of motion and one-step methods: the accelerations, and each step as a polynomial.
 
 use crate::numerics::quadrature::legendre;
 
@@ -19,10 +19,10 @@ pub(crate) trait Acceleration<const D: usize> {
 
     fn slopes(&self, point: &Point<D>) -> Slopes<D>;
 
-    /// What errors of places and speeds are relative to at a point.
+    /// Error scales of positions and velocities at a point.
     fn sizes(&self, at: &Point<D>) -> Point<D>;
 
-    /// What the rounding of forces, which may hold each other, makes of the accelerations at a point.
+    /// Rounding errors of the accelerations at a point; large if forces cancel.
     fn rounding(&self, _: f64, _: &Point<D>) -> [f64; D] {
         [0.0; D]
     }
@@ -52,8 +52,7 @@ pub(crate) trait Stepper<const S: usize> {
     }
 }
 
-/// What is known of a step from another: its acceleration is about that of the other from a part `from` of it, over so many of its
-/// lengths.
+/// Predictor of the stages from the previous step: its acceleration is extrapolated from the fraction `from` over `lengths` step sizes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Near<const D: usize, const S: usize> {
     pub(crate) acceleration: [[f64; S]; D],
@@ -64,13 +63,13 @@ pub(crate) struct Near<const D: usize, const S: usize> {
 /// A step of length h, in polynomials of the part theta of it, 0 to 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Step<const D: usize, const S: usize> {
-    /// Its length.
+    /// Step size.
     pub(crate) h: f64,
     /// Places and speeds at its start.
     start: Point<D>,
     /// Legendre coefficients of the acceleration.
     pub(crate) acceleration: [[f64; S]; D],
-    /// What places and speeds change by: coefficients of x, x² and so on, where x = 2 theta - 1.
+    /// Coefficients of the changes of position and velocity in powers of x = 2 theta - 1, from x on.
     powers: [Point<D>; S],
     /// Their sums at x = -1, so that exactly nothing has changed where the step begins.
     at_start: Point<D>,

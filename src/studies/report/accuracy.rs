@@ -13,7 +13,7 @@ use crate::study::accuracy::{Cheapest, MethodReport, Point, RESULTS, Report, Sav
 /// A point of a method.
 pub type Row<'r> = (&'r MethodReport, &'r Point);
 
-/// What its scene's entries of a library warn of.
+/// Returns the warnings of the library entries that the scene uses.
 pub fn warnings(report: &Report) -> Vec<String> {
     library::warnings(&report.scene).map(str::to_owned).collect()
 }
@@ -91,7 +91,7 @@ pub fn percent(part: f64) -> String {
     format!("{:.0} %", 100.0 * part)
 }
 
-/// What to use for an error of 1e-6, and what it costs.
+/// Names the fastest method with an error of at most 1e-6, and its run time.
 pub fn advice(report: &Report) -> String {
     let target = TARGETS[0];
     let with = report.run_s.map(|run_s| format!("; {} with series and estimate", seconds(run_s)));

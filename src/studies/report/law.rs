@@ -52,7 +52,7 @@ impl Law {
         self.mechanism.spring.force(x_m) + stopped
     }
 
-    /// Its derivative, N/m.
+    /// Returns the stiffness, N/m.
     pub fn stiffness(&self, x_m: f64) -> f64 {
         self.mechanism.spring.tangent(x_m) + self.stop(x_m).map_or(0.0, |(stiffness, _)| stiffness)
     }
@@ -69,14 +69,14 @@ impl Law {
         (low_m, low_m + BEYOND * (end_m - low_m))
     }
 
-    /// One of its values over that range.
+    /// Samples a value of the law over its range.
     pub fn points(&self, get: fn(&Self, f64) -> f64) -> Vec<(f64, f64)> {
         let (low_m, end_m) = self.range_m();
         let at = |point: u32| low_m + (end_m - low_m) * f64::from(point) / f64::from(POINTS);
         (0..=POINTS).map(at).map(|x_m| (x_m, get(self, x_m))).collect()
     }
 
-    /// What the run used of it, and its limits.
+    /// Returns the marks for the range used by the run, and for the limits.
     pub fn marks(&self) -> Vec<Mark<'static>> {
         let mut marks = vec![Mark::new(self.reached_m, "greatest displacement").tag("max")];
         marks.extend((self.start_m < 0.0).then(|| Mark::new(self.start_m, "cocked")));

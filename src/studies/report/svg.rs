@@ -40,9 +40,9 @@ pub enum Picture {
     Map(Map<'static>),
 }
 
-/// What can be drawn as SVG.
+/// Drawing as SVG.
 pub trait Svg {
-    /// It as SVG, without the element around it.
+    /// Returns the SVG elements of the drawing, without the enclosing `svg` element.
     fn svg(&self) -> String;
 }
 
@@ -72,7 +72,7 @@ pub fn file(drawn: &[String]) -> String {
     format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}", element(drawn))
 }
 
-/// The same as an element of a page.
+/// Encloses drawings in an `svg` element for an HTML page.
 pub fn element(drawn: &[String]) -> String {
     let height = HEIGHT * drawn.len().max(1) as f64;
     let mut out = format!(

@@ -16,13 +16,13 @@ const GAP: &str = "  ";
 
 /// A column of a table with rows `R`.
 pub struct Column<'c, R> {
-    /// Its name in CSV and JSON; that of a number ends in its unit.
+    /// Name in CSV and JSON; the name of a number ends in its unit.
     pub key: &'static str,
-    /// Its heading on a page.
+    /// Heading on a page.
     pub label: Cow<'static, str>,
     /// The unit of its numbers; empty for pure numbers, counts and words.
     pub unit: &'static str,
-    /// Its value in a row.
+    /// Function from a row to the value of the column.
     pub get: Get<'c, R>,
     /// The text that a page shows instead of the value.
     shown: Option<Shown<'c, R>>,
@@ -87,7 +87,7 @@ impl<'c, R> Table<'c, R> {
         text_of(head) + &self.csv_rows()
     }
 
-    /// The same without the line of the keys: a piece of a long table.
+    /// Formats the rows as CSV without the header: a chunk of a long table.
     pub fn csv_rows(&self) -> String {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for row in &self.rows {
@@ -104,7 +104,7 @@ impl<'c, R> Table<'c, R> {
         pretty(&self.objects(|_| true))
     }
 
-    /// Its rows as JSON objects of a line each, separated by commas: a piece of a long list.
+    /// Formats the rows as JSON objects, one a line, separated by commas: a chunk of a long list.
     pub fn json_rows(&self) -> String {
         let entry = |column: &Column<'_, R>, row: &R| {
             let value = (column.get)(row);
@@ -144,7 +144,7 @@ impl<'c, R> Table<'c, R> {
         grid(&self.cells(keys), width)
     }
 
-    /// The same with its headings at the left and a column for each row.
+    /// Formats the transposed table: headings at the left, a column for each row.
     pub fn turned(&self, keys: &[&str], width: usize) -> String {
         let lines: Vec<Cells> = keys.iter().flat_map(|key| self.cells(&[key])).collect();
         let heads = lines.iter().map(|line| line.head.clone()).collect();
@@ -189,7 +189,7 @@ impl<'c, R> Table<'c, R> {
 }
 
 impl<R> Column<'_, R> {
-    /// What a page shows of a value.
+    /// Formats a value for a page.
     fn text(&self, row: &R, value: &Value, prefix: Prefix) -> String {
         let own = self.shown.as_ref().and_then(|shown| shown(row, value));
         own.unwrap_or_else(|| match value {
@@ -212,16 +212,16 @@ fn text_of(written: csv::Writer<Vec<u8>>) -> String {
 
 /// A column of a page.
 pub struct Cells {
-    /// Its heading.
+    /// Heading of the column.
     pub head: String,
     /// Words stand at the left, numbers at the right.
     pub is_text: bool,
-    /// Its cells.
+    /// Cells of the column, top to bottom.
     pub cells: Vec<String>,
 }
 
 impl Cells {
-    /// Its width.
+    /// Returns the width in characters.
     pub fn width(&self) -> usize {
         let all = self.cells.iter().chain([&self.head]);
         all.map(|cell| cell.chars().count()).max().unwrap_or(0)

@@ -33,7 +33,7 @@ const ALIKE: f64 = 1.05;
 /// How thorough a comparison is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComparisonOptions {
-    /// Which values of the parameters.
+    /// Grid of step sizes or tolerances.
     pub ladder: Ladder,
     /// For how long one point is repeated at most, beyond a few batches, s.
     pub point_s: f64,
@@ -96,9 +96,9 @@ impl Measured {
 pub struct MethodReport {
     /// The method.
     pub method: Method,
-    /// Its reference; `None` if no independent one could be computed.
+    /// Reference results; `None` if no independent one could be computed.
     pub reference: Option<Reference>,
-    /// Its points.
+    /// Points of the method, coarse to fine.
     pub points: Vec<Point>,
 }
 
@@ -107,9 +107,9 @@ pub struct MethodReport {
 pub struct Report {
     /// The scene.
     pub scene: Arc<Scene>,
-    /// What the methods are compared with.
+    /// Reference results of the scene.
     pub references: References,
-    /// One for each method.
+    /// Reports of the methods.
     pub methods: Vec<MethodReport>,
     /// How far the depth that the printed scheme approaches is off, relative: an error of that model, not of its step.
     pub printed_off: Option<f64>,
@@ -135,7 +135,7 @@ pub struct Saving {
 /// The cheapest way to an accuracy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cheapest {
-    /// Which method.
+    /// Method of the job.
     pub method: Method,
     /// With which parameter.
     pub parameter: Parameter,

@@ -16,7 +16,7 @@ use crate::numerics::larger;
 /// Fraction of the scene's tolerance that the contact may use up.
 pub(in crate::study) const TOLERANCE_FRACTION: f64 = 0.3;
 
-/// What the first contact of a shot comes to, and where the plate goes then.
+/// Result of the first contact, and the plate's motion after it.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study) struct FirstContact {
     pub(in crate::study) end: ContactEnd,
@@ -45,7 +45,7 @@ pub(in crate::study) enum Wanted {
     /// Whether it goes through, however long that takes.
     Passage,
     Contact,
-    /// The same and the maximum displacement.
+    /// First contact and maximum plate displacement.
     Displacement,
 }
 

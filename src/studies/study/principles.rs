@@ -5,11 +5,11 @@
 pub struct Principle {
     /// The family it belongs to.
     pub family: &'static str,
-    /// Its name.
+    /// Name of the principle.
     pub name: &'static str,
     /// The thesis's section.
     pub section: &'static str,
-    /// Its function, in other words.
+    /// Function of the principle, paraphrased.
     pub idea: &'static str,
     /// The functions that serve it, of those of chapter 5.
     pub functions: &'static [&'static str],
@@ -63,7 +63,7 @@ pub const CRITERIA: [(&str, f64); 7] = [
 /// A concept of chapter 6 as Table 7.1 rates it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Concept {
-    /// Its name.
+    /// Name of the concept.
     pub name: &'static str,
     /// Ratings from 1 (much worse than the reference) to 5 (much better), by criterion.
     pub ratings: [f64; 7],

@@ -34,7 +34,7 @@ enumeration! {
     Error { words: "error" }
 }
 
-/// One scene of the battery, run.
+/// Result of one scene of the battery.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The scene.
@@ -45,7 +45,7 @@ pub struct Row {
     pub took_s: f64,
     /// The greatest error of its results: depth, times, displacement, velocity, forces; NaN where its outcome is not the reference's.
     pub error: Option<f64>,
-    /// Its reference; `None` while undecided, or where no other computation got through.
+    /// Source of the reference; `None` if undecided, or if no other method finished.
     pub basis: Option<ReferenceSource>,
     /// Why `auto` falls short, if it does.
     pub shortfall: Option<Shortfall>,

@@ -1,7 +1,7 @@
-//! What the thesis prints and this program can compute: numbers of its tables and figures, its trends, the outputs of its listing.
+//! Reproduction of the thesis: numbers of its tables and figures, its trends, the outputs of its listing.
 //!
-//! A row states what the thesis says, the verdict on it and why, and has one function that computes it. The function is called
-//! twice: with the engine, and with the listing of Appendix A as printed. What it says of the engine must bear out the verdict.
+//! A row has the thesis's statement, the verdict, the reason, and one function that computes the statement. The function is called twice:
+//! with the engine, and with the listing of Appendix A as printed. The engine's result must agree with the verdict.
 
 use std::sync::Arc;
 
@@ -23,7 +23,7 @@ enumeration! {
     pub enum ClaimVerdict in VerdictRow {
         /// The words in tables and files.
         words: &'static str,
-        /// One letter, for narrow columns.
+        /// Letter for narrow columns.
         letter: char,
     }
     /// As stated.
@@ -43,7 +43,7 @@ pub struct Claim {
     pub id: &'static str,
     /// Where it stands in the thesis.
     pub place: &'static str,
-    /// What the thesis says, in other words.
+    /// Statement of the thesis, paraphrased.
     pub says: &'static str,
     /// Why the verdict is what it is.
     pub cause: &'static str,
@@ -131,7 +131,7 @@ pub fn tally(rows: &[Row]) -> [usize; ClaimVerdict::ALL.len()] {
 /// Impacts by one method.
 struct Shots<'a> {
     stop: &'a CancelFlag,
-    /// That of Appendix A, or (absent) the engine.
+    /// Listing of Appendix A; `None` for the engine.
     listing: Option<Listing>,
 }
 
@@ -241,7 +241,7 @@ impl Curve {
         Self { variable: range.variable, unit, points: points.collect() }
     }
 
-    /// Its ends: `60.0 % at gamma = 0.8, 91.5 % at 7`.
+    /// Formats both ends of the curve: `60.0 % at gamma = 0.8, 91.5 % at 7`.
     fn ends(&self) -> String {
         let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else {
             return "nothing finite".to_owned();
@@ -251,7 +251,7 @@ impl Curve {
         format!("{low} {unit} at {variable} = {from}, {high} {unit} at {to}")
     }
 
-    /// Its ends, and whether it bears out the verdict.
+    /// Builds a check from both ends of the curve and from a condition.
     fn that(&self, holds: impl Fn(&Self) -> bool) -> Check {
         Check { text: self.ends(), holds: holds(self) }
     }

@@ -20,7 +20,7 @@ const LONGEST: usize = 64;
 
 const PASTE_END: &[u8] = b"\x1b[201~";
 
-/// What has come from the terminal.
+/// Decoded input from the terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::tui) enum Input {
     Key(KeyEvent),
@@ -195,7 +195,7 @@ impl Decoder {
         }
     }
 
-    /// One more byte of a control sequence: parameters, then intermediates, then the final byte.
+    /// Decodes the next byte of a control sequence: parameters, intermediates, final byte.
     fn control(&mut self, mut rest: Vec<u8>, byte: u8, out: &mut Vec<Input>) {
         match byte {
             0x1b => self.state = State::Escape,
@@ -230,7 +230,7 @@ fn may_begin(introducer: u8, byte: u8) -> bool {
     }
 }
 
-/// What a control sequence stands for; `None`: nothing that is of interest here.
+/// Decodes a control sequence; `None` if the workbench does not use it.
 fn sequence(rest: &[u8], last: u8) -> Option<Input> {
     if let Some(report) = rest.strip_prefix(b"<") {
         let [button, column, row] = numbers(report)?[..] else { return None };
@@ -340,7 +340,7 @@ mod tests {
 
     use super::*;
 
-    /// What comes of packets, with silence after the last.
+    /// Decodes packets, followed by silence.
     fn inputs(packets: &[&[u8]]) -> Vec<Input> {
         let (mut decoder, mut found) = (Decoder::new(Duration::ZERO), Vec::new());
         for packet in packets {

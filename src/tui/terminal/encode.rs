@@ -64,7 +64,7 @@ fn go_to(out: &mut Vec<u8>, from: Option<(u16, u16)>, to: (u16, u16)) {
 const MODIFIERS: [(Modifier, u8); 4] =
     [(Modifier::BOLD, 1), (Modifier::DIM, 2), (Modifier::UNDERLINED, 4), (Modifier::REVERSED, 7)];
 
-/// One sequence from one style to another. Going back to less means starting over from plain.
+/// Writes one sequence that changes one style into another. Removing an attribute starts from the plain style.
 fn set_style(out: &mut Vec<u8>, mut from: Style, to: Style) {
     out.extend_from_slice(b"\x1b[");
     let mut separator = "";

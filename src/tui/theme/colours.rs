@@ -50,7 +50,7 @@ impl ColourDepth {
     }
 }
 
-/// One colour at the two depths that have colours: of the terminal's palette of sixteen, and of xterm's 256.
+/// Colour in the terminal's palette of 16, and in xterm's palette of 256.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shade(u8, u8);
 
@@ -174,7 +174,7 @@ mod tests {
         }
     }
 
-    /// Those of the first sixteen of xterm's palette that are used.
+    /// RGB values of the used ones among the first 16 colours of xterm's palette.
     const FIRST: [(u8, (u8, u8, u8)); 6] = [
         (1, (205, 0, 0)),
         (5, (205, 0, 205)),

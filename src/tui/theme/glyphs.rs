@@ -1,7 +1,7 @@
-//! Which characters the terminal can show, and the way back to ASCII.
+//! Character sets of the terminal, and the replacement by ASCII.
 //!
-//! Everything is drawn with the characters of the old PC set (code page 437), because that is what the Linux console's fonts have, and
-//! curves with braille cells where the terminal has these. In ASCII mode the last step of a frame replaces all of them.
+//! Frames use code page 437, because the fonts of the Linux console have it. Curves use braille if the terminal has it. In ASCII mode the
+//! last step of a frame replaces all other characters.
 
 use std::fmt;
 
@@ -37,8 +37,7 @@ impl GlyphSet {
         named.map(Some).ok_or_else(unknown)
     }
 
-    /// What the locale and the terminal can show. The first of `LC_ALL`, `LC_CTYPE`, `LANG` that is set decides; the Linux
-    /// console has no braille.
+    /// Detects the character set. The first of `LC_ALL`, `LC_CTYPE`, `LANG` that is set decides; the Linux console has no braille.
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         let value = |name| env(name).filter(|text| !text.is_empty());
         let locale = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(value);

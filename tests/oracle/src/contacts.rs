@@ -1,4 +1,4 @@
-//! What the other models of thesis section 8.2 need, read off the README and the thesis once more.
+//! Contact models of thesis section 8.2, implemented a second time from the README and the thesis.
 
 use cmra_engine::model::scene::{ContactModel, Mount, Scene};
 use std::f64::consts::PI;

@@ -23,7 +23,7 @@ const CHANGES_MAX: usize = 3_000;
 /// Travel and slip of the projectile against the plate, displacement and velocity of the plate: q, u, x, w.
 pub type State = [f64; 4];
 
-/// What the interface does during a step.
+/// Interface state during a step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Interface {
     Deepens,
@@ -39,7 +39,7 @@ enum Interface {
     Slack,
 }
 
-/// What holds during a step, as its first moment has it.
+/// Discrete state during a step, fixed at the start of the step.
 #[derive(Clone, Copy)]
 struct Now {
     interface: Interface,
@@ -179,7 +179,7 @@ impl<'a> Shot<'a> {
         true
     }
 
-    /// One step, or the part of it up to where something changes; whether it was whole.
+    /// Advances by one step, or up to the next change of the discrete state; returns `true` for a whole step.
     fn advance(&mut self, dt_s: f64) -> bool {
         let now = self.with(self.interface());
         let from = self.state;
@@ -216,7 +216,7 @@ impl<'a> Shot<'a> {
         !changes
     }
 
-    /// What follows where a step was cut: the state is a hair beyond the change.
+    /// Applies the transition after a shortened step; the state lies slightly beyond the change.
     fn settle(&mut self, now: Now) {
         let [q, u, x, w] = self.state;
         match now.interface {
@@ -272,7 +272,7 @@ impl<'a> Shot<'a> {
         interface_changes || meets_stop || turns || self.corners_m.iter().any(|z| passes(*z))
     }
 
-    /// What the interface does at the present state.
+    /// Returns the interface state at the present state.
     fn interface(&self) -> Interface {
         let [q, u, ..] = self.state;
         match self.contact.model {
@@ -320,7 +320,7 @@ impl<'a> Shot<'a> {
         self.rates(0.0, self.state, self.with(interface))[1]
     }
 
-    /// What holds at the present state with what the interface does.
+    /// Returns the discrete state for a given interface state.
     fn with(&self, interface: Interface) -> Now {
         let [_, _, x, w] = self.state;
         let at = self.scene.mechanism.stop.position_m;

@@ -59,7 +59,7 @@ pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Ob
     run
 }
 
-/// One computation of a scene, without estimate and baseline.
+/// Runs the listing on a scene, without error estimate and without the rigid-mount run.
 pub fn compute(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>) -> Run {
     let scheme = Scheme::of(scene, listing);
     let state = scheme.start;

@@ -22,7 +22,7 @@ pub(in crate::model) enum Law {
 }
 
 impl Law {
-    /// Of a valid scene.
+    /// Builds the contact law of a valid scene.
     pub(in crate::model) fn of(scene: &Scene) -> Self {
         match scene.contact.model {
             ContactModel::Hydrodynamic | ContactModel::Appendix => Self::Flow,

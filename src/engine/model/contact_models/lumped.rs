@@ -13,7 +13,7 @@ pub(in crate::model) struct Lumped {
     load_n_m: f64,
     unload_n_m: f64,
     damping_n_s_m: f64,
-    /// Of the projectile.
+    /// Projectile mass, kg.
     mass_kg: f64,
     velocity_m_s: f64,
 }
@@ -51,12 +51,12 @@ impl Lumped {
         stiffness * (q_m - slack_m) + self.damping_n_s_m * u_m_s
     }
 
-    /// Its derivatives by travel, N/m, and slip, N s/m.
+    /// Returns the derivatives of the force by travel, N/m, and by relative velocity, N s/m.
     pub(in crate::model) fn slopes(&self, goes_in: bool) -> (f64, f64) {
         (self.branch(goes_in, 0.0).0, self.damping_n_s_m)
     }
 
-    /// What it gives back of its spring at a travel, J.
+    /// Returns the recoverable energy of the interface spring at a travel, J.
     pub(in crate::model) fn gives_back_j(&self, goes_in: bool, deepest_m: f64, q_m: f64) -> f64 {
         let force_n = self.force_n(goes_in, deepest_m, (q_m, 0.0));
         0.5 * force_n * force_n / self.unload_n_m

@@ -20,7 +20,7 @@ pub struct Curve {
     pub(super) knots_m: Vec<f64>,
     /// Between the knots, one more than those: the first goes to minus, the last to plus infinity.
     pub(super) pieces: Vec<Piece>,
-    /// What each piece's energy lacks: continuous, and zero at the lowest point, J.
+    /// Integration constants of the pieces' energies, J: the sum is continuous, and zero at the lowest point.
     offsets_j: Vec<f64>,
     /// Knots, zeros of the force and where it turns, rising: energy and force rise or fall all the way between two of them, m.
     pub(super) stations_m: Vec<f64>,
@@ -77,7 +77,7 @@ impl Curve {
         Self::new(laws, SCALE_M)
     }
 
-    /// It and another law, displaced alike: the forces add.
+    /// Combines two laws in parallel: equal displacement, added forces.
     #[must_use]
     pub fn parallel(&self, other: &Self) -> Self {
         let mut begins = [&[f64::NEG_INFINITY], &self.knots_m[..], &other.knots_m].concat();

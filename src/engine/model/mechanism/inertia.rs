@@ -23,12 +23,12 @@ pub struct Inertia {
     pub is_uncounted: bool,
     /// The mass of the first spring, where it is known, else none.
     known_kg: f64,
-    /// What of it counts.
+    /// Mass of the springs that moves with the plate, kg.
     counted_kg: f64,
 }
 
 impl Inertia {
-    /// Of a valid scene; nothing on a rigid mount.
+    /// Computes the inertia of a valid scene; zero on a rigid mount.
     pub fn of(scene: &Scene) -> Self {
         if !scene.is_sprung() {
             return Self::default();
@@ -59,7 +59,7 @@ impl Inertia {
         self.spring_mass_kg.or_else(|| Some(larger(least_kg?, self.known_kg)))
     }
 
-    /// What of the springs' mass does not count, kg, as far as it is known, and whether it follows from the least.
+    /// Returns the mass of the springs that is neglected, kg, if known, and whether it follows from the least mass.
     pub fn omitted_kg(&self, least_kg: Option<f64>) -> (f64, bool) {
         let all_kg = self.spring_kg(least_kg).unwrap_or(self.known_kg);
         (all_kg - self.counted_kg, all_kg > self.known_kg)

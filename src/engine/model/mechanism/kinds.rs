@@ -79,7 +79,7 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// One spring: its kind, and the parameters of every kind, so that none is lost on the way to another.
+    /// Spring of a scene: its kind, and the parameters of all kinds. Changing the kind keeps the parameters of the others.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Spring {
         pub kind: SpringKind = SpringKind::PowerLaw => "spring", "force law", "the spring's force law",
@@ -127,7 +127,7 @@ pub(in crate::model) trait Law {
         None
     }
 
-    /// Its force over displacement, after it was crushed up to a displacement, m, if it can be.
+    /// Returns the force over displacement. `_crushed_m` is the largest displacement so far of a spring that crushes, m.
     fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
         Curve::power(self.power_law(spring).unwrap_or(PowerLaw::NONE))
     }
@@ -142,7 +142,7 @@ pub(in crate::model) trait Law {
         Vec::new()
     }
 
-    /// Its own mass, where that follows from its parameters, or with them from its energy per mass where that is given, kg.
+    /// Returns the spring's own mass, kg, if it follows from the parameters or from a given energy per mass.
     fn mass_kg(&self, _: &Spring, _energy_j_kg: Option<f64>) -> Option<f64> {
         None
     }

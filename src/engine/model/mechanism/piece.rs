@@ -1,7 +1,7 @@
-//! One analytic stretch of a force law: its force, tangent and energy.
+//! Analytic piece of a force law: force, stiffness and energy.
 //!
-//! Between two knots a law is one analytic function, and stays so a little beyond them: a step looks past an event before
-//! it comes back to it.
+//! Between two knots a law is one analytic function. It is continued a little beyond them, because a step may pass an event before the
+//! event is located.
 
 use crate::model::mechanism::PowerLaw;
 

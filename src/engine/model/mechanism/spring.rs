@@ -18,7 +18,7 @@ const DOUBLINGS: i32 = 80;
 /// The force law of all springs together.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spring {
-    /// One power law: absent where its coefficient is zero.
+    /// Power law; absent if its coefficient is zero.
     Power(PowerLaw),
     /// Any other law.
     Curve(Arc<Curve>),
@@ -48,7 +48,7 @@ impl Spring {
         }
     }
 
-    /// It and a stop of a stiffness that begins at a displacement, together.
+    /// Adds an elastic stop in parallel: its stiffness, N/m, acts beyond a displacement, m.
     #[must_use]
     pub fn beside_stop(&self, at_m: f64, stiffness_n_m: f64) -> Self {
         let line = |slope_n_m| Piece::line(at_m, 0.0, slope_n_m);
@@ -74,7 +74,7 @@ impl Spring {
         }
     }
 
-    /// Its stations, and a length that it is made of, m.
+    /// Returns the stations of the spring and its characteristic length, m.
     fn stations_m(&self) -> (&[f64], f64) {
         match self {
             Self::Power(_) => (&[0.0], SCALE_M),
@@ -206,7 +206,8 @@ impl Spring {
         self.first_place(x, 1.0, |force| force >= 0.0, force)
     }
 
-    /// Which way, 1 or -1, it drives the plate on from x for ever: beyond the end of a table whose force runs away.
+    /// Returns the direction, 1 or -1, in which the spring drives the plate without bound from x: beyond the end of a table with a force
+    /// away from zero.
     pub fn drives_away(&self, x: f64) -> Option<f64> {
         let outward = -sign(self.force(x));
         let ahead = self.stations_m().0.iter().any(|station| outward * (station - x) > 0.0);

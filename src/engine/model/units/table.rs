@@ -30,7 +30,7 @@ dimensions! {
     SpecificEnergy = "J/kg", "J/kg", "20kJ/kg", "J/kg, kJ/kg, MJ/kg, J/g";
     Stiffness = "N/m", "kN/m", "7.5MN/m", "N/m, kN/m, MN/m, GN/m, N/mm, kN/mm, lbf/in";
     Damping = "N s/m", "N s/m", "2 kN s/m", "N s/m, Ns/m, kN s/m, kNs/m, MN s/m, MNs/m, lbf s/in";
-    /// Its dimension depends on an exponent: the units are those of the linear case.
+    /// Dimension that depends on an exponent; the units are those of the linear spring.
     SpringCoefficient = "N/m^n", "kN/m^n", "7.5MN/m", "N/m, kN/m, MN/m, GN/m, N/mm, kN/mm, lbf/in";
     /// As for the spring's.
     DamperCoefficient = "N(s/m)^m", "N(s/m)^m", "2 kN s/m", "N s/m, Ns/m, kN s/m, kNs/m, MN s/m, MNs/m, lbf s/in";

@@ -37,7 +37,7 @@ pub type Results = [Option<f64>; RESULTS.len()];
 pub struct Answer {
     /// How the shot ends.
     pub outcome: Outcome,
-    /// What is compared.
+    /// Results that are compared.
     pub results: Results,
     /// Steps taken.
     pub steps: usize,
@@ -58,7 +58,7 @@ pub enum Refusal {
     StopActs,
     /// The run ended early, or undecided.
     Ended(EndReason),
-    /// Its outcome is not the reference's.
+    /// Outcome differs from the reference.
     OtherOutcome,
     /// A result is not finite.
     NonFinite,
@@ -99,7 +99,7 @@ pub enum Parameter {
 }
 
 impl Parameter {
-    /// Its value.
+    /// Returns the step size or tolerance.
     pub fn value(self) -> f64 {
         match self {
             Self::Step(value) | Self::Tolerance(value) => value,
@@ -137,7 +137,7 @@ pub enum ParameterRange {
 /// The parameters of those who choose their steps.
 const TIGHT: [ParameterRange; 2] =
     [ParameterRange::Tolerances(13, 1), ParameterRange::Tolerances(11, 2)];
-/// Those of a method of order four.
+/// Step sizes of a method of order four, as numbers of steps.
 const STEPS: [ParameterRange; 2] = [ParameterRange::Steps(3e3, 2), ParameterRange::Steps(3e2, 2)];
 
 enumeration! {
@@ -159,7 +159,7 @@ enumeration! {
         letter: 'R', name: "RK4, no events", has_own_steps: false, ranges: STEPS,
         run: |job| job.by(Stepping::Rk4WithoutEvents(job.parameter.value()))
     }
-    /// The same with events located.
+    /// Classical Runge-Kutta with event location.
     Rk4Events {
         letter: 'E', name: "RK4 + events", has_own_steps: false, ranges: STEPS,
         run: |job| job.by(Stepping::Rk4(job.parameter.value()))
@@ -230,7 +230,7 @@ fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Parameter> {
     list
 }
 
-/// One computation, ready to be repeated.
+/// Computation that can be repeated for timing.
 pub struct Job {
     method: Method,
     parameter: Parameter,

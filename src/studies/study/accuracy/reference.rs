@@ -35,7 +35,7 @@ pub enum ReferenceSource {
     Dop853,
     /// Radau IIA of order five, where an explicit method cannot follow.
     Radau,
-    /// What the printed scheme approaches as its step goes to zero.
+    /// Limit of the printed scheme for a vanishing step size.
     OwnLimit,
 }
 
@@ -117,7 +117,7 @@ pub struct References {
 }
 
 impl References {
-    /// Those of a valid scene.
+    /// Computes the references of a valid scene.
     pub fn of(scene: &Arc<Scene>) -> Self {
         let by = |stepping: Stepping| {
             let run = step_by(stepping, scene).ok().flatten()?;

@@ -15,7 +15,7 @@ use crate::study::changed_free_plate;
 pub struct Case {
     /// A short name.
     pub name: &'static str,
-    /// Its difficulty.
+    /// Numerical difficulty of the scene.
     pub why: &'static str,
     /// Changes to Table 9.1 with gamma = 1 and neither spring nor damper, as `--set` takes them.
     pub changes: &'static str,

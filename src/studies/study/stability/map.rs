@@ -26,11 +26,11 @@ pub const THESIS_DT_S: f64 = 1e-6;
 enumeration! {
     /// The method of a map.
     pub enum FixedStep in FixedStepRow {
-        /// Its name.
+        /// Name on pages.
         name: &'static str,
-        /// Its word on the command line.
+        /// Key on the command line.
         word: &'static str,
-        /// Its description on the command line.
+        /// Description in the command's help.
         about: &'static str,
         /// Whether it corrects the scheme of the listing.
         corrects_scheme: bool,
@@ -50,15 +50,15 @@ enumeration! {
 enumeration! {
     /// The variable of a map.
     pub enum Axis in AxisRow {
-        /// Its symbol.
+        /// Symbol of the variable.
         symbol: &'static str,
-        /// Its kind.
+        /// Meaning of the variable.
         about: &'static str,
-        /// Its value in a scene.
+        /// Reads the value from a scene.
         get: fn(&Scene) -> f64,
         /// Gives it a value.
         set: fn(&mut Scene, f64),
-        /// Its smallest and its greatest value; the others lie between them at equal ratios.
+        /// Smallest and greatest value; the values between them have equal ratios.
         range: (f64, f64),
     }
     /// Spring coefficient.
@@ -86,14 +86,14 @@ enumeration! {
     pub enum Cell in CellRow {
         /// The word in files.
         word: &'static str,
-        /// Its meaning.
+        /// Label in the legend.
         words: &'static str,
-        /// Its character on a map: the worse, the darker.
+        /// Character on a map: the worse, the darker.
         shade: char,
     }
     /// Within 1 %.
     Accurate { word: "accurate", words: "accurate (1 %)", shade: ' ' }
-    /// It ends, but not there.
+    /// Error above 1 %.
     Inaccurate { word: "inaccurate", words: "inaccurate", shade: '.' }
     /// Values grow without bound.
     BlownUp { word: "blown up", words: "diverged", shade: '@' }
@@ -101,18 +101,18 @@ enumeration! {
     TooManySteps { word: "too many steps", words: "too many steps", shade: '~' }
     /// There is nothing to compare with.
     Unknown { word: "unknown", words: "nothing to compare with", shade: '?' }
-    /// It has not been computed yet.
+    /// Cell that is not computed yet.
     Waiting { word: "not computed", words: "not computed", shade: '_' }
 }
 
-/// Which map is wanted.
+/// Request for a stability map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// The method.
     pub method: FixedStep,
     /// The variable of the rows.
     pub axis: Axis,
-    /// Its rows and columns.
+    /// Numbers of rows and columns.
     pub size: (usize, usize),
 }
 
@@ -172,7 +172,7 @@ fn nearest(values: &[f64], value: f64) -> Option<usize> {
     all.min_by(|a, b| distance(values[*a]).total_cmp(&distance(values[*b]))).filter(|_| inside)
 }
 
-/// That a scene has a map: one plate on a power law, and the hydrodynamic contact.
+/// Checks that a scene has a stability map: one plate on a power law, hydrodynamic contact.
 pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
     variables::validate(scene)?;
     variables::require_hydrodynamic(scene)?;

@@ -1,7 +1,7 @@
-//! One axis of a sweep: a variable, its ends, its points, and the checks.
+//! Axis of a sweep: a variable, its ends, its points, and their validation.
 //!
-//! An axis that exists has been checked: both ends make physical sense by themselves, and so does all between them, since
-//! what is allowed is one interval for every variable. Rules between variables are the plan's business.
+//! Both ends of an `Axis` are valid values. So are all values between them, because the valid values of a variable form an interval. `Plan`
+//! checks rules between variables.
 
 use std::fmt;
 use std::ops::{Range, RangeInclusive};
@@ -123,7 +123,7 @@ impl Axis {
         format!("{} {unit}", units::significant(value, digits)).trim_end().to_owned()
     }
 
-    /// The same axis as a scene file has it.
+    /// Converts the axis to its form in a scene file.
     pub fn to_sweep_axis(&self) -> SweepAxis {
         self.range.clone()
     }

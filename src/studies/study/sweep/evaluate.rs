@@ -20,9 +20,9 @@ use crate::study::sweep::kernel::Kernel;
 /// The results at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// Its outcome.
+    /// Outcome of the point's run.
     pub outcome: PointOutcome,
-    /// Its outputs, in the order requested; `None` where one does not exist.
+    /// Outputs in the order requested; `None` if a quantity does not exist.
     pub values: Vec<Option<f64>>,
     /// Why one that takes many shots does not exist.
     reason: String,

@@ -24,7 +24,7 @@ const COARSEST: usize = 16;
 /// An axis has at least this many points in the first pass.
 const COARSE_POINTS: usize = 6;
 
-/// That a plan has no more points than a grid.
+/// Checks that a plan has no more points than a grid can hold.
 pub fn fits(plan: &Plan) -> Result<(), SweepError> {
     let points = plan.points();
     let most = GRID_MAX;
@@ -41,7 +41,7 @@ pub fn fits(plan: &Plan) -> Result<(), SweepError> {
 pub enum Cell {
     /// The output's value.
     Value(f64),
-    /// It was computed, and the output does not exist; or a number would mislead.
+    /// Computed point whose output does not exist, or would mislead as a number.
     Outcome(PointOutcome),
     /// Not computed yet.
     Waiting,
@@ -139,7 +139,7 @@ impl Grid {
         there.unzip()
     }
 
-    /// What to draw for an output at a point, or at the nearest coarser one while the grid is being filled.
+    /// Returns the cell to draw for an output at a point; the nearest coarser point while the grid is incomplete.
     pub fn cell(&self, x: usize, y: usize, output: usize) -> Cell {
         let mut stride = 1;
         loop {

@@ -38,7 +38,7 @@ fn a_row_says_why_many_shots_give_no_value() {
     );
 }
 
-/// What the command line can ask for is refused in its own test, `bad_sweeps_are_refused_before_anything_runs`.
+/// Plans that the command line can state are tested in `bad_sweeps_are_refused_before_anything_runs`.
 #[test]
 fn a_bad_plan_is_refused_before_anything_runs() {
     let huge = vec![axis("k", 0.0, 1.0, 1_000_000_000), axis("b", 0.0, 1.0, 1_000_000_000)];

@@ -71,7 +71,7 @@ impl Law for Crush {
         vec![(limit_m, "the absorber is crushed flat; it is solid from there on")]
     }
 
-    /// It is as long as its stroke, whether or not a shot uses all of it.
+    /// Mass of the whole stroke, kg, whether or not a shot uses all of it.
     fn mass_kg(&self, spring: &Spring, energy_j_kg: Option<f64>) -> Option<f64> {
         Some(spring.count * self.force_n * self.stroke_m / energy_j_kg?)
     }

@@ -9,7 +9,7 @@ use crate::numerics::{larger, monotone};
 /// Most points of a table: a measurement has fewer, and each is an event of the run.
 const POINTS_MAX: usize = 2_000;
 
-/// What a force may be off by, relative to the greatest of the table, and still lie on a line.
+/// Tolerance for three points on one line, relative to the greatest force of the table; above rounding error.
 const ROUNDING: f64 = 1e-12;
 
 parts! {

@@ -60,7 +60,7 @@ impl Axis {
         Self::of(&SweepAxis { values, ..SweepAxis::linear(name, 0.0, 0.0, 0) }, counts)
     }
 
-    /// The same where only a range has a meaning.
+    /// Parses a range; a list of values is an error.
     pub fn read_range(
         argument: &str,
         usual: Option<u64>,
