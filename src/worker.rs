@@ -1,34 +1,34 @@
-//! The background threads: tasks in, reports out.
+//! The background jobs: tasks in, reports out.
 //!
-//! Each lane is a thread that does one task at a time, in the order of submission. A newer task of a slot replaces the older one of
-//! that slot, running or waiting. A panic in a task is contained and reported. Time is measured here, not in the model. Knows nothing
-//! of screens or files.
+//! Each task runs on a thread of its own, from its submission on; studies share the cores. A newer task of a slot replaces the older
+//! one of that slot. A panic in a task is contained and reported. Time is measured here, not in the model. Does not depend on the
+//! terminal or the file system.
 //!
 //! Every task submitted gets exactly one last report: `Ended` or `Failed`.
 
 pub mod clock;
+mod reporter;
 mod runs;
 pub mod studies;
-pub mod study;
 
-use std::collections::VecDeque;
 use std::error::Error;
 use std::mem::Discriminant;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
 use clock::Clock;
-use studies::{Asked, Finding, Found};
-use study::{Lane, Reporter};
+use reporter::Reporter;
+use studies::{Asked, Finding, Found, SearchRequest};
 
 use crate::model::scene::Scene;
-use crate::study::context::CancelFlag;
+use crate::study::context::{Answer, CancelFlag, SharedCores};
+use crate::study::parallel::cores;
 
 pub use studies::SceneRun;
 
-/// A task that took longer leaves so much free memory behind that giving it back is worth a millisecond; so do the many short ones of
-/// a while.
+/// Duration of a task that leaves so much free memory behind that returning it is worth a millisecond; the same for the many short
+/// tasks within `WHILE`.
 const LONG: Duration = Duration::from_millis(100);
 const WHILE: Duration = Duration::from_secs(5);
 
@@ -37,8 +37,12 @@ const WHILE: Duration = Duration::from_secs(5);
 pub struct Task {
     /// Counts up; reports carry it.
     pub id: u64,
+    /// Page that shows the result: the same study of two pages is two tasks.
+    pub page: Page,
     /// On how many threads, where the work can be divided.
     pub threads: usize,
+    /// Time after which the task ends with the part done so far; `None`: runs to its end.
+    pub budget: Option<Duration>,
     pub scene: Arc<Scene>,
     pub asked: Asked,
 }
@@ -46,12 +50,13 @@ pub struct Task {
 impl Task {
     /// Whose result it is.
     pub fn slot(&self) -> Slot {
-        match &self.asked {
-            Asked::Run(run) => run.0,
-            study => Slot::Study(std::mem::discriminant(study)),
-        }
+        self.asked.slot(self.page)
     }
 }
+
+/// Number of a page that asks for studies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Page(pub usize);
 
 /// Whose result a task is: a newer task of a slot replaces an older one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -60,7 +65,26 @@ pub enum Slot {
     Current,
     /// A pinned run, by its letter.
     Pin(char),
-    Study(Discriminant<Asked>),
+    /// A study of a page.
+    Study(Page, StudyKind),
+}
+
+/// Type of a study, without its request.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct StudyKind(Discriminant<Asked>, Option<Discriminant<SearchRequest>>);
+
+impl Asked {
+    /// Whose result it is when a page asks for it.
+    pub fn slot(&self, page: Page) -> Slot {
+        match self {
+            Self::Run(run) => run.0,
+            Self::Search(request) => {
+                let search = Some(std::mem::discriminant(&**request));
+                Slot::Study(page, StudyKind(std::mem::discriminant(self), search))
+            }
+            study => Slot::Study(page, StudyKind(std::mem::discriminant(study), None)),
+        }
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -78,29 +102,28 @@ pub enum ReportBody {
         elapsed: Duration,
     },
     /// It is still running, and this is what it has so far.
-    Part(Found),
-    /// It is done, or was cancelled and this is what it had; `None` where it had nothing.
-    Ended {
-        found: Option<Found>,
-        /// Wall-clock time of the computation.
-        took: Duration,
-    },
+    Part(Answer<Found>),
+    /// It is done, or was stopped and this is what it had; `None` where it had nothing.
+    Ended(Option<Answer<Found>>),
     /// It could not start, or panicked; the text is for the message row.
     Failed(String),
 }
 
 impl ReportBody {
     /// The result, or the partial result, if it has this type.
-    pub fn found<T: Finding>(&self) -> Option<Arc<T>> {
+    pub fn found<T: Finding>(&self) -> Option<Answer<Arc<T>>> {
         match self {
-            Self::Part(found) | Self::Ended { found: Some(found), .. } => T::of(found).cloned(),
+            Self::Part(answer) | Self::Ended(Some(answer)) => {
+                let report = Arc::clone(T::of(&answer.report)?);
+                Some(Answer { report, reach: answer.reach, elapsed: answer.elapsed })
+            }
             _ => None,
         }
     }
 
     /// Whether no further report of this task will follow.
     pub fn is_last(&self) -> bool {
-        matches!(self, Self::Ended { .. } | Self::Failed(_))
+        matches!(self, Self::Ended(_) | Self::Failed(_))
     }
 }
 
@@ -117,151 +140,100 @@ type Sink = dyn Fn(Report) + Send + Sync;
 /// Does a task.
 type Make = fn(&Task, &Reporter<'_>) -> Result<Found, Box<dyn Error>>;
 
-/// The owner of the threads, which end when this is dropped.
+/// The owner of the jobs, which are cancelled when this is dropped.
 pub struct Worker {
     shared: Arc<Shared>,
 }
 
 /// The state shared by the threads and their owner.
 struct Shared {
-    lanes: [Queue; Lane::ALL.len()],
+    jobs: Mutex<Jobs>,
+    cores: Arc<SharedCores>,
     clock: Clock,
     make: Make,
     sink: Box<Sink>,
 }
 
 #[derive(Default)]
-struct Queue {
-    state: Mutex<State>,
-    changed: Condvar,
+struct Jobs {
+    running: Vec<(u64, Slot, CancelFlag)>,
+    /// When free memory was returned to the system last.
+    trimmed: Duration,
 }
 
-#[derive(Default)]
-struct State {
-    waiting: VecDeque<Task>,
-    running: Option<(u64, Slot, CancelFlag)>,
-    closing: bool,
-}
-
-impl Queue {
-    fn lock(&self) -> MutexGuard<'_, State> {
-        // No code that can panic runs under this lock, so a poisoned one is still sound.
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Wait for a task and mark it as the running one; `None` when the owner is gone.
-    fn next(&self) -> Option<(Task, CancelFlag)> {
-        let mut state = self.lock();
-        loop {
-            if state.closing {
-                return None;
-            }
-            if let Some(task) = state.waiting.pop_front() {
-                let cancel = CancelFlag::default();
-                state.running = Some((task.id, task.slot(), cancel.clone()));
-                return Some((task, cancel));
-            }
-            state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+impl Jobs {
+    /// Cancels the jobs that are selected.
+    fn cancel(&self, is_selected: impl Fn(u64, Slot) -> bool) {
+        for (_, _, flag) in self.running.iter().filter(|job| is_selected(job.0, job.1)) {
+            flag.store(true);
         }
-    }
-
-    /// Cancel the running task if it is wanted so, and give the waiting one that is.
-    fn take_out(&self, wanted: impl Fn(u64, Slot) -> bool) -> Option<Task> {
-        let mut state = self.lock();
-        if let Some((_, _, cancel)) = state.running.as_ref().filter(|it| wanted(it.0, it.1)) {
-            cancel.store(true);
-        }
-        let at = state.waiting.iter().position(|task| wanted(task.id, task.slot()))?;
-        state.waiting.remove(at)
     }
 }
 
 impl Worker {
-    /// Start the threads; `sink` is given every report.
-    pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
+    /// Start without a job; `sink` is given every report.
+    pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> Self {
         Self::with(clock::wall(), |task, reporter| task.asked.make(&task.scene, reporter), sink)
     }
 
     /// The same with another clock, by whose time progress and parts come, and another way to do a task.
-    fn with(
-        clock: Clock,
-        make: Make,
-        sink: impl Fn(Report) + Send + Sync + 'static,
-    ) -> std::io::Result<Self> {
-        let sink = Box::new(sink);
-        let lanes = Default::default();
-        let shared = Arc::new(Shared { lanes, clock, make, sink });
-        for (lane, name) in Lane::ALL {
-            let shared = Arc::clone(&shared);
-            let serve = move || shared.serve(lane);
-            thread::Builder::new().name(name.to_owned()).spawn(serve)?;
-        }
-        Ok(Self { shared })
+    fn with(clock: Clock, make: Make, sink: impl Fn(Report) + Send + Sync + 'static) -> Self {
+        let (jobs, cores) = (Mutex::default(), SharedCores::new(cores()));
+        Self { shared: Arc::new(Shared { jobs, cores, clock, make, sink: Box::new(sink) }) }
     }
 
-    /// Queue a task; the older one of its slot is cancelled. The scene on the screen goes before pinned ones.
+    /// Starts a task; the older one of its slot is cancelled.
     pub fn submit(&self, task: Task) {
-        let slot = task.slot();
-        let lane = &self.shared.lanes[task.asked.lane() as usize];
-        let older = lane.take_out(|_, other| other == slot);
-        let mut state = lane.lock();
-        match slot {
-            Slot::Current => state.waiting.push_front(task),
-            _ => state.waiting.push_back(task),
+        let (id, slot, flag) = (task.id, task.slot(), CancelFlag::default());
+        let mut jobs = self.shared.lock();
+        jobs.cancel(|_, other| other == slot);
+        jobs.running.push((id, slot, flag.clone()));
+        drop(jobs);
+        let shared = Arc::clone(&self.shared);
+        let run = move || shared.run(&task, &flag);
+        if let Err(error) = thread::Builder::new().name(format!("job {id}")).spawn(run) {
+            self.shared.lock().running.retain(|job| job.0 != id);
+            let text = format!("the system starts no more threads: {error}");
+            (self.shared.sink)(Report { id, body: ReportBody::Failed(text) });
         }
-        drop(state);
-        lane.changed.notify_one();
-        self.shared.never_started(older);
     }
 
-    /// Cancel the task of this number, running or waiting; others go on.
+    /// Cancel the task of this number; others go on.
     pub fn cancel(&self, id: u64) {
-        for lane in &self.shared.lanes {
-            self.shared.never_started(lane.take_out(|other, _| other == id));
-        }
+        self.shared.lock().cancel(|other, _| other == id);
     }
 }
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        for lane in &self.shared.lanes {
-            let mut state = lane.lock();
-            state.closing = true;
-            state.waiting.clear();
-            if let Some((_, _, cancel)) = &state.running {
-                cancel.store(true);
-            }
-            drop(state);
-            // Not joined: a computation that asks too seldom must not hold up leaving.
-            lane.changed.notify_one();
-        }
+        // Not joined: a computation that asks too seldom must not hold up leaving.
+        self.shared.lock().cancel(|_, _| true);
     }
 }
 
 impl Shared {
-    fn never_started(&self, task: Option<Task>) {
-        if let Some(task) = task {
-            let body = ReportBody::Ended { found: None, took: Duration::ZERO };
-            (self.sink)(Report { id: task.id, body });
-        }
+    fn lock(&self) -> MutexGuard<'_, Jobs> {
+        // No code that can panic runs under this lock, so a poisoned one is still sound.
+        self.jobs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn serve(&self, lane: Lane) {
-        let queue = &self.lanes[lane as usize];
-        let mut given_back = (self.clock)();
-        while let Some((task, cancel)) = queue.next() {
-            let begun = (self.clock)();
-            let send = |body| (self.sink)(Report { id: task.id, body });
-            let reporter = Reporter::new(self, &task, &send, &cancel);
-            let body = reporter.finish(|| (self.make)(&task, &reporter));
-            // Free before the report: its receiver may submit at once.
-            queue.lock().running = None;
-            send(body);
-            let now = (self.clock)();
-            if now.saturating_sub(begun) > LONG || now.saturating_sub(given_back) > WHILE {
-                give_back();
-                given_back = now;
-            }
+    fn run(&self, task: &Task, cancel: &CancelFlag) {
+        let begun = (self.clock)();
+        let send = |body| (self.sink)(Report { id: task.id, body });
+        // The run of the edited scene takes a core of its own from the studies.
+        let user = self.cores.enter();
+        let reporter = Reporter::new(self, task, &send, cancel);
+        let body = reporter.finish(|| (self.make)(task, &reporter));
+        drop(user);
+        // Free before the report: its receiver may submit at once.
+        self.lock().running.retain(|job| job.0 != task.id);
+        send(body);
+        let now = (self.clock)();
+        let mut jobs = self.lock();
+        if now.saturating_sub(begun) > LONG || now.saturating_sub(jobs.trimmed) > WHILE {
+            jobs.trimmed = now;
+            drop(jobs);
+            give_back();
         }
     }
 }

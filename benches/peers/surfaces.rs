@@ -127,7 +127,7 @@ fn rows(plan: &Plan, threads: usize) -> Vec<Point> {
         move |piece: Range<u64>| evaluator.points(&piece.collect::<Vec<u64>>())
     };
     let work = Work { count: plan.points(), at_once: PIECE };
-    let _whole = parallel::map(threads, work, worker, |news| {
+    let _whole = parallel::map(&threads.into(), work, worker, |news| {
         all.extend(news.into_iter().flat_map(|(_, points)| points));
         ControlFlow::Continue(())
     });

@@ -10,6 +10,7 @@ use crossterm::event::KeyEvent;
 use crate::files::export::{self, Beside, Destination};
 use crate::model::scene::Scene;
 use crate::report::run::{self, NamedRun};
+use crate::study::context::Reach;
 use crate::tui::prelude::*;
 use crate::tui::preset::PresetEntry;
 use crate::worker::{Report, Task};
@@ -129,8 +130,8 @@ pub struct PageTable {
     pub title: &'static str,
     /// The file that is proposed.
     pub file: String,
-    pub is_complete: bool,
-    csv: Arc<dyn Fn() -> String + Send + Sync>,
+    reach: Reach,
+    csv: Arc<dyn Fn(Reach) -> String + Send + Sync>,
     /// Its scene, where it is of one.
     scene: Option<Arc<Scene>>,
     /// The comment lines above the scene in the file beside the table.
@@ -144,18 +145,22 @@ impl PageTable {
     pub(crate) fn new(
         title: &'static str,
         file: impl Into<String>,
-        is_complete: bool,
-        csv: impl Fn() -> String + Send + Sync + 'static,
+        reach: Reach,
+        csv: impl Fn(Reach) -> String + Send + Sync + 'static,
     ) -> Self {
-        let (file, csv, notes, command) =
-            (file.into(), Arc::new(csv), String::new(), String::new());
-        Self { title, file, is_complete, csv, scene: None, notes, command }
+        let mut file = file.into();
+        if !reach.is_complete() {
+            file = file.replace(".csv", "-incomplete.csv");
+        }
+        let (csv, notes, command) = (Arc::new(csv), String::new(), String::new());
+        Self { title, file, reach, csv, scene: None, notes, command }
     }
 
     /// The same as a table of a scene, which a command makes again; the file is called by the preset, too.
     pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: impl Into<String>) -> Self {
         let file = format!("{}-{}", app.base_stem(), self.file);
-        let notes = if self.is_complete { "" } else { "# not complete\n" }.to_owned();
+        let missing = self.reach.counted("").map(|after| format!("# not complete: {after}\n"));
+        let notes = missing.unwrap_or_default();
         Self { file, scene: Some(Arc::clone(scene)), notes, command: command.into(), ..self }
     }
 
@@ -172,7 +177,9 @@ impl PageTable {
 
 impl fmt::Debug for PageTable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("PageTable").field("is_complete", &self.is_complete).finish_non_exhaustive()
+        f.debug_struct("PageTable")
+            .field("is_complete", &self.reach.is_complete())
+            .finish_non_exhaustive()
     }
 }
 
@@ -180,7 +187,7 @@ impl Content {
     pub(crate) fn is_complete(&self) -> bool {
         match self {
             Self::Runs(_) | Self::Text(_) => true,
-            Self::Page(table) => table.is_complete,
+            Self::Page(table) => table.reach.is_complete(),
         }
     }
 
@@ -188,7 +195,7 @@ impl Content {
     pub fn text(&self) -> String {
         match self {
             Self::Runs(runs) => run::csv(runs),
-            Self::Page(table) => (table.csv)(),
+            Self::Page(table) => (table.csv)(table.reach),
             Self::Text(text) => text.clone(),
         }
     }

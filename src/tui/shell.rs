@@ -79,7 +79,7 @@ impl Shell {
         let worker = Worker::spawn(move |report| {
             // The loop may be over already.
             let _ = for_reports.send(Incoming::Message(Message::Report(report)));
-        })?;
+        });
         let (mut app, known) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
         let io_thread = IoThread::spawn(paths, known, effects::SESSION_DELAY, sender.clone())?;

@@ -67,6 +67,7 @@ fn take(app: &mut App, message: Message) {
 
 /// Alt and a key is how a terminal sends an Esc with the next key right behind it.
 fn keys(app: &mut App, key: KeyEvent) {
+    jobs::end_looks(app);
     if !key.modifiers.contains(KeyModifiers::ALT) {
         return press(app, key);
     }
@@ -269,6 +270,7 @@ pub(crate) fn clear(app: &mut App) -> bool {
 
 pub(crate) fn click(app: &mut App, target: Target) {
     app.notice = None;
+    jobs::end_looks(app);
     if let Some(dialog) = &mut app.dialog {
         if let Target::DialogRow(row) = target {
             dialog.click(row);

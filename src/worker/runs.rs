@@ -5,12 +5,13 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::reporter::{BETWEEN, Reporter};
 use super::studies::Found;
-use super::study::{BETWEEN, Reporter};
 use super::{JobProgress, ReportBody, Slot};
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::simulate::{self, Look, Settings};
+use crate::study::context::{Answer, Progress, Reach};
 
 /// A run that ends before this reports only that it has ended: no frame is spent on its beginning.
 const QUIET: Duration = Duration::from_millis(20);
@@ -58,7 +59,8 @@ pub(super) fn run(
         {
             // It is not to spend more than a small part of its time on them.
             pulse.pause = BETWEEN.max(PART_SHARE * reporter.elapsed().saturating_sub(pulse.asked));
-            (reporter.send)(ReportBody::Part(run.into()));
+            let (reach, elapsed) = (Reach::Partial(Progress::default()), reporter.elapsed());
+            (reporter.send)(ReportBody::Part(Answer { report: run.into(), reach, elapsed }));
         }
         ControlFlow::Continue(())
     };

@@ -5,14 +5,14 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::study::{BETWEEN, Lane, Reporter, RowsSoFar, Tempo};
+use super::reporter::{BETWEEN, Reporter, Tempo};
 use super::{Slot, clock, runs};
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, ComparisonOptions};
 use crate::study::compare::map::{Map as EfficiencyMap, usual_axes};
 use crate::study::compare::{self, Hardware};
-use crate::study::context::{Context, Progress};
+use crate::study::context::{Context, Progress, Threads};
 use crate::study::search::{front, seek};
 use crate::study::stability::map::{self, Map as StabilityCells, Wanted};
 use crate::study::sweep::grid::{self, Grid};
@@ -86,8 +86,8 @@ one_of! {
     Comparison(Comparison),
     Measurements(accuracy::Report),
     StabilityMap(StabilityCells),
-    StiffScenes(RowsSoFar<stability::Row>),
-    Claims(RowsSoFar<thesis::Row>),
+    StiffScenes(Vec<stability::Row>),
+    Claims(Vec<thesis::Row>),
     Search(SearchAnswer),
 }
 
@@ -158,19 +158,6 @@ pub struct Comparison {
 }
 
 impl Asked {
-    pub(super) fn lane(&self) -> Lane {
-        match self {
-            Self::Run(_) => Lane::Runs,
-            Self::Picture(_) | Self::Printed(_) => Lane::Sweeps,
-            Self::Measurements(_) | Self::StiffScenes(_) | Self::Claims(_) => Lane::Studies,
-            Self::Limit(_)
-            | Self::Spread(_)
-            | Self::EqualMass(_)
-            | Self::StabilityMap(_)
-            | Self::Search(_) => Lane::Searches,
-        }
-    }
-
     /// When it shows what it has so far.
     pub(super) fn tempo(&self) -> Tempo {
         match self {
@@ -185,7 +172,7 @@ impl Asked {
         scene: &Arc<Scene>,
         reporter: &Reporter<'_>,
     ) -> Result<Found, Box<dyn Error>> {
-        let threads = reporter.threads;
+        let threads = reporter.threads.clone();
         Ok(match self {
             Self::Run(asked) => runs::of_scene(asked.0, scene, reporter)?,
             Self::Picture(asked) => fill(&asked.plan, reporter)?,
@@ -211,16 +198,13 @@ impl Asked {
             }
             Self::StiffScenes(_) => {
                 let cases = stability::battery(false);
-                let watch = &mut reporter.watch(RowsSoFar::<stability::Row>::part);
-                // A run of an edited scene has its turn beside it.
-                let context = &mut Context::new(threads.min(2), watch);
-                let rows = stability::run(&cases, &reporter.clock(), context)?;
-                RowsSoFar::ended(rows, cases.len()).into()
+                let watch = &mut reporter.watch(<[stability::Row]>::to_vec);
+                let context = &mut Context::new(threads.at_most(2), watch);
+                stability::run(&cases, &reporter.clock(), context)?.into()
             }
             Self::Claims(_) => {
-                let watch = &mut reporter.watch(RowsSoFar::<thesis::Row>::part);
-                let rows = thesis::reproduce(&mut Context::new(threads, watch));
-                RowsSoFar::ended(rows, thesis::claims().count()).into()
+                let watch = &mut reporter.watch(<[thesis::Row]>::to_vec);
+                thesis::reproduce(&mut Context::new(threads, watch)).into()
             }
             Self::Search(asked) => {
                 let tell =
@@ -240,7 +224,7 @@ fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Erro
         let pass = pass.filter(|grid| !grid.is_complete());
         reporter.tell(progress, &|| pass.map(|grid| grid.clone().into()))
     };
-    Ok(grid.fill(grid::PIECE, &mut Context::new(reporter.threads, watch)).into())
+    Ok(grid.fill(grid::PIECE, &mut Context::new(reporter.threads.clone(), watch)).into())
 }
 
 /// Compares, then maps; a scene without such a map has none.
@@ -254,12 +238,13 @@ fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison,
     let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
     let context = &mut Context::new(1, watch);
     let report = compare::compare(scene, Hardware::default(), context)?;
+    let is_stopped = context.is_stopped();
     let first = Comparison { report, map: None };
-    let Some(axes) = axes.filter(|_| first.report.is_complete) else { return Ok(first) };
+    let Some(axes) = axes.filter(|_| !is_stopped) else { return Ok(first) };
     let part = || Some(first.clone().into());
     let done = whole - points;
     let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
-    let context = &mut Context::new(reporter.threads, watch);
+    let context = &mut Context::new(reporter.threads.clone(), watch);
     let map = EfficiencyMap::compute(scene, &axes, Hardware::default(), context).ok();
     Ok(Comparison { map, ..first })
 }
@@ -290,7 +275,7 @@ macro_rules! asked_and_found {
             pub fn run(
                 &self,
                 scene: &Scene,
-                threads: usize,
+                threads: impl Into<Threads>,
                 tell: &dyn Fn(Progress, &dyn Fn() -> Option<Found>) -> ControlFlow<()>,
             ) -> Result<SearchAnswer, SweepError> {
                 match self {

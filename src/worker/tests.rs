@@ -7,14 +7,18 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
+use super::reporter::Reporter;
 use super::runs::run;
-use super::studies::{Asked, Claims, Found, LimitSearch, Picture, PictureSweep, StiffScenes};
-use super::study::{Reporter, RowsSoFar};
-use super::{JobProgress, Report, ReportBody, SceneRun, Slot, Task, Worker};
+use super::studies::{
+    Asked, Claims, Found, LimitSearch, Picture, PictureSweep, SearchRequest, StiffScenes,
+};
+use super::{JobProgress, Page, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{self, Look};
-use crate::study::context::Context;
+use crate::study::context::{Answer, Context, Progress, Reach};
+use crate::study::monte_carlo;
+use crate::study::search::seek;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
 use crate::study::thesis::{Row, claims};
@@ -62,11 +66,12 @@ fn slow_run(
 }
 
 /// Shows its points as it counts them, and goes on until it is cancelled where it is endless.
-fn count_points(endless: bool, reporter: &Reporter<'_>) -> RowsSoFar<Row> {
+fn count_points(endless: bool, reporter: &Reporter<'_>) -> Vec<Row> {
     let watch = &mut reporter.watch(|done: &usize| rows(*done));
-    let context = &mut Context::new(reporter.threads, watch);
+    let context = &mut Context::new(reporter.threads.clone(), watch);
     let mut done = 0;
     while context.show(&done) && (endless || done < 3) {
+        context.expect(1);
         done += 1;
         context.count(1);
     }
@@ -74,14 +79,15 @@ fn count_points(endless: bool, reporter: &Reporter<'_>) -> RowsSoFar<Row> {
 }
 
 /// So many rows.
-fn rows(count: usize) -> RowsSoFar<Row> {
+fn rows(count: usize) -> Vec<Row> {
     let (computed, as_printed) = <(String, String)>::default();
     let row = Row { claim: claims().next().expect("one"), computed, as_printed, holds: true };
-    RowsSoFar { rows: vec![row; count], is_complete: false }
+    vec![row; count]
 }
 
 fn run_of(id: u64, slot: Slot, scene: Scene) -> Task {
-    Task { id, threads: 1, scene: Arc::new(scene), asked: SceneRun(slot).into() }
+    let (page, asked) = (Page::default(), SceneRun(slot).into());
+    Task { id, page, threads: 1, budget: None, scene: Arc::new(scene), asked }
 }
 
 fn job(id: u64, slot: Slot, title: &str) -> Task {
@@ -91,7 +97,7 @@ fn job(id: u64, slot: Slot, title: &str) -> Task {
 /// The run a report ends with, and the time it took.
 fn ended(body: ReportBody) -> (Arc<Run>, Duration) {
     match body {
-        ReportBody::Ended { found: Some(Found::Run(run)), took } => (run, took),
+        ReportBody::Ended(Some(Answer { report: Found::Run(run), elapsed, .. })) => (run, elapsed),
         other => panic!("not a run: {other:?}"),
     }
 }
@@ -101,7 +107,7 @@ fn start() -> (Worker, Receiver<Report>) {
     let sink = move |report| drop(send.send(report));
     let looks = AtomicU64::new(0);
     let clock = move || TICK * u32::try_from(looks.fetch_add(1, Ordering::Relaxed)).expect("few");
-    (Worker::with(Arc::new(clock), make, sink).expect("a thread"), receive)
+    (Worker::with(Arc::new(clock), make, sink), receive)
 }
 
 fn next(reports: &Receiver<Report>) -> Report {
@@ -143,24 +149,20 @@ fn a_running_job_is_cancelled_at_its_next_step_and_keeps_its_part() {
 }
 
 #[test]
-fn the_newest_job_of_a_slot_wins_over_running_and_waiting_ones() {
+fn the_newest_job_of_a_slot_wins_and_each_ends_once() {
     let (worker, reports) = start();
-    worker.submit(job(1, Slot::Current, "endless"));
-    await_started(&reports, 1);
-    worker.submit(job(2, Slot::Pin('A'), "pin"));
-    worker.submit(job(3, Slot::Pin('A'), "newer pin"));
-    let replaced = next_last(&reports);
-    assert_eq!(replaced.id, 2);
-    assert!(matches!(replaced.body, ReportBody::Ended { found: None, .. }));
-    worker.submit(job(4, Slot::Current, "newer"));
-    let ends: Vec<_> = (0..3)
-        .map(|_| {
+    for (slot, id) in [(Slot::Current, 1), (Slot::Pin('A'), 3)] {
+        worker.submit(job(id, slot, "endless"));
+        await_started(&reports, id);
+        worker.submit(job(id + 1, slot, "newer"));
+        let end = || {
             let report = next_last(&reports);
             (report.id, ended(report.body).0.end != EndReason::Cancelled)
-        })
-        .collect();
-    // The screen's scene goes before the pinned one.
-    assert_eq!(ends, [(1, false), (4, true), (3, true)]);
+        };
+        let mut ends = [end(), end()];
+        ends.sort_unstable();
+        assert_eq!(ends, [(id, false), (id + 1, true)]);
+    }
 }
 
 #[test]
@@ -169,18 +171,20 @@ fn a_job_of_another_slot_does_not_cancel() {
     worker.submit(job(1, Slot::Pin('A'), "endless"));
     await_started(&reports, 1);
     worker.submit(job(2, Slot::Pin('B'), "short"));
+    assert_eq!(next_last(&reports).id, 2);
     // Still alive long enough to make progress.
-    let report = next(&reports);
-    assert_eq!(report.id, 1);
+    let report = loop {
+        let report = next(&reports);
+        if report.id == 1 {
+            break report;
+        }
+    };
     assert!(
         matches!(report.body, ReportBody::Progress { progress: JobProgress::Time(t_s), .. } if t_s > 0.0),
         "{report:?}"
     );
     worker.cancel(1);
-    worker.cancel(2);
-    let mut ended = [next_last(&reports).id, next_last(&reports).id];
-    ended.sort_unstable();
-    assert_eq!(ended, [1, 2]);
+    assert_eq!(next_last(&reports).id, 1);
 }
 
 #[test]
@@ -214,7 +218,7 @@ fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not(
     let part = || loop {
         let report = next(&reports);
         assert_eq!(report.id, 1);
-        if let ReportBody::Part(Found::Run(run)) = report.body {
+        if let ReportBody::Part(Answer { report: Found::Run(run), .. }) = report.body {
             break run;
         }
     };
@@ -261,37 +265,68 @@ fn a_panic_is_reported_and_the_worker_lives_on() {
 fn study(id: u64, asked: impl Into<Asked>, endless: bool) -> Task {
     let title = if endless { "endless" } else { "short" }.to_owned();
     let scene = Arc::new(Scene { title, ..Scene::default() });
-    Task { id, threads: 2, scene, asked: asked.into() }
+    Task { id, page: Page(3), threads: 2, budget: None, scene, asked: asked.into() }
 }
 
 /// The number of rows in a report, if any.
 fn count(body: &ReportBody) -> Option<usize> {
-    Some(body.found::<RowsSoFar<Row>>()?.rows.len())
+    Some(body.found::<Vec<Row>>()?.report.len())
 }
 
 #[test]
-fn the_newest_study_of_a_type_wins_and_each_ends_once() {
+fn the_newest_study_of_a_page_wins_and_each_ends_once() {
     let (worker, reports) = start();
     worker.submit(study(1, Claims, true));
-    // Under way, so that it is not dropped unstarted.
     while count(&next(&reports).body).is_none() {}
     worker.submit(study(2, Claims, false));
-    let first = next_last(&reports);
-    assert!(first.id == 1 && count(&first.body).is_some());
-    let second = next_last(&reports);
-    assert_eq!((second.id, count(&second.body)), (2, Some(3)));
+    let end = || {
+        let report = next_last(&reports);
+        (report.id, count(&report.body).is_some(), count(&report.body) == Some(3))
+    };
+    let mut ends = [end(), end()];
+    ends.sort_unstable();
+    assert_eq!((ends[0].0, ends[0].1), (1, true));
+    assert_eq!(ends[1], (2, true, true));
 }
 
+/// No study waits for another one, of another type, another page, or another search.
 #[test]
-fn a_study_of_another_type_waits_in_its_lane_and_passes_in_another() {
+fn studies_of_other_slots_run_at_once() {
     let (worker, reports) = start();
+    let seek = SearchRequest::Seek(seek::Request {
+        over: Axis::new("d", (0.0, 0.5), 9, Spacing::Linear).unwrap(),
+        goal: "percent_of_baseline=60".parse().unwrap(),
+    });
+    let scatter = SearchRequest::MonteCarlo(monte_carlo::Request::default());
     worker.submit(study(1, Claims, true));
-    worker.submit(study(2, StiffScenes, false));
-    worker.submit(study(3, LimitSearch, false));
-    assert_eq!(next_last(&reports).id, 3);
+    worker.submit(study(2, scatter.clone(), true));
+    worker.submit(Task { page: Page(9), ..study(3, scatter, false) });
+    worker.submit(study(4, StiffScenes, false));
+    worker.submit(study(5, seek, false));
+    worker.submit(study(6, LimitSearch, false));
+    let mut ends: Vec<u64> = (0..4).map(|_| next_last(&reports).id).collect();
+    ends.sort_unstable();
+    assert_eq!(ends, [3, 4, 5, 6]);
     worker.cancel(1);
-    let ends = [next_last(&reports).id, next_last(&reports).id];
+    worker.cancel(2);
+    let mut ends = [next_last(&reports).id, next_last(&reports).id];
+    ends.sort_unstable();
     assert_eq!(ends, [1, 2]);
+}
+
+/// The clock moves by 5 ms with each look at it: a budget of 50 ms ends an endless study by itself.
+#[test]
+fn work_with_little_time_ends_by_itself_and_says_how_far_it_came() {
+    let (worker, reports) = start();
+    let budget = Some(Duration::from_millis(50));
+    worker.submit(Task { budget, ..study(1, Claims, true) });
+    let answer = next_last(&reports).body.found::<Vec<Row>>().expect("a part");
+    let Reach::Partial(Progress { done, .. }) = answer.reach else { panic!("{answer:?}") };
+    assert!(done > 0 && done == answer.report.len(), "{done}");
+    // Enough time: the whole.
+    let budget = Some(HANG);
+    worker.submit(Task { budget, ..study(2, Claims, false) });
+    assert!(next_last(&reports).body.found::<Vec<Row>>().expect("all").reach.is_complete());
 }
 
 #[test]
@@ -318,14 +353,15 @@ fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
     worker.submit(study(1, PictureSweep { picture: Picture::Surface, plan }, false));
     let part = loop {
         if let Some(part) = next(&reports).body.found::<Grid>() {
-            break part;
+            break part.report;
         }
     };
     let done = part.progress().0;
     assert!(done >= 25 * 25, "the coarsest pass at least: {done}");
     worker.cancel(1);
     let kept = next_last(&reports).body.found::<Grid>().expect("a grid");
-    assert!(!kept.is_complete() && kept.progress().0 >= done);
+    assert!(!kept.reach.is_complete() && !kept.report.is_complete());
+    assert!(kept.report.progress().0 >= done);
 }
 
 #[test]

@@ -9,6 +9,7 @@ use crate::model::run::{Run, envelope};
 use crate::model::scene::{Scene, Sweep};
 use crate::model::variables;
 use crate::report::table::{Table, pretty};
+use crate::study::context::Reach;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Evaluator, Plan, Point, Shard, Spacing};
 use crate::study::validity;
@@ -135,11 +136,11 @@ impl Sheet<'_> {
 }
 
 /// The points of a grid that are there as a whole CSV, in the order of the sweep.
-pub fn grid_csv(scene: &str, grid: &Grid) -> String {
+pub fn grid_csv(scene: &str, grid: &Grid, reach: Reach) -> String {
     let (points, found) = grid.points();
     let (plan, columns) = (grid.plan(), Columns::Chosen);
     let sheet = Sheet { plan, scene, columns, has_csv: true, has_json: false };
-    sheet.table(&points, &found, &[]).csv()
+    sheet.table(&points, &found, &[]).with_reach(reach).csv()
 }
 
 /// The end of the JSON, after the rows: how many there are, and whether these are all.

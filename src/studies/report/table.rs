@@ -9,6 +9,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
+use crate::study::context::Reach;
 
 const DIGITS: usize = 4;
 /// Blanks between two columns of a page.
@@ -137,6 +138,11 @@ impl<'c, R> Table<'c, R> {
     pub fn with_warnings(self, warnings: &[String]) -> Self {
         let text = warnings.join("; ");
         self.field("warnings", move |_| text.clone())
+    }
+
+    /// With the column `complete` in every row of an incomplete table.
+    pub fn with_reach(self, reach: Reach) -> Self {
+        if reach.is_complete() { self } else { self.field("complete", |_| false) }
     }
 
     /// As lines of a page, of the columns with these keys: a heading above its cells.

@@ -3,10 +3,11 @@
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use crate::model::simulate::Look;
 use crate::study::parallel;
-pub use crate::study::parallel::Work;
+pub use crate::study::parallel::{SharedCores, Threads, Work};
 
 /// Steps of a run after which a study looks again whether to stop: a run may have millions of steps.
 const LOOK: u64 = 64;
@@ -18,6 +19,53 @@ pub struct Progress {
     pub done: usize,
     /// About how many there are.
     pub total: usize,
+}
+
+/// Extent of a study: all of it, or the part done before it was stopped.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reach {
+    #[default]
+    /// The study ran to its end.
+    Complete,
+    /// The study was stopped with this progress.
+    Partial(Progress),
+}
+
+impl Reach {
+    /// Reach of a study with this progress, stopped or not.
+    pub fn new(is_stopped: bool, progress: Progress) -> Self {
+        if is_stopped { Self::Partial(progress) } else { Self::Complete }
+    }
+
+    /// Returns `true` if the study ran to its end.
+    pub fn is_complete(self) -> bool {
+        self == Self::Complete
+    }
+
+    /// `30 of 49 rows`: how far an incomplete study came; `None` for a complete one.
+    pub fn counted(self, items: &str) -> Option<String> {
+        let Self::Partial(Progress { done, total }) = self else { return None };
+        let items = if items.is_empty() { String::new() } else { format!(" {items}") };
+        Some(format!("{} of {total}{items}", done.min(total)))
+    }
+}
+
+/// Result of a study as its runner hands it over: the study itself does not record how far it came.
+#[derive(Clone, Debug)]
+pub struct Answer<T> {
+    /// Report of the study.
+    pub report: T,
+    /// Extent of the report.
+    pub reach: Reach,
+    /// Wall-clock time of the computation.
+    pub elapsed: Duration,
+}
+
+impl<T> Answer<T> {
+    /// The same about another report.
+    pub fn map<U>(self, make: impl FnOnce(T) -> U) -> Answer<U> {
+        Answer { report: make(self.report), reach: self.reach, elapsed: self.elapsed }
+    }
 }
 
 /// Receives the progress of a study, and the result so far where the study has parts to show. `Break` stops the study, which
@@ -54,15 +102,20 @@ impl CancelFlag {
 /// The context of a study whose parts are `P`.
 pub struct Context<'w, P: ?Sized = ()> {
     watch: Watch<'w, P>,
-    threads: usize,
+    threads: Threads,
     progress: Progress,
     stop: CancelFlag,
 }
 
 impl<'w, P: ?Sized> Context<'w, P> {
     /// A context on a given number of threads.
-    pub fn new(threads: usize, watch: Watch<'w, P>) -> Self {
-        Self { watch, threads, progress: Progress::default(), stop: CancelFlag::default() }
+    pub fn new(threads: impl Into<Threads>, watch: Watch<'w, P>) -> Self {
+        Self {
+            watch,
+            threads: threads.into(),
+            progress: Progress::default(),
+            stop: CancelFlag::default(),
+        }
     }
 
     /// Whether the study was stopped.
@@ -126,7 +179,8 @@ impl<'w, P: ?Sized> Context<'w, P> {
         worker: impl Fn() -> W + Sync,
         mut take: impl FnMut(&mut Self, Range<u64>, T) -> bool,
     ) {
-        let _ = parallel::map(self.threads, work, worker, |news| {
+        let threads = self.threads.clone();
+        let _ = parallel::map(&threads, work, worker, |news| {
             let goes_on = match news {
                 Some((piece, result)) => take(self, piece, result),
                 None => self.goes_on(),
@@ -171,7 +225,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
 
     /// Work whose own pieces do not count, since it is one piece of this study.
     pub fn uncounted<T>(&mut self, work: impl FnOnce(&mut Context<'_>) -> T) -> T {
-        let threads = self.threads;
+        let threads = self.threads.clone();
         work(&mut Context::new(threads, &mut |_, _| self.flow()))
     }
 }
@@ -208,7 +262,7 @@ mod tests {
         context.expect(4);
         let ask = |inner: &mut Context<'_>| {
             inner.count(7);
-            inner.threads == 2 && inner.goes_on()
+            inner.threads.now() == 2 && inner.goes_on()
         };
         assert!(context.uncounted(ask));
         context.count(2);

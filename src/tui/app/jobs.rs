@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
+use crate::study::context::Answer;
 use crate::study::parallel::cores;
 use crate::tui::app::notice::Notice;
 use crate::tui::app::pins::{Pin, Shown};
@@ -13,13 +14,17 @@ use crate::tui::app::running::Running;
 use crate::tui::message::Message;
 use crate::tui::prelude::*;
 use crate::worker::studies::{Asked, AskedFor, Found};
-use crate::worker::{JobProgress, Report, ReportBody, SceneRun, Slot, Task};
+use crate::worker::{JobProgress, Page, Report, ReportBody, SceneRun, Slot, Task};
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);
 
 /// From this on, counted from its first report, a job is too long to be dropped without confirmation.
 pub(crate) const LONG: Duration = Duration::from_secs(5);
+
+/// Time of a study that is begun by looking at its page, s: with one thread and the 20 ms between two checks of a long piece it takes
+/// less than 0.2 s of processor time. The rest waits for a key.
+pub(crate) const LOOK: Duration = Duration::from_millis(160);
 
 /// The message about a study that a person stopped.
 pub(crate) const CANCELLED: &str = "cancelled: partial results are shown, <run> runs again";
@@ -48,7 +53,7 @@ fn await_quiet(app: &mut App) {
 
 fn submit(app: &mut App) {
     let scene = Arc::clone(&app.scene);
-    app.jobs.current = Some(task(app, Tab::Run, &scene, SceneRun(Slot::Current).into()));
+    app.jobs.current = Some(task(app, Tab::Run, &scene, SceneRun(Slot::Current).into(), None));
 }
 
 /// Submit every pin that has neither result nor job.
@@ -56,32 +61,102 @@ pub(crate) fn submit_pins(app: &mut App) {
     for at in 0..app.pins.len() {
         let Pin { letter, scene, run: None, job: None, .. } = &app.pins[at] else { continue };
         let (letter, scene) = (*letter, Arc::clone(scene));
-        let job = task(app, Tab::Run, &scene, SceneRun(Slot::Pin(letter)).into());
+        let job = task(app, Tab::Run, &scene, SceneRun(Slot::Pin(letter)).into(), None);
         app.pins[at].job = Some(job.id);
     }
 }
 
-/// Submit a study of the scene for the tab shown; an older one of its type is replaced.
-pub(crate) fn study<S: AskedFor + Into<Asked>>(app: &mut App, study: S) {
-    study_of(app, &Arc::clone(&app.scene), study);
+/// Runs the scene again by a key; a long run of it is ended only after a question.
+pub(crate) fn rerun(app: &mut App, action: Action) {
+    let id = app.jobs.current.as_ref().map(|job| job.id);
+    if may_end(app, id, action) {
+        run_now(app);
+    }
 }
 
-pub(crate) fn study_of<S: AskedFor + Into<Asked>>(app: &mut App, scene: &Arc<Scene>, study: S) {
-    app.jobs.take::<S>();
-    let running = task(app, app.tab, scene, study.into());
+/// Submits a study of the scene for the tab shown, as requested by a key.
+pub(crate) fn study<S: AskedFor + Into<Asked>>(app: &mut App, action: Action, study: S) {
+    study_of(app, action, &Arc::clone(&app.scene), study);
+}
+
+/// Submits a study of another scene. The older one of its slot is replaced; a long one only after a question.
+pub(crate) fn study_of<S>(app: &mut App, action: Action, scene: &Arc<Scene>, study: S)
+where
+    S: AskedFor + Into<Asked>,
+{
+    let asked = study.into();
+    let id = app.jobs.slot(app.tab, &asked).map(|running| running.id);
+    if may_end(app, id, action) {
+        begin(app, scene, asked, None);
+    }
+}
+
+/// Submits a study of the scene because its page is shown. It has little time, a thread, and never ends a long one.
+pub(crate) fn look<S: AskedFor + Into<Asked>>(app: &mut App, time: Duration, study: S) {
+    look_at(app, time, &Arc::clone(&app.scene), study);
+}
+
+/// The same for another scene.
+pub(crate) fn look_at<S>(app: &mut App, time: Duration, scene: &Arc<Scene>, study: S)
+where
+    S: AskedFor + Into<Asked>,
+{
+    let asked = study.into();
+    let id = app.jobs.slot(app.tab, &asked).map(|running| running.id);
+    if !id.is_some_and(|id| app.jobs.is_long(id)) {
+        begin(app, scene, asked, Some(time));
+    }
+}
+
+/// Ends what was begun by looking: a key has been pressed.
+pub(crate) fn end_looks(app: &mut App) {
+    let looks = app.jobs.studies.iter().filter(|running| running.is_look);
+    let ends: Vec<Effect> = looks.map(|running| Effect::Cancel(running.id)).collect();
+    app.effects.extend(ends);
+}
+
+/// Whether a job may be ended by this key: a long one only when the key is pressed again.
+pub(crate) fn may_end(app: &mut App, id: Option<u64>, action: Action) -> bool {
+    let is_long = id.is_some_and(|id| app.jobs.is_long(id));
+    if is_long && app.jobs.asked != Some(action) {
+        app.jobs.asked = Some(action);
+        let key = app.keymap.label(action);
+        let text = format!(
+            "a job has been running for more than 5 s: {key} again ends it, <back> keeps what is finished"
+        );
+        app.say(Severity::Warning, text);
+        return false;
+    }
+    app.jobs.asked = None;
+    true
+}
+
+/// Submits a study in place of the older one of its slot.
+fn begin(app: &mut App, scene: &Arc<Scene>, asked: Asked, budget: Option<Duration>) {
+    app.jobs.take_slot(app.tab, &asked);
+    let running = task(app, app.tab, scene, asked, budget);
     app.request(Effect::After(LONG, Message::LongJob(running.id)));
     app.jobs.studies.push(running);
 }
 
 /// Submit a task.
-fn task(app: &mut App, tab: Tab, scene: &Arc<Scene>, asked: Asked) -> Running {
+fn task(
+    app: &mut App,
+    tab: Tab,
+    scene: &Arc<Scene>,
+    asked: Asked,
+    budget: Option<Duration>,
+) -> Running {
     app.jobs.last_id += 1;
     let (id, scene) = (app.jobs.last_id, Arc::clone(scene));
     // A run cannot be divided.
-    let threads = if matches!(asked, Asked::Run(_)) { 1 } else { cores() };
-    let task = Task { id, threads, scene: Arc::clone(&scene), asked: asked.clone() };
+    let is_single = matches!(asked, Asked::Run(_)) || budget.is_some();
+    let threads = if is_single { 1 } else { cores() };
+    let page = Page(tab.index());
+    let task = Task { id, page, threads, budget, scene: Arc::clone(&scene), asked: asked.clone() };
     app.request(Effect::Submit(task));
-    Running { id, tab, scene, asked, points: None, reached: None }
+    let is_look = budget.is_some();
+    Running { id, tab, is_look, scene, asked, points: None, reached: None }
 }
 
 /// A report of a study, with the study as it is now.
@@ -139,7 +214,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             }
             return;
         }
-        ReportBody::Part(Found::Run(run)) => {
+        ReportBody::Part(Answer { report: Found::Run(run), .. }) => {
             app.shown = Some(Shown { run, took: None });
             return;
         }
@@ -148,14 +223,14 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             app.jobs.failure = Some(text.clone());
             app.refuse(text);
         }
-        ReportBody::Ended { found: Some(Found::Run(run)), took } => {
-            let took = Some(took).filter(|_| run.end != EndReason::Cancelled);
+        ReportBody::Ended(Some(Answer { report: Found::Run(run), elapsed, .. })) => {
+            let took = Some(elapsed).filter(|_| run.end != EndReason::Cancelled);
             if took.is_none() {
                 app.tell(CANCELLED);
             }
             show(app, &run, took);
         }
-        ReportBody::Ended { .. } => app.tell("cancelled: <run> runs again"),
+        ReportBody::Ended(_) => app.tell("cancelled: <run> runs again"),
     }
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;
@@ -182,7 +257,7 @@ fn pin(app: &mut App, at: usize, body: ReportBody) {
         pin.job = None;
     }
     match body {
-        ReportBody::Ended { found: Some(Found::Run(run)), .. } => {
+        ReportBody::Ended(Some(Answer { report: Found::Run(run), .. })) => {
             // A part would be taken for the result, and never computed again.
             pin.run = Some(run).filter(|run| run.end != EndReason::Cancelled);
         }
@@ -190,6 +265,6 @@ fn pin(app: &mut App, at: usize, body: ReportBody) {
             let text = format!("pinned run {}: {text}", pin.letter);
             app.refuse(text);
         }
-        ReportBody::Progress { .. } | ReportBody::Part(_) | ReportBody::Ended { .. } => {}
+        ReportBody::Progress { .. } | ReportBody::Part(_) | ReportBody::Ended(_) => {}
     }
 }

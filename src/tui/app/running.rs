@@ -4,9 +4,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::scene::Scene;
+use crate::study::context::{Answer, Reach};
 use crate::tui::keymap::{Action, Tab};
-use crate::worker::ReportBody;
 use crate::worker::studies::{Asked, AskedFor, Finding};
+use crate::worker::{Page, ReportBody};
 
 /// A task that has not ended.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct Running {
     pub id: u64,
     /// The tab that requested it.
     pub tab: Tab,
+    /// It was begun by looking at its page.
+    pub is_look: bool,
     pub scene: Arc<Scene>,
     pub asked: Asked,
     /// Points done and in all, once known.
@@ -23,6 +26,11 @@ pub struct Running {
 }
 
 impl Running {
+    fn is_in_slot(&self, tab: Tab, asked: &Asked) -> bool {
+        let slot = |tab: Tab, asked: &Asked| asked.slot(Page(tab.index()));
+        slot(self.tab, &self.asked) == slot(tab, asked)
+    }
+
     /// `: 12 of 30`; empty where nothing is known yet.
     pub fn counted(&self, of: &str, what: &str) -> String {
         let count =
@@ -57,10 +65,24 @@ impl Jobs {
         self.studies.iter().find_map(|running| Some((running, &**S::of(&running.asked)?)))
     }
 
-    /// Forget the study of this type: nothing it reports is shown any more.
-    pub fn take<S: AskedFor>(&mut self) -> Option<Running> {
-        let at = self.studies.iter().position(|running| S::of(&running.asked).is_some())?;
-        Some(self.studies.remove(at))
+    /// The study in the slot of a request by a tab.
+    pub fn slot(&self, tab: Tab, asked: &Asked) -> Option<&Running> {
+        self.studies.iter().find(|running| running.is_in_slot(tab, asked))
+    }
+
+    /// Forgets the study in the slot of a request: nothing that it reports is shown any more.
+    pub fn take_slot(&mut self, tab: Tab, asked: &Asked) {
+        self.studies.retain(|running| !running.is_in_slot(tab, asked));
+    }
+
+    /// Forgets a study: nothing that it reports is shown any more.
+    pub fn forget(&mut self, id: u64) {
+        self.studies.retain(|running| running.id != id);
+    }
+
+    /// Whether a job has been running for so long that it is ended only after a question.
+    pub fn is_long(&self, id: u64) -> bool {
+        self.long.contains(&id)
     }
 
     /// The study of this type that has not ended.
@@ -71,7 +93,7 @@ impl Jobs {
     /// Whether the result of a study of this type for a scene is neither kept nor under way.
     pub fn lacks<S: AskedFor, T>(&self, kept: &Kept<T>, scene: &Scene) -> bool {
         let is_coming = self.running::<S>().is_some_and(|running| *running.scene == *scene);
-        !kept.is_there(scene) && !is_coming
+        !kept.is_settled(scene) && !is_coming
     }
 }
 
@@ -81,35 +103,36 @@ pub struct Kept<T> {
     pub scene: Arc<Scene>,
     pub asked: Option<Asked>,
     pub found: Option<Arc<T>>,
-    pub is_complete: bool,
-    /// How long it took; `None` while more of it follows: it is neither complete nor stopped by a person.
+    pub reach: Reach,
+    /// It was begun by looking at its page.
+    pub is_look: bool,
+    /// How long it took; `None` while more of it follows: it is neither complete nor stopped.
     pub took: Option<Duration>,
 }
 
 impl<T> Default for Kept<T> {
     fn default() -> Self {
-        let (scene, asked, found, is_complete, took) = Default::default();
-        Self { scene, asked, found, is_complete, took }
+        let (scene, asked, found, reach, is_look, took) = Default::default();
+        Self { scene, asked, found, reach, is_look, took }
     }
 }
 
 impl<T> Kept<T> {
-    /// Keep what a report brings, if it has this type; gives whether it did.
-    pub(crate) fn keep(
-        &mut self,
-        running: &Running,
-        news: &ReportBody,
-        is_complete: impl FnOnce(&T) -> bool,
-    ) -> bool
+    /// Keeps the answer of a report, if it has this type; returns whether it did.
+    pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) -> bool
     where
         T: Finding,
     {
-        let Some(found) = news.found::<T>() else { return false };
-        let is_complete = is_complete(&found);
+        let Some(Answer { report, reach, elapsed }) = news.found::<T>() else { return false };
         let (scene, asked) = (Arc::clone(&running.scene), Some(running.asked.clone()));
-        let took = if let ReportBody::Ended { took, .. } = news { Some(*took) } else { None };
-        *self = Self { scene, asked, found: Some(found), is_complete, took };
+        let (found, took) = (Some(report), news.is_last().then_some(elapsed));
+        *self = Self { scene, asked, found, reach, is_look: running.is_look, took };
         true
+    }
+
+    /// Whether all of it is there.
+    pub fn is_complete(&self) -> bool {
+        self.found.is_some() && self.reach.is_complete()
     }
 
     /// Whether it belongs to another scene than this one.
@@ -117,8 +140,13 @@ impl<T> Kept<T> {
         self.found.is_some() && *self.scene != *scene
     }
 
-    /// Whether it belongs to a scene and need not be computed: what a person stopped waits for the key that runs it again.
-    pub fn is_there(&self, scene: &Scene) -> bool {
-        self.found.is_some() && self.took.is_some() && *self.scene == *scene
+    /// Whether no more of it is computed by looking at its page: a study that a person stopped waits for the key that runs it again.
+    pub fn is_over(&self) -> bool {
+        self.took.is_some() && (self.is_complete() || !self.is_look)
+    }
+
+    /// The same for a scene.
+    pub fn is_settled(&self, scene: &Scene) -> bool {
+        self.found.is_some() && self.is_over() && *self.scene == *scene
     }
 }

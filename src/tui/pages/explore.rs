@@ -61,9 +61,9 @@ impl Page for ExploreTab {
             return;
         }
         // What a person stopped waits for the key that runs it again.
-        let found = app.pages.explore.found().filter(|_| app.pages.explore.result.took.is_some());
+        let found = app.pages.explore.found().filter(|_| app.pages.explore.result.is_over());
         if !found.is_some_and(|grid| Some(&**grid.plan()) == wanted) {
-            return compute(app);
+            return compute(app, None);
         }
         app.pages.explore.problem = None;
         // The setup is again what is shown: what was requested meanwhile would replace it.
@@ -76,7 +76,7 @@ impl Page for ExploreTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match action {
-            Action::Run => compute(app),
+            Action::Run => compute(app, Some(action)),
             Action::Mark => runs::pin_design(app, app.sweep_design()),
             _ if app.pane() == SETUP => return false,
             Action::View => {
@@ -106,13 +106,14 @@ impl Page for ExploreTab {
             _ if app.sweep_is_old() => part(Severity::Warning, old("scene")),
             (None, None) => part(Severity::Note, NO_RESULTS),
             (None, Some(grid)) => {
-                let (done, total) = grid.progress();
-                match app.pages.explore.result.took.filter(|_| grid.is_complete()) {
+                let total = grid.progress().1;
+                let kept = &app.pages.explore.result;
+                match kept.took.filter(|_| kept.is_complete()) {
                     Some(took) => {
                         let took = show_duration(took);
                         part(Severity::Note, format!("{total} points in {took}"))
                     }
-                    None => cut(&format!(" after {done} of {total} points")),
+                    None => cut(kept, "points"),
                 }
             }
         };
@@ -136,7 +137,8 @@ impl Page for ExploreTab {
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         if PrintedSweep::of(&running.asked).is_some() {
-            app.pages.explore.printed = news.found::<Grid>().filter(|grid| grid.is_complete());
+            let printed = news.found::<Grid>().filter(|answer| answer.reach.is_complete());
+            app.pages.explore.printed = printed.map(|answer| answer.report);
             // Said until someone moves over the figure; after that the legend names them.
             let found = app.pages.explore.found().filter(|_| app.pages.explore.cursor.is_none());
             let differs =
@@ -150,7 +152,7 @@ impl Page for ExploreTab {
         }
         let tab = &mut app.pages.explore;
         let before = tab.found().map(|grid| Arc::clone(grid.plan()));
-        if tab.result.keep(running, news, Grid::is_complete)
+        if tab.result.keep(running, news)
             && let Some(grid) = &tab.result.found
             && before.is_none_or(|plan| plan.axes() != grid.plan().axes())
         {
@@ -162,10 +164,10 @@ impl Page for ExploreTab {
                 app.pages.explore.problem =
                     Some("this cannot be swept: press <run> to see why".to_owned());
             }
-            ReportBody::Ended { found: Some(_), .. } if !app.pages.explore.result.is_complete => {
+            ReportBody::Ended(Some(answer)) if !answer.reach.is_complete() && !running.is_look => {
                 app.tell(jobs::CANCELLED);
             }
-            ReportBody::Progress { .. } | ReportBody::Ended { .. } | ReportBody::Part(_) => {}
+            ReportBody::Progress { .. } | ReportBody::Ended(_) | ReportBody::Part(_) => {}
         }
     }
 
@@ -176,12 +178,13 @@ impl Page for ExploreTab {
         let file = format!("{}.csv", names.join("-"));
         let sweep = Some(Columns::Chosen.sweep(plan));
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&kept.scene) });
-        let (is_complete, (done, total)) = (kept.is_complete, grid.progress());
-        let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
+        let (reach, (done, total)) = (kept.reach, grid.progress());
+        let is_part = !reach.is_complete();
+        let missing = is_part.then(|| format!("not complete: {done} of {total} points"));
         let notes = export::sweep_notes(plan, missing.as_deref());
         let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
-        let csv = move || sweep::grid_csv(&name, &grid);
-        let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
+        let csv = move |reach| sweep::grid_csv(&name, &grid, reach);
+        let table = PageTable::new("Export the sweep to CSV", file, reach, csv);
         Some(table.of(app, &scene, "sweep").noted(notes))
     }
 
@@ -209,13 +212,17 @@ impl Page for ExploreTab {
     }
 }
 
-/// Forget the sweep under way.
+/// Forget the sweep under way; a long one goes on, to be ended by a key.
 fn stop(app: &mut App) {
-    let before = app.jobs.take::<PictureSweep>();
-    app.effects.extend(before.map(|job| Effect::Cancel(job.id)));
+    let id = app.jobs.running::<PictureSweep>().map(|job| job.id);
+    if let Some(id) = id.filter(|id| !app.jobs.is_long(*id)) {
+        app.jobs.forget(id);
+        app.request(Effect::Cancel(id));
+    }
 }
 
-pub(crate) fn compute(app: &mut App) {
+/// Sweeps as requested by a key, or as far as a look goes.
+fn compute(app: &mut App, by: Option<Action>) {
     match app.sweep_plan() {
         Err(error) => {
             stop(app);
@@ -226,10 +233,22 @@ pub(crate) fn compute(app: &mut App) {
         Ok(plan) => {
             app.pages.explore.problem = None;
             let sweep = PictureSweep { picture: app.picture(), plan: Arc::new(plan) };
-            jobs::study(app, sweep);
             app.pages.explore.printed = None;
-            if let Some(plan) = app.printed_plan() {
-                jobs::study(app, PrintedSweep(Arc::new(plan)));
+            let printed = app.printed_plan().map(|plan| PrintedSweep(Arc::new(plan)));
+            match by {
+                Some(action) => {
+                    jobs::study(app, action, sweep);
+                    // Of a long sweep that a question keeps, its other curves stay, too.
+                    if let Some(printed) = printed.filter(|_| app.jobs.asked.is_none()) {
+                        jobs::study(app, action, printed);
+                    }
+                }
+                None => {
+                    jobs::look(app, jobs::LOOK / (1 + u32::from(printed.is_some())), sweep);
+                    if let Some(printed) = printed {
+                        jobs::look(app, jobs::LOOK / 2, printed);
+                    }
+                }
             }
         }
     }

@@ -6,14 +6,14 @@ pub mod state;
 
 use crate::model::run::envelope;
 use crate::report::{self, limit};
-use crate::study::compare::{self, map::Map};
+use crate::study::compare;
 use crate::study::limit::COMMAND;
 use crate::study::monte_carlo;
 use crate::study::validity;
 use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
-use crate::worker::studies::{Comparison, EqualMass, LimitSearch, Spread};
+use crate::worker::studies::{EqualMass, LimitSearch, Spread};
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 
@@ -43,18 +43,18 @@ impl Page for LimitTab {
 
     fn enter(&self, app: &mut App) {
         if app.lacks_limit() {
-            jobs::study(app, LimitSearch);
+            jobs::look(app, jobs::LOOK / 2, LimitSearch);
         }
         if app.jobs.lacks::<EqualMass, _>(&app.pages.limit.comparison, &app.scene) {
-            jobs::study(app, EqualMass);
+            jobs::look(app, jobs::LOOK / 2, EqualMass);
         }
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (app.pane(), action) {
-            (RESIDUAL, A::Run) => jobs::study(app, LimitSearch),
-            (_, A::Run) => jobs::study(app, EqualMass),
-            (RESIDUAL, A::View) => jobs::study(app, Spread(monte_carlo::Request::v50())),
+            (RESIDUAL, A::Run) => jobs::study(app, action, LimitSearch),
+            (_, A::Run) => jobs::study(app, action, EqualMass),
+            (RESIDUAL, A::View) => jobs::study(app, action, Spread(monte_carlo::Request::v50())),
             _ => return false,
         }
         true
@@ -75,10 +75,13 @@ impl Page for LimitTab {
         }
         let scene = app.limit_scene(&tab.report.scene);
         let shots = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
-        let finding = progress::<LimitSearch, _>(app, &tab.report, &scene, shots, "");
+        let finding = progress::<LimitSearch, _>(app, &tab.report, &scene, shots, "shots");
         let mut parts = vec![finding.unwrap_or_else(done)];
         let sampling = |it: &Running| format!("V50{}", it.counted("of", " samples"));
         parts.extend(app.jobs.running::<Spread>().map(|it| under_way(&sampling(it))));
+        let spread = Some(&tab.spread).filter(|it| it.found.is_some() && !it.is_complete());
+        let is_shown = app.jobs.running::<Spread>().is_none();
+        parts.extend(spread.filter(|_| is_shown).map(|it| cut(it, "samples of V50")));
         if let Some(report) = &tab.report.found {
             let comparing = app.jobs.running::<EqualMass>();
             parts.extend(comparing.map(|it| under_way(&words(it))));
@@ -96,11 +99,9 @@ impl Page for LimitTab {
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         let tab = &mut app.pages.limit;
-        tab.report.keep(running, news, |report| report.is_complete);
-        tab.spread.keep(running, news, |spread| spread.is_complete);
-        let is_whole =
-            |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
-        tab.comparison.keep(running, news, is_whole);
+        tab.report.keep(running, news);
+        tab.spread.keep(running, news);
+        tab.comparison.keep(running, news);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
@@ -108,29 +109,31 @@ impl Page for LimitTab {
         if app.pane() == RESIDUAL {
             let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
             let name = app.name_of(&limit.scene);
-            let csv = move || {
+            let csv = move |reach| {
                 let warnings = limit::warnings(&report);
-                limit::shots(&name, &report).with_warnings(&warnings).csv()
+                limit::shots(&name, &report).with_warnings(&warnings).with_reach(reach).csv()
             };
             let title = "Export the shots to CSV";
-            let table = PageTable::new(title, "limit.csv", limit.is_complete, csv);
+            let table = PageTable::new(title, "limit.csv", limit.reach, csv);
             return Some(table.of(app, &limit.scene, COMMAND));
         }
         let (found, name) = (comparison.found.clone()?, app.name_of(&comparison.scene));
         let mut request = compare::Request::default();
         let table = if app.pane() == COMPARISON {
-            let is_complete = found.report.is_complete;
-            let csv = move || {
+            // The map comes after the comparison.
+            let is_there = found.map.is_some();
+            let reach = if is_there { Reach::Complete } else { comparison.reach };
+            let csv = move |reach| {
                 let warnings = validity::of_scene(&found.report.scene);
-                report::compare::table(&name, &found.report).with_warnings(&warnings).csv()
+                let table = report::compare::table(&name, &found.report);
+                table.with_warnings(&warnings).with_reach(reach).csv()
             };
-            PageTable::new("Export the comparison to CSV", "compare.csv", is_complete, csv)
+            PageTable::new("Export the comparison to CSV", "compare.csv", reach, csv)
         } else {
             let map = found.map.clone()?;
             request.map = Some([map.x().clone(), map.y().clone()]);
-            let is_complete = map.is_complete();
-            let csv = move || report::compare::map_table(&name, &map).csv();
-            PageTable::new("Export the map to CSV", "mass-efficiency.csv", is_complete, csv)
+            let csv = move |reach| report::compare::map_table(&name, &map).with_reach(reach).csv();
+            PageTable::new("Export the map to CSV", "mass-efficiency.csv", comparison.reach, csv)
         };
         Some(table.of(app, &comparison.scene, request.to_string()))
     }

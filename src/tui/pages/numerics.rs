@@ -90,17 +90,18 @@ impl Page for NumericsTab {
             ACCURACY => {
                 let kept = &tab.accuracy.report;
                 let (report, name) = (kept.found.clone()?, app.name_of(&kept.scene));
-                let csv = move || accuracy_table::table(&name, &report).csv();
+                let csv =
+                    move |reach| accuracy_table::table(&name, &report).with_reach(reach).csv();
                 let title = "Export the measurements to CSV";
-                let table = PageTable::new(title, "accuracy.csv", kept.is_complete, csv);
+                let table = PageTable::new(title, "accuracy.csv", kept.reach, csv);
                 table.of(app, &kept.scene, "accuracy")
             }
             STIFF_SCENES => {
                 let kept = &tab.stability.battery;
-                let found = kept.found.clone().filter(|found| !found.rows.is_empty())?;
-                let csv = move || stability_table::table(&found.rows).csv();
+                let found = kept.found.clone().filter(|found| !found.is_empty())?;
+                let csv = move |reach| stability_table::table(&*found).with_reach(reach).csv();
                 let title = "Export the stiff scenes to CSV";
-                PageTable::new(title, "battery.csv", kept.is_complete, csv)
+                PageTable::new(title, "battery.csv", kept.reach, csv)
             }
             _ => {
                 let kept = &tab.stability.map;
@@ -109,10 +110,11 @@ impl Page for NumericsTab {
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
                 let warnings = library::warnings(&kept.scene).map(str::to_owned);
                 let warnings: Vec<String> = warnings.collect();
-                let csv =
-                    move || stability_table::map_table(&name, &map).with_warnings(&warnings).csv();
-                let table =
-                    PageTable::new("Export the map to CSV", "map.csv", kept.is_complete, csv);
+                let csv = move |reach| {
+                    let table = stability_table::map_table(&name, &map);
+                    table.with_warnings(&warnings).with_reach(reach).csv()
+                };
+                let table = PageTable::new("Export the map to CSV", "map.csv", kept.reach, csv);
                 table.of(app, &kept.scene, command)
             }
         })

@@ -8,6 +8,7 @@ pub(crate) mod prelude {
     pub(crate) use super::{BEING_COMPUTED, cut, note, nothing, progress, under_way};
     pub(crate) use crate::model::scene::Scene;
     pub(crate) use crate::model::units::significant;
+    pub(crate) use crate::study::context::Reach;
     pub(crate) use crate::tui::app::notice::{StatusPart, old, part};
     pub(crate) use crate::tui::app::running::Running;
     pub(crate) use crate::tui::app::{edit, jobs};
@@ -52,9 +53,11 @@ pub(crate) fn under_way(what: &str) -> StatusPart {
     part(Severity::Note, format!("{what} (<back> cancels)"))
 }
 
-/// The words for what was stopped before its end; how far it came.
-pub(crate) fn cut(after: &str) -> StatusPart {
-    part(Severity::Warning, format!("cancelled{after}: press <run>"))
+/// The words for what was stopped before its end, by a person or since it was only looked at; how far it came.
+pub(crate) fn cut<T>(kept: &Kept<T>, items: &str) -> StatusPart {
+    let reach = kept.reach.counted(items).map_or_else(String::new, |it| format!(" ({it})"));
+    let what = if kept.is_look { "first look" } else { "cancelled" };
+    part(Severity::Warning, format!("{what}: press <run>{reach}"))
 }
 
 /// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
@@ -63,13 +66,13 @@ pub(crate) fn progress<S: AskedFor, T>(
     kept: &Kept<T>,
     scene: &Scene,
     words: impl FnOnce(&Running) -> String,
-    after: &str,
+    items: &str,
 ) -> Option<StatusPart> {
     match app.jobs.running::<S>() {
         Some(running) => Some(under_way(&words(running))),
         None if kept.is_old(scene) => Some(part(Severity::Warning, old("scene"))),
         None if kept.found.is_none() => Some(part(Severity::Note, NO_RESULTS)),
-        None => (!kept.is_complete).then(|| cut(after)),
+        None => (!kept.is_complete()).then(|| cut(kept, items)),
     }
 }
 

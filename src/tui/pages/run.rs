@@ -67,7 +67,7 @@ impl Page for RunTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (action, app.pane()) {
-            (Action::Run, _) => jobs::run_now(app),
+            (Action::Run, _) => jobs::rerun(app, action),
             (Action::Enter, CHARTS) => return self.act(app, Action::FullPane),
             (Action::FullPane, pane) => {
                 // A list of variables is no better alone: the chart is meant.

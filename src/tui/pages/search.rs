@@ -127,17 +127,19 @@ impl Page for SearchTab {
 
     fn enter(&self, app: &mut App) {
         let tab = &app.pages.search;
-        let there = tab.shown().is_some() || app.jobs.running::<SearchRequest>().is_some();
-        if there {
+        let kept = &tab.found[tab.page as usize];
+        let is_there = app.searching(tab.page).is_some() || kept.found.is_some() && kept.is_over();
+        if is_there {
             follow(app);
-        } else {
-            look(app);
+        } else if tab.page != state::Page::Front {
+            // A front takes seconds, and has no coarse form: it starts on request only.
+            search(app, None);
         }
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match action {
-            Action::Run => look(app),
+            Action::Run => search(app, Some(action)),
             _ if app.pane() == SETUP => return false,
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),
@@ -159,18 +161,18 @@ impl Page for SearchTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.search;
-        let running = app.jobs.study::<SearchRequest>();
+        let running = app.searching(tab.page);
         let answer = tab.answer().filter(|_| running.is_none());
         let own = answer.filter(|_| !app.search_is_old());
+        let kept = &tab.found[tab.page as usize];
         let first = match running {
-            Some((running, request)) if state::Page::of(request) == tab.page => {
+            Some(running) => {
                 let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
                 under_way(&format!("searching{counted}"))
             }
-            Some(_) => under_way("another search is running"),
             None if answer.is_some() && own.is_none() => part(Severity::Warning, old("setup")),
-            None if own.is_some_and(Answer::is_complete) => part(Severity::Note, "done"),
-            None if own.is_some() => cut(""),
+            None if own.is_some() && kept.is_complete() => part(Severity::Note, "done"),
+            None if own.is_some() => cut(kept, "runs"),
             None if tab.problem().is_some() => part(Severity::Error, "this cannot be searched for"),
             None => part(Severity::Note, NO_RESULTS),
         };
@@ -184,19 +186,10 @@ impl Page for SearchTab {
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         let Some(request) = SearchRequest::of(&running.asked) else { return };
         let (tab, page) = (&mut app.pages.search, state::Page::of(request) as usize);
-        // A page that was turned to meanwhile has its turn, unless a person wants the searching to stop.
-        let waits = tab.page as usize != page && app.tab == Tab::Search;
         if let ReportBody::Failed(text) = news {
             tab.problem[page] = Some(text.clone());
-            if waits {
-                self.enter(app);
-            }
-        } else if tab.found[page].keep(running, news, |it| it.answer().is_complete())
-            && news.is_last()
-            && tab.found[page].is_complete
-            && waits
-        {
-            self.enter(app);
+        } else {
+            tab.found[page].keep(running, news);
         }
     }
 
@@ -205,9 +198,9 @@ impl Page for SearchTab {
         let (answer, scene) = (kept.found.clone()?, Arc::clone(&kept.scene));
         let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
         let name = app.name_of(&scene);
-        let csv = move || answer.csv(&scene, &name);
+        let csv = move |reach| answer.csv(&scene, &name, reach);
         let (title, file) = ("Export the results to CSV", app.pages.search.page.study().file);
-        let table = PageTable::new(title, file, kept.is_complete, csv);
+        let table = PageTable::new(title, file, kept.reach, csv);
         Some(table.of(app, &kept.scene, command))
     }
 
@@ -259,18 +252,15 @@ pub(crate) fn hidden_lines(app: &App) -> usize {
     lines.saturating_sub(usize::from(below.saturating_sub(2)))
 }
 
-/// After an edit of the setup or the scene: a search that takes less than a second is made again.
+/// Repeats a goal seek after an edit of the setup or the scene.
 fn follow(app: &mut App) {
-    let quick = app.pages.search.page == state::Page::Seek;
-    let running = app.jobs.study::<SearchRequest>().map(|(_, request)| state::Page::of(request));
-    // The search of another page goes on.
-    let is_free = running.is_none_or(|page| page == state::Page::Seek);
-    if quick && is_free && app.search_is_old() {
-        look(app);
+    if app.pages.search.page == state::Page::Seek && app.search_is_old() {
+        search(app, None);
     }
 }
 
-fn look(app: &mut App) {
+/// Searches with the setup of the page, as requested by a key or as far as a look goes.
+fn search(app: &mut App, by: Option<Action>) {
     let page = app.pages.search.page;
     let request = match app.search_request(page) {
         Ok(request) => request,
@@ -281,7 +271,10 @@ fn look(app: &mut App) {
         }
     };
     app.pages.search.problem[page as usize] = None;
-    jobs::study(app, request);
+    match by {
+        Some(action) => jobs::study(app, action, request),
+        None => jobs::look(app, jobs::LOOK, request),
+    }
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.

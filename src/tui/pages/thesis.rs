@@ -59,7 +59,7 @@ impl Page for ThesisTab {
     fn enter(&self, app: &mut App) {
         let lacks = app.jobs.lacks::<Claims, _>(&app.pages.thesis.report, &Scene::default());
         if lacks && app.pane() == CLAIMS {
-            jobs::study_of(app, &Arc::default(), Claims);
+            jobs::look_at(app, jobs::LOOK, &Arc::default(), Claims);
         }
     }
 
@@ -69,7 +69,7 @@ impl Page for ThesisTab {
         }
         match action {
             // The scene plays no part.
-            Action::Run => jobs::study_of(app, &Arc::default(), Claims),
+            Action::Run => jobs::study_of(app, action, &Arc::default(), Claims),
             Action::Enter => open(app),
             _ => return false,
         }
@@ -90,7 +90,7 @@ impl Page for ThesisTab {
         let tab = &app.pages.thesis;
         let mut parts = Vec::new();
         let words = |it: &Running| format!("checking the claims{}", it.counted("of", ""));
-        let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words, "");
+        let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words, "claims");
         parts.extend(checking);
         if tab.report.found.is_some() {
             let counts = ClaimVerdict::ALL.iter().zip(tally(tab.rows()));
@@ -102,22 +102,24 @@ impl Page for ThesisTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        app.pages.thesis.report.keep(running, news, |report| report.is_complete);
+        app.pages.thesis.report.keep(running, news);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let tab = &app.pages.thesis;
-        let (file, is_complete, text) = match app.pane() {
-            PRINCIPLES => ("principles.csv", true, thesis::principles().csv()),
-            CONCEPTS => ("concepts.csv", true, thesis::concepts().csv()),
+        let (file, reach, text) = match app.pane() {
+            PRINCIPLES => ("principles.csv", Reach::Complete, thesis::principles().csv()),
+            CONCEPTS => ("concepts.csv", Reach::Complete, thesis::concepts().csv()),
             _ => {
                 // Of the claims those that are shown, as far as they are checked.
                 let shown: Vec<Row> = app.claims().into_iter().cloned().collect();
-                let text = (!shown.is_empty()).then(|| thesis::claims(&shown).csv())?;
-                ("claims.csv", tab.report.is_complete, text)
+                let reach = tab.report.reach;
+                let text = || thesis::claims(&shown).with_reach(reach).csv();
+                let text = (!shown.is_empty()).then(text)?;
+                ("claims.csv", reach, text)
             }
         };
-        Some(PageTable::new("Export this page to CSV", file, is_complete, move || text.clone()))
+        Some(PageTable::new("Export this page to CSV", file, reach, move |_| text.clone()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

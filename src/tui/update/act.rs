@@ -190,6 +190,9 @@ fn leave(app: &mut App, action: Action) {
     }
     app.jobs.asked = None;
     if !jobs.is_empty() {
+        // What a person stops waits for the key that runs it again, also where it was begun by looking.
+        let stopped = app.jobs.studies.iter_mut().filter(|running| jobs.contains(&running.id));
+        stopped.for_each(|running| running.is_look = false);
         app.effects.extend(jobs.into_iter().map(Effect::Cancel));
     } else if action == Action::Back {
         back(app);

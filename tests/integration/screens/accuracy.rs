@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::bench::{Bench, ended};
+use super::bench::{Bench, ended, stopped};
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::accuracy::method::{Answer, Ladder, Method, Parameter, Refusal};
@@ -137,9 +137,9 @@ fn escape_stops_and_keeps_partial_results() {
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
     let found = Found::from(measured(&study.scene, 3));
-    bench.reply(study.id, ended(found));
+    bench.reply(study.id, stopped((30, 79), found));
     assert!(bench.message().contains("partial results are shown"), "{}", bench.message());
-    assert!(bench.screen().contains("cancelled after"));
+    assert!(bench.screen().contains("cancelled: press r (30 of 79 points)"));
 }
 
 #[test]

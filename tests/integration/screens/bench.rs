@@ -12,6 +12,7 @@ use cmra::model::run::{
     Sample, Warning,
 };
 use cmra::model::scene::{Mount, PlateSize, Scene};
+use cmra::study::context::{Answer, Progress, Reach};
 use cmra::study::sweep::Plan;
 use cmra::tui::app::App;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
@@ -141,7 +142,9 @@ impl Bench {
     /// Report what a task has so far.
     pub(crate) fn part(&mut self, id: u64, (done, total): (usize, usize), part: Found) {
         self.progress(id, done, total);
-        self.reply(id, ReportBody::Part(part));
+        let reach = Reach::Partial(Progress { done, total });
+        let elapsed = Duration::from_millis(600);
+        self.reply(id, ReportBody::Part(Answer { report: part, reach, elapsed }));
     }
 
     /// Whether a task was cancelled.
@@ -214,13 +217,23 @@ impl Bench {
 }
 
 pub(crate) fn done(run: Run) -> ReportBody {
-    let found = Some(run.into());
-    ReportBody::Ended { found, took: Duration::from_micros(210) }
+    let elapsed = Duration::from_micros(210);
+    ReportBody::Ended(Some(Answer { report: run.into(), reach: Reach::Complete, elapsed }))
 }
 
 /// The last report of a task.
 pub(crate) fn ended(found: impl Into<Found>) -> ReportBody {
-    ReportBody::Ended { found: Some(found.into()), took: Duration::from_millis(8) }
+    ended_at(Reach::Complete, found)
+}
+
+/// The last report of a task that was stopped after so many of its points.
+pub(crate) fn stopped((done, total): (usize, usize), found: impl Into<Found>) -> ReportBody {
+    ended_at(Reach::Partial(Progress { done, total }), found)
+}
+
+fn ended_at(reach: Reach, found: impl Into<Found>) -> ReportBody {
+    let elapsed = Duration::from_millis(8);
+    ReportBody::Ended(Some(Answer { report: found.into(), reach, elapsed }))
 }
 
 fn named(name: &str) -> KeyEvent {

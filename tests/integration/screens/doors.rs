@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::bench::Bench;
 use crate::support::{cmra, scene};
 use cmra::report::sweep::grid_csv;
-use cmra::study::context::{Context, to_its_end};
+use cmra::study::context::{Context, Reach, to_its_end};
 use cmra::study::sweep::grid::{Grid, PIECE};
 use cmra::tui::pages::search::state::Page;
 use cmra::worker::studies::SearchRequest;
@@ -46,7 +46,7 @@ fn by_command(command: &str, pairs: &str) -> Result<String, String> {
 fn by_tab(bench: &Bench, request: &SearchRequest) -> Result<String, String> {
     let scene = &bench.app.scene;
     let answer = request.run(scene, 2, &|_, _| ControlFlow::Continue(()));
-    Ok(answer.map_err(|error| error.to_string())?.csv(scene, NAME))
+    Ok(answer.map_err(|error| error.to_string())?.csv(scene, NAME, Reach::Complete))
 }
 
 #[test]
@@ -86,6 +86,10 @@ fn the_points_of_explore_are_those_of_a_sweep() {
         let command = format!("sweep {} --outputs {}", over.join(" "), outputs.join(","));
         let mut watch = to_its_end;
         let grid = Grid::new(plan).unwrap().fill(PIECE, &mut Context::new(2, &mut watch));
-        assert_eq!(Ok(grid_csv(NAME, &grid)), by_command(&command, pairs), "{command} of {pairs}");
+        assert_eq!(
+            Ok(grid_csv(NAME, &grid, Reach::Complete)),
+            by_command(&command, pairs),
+            "{command} of {pairs}"
+        );
     }
 }

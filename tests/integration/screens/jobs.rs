@@ -1,16 +1,23 @@
 //! Jobs on the screen: what they show, how they are stopped, and what is kept of them.
 
+use std::sync::{Arc, mpsc};
 use std::time::Duration;
 
-use super::bench::{Bench, ended, made};
+use super::bench::{Bench, ended, made, stopped};
 use super::search::in_search;
 use super::{accuracy, limit, search};
 use cmra::model::run::EndReason;
+use cmra::tui::app::running::Running;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::ReportBody;
-use cmra::worker::studies::{AskedFor, Comparison, EqualMass, LimitSearch, SearchRequest};
+use cmra::worker::studies::{
+    AskedFor, Comparison, EqualMass, LimitSearch, SearchAnswer, SearchRequest,
+};
+use cmra::worker::{Report, ReportBody, Worker};
+
+/// Samples of the Monte Carlo study that runs beside a goal seek. Tried by hand with 900,000.
+const SAMPLES: usize = 2000;
 
 /// The search that was submitted last.
 fn searched(bench: &mut Bench) -> (u64, Page) {
@@ -30,7 +37,7 @@ pub(super) fn writes_a_part(bench: &Bench) -> bool {
 }
 
 /// The comparison with a part of its map, as a person left it.
-fn stopped(bench: &Bench) -> Comparison {
+fn part_of(bench: &Bench) -> Comparison {
     let found = bench.app.comparison().expect("a comparison").clone();
     let mut map = found.map.clone().expect("a map");
     map.cells.truncate(30);
@@ -51,7 +58,9 @@ fn a_cancelled_study_draws_no_conclusion() {
 #[test]
 fn escape_leaves_the_jobs_of_other_tabs_alone() {
     let mut bench = Bench::ascii(120, 36);
-    bench.press("44");
+    bench.press("4");
+    search::answer(&mut bench);
+    bench.press("4r");
     bench.press("7");
     assert!(bench.screen().contains("4:Search is computing"), "{}", bench.screen());
     bench.effects.clear();
@@ -73,7 +82,7 @@ fn counters_do_not_pass_their_totals() {
     let mut bench = Bench::ascii(120, 36);
     bench.press("4");
     search::answer(&mut bench);
-    bench.press("4");
+    bench.press("4r");
     let study = bench.studies().pop().expect("a search");
     bench.progress(study.id, 2500, 2400);
     assert!(bench.screen().contains("2400 of 2400 runs"), "{}", bench.screen());
@@ -96,37 +105,171 @@ fn an_export_that_ends_leaves_another_dialog_alone() {
     assert!(bench.screen().contains(" o overwrite"), "{}", bench.screen());
 }
 
+/// Studies that were asked for, by a tab's page, run beside each other: none ends or waits for another one.
 #[test]
-fn looking_at_another_page_leaves_a_search_alone() {
+fn a_search_goes_on_while_others_are_begun() {
     let mut bench = search::open(GlyphSet::Ascii, (80, 24));
-    bench.keys("4");
-    let front = bench.app.jobs.studies[0].id;
+    bench.keys("4r");
+    let (front, _) = searched(&mut bench);
     // Through the two pages without results to the goal seek, whose setup is edited, and back.
-    bench.keys("444<Tab><Enter>50 %<Enter><Tab>4");
+    bench.keys("444<Tab><Enter>50 %<Enter><Tab>r4");
     assert_eq!(bench.app.pages.search.page, Page::Front);
     assert!(bench.screen().contains("searching"), "{}", bench.screen());
-    // The next page waits for it, and begins when it is done.
-    bench.keys("4");
-    let jobs: Vec<u64> = bench.app.jobs.studies.iter().map(|running| running.id).collect();
-    assert_eq!(jobs, [front]);
-    assert!(bench.screen().contains("waits for another search"), "{}", bench.screen());
+    let ended = |effect: &Effect| matches!(effect, Effect::Cancel(id) if *id == front);
+    assert!(!bench.effects.iter().any(ended), "{:?}", bench.effects);
+    bench.keys("44r");
+    let jobs: Vec<Page> =
+        bench.app.jobs.studies.iter().filter(|it| !it.is_look).map(page_of).collect();
+    assert_eq!(jobs, [Page::Front, Page::Seek, Page::MonteCarlo]);
     search::answer(&mut bench);
-    assert_eq!(bench.app.pages.search.page, Page::Sensitivity);
+    assert_eq!(bench.app.pages.search.page, Page::MonteCarlo);
     assert!(bench.app.pages.search.shown().is_some(), "{}", bench.screen());
+}
+
+fn page_of(running: &Running) -> Page {
+    Page::of(SearchRequest::of(&running.asked).expect("a search"))
+}
+
+/// Monte Carlo and a goal seek in the workbench, on real threads: both run at once, and both end with all of their runs.
+#[test]
+fn monte_carlo_and_a_goal_seek_run_at_once_and_both_end() {
+    let mut bench = Bench::ascii(120, 36);
+    let (send, reports) = mpsc::channel();
+    let worker = Worker::spawn(move |report: Report| drop(send.send(report)));
+    bench.press("4444");
+    Arc::make_mut(&mut bench.app.pages.search.setup).samples = SAMPLES;
+    bench.effects.clear();
+    bench.press("r");
+    // Monte Carlo has begun when the goal seek is asked for.
+    let submit = |bench: &mut Bench| {
+        for effect in std::mem::take(&mut bench.effects) {
+            match effect {
+                Effect::Submit(task) => worker.submit(task),
+                Effect::Cancel(id) => worker.cancel(id),
+                _ => {}
+            }
+        }
+    };
+    submit(&mut bench);
+    bench.press("4r");
+    submit(&mut bench);
+    let is_left = |bench: &Bench| bench.app.jobs.studies.iter().any(|running| !running.is_look);
+    while is_left(&bench) {
+        bench.send(Message::Report(reports.recv().expect("a report")));
+        submit(&mut bench);
+    }
+    for page in [Page::Seek, Page::MonteCarlo] {
+        assert!(bench.app.pages.search.found[page as usize].is_complete(), "{page:?}");
+    }
+    let scatter = bench.app.pages.search.found[Page::MonteCarlo as usize].found.clone();
+    let Some(SearchAnswer::MonteCarlo(report)) = scatter.as_deref() else { panic!("{scatter:?}") };
+    assert_eq!(report.samples, SAMPLES);
+}
+
+/// `4 4 4`: each page is looked at on one thread for less than 0.2 s, the front not at all, and any key ends it.
+#[test]
+fn looking_starts_little_work_and_a_key_ends_it() {
+    let mut bench = Bench::ascii(80, 24);
+    for keys in ["4", "4", "4", "4", "3", "2", "5", "5", "<Tab>", "6"] {
+        bench.press(keys);
+        let looks = bench.tasks(|task| Some((task.id, task.threads, task.budget)));
+        let time: Duration = looks.iter().map(|look| look.2.expect("little time")).sum();
+        assert!(time < Duration::from_millis(200), "{keys}: {time:?}");
+        assert!(looks.iter().all(|look| look.1 == 1), "{keys}");
+        bench.effects.clear();
+        bench.press("?<Esc>");
+        for (id, ..) in looks {
+            let ends = |effect: &Effect| matches!(effect, Effect::Cancel(other) if *other == id);
+            assert!(bench.effects.iter().any(ends), "{keys}: {:?}", bench.effects);
+        }
+    }
+}
+
+/// A look that ended early says so, and is not taken for the result that `r` gives.
+#[test]
+fn a_first_look_says_how_far_it_came() {
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("444");
+    let study = bench.studies().pop().expect("a look");
+    bench.reply(study.id, stopped((512, 2304), search::found(&study)));
+    let screen = bench.screen();
+    assert!(screen.contains("first look: press r (512 of 2304 runs)"), "{screen}");
+    assert!(!screen.contains(" done"), "{screen}");
+    bench.keys("e<Enter>");
+    assert!(writes_a_part(&bench));
+    let (to, csv, _) = bench.exported().expect("an export");
+    assert!(to.path.to_string_lossy().contains("-incomplete.csv"), "{:?}", to.path);
+    let rows: Vec<&str> = csv.lines().collect();
+    assert!(rows[0].ends_with(",complete") && rows[1..].iter().all(|row| row.ends_with(",false")));
+    // Shown again, it is looked at again; asked for by a key, it has all the time and threads.
+    bench.press("<Esc>14");
+    assert_eq!(bench.studies().len(), 1);
+    bench.press("r");
+    assert_eq!(bench.tasks(|task| Some(task.budget)), [None]);
+}
+
+/// Whichever key or page would end a job of more than 5 s, it is ended only after a question.
+#[test]
+fn a_long_job_is_ended_only_after_a_question() {
+    let is_ended = |bench: &Bench, id: u64| bench.app.jobs.studies.iter().all(|it| it.id != id);
+    for (open, again) in [
+        ("3", "r"),
+        ("5", "r"),
+        ("55", "r"),
+        ("55<Tab>", "r"),
+        ("6", "r"),
+        ("2", "r"),
+        ("44", "r"),
+        ("4444", "r"),
+        ("3v", "v"),
+    ] {
+        let mut bench = Bench::ascii(120, 36);
+        bench.press(open);
+        if again == "r" {
+            bench.press("r");
+        }
+        let id = bench.app.jobs.studies.last().expect(open).id;
+        bench.send(Message::LongJob(id));
+        bench.press(again);
+        assert!(!is_ended(&bench, id), "{open}");
+        assert!(bench.message().contains("again ends it"), "{open}: {}", bench.message());
+        // Another key takes the question back.
+        bench.press("?<Esc>");
+        bench.press(again);
+        assert!(!is_ended(&bench, id), "{open}");
+        bench.press(again);
+        assert!(is_ended(&bench, id), "{open}");
+    }
+    // An edit of the scene leaves it, also where its page follows edits.
+    for open in ["2r", "3r", "4r", "55r"] {
+        let mut bench = Bench::ascii(120, 36);
+        bench.press(open);
+        let id = bench.app.jobs.studies.last().expect(open).id;
+        bench.send(Message::LongJob(id));
+        bench.press("1/v_i<Enter>l<Esc>");
+        bench.press(&open[..1]);
+        assert!(!is_ended(&bench, id), "{open}");
+        let ended = |effect: &Effect| matches!(effect, Effect::Cancel(other) if *other == id);
+        assert!(!bench.effects.iter().any(ended), "{open}");
+    }
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("r");
+    let id = bench.app.jobs.current.as_ref().expect("a run").id;
+    bench.send(Message::LongJob(id));
+    bench.press("r");
+    assert_eq!(bench.app.jobs.current.as_ref().map(|job| job.id), Some(id));
+    bench.press("r");
+    assert_ne!(bench.app.jobs.current.as_ref().map(|job| job.id), Some(id));
 }
 
 #[test]
 fn an_error_stays_with_the_page_that_was_searched() {
     let mut bench = search::open(GlyphSet::Ascii, (80, 24));
-    bench.keys("4");
+    bench.keys("4r");
     let (front, _) = searched(&mut bench);
     bench.keys("4");
     bench.reply(front, ReportBody::Failed("no design has a stroke".to_owned()));
     assert_eq!(bench.app.pages.search.page, Page::Sensitivity);
-    // The page that waited has its turn.
-    let (waiting, page) = searched(&mut bench);
-    assert_eq!(page, Page::Sensitivity);
-    bench.reply(waiting, ReportBody::Ended { found: None, took: Duration::ZERO });
     bench.app.notice = None;
     assert!(!bench.screen().contains("cannot be searched"), "{}", bench.screen());
     bench.app.pages.search.page = Page::Front;
@@ -142,14 +285,15 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     let mut bench = limit::open(GlyphSet::Ascii, (120, 40));
     bench.keys("<Tab>r");
     search::answer(&mut bench);
-    let part = stopped(&bench);
+    let part = part_of(&bench);
     bench.keys("r");
     let study = bench.studies().remove(0);
     assert!(EqualMass::of(&study.asked).is_some());
     bench.keys("<Esc>");
-    bench.reply(study.id, ended(part));
+    bench.reply(study.id, stopped((34, 445), part));
     for pane in ["comparison", "mass efficiency"] {
-        assert!(bench.screen().contains("cancelled: press r"), "{pane}: {}", bench.screen());
+        let screen = bench.screen();
+        assert!(screen.contains("cancelled: press r (34 of 445)"), "{pane}: {screen}");
         bench.keys("<Tab>");
     }
     assert!(!bench.screen().contains("cancelled"), "the limit is there: {}", bench.screen());

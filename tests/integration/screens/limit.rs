@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::at_every_size;
-use super::bench::{Bench, ended};
+use super::bench::{Bench, ended, stopped};
 use crate::support::says;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
@@ -40,6 +40,15 @@ fn found(scene: &Arc<Scene>) -> Report {
         recht_ipson: Some(ResidualLaw { a: 0.9412, p: 2.0, limit_m_s: V_BL, misfit_m_s: 4.321 }),
         lambert_jonas: Some(ResidualLaw { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
         is_complete: true,
+    }
+}
+
+/// Stop the search of the limit.
+pub(super) fn stop(bench: &mut Bench) {
+    for study in bench.studies() {
+        if let Asked::Limit(_) = study.asked {
+            bench.reply(study.id, stopped((12, 111), found(&study.scene)));
+        }
     }
 }
 
@@ -156,11 +165,11 @@ fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
     let mut report = found(&bench.app.scene);
-    report.is_complete = false;
     report.limit = Limit::Unknown;
     report.shots.clear();
-    bench.reply(study.id, ended(report));
-    assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
+    bench.reply(study.id, stopped((12, 111), report));
+    let screen = bench.screen();
+    assert!(screen.contains("cancelled: press r (12 of 111"), "{screen}");
     bench.keys("e");
     assert!(bench.message().contains("nothing is finished yet"), "{}", bench.message());
 }

@@ -197,7 +197,7 @@ fn a_click_on_a_design_of_a_front_selects_it() {
     let mut bench = Bench::ascii(160, 50);
     bench.press("4");
     search::answer(&mut bench);
-    bench.press("4<Tab>");
+    bench.press("4r<Tab>");
     search::answer(&mut bench);
     let before = bench.app.scene.clone();
     // The first design has the greatest stroke of all, at the upper left end of the front.
@@ -226,7 +226,7 @@ fn a_click_on_a_row_of_results_selects_it_also_below_the_warnings_of_another() {
         let hit = target(&bench.app, find(&bench, text));
         assert_eq!(hit, Some(Target::Row(results, row)), "{text}");
     }
-    bench.keys("4");
+    bench.keys("4r");
     search::answer(&mut bench);
     let at = find(&bench, "||  3  ");
     click(&mut bench, (at.0 + 4, at.1));

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::at_every_size;
-use super::bench::{Bench, Study, ended};
+use super::bench::{Bench, Study, ended, stopped};
 use cmra::model::run::Outcome;
 use cmra::model::run::envelope::Check;
 use cmra::model::scene::{InterfaceLaw, Scene};
@@ -86,9 +86,15 @@ pub(super) fn in_search(size: (u16, u16)) -> Bench {
     bench
 }
 
+/// The result of a search.
+pub(super) fn found(study: &Study) -> Found {
+    let request = SearchRequest::of(&study.asked).expect("a search");
+    Found::from(made(&study.scene, request))
+}
+
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
-    let found = if let Some(request) = SearchRequest::of(&study.asked) {
-        Found::from(made(&study.scene, request))
+    let found = if SearchRequest::of(&study.asked).is_some() {
+        found(study)
     } else if EqualMass::of(&study.asked).is_some() {
         Found::from(compared(&study.scene))
     } else {
@@ -116,6 +122,9 @@ fn every_page_at_every_size() {
             let name = page.title().replace(' ', "_");
             assert_snapshot!(format!("search_{name}_{columns}x{rows}_{glyphs}"), bench.screen());
             bench.keys("4");
+            if bench.app.pages.search.page == Page::Front {
+                bench.keys("r");
+            }
             answer(&mut bench);
         }
         assert_eq!(bench.app.pages.search.page, Page::Seek);
@@ -134,7 +143,7 @@ fn a_solution_becomes_the_scene_and_back() {
     assert!(!bench.app.search_is_old(), "the value that was searched for does not make it stale");
     bench.keys("u");
     assert_eq!(bench.app.scene, before);
-    bench.keys("4");
+    bench.keys("4r");
     answer(&mut bench);
     bench.keys("gjj<Enter>");
     let found = bench.app.pages.search.front().expect("a front");
@@ -180,7 +189,7 @@ fn esc_stops_the_task_named_in_the_tab_before_the_run() {
     bench.press("r");
     assert!(bench.app.jobs.current.is_some());
     bench.press("4");
-    bench.press("4");
+    bench.press("4r");
     assert_eq!(bench.studies().len(), 1);
     assert!(bench.screen().contains("(Esc cancels)"), "{}", bench.screen());
     bench.press("<Esc>");
@@ -191,19 +200,19 @@ fn esc_stops_the_task_named_in_the_tab_before_the_run() {
 #[test]
 fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
-    bench.keys("4");
+    bench.keys("4r");
     let study = bench.studies().remove(0);
     let request = SearchRequest::of(&study.asked).expect("a search");
-    let SearchAnswer::Front(mut front) = made(&study.scene, request) else { panic!("no front") };
-    front.is_complete = false;
+    let SearchAnswer::Front(front) = made(&study.scene, request) else { panic!("no front") };
     let part = Found::from(SearchAnswer::Front(front));
     bench.part(study.id, (480, 2460), part.clone());
     let screen = bench.screen();
     assert!(screen.contains("searching: about 480 of 2460 runs (Esc cancels)"), "{screen}");
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    bench.reply(study.id, ended(part));
-    assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
+    bench.reply(study.id, stopped((480, 2460), part));
+    let screen = bench.screen();
+    assert!(screen.contains("cancelled: press r (480 of 2460 runs)"), "{screen}");
 }
 
 /// The baseline cocked by 0.5 m, the end of the usual range: its interface must carry 2.875 times its strength.
@@ -245,7 +254,7 @@ fn a_solution_that_no_interface_holds_together_says_so() {
 #[test]
 fn the_front_is_exported_as_a_picture() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
-    bench.press("4");
+    bench.press("4r");
     answer(&mut bench);
     bench.press("e<C-u>front.svg<Enter>");
     let (_, drawn, _) = bench.exported().expect("an export");
@@ -274,7 +283,7 @@ fn on_a_small_screen_results_or_setup_have_the_room() {
 #[test]
 fn the_front_begins_at_its_knee_as_a_table_that_is_sorted() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
-    bench.keys("4");
+    bench.keys("4r");
     answer(&mut bench);
     let stroke = |bench: &Bench| {
         let tab = &bench.app.pages.search;

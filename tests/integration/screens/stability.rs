@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::bench::{Bench, ended, made};
+use super::bench::{Bench, ended, made, stopped};
 use cmra::files::atomic::Existing;
 use cmra::model::scene::Scene;
 use cmra::study::accuracy::reference::ReferenceSource;
@@ -11,7 +11,6 @@ use cmra::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, Wanted};
 use cmra::study::stability::{Row, Shortfall};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{AskedFor, Found, StabilityMap, StiffScenes};
-use cmra::worker::study::RowsSoFar;
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
@@ -65,7 +64,7 @@ pub(super) fn answer(bench: &mut Bench) {
         let found = if let Some(asked) = StabilityMap::of(&study.asked) {
             Found::from(map(asked.0.method, asked.0.axis))
         } else if StiffScenes::of(&study.asked).is_some() {
-            Found::from(RowsSoFar { rows: rows(12), is_complete: true })
+            Found::from(rows(12))
         } else {
             continue;
         };
@@ -123,14 +122,14 @@ fn the_stiff_scenes_run_once_can_be_stopped_and_name_failures() {
     bench.keys("<Tab>");
     let study = bench.studies().remove(0);
     assert!(StiffScenes::of(&study.asked).is_some());
-    let part = Found::from(RowsSoFar { rows: rows(4), is_complete: false });
+    let part = Found::from(rows(4));
     bench.part(study.id, (4, 62), part);
     assert!(bench.screen().contains("checking the stiff scenes: 4 of 62 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let body = ended(RowsSoFar { rows: rows(5), is_complete: false });
+    let body = stopped((5, 62), rows(5));
     bench.reply(study.id, body);
-    assert!(bench.screen().contains("cancelled: press r | 4 of 5 scenes pass"));
+    assert!(bench.screen().contains("cancelled: press r (5 of 62) | 4 of 5 scenes pass"));
     bench.keys("jj");
     assert!(bench.message().contains("fails: energy"), "{}", bench.message());
     // Returning to a partial result completes it.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::at_every_size;
-use super::bench::{Bench, ended};
+use super::bench::{Bench, ended, stopped};
 use cmra::files::atomic::Existing;
 use cmra::files::preset;
 use cmra::study::context::{self as study, Context};
@@ -248,9 +248,9 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
     let found = grid(&job, 100);
-    bench.reply(job.id, ended(found));
+    bench.reply(job.id, stopped((100, 441), found));
     assert!(bench.message().contains("partial results are shown"));
-    assert!(bench.screen().contains("cancelled after 100 of 441 points: press r"));
+    assert!(bench.screen().contains("cancelled: press r (100 of 441 points)"));
     bench.keys("12");
     assert!(jobs(&mut bench).is_empty(), "it waits for r");
     bench.keys("r");

@@ -1,6 +1,6 @@
 //! The Thesis tab: claims come in as they are checked, are filtered and opened; principles and concepts are tables.
 
-use super::bench::{Bench, ended};
+use super::bench::{Bench, ended, stopped};
 use super::jobs::writes_a_part;
 use cmra::study::context::CancelFlag;
 use cmra::study::sweep::Axis;
@@ -8,7 +8,6 @@ use cmra::study::thesis::{self, Claim, Row, claims};
 use cmra::tui::keymap::Tab;
 use cmra::tui::preset::PresetEntry;
 use cmra::worker::studies::{AskedFor, Claims, Found};
-use cmra::worker::study::RowsSoFar;
 use insta::assert_snapshot;
 
 fn check(claim: &'static Claim) -> Row {
@@ -21,7 +20,7 @@ fn bench(columns: u16, rows: u16) -> Bench {
     bench.keys("6");
     let id = asked(&mut bench).expect("the claims are asked for");
     let rows: Vec<Row> = claims().take(24).map(check).collect();
-    bench.reply(id, ended(RowsSoFar { rows, is_complete: true }));
+    bench.reply(id, ended(rows));
     bench
 }
 
@@ -49,13 +48,13 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     assert!(bench.screen().contains("checking the first claims"));
     let id = asked(&mut bench).unwrap();
     let some: Vec<Row> = claims().take(2).map(check).collect();
-    let part = Found::from(RowsSoFar { rows: some.clone(), is_complete: false });
+    let part = Found::from(some.clone());
     bench.part(id, (2, 114), part);
     assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    bench.reply(id, ended(RowsSoFar { rows: some, is_complete: false }));
-    assert!(bench.screen().contains("cancelled: press r"));
+    bench.reply(id, stopped((2, 114), some));
+    assert!(bench.screen().contains("cancelled: press r (2 of 114 claims)"));
     bench.keys("e<Enter>");
     assert!(writes_a_part(&bench));
 }
@@ -82,7 +81,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         let id = asked(&mut bench).expect("the claims are asked for");
         let rows = claims().find(|claim| claim.preset == Some(preset));
         let rows: Vec<Row> = rows.into_iter().map(check).collect();
-        bench.reply(id, ended(RowsSoFar { rows, is_complete: true }));
+        bench.reply(id, ended(rows));
         bench.press("<Enter>");
         assert_eq!((bench.app.tab, bench.app.base.name.as_str()), (tab, preset));
         let (_, _, plan) = bench.sweeps().pop().expect("a sweep");

@@ -25,7 +25,7 @@ impl App {
         if let Some(spread) = self.v50() {
             let words = [v50(spread), perforation(spread)].into_iter().flatten();
             facts.extend(words.map(|text| Remark::new("V50", text)));
-        } else if report.limit.velocity_m_s().is_some() && report.is_complete {
+        } else if report.limit.velocity_m_s().is_some() && tab.report.is_complete() {
             let text = self.keymap.shown("<view>: V50 and its spread, inputs varied by 2 %");
             facts.push(Remark::new("V50", text));
         }
@@ -70,7 +70,7 @@ impl App {
         let tab = &self.pages.limit;
         match self.jobs.study::<LimitSearch>() {
             Some((running, _)) => *running.scene != self.limit_scene(&running.scene),
-            None => !tab.report.is_there(&self.limit_scene(&tab.report.scene)),
+            None => !tab.report.is_settled(&self.limit_scene(&tab.report.scene)),
         }
     }
 
@@ -176,7 +176,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let inner = frame.draw(area, canvas);
         let cut = "cancelled before there was a curve";
         let none = "no shot perforates: no curve to draw";
-        let why = found.map(|report| if report.is_complete { none } else { cut });
+        let why = found.map(|_| if tab.report.is_complete() { none } else { cut });
         return canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
     };
     let old = app.limit_is_old();

@@ -39,8 +39,7 @@ impl App {
         let count: usize = methods.map(|one| one.points.len()).sum();
         let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
         let scene = self.accuracy_scene();
-        let after = format!(" after {count} points");
-        let progress = progress::<Measurements, _>(self, &tab.report, &scene, words, &after);
+        let progress = progress::<Measurements, _>(self, &tab.report, &scene, words, "points");
         let done = || part(Severity::Note, format!("measured {count} points"));
         let mut parts = vec![progress.unwrap_or_else(done)];
         let Some(report) = &tab.report.found else { return parts };
@@ -62,7 +61,7 @@ impl App {
     pub(crate) fn accuracy_answers(&self) -> Vec<String> {
         let tab = &self.pages.numerics.accuracy;
         let Some(report) = &tab.report.found else { return Vec::new() };
-        if !report.is_complete {
+        if !tab.report.is_complete() {
             let counted = self.jobs.running::<Measurements>().and_then(|it| it.points);
             let counted = counted.map(|(done, total)| format!(" ({done} of {total})"));
             let counted = counted.unwrap_or_default();
@@ -115,13 +114,13 @@ impl App {
 pub(crate) fn enter(app: &mut App) {
     if app.jobs.lacks::<Measurements, _>(&app.pages.numerics.accuracy.report, &app.accuracy_scene())
     {
-        jobs::study(app, Measurements(ComparisonOptions::FULL));
+        jobs::look(app, jobs::LOOK, Measurements(ComparisonOptions::FULL));
     }
 }
 
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
-        Action::Run => jobs::study(app, Measurements(ComparisonOptions::FULL)),
+        Action::Run => jobs::study(app, action, Measurements(ComparisonOptions::FULL)),
         Action::Enter => use_method(app),
         _ => return false,
     }
@@ -166,8 +165,8 @@ fn use_method(app: &mut App) {
 
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.accuracy;
-    let is_kept = tab.report.keep(running, news, |report| report.is_complete);
-    if is_kept && news.is_last() && !tab.report.is_complete {
+    let is_kept = tab.report.keep(running, news);
+    if is_kept && news.is_last() && !tab.report.is_complete() && !running.is_look {
         app.tell(jobs::CANCELLED);
     }
 }

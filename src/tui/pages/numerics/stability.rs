@@ -4,7 +4,7 @@ use crate::report;
 use crate::report::chart::spaced;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
-use crate::study::stability::map::{self, Map, Wanted};
+use crate::study::stability::map::{self, Wanted};
 use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::cursor_moved;
@@ -71,7 +71,7 @@ impl App {
             return parts;
         }
         let words = |it: &Running| format!("computing the map{}", it.counted("of", " rows"));
-        let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words, "");
+        let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words, "rows");
         parts.extend(mapping);
         if let Some(map) = &tab.map.found {
             parts.push(part(Severity::Note, map.method.name().to_owned()));
@@ -84,8 +84,8 @@ impl App {
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.stability;
     let before = tab.map.found.clone();
-    tab.battery.keep(running, news, |battery| battery.is_complete);
-    if tab.map.keep(running, news, Map::is_complete)
+    tab.battery.keep(running, news);
+    if tab.map.keep(running, news)
         && let Some(map) = &tab.map.found
     {
         tab.cursor.take_if(|_| before.is_none_or(|before| before.axis != map.axis));
@@ -97,7 +97,7 @@ pub(crate) fn enter(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     if app.pane() == STIFF_SCENES {
         if app.jobs.lacks::<StiffScenes, _>(&tab.battery, &Scene::default()) {
-            jobs::study_of(app, &Arc::default(), StiffScenes);
+            jobs::look_at(app, jobs::LOOK, &Arc::default(), StiffScenes);
         }
         return;
     }
@@ -106,7 +106,7 @@ pub(crate) fn enter(app: &mut App) {
             && app.jobs.running::<StabilityMap>().is_none()
     });
     if is_other || app.jobs.lacks::<StabilityMap, _>(&tab.map, &app.scene) {
-        ask_map(app);
+        jobs::look(app, jobs::LOOK, map_of(app));
     }
 }
 
@@ -114,12 +114,12 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     let on_scenes = app.pane() == STIFF_SCENES;
     let tab = &mut app.pages.numerics.stability;
     match action {
-        Action::Run if on_scenes => jobs::study_of(app, &Arc::default(), StiffScenes),
+        Action::Run if on_scenes => jobs::study_of(app, action, &Arc::default(), StiffScenes),
         _ if on_scenes => return false,
-        Action::Run => ask_map(app),
+        Action::Run => jobs::study(app, action, map_of(app)),
         Action::View => {
             tab.view += 1;
-            ask_map(app);
+            jobs::look(app, jobs::LOOK, map_of(app));
         }
         _ => match cursor_moved(action) {
             Some(by) => tab.move_cursor(by),
@@ -129,10 +129,10 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     true
 }
 
-fn ask_map(app: &mut App) {
+/// The request of the map that is selected.
+fn map_of(app: &App) -> StabilityMap {
     let tab = &app.pages.numerics.stability;
-    let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE };
-    jobs::study(app, StabilityMap(wanted));
+    StabilityMap(Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE })
 }
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

@@ -8,7 +8,6 @@ use crate::study::stability::map::{Axis, FixedStep, Map};
 use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
-use crate::worker::study::RowsSoFar;
 
 /// Error against run time.
 pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
@@ -71,7 +70,7 @@ pub struct Stability {
     pub map: Kept<Map>,
     /// The crosshair: column and row of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    pub battery: Kept<RowsSoFar<Row>>,
+    pub battery: Kept<Vec<Row>>,
     /// The selected scene.
     pub selected: usize,
 }
@@ -104,6 +103,6 @@ impl Stability {
     }
 
     pub fn rows(&self) -> &[Row] {
-        self.battery.found.as_ref().map_or(&[], |battery| &battery.rows)
+        self.battery.found.as_ref().map_or(&[], |battery| battery)
     }
 }

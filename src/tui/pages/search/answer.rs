@@ -16,8 +16,6 @@ pub(crate) trait Answer {
         &[]
     }
 
-    fn is_complete(&self) -> bool;
-
     /// How much went into it.
     fn effort(&self) -> Option<String> {
         None
@@ -52,7 +50,7 @@ pub(crate) trait Answer {
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine>;
 
     /// The results of a scene of this name as a table.
-    fn csv(&self, scene: &Scene, name: &str) -> String;
+    fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String;
 
     /// Whether there is something to draw.
     fn draws(&self, _tab: &Searching) -> bool {
@@ -73,8 +71,8 @@ impl SearchAnswer {
     }
 
     /// The results of a scene of this name as a table.
-    pub fn csv(&self, scene: &Scene, name: &str) -> String {
-        self.answer().csv(scene, name)
+    pub fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {
+        self.answer().csv(scene, name, reach)
     }
 }
 

@@ -4,7 +4,6 @@ use crate::tui::pages::page::draw_setup;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::state::{Page, RESULTS, SETUP};
 use crate::tui::widgets::text::first_row;
-use crate::worker::studies::SearchRequest;
 
 pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(results, RESULTS);
@@ -31,10 +30,9 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let hint = app.keymap.shown(if alone { "<next-pane>: setup" } else { "" });
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
     let why = app.pages.search.problem().map(|_| "see the message below");
-    let running = app.jobs.study::<SearchRequest>().map(|(_, request)| Page::of(request));
-    let is_own = running.is_none_or(|page| page == app.pages.search.page);
-    let searching = if is_own { "searching" } else { "waits for another search" };
-    canvas.put_centred(inner, &nothing::<SearchRequest>(app, searching, why));
+    let is_running = app.searching(app.pages.search.page).is_some();
+    let text = if is_running { "searching" } else { why.unwrap_or(NO_RESULTS) };
+    canvas.put_centred(inner, &app.keymap.shown(text));
 }
 
 fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {

@@ -97,6 +97,13 @@ pub(super) fn place(front: &Report, design: &Design) -> Option<(f64, f64)> {
 }
 
 impl App {
+    /// The search of a page that has not ended.
+    pub fn searching(&self, page: Page) -> Option<&Running> {
+        let is_own = |request: &Arc<SearchRequest>| Page::of(request) == page;
+        let mut studies = self.jobs.studies.iter();
+        studies.find(|running| SearchRequest::of(&running.asked).is_some_and(is_own))
+    }
+
     /// What the page shown says in words, without what its chart draws.
     pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
         let answer = self.pages.search.answer();
@@ -121,7 +128,8 @@ impl App {
     /// The design under the cursor as a scene, and what it is.
     pub fn search_design(&self) -> Result<LabelledScene, String> {
         let Some(answer) = self.pages.search.answer() else {
-            return Err(nothing::<SearchRequest>(self, BEING_COMPUTED, None));
+            let is_running = self.searching(self.pages.search.page).is_some();
+            return Err(self.keymap.shown(if is_running { BEING_COMPUTED } else { NO_RESULTS }));
         };
         if self.search_is_old() {
             return Err(old("setup"));

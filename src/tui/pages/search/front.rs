@@ -61,10 +61,6 @@ impl Answer for Report {
         &self.request.over
     }
 
-    fn is_complete(&self) -> bool {
-        self.is_complete
-    }
-
     fn effort(&self) -> Option<String> {
         Some(format!("{} designs after {} runs", self.designs.len(), self.runs))
     }
@@ -131,8 +127,8 @@ impl Answer for Report {
         lines
     }
 
-    fn csv(&self, _scene: &Scene, name: &str) -> String {
-        table(name, self).with_warnings(&warnings(self)).csv()
+    fn csv(&self, _scene: &Scene, name: &str, reach: Reach) -> String {
+        table(name, self).with_warnings(&warnings(self)).with_reach(reach).csv()
     }
 
     fn draws(&self, _tab: &Searching) -> bool {

@@ -42,10 +42,6 @@ fn drawn<'r>(report: &'r Report, tab: &Searching) -> Option<&'r Summary> {
 }
 
 impl Answer for Report {
-    fn is_complete(&self) -> bool {
-        self.is_complete
-    }
-
     fn effort(&self) -> Option<String> {
         Some(format!("{} samples", self.samples))
     }
@@ -73,8 +69,8 @@ impl Answer for Report {
         lines
     }
 
-    fn csv(&self, scene: &Scene, name: &str) -> String {
-        table(name, self).with_warnings(&warnings(scene, self)).csv()
+    fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {
+        table(name, self).with_warnings(&warnings(scene, self)).with_reach(reach).csv()
     }
 
     fn draws(&self, tab: &Searching) -> bool {

@@ -44,10 +44,6 @@ impl Answer for Report {
         std::slice::from_ref(&self.axis)
     }
 
-    fn is_complete(&self) -> bool {
-        self.is_complete
-    }
-
     fn effort(&self) -> Option<String> {
         Some(format!("{} runs", self.runs))
     }
@@ -91,8 +87,8 @@ impl Answer for Report {
         broken(lines, width)
     }
 
-    fn csv(&self, scene: &Scene, name: &str) -> String {
-        table(name, self).with_warnings(&warnings(scene, self)).csv()
+    fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {
+        table(name, self).with_warnings(&warnings(scene, self)).with_reach(reach).csv()
     }
 
     fn draws(&self, _tab: &Searching) -> bool {

@@ -38,10 +38,6 @@ fn request(app: &App) -> Result<SearchRequest, String> {
 }
 
 impl Answer for Report {
-    fn is_complete(&self) -> bool {
-        self.sobol.is_some()
-    }
-
     fn readout(&self, _app: &App) -> Option<String> {
         Some("+- is the 95 % confidence interval".to_owned())
     }
@@ -69,7 +65,10 @@ impl Answer for Report {
         lines
     }
 
-    fn csv(&self, scene: &Scene, name: &str) -> String {
-        table(name, self).with_warnings(&validity::of_axes(scene, &self.axes)).csv()
+    fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {
+        table(name, self)
+            .with_warnings(&validity::of_axes(scene, &self.axes))
+            .with_reach(reach)
+            .csv()
     }
 }

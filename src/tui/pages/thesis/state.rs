@@ -3,7 +3,6 @@
 use crate::study::thesis::Row;
 use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
-use crate::worker::study::RowsSoFar;
 
 pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
 pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
@@ -11,7 +10,7 @@ pub const CONCEPTS: Pane = Pane::of(Tab::Thesis, 2);
 
 #[derive(Clone, Debug, Default)]
 pub struct Thesis {
-    pub report: Kept<RowsSoFar<Row>>,
+    pub report: Kept<Vec<Row>>,
     /// The claims shown match this.
     pub find: String,
     pub selected: usize,
@@ -19,6 +18,6 @@ pub struct Thesis {
 
 impl Thesis {
     pub fn rows(&self) -> &[Row] {
-        self.report.found.as_ref().map_or(&[], |report| &report.rows)
+        self.report.found.as_ref().map_or(&[], |report| report)
     }
 }

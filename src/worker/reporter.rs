@@ -1,5 +1,4 @@
-//! Studies: work of seconds on threads of its own, so that the run of an edited scene never waits. A study that is cancelled keeps
-//! its results so far.
+//! Reports of a running task: progress, parts and the answer. A task that is stopped keeps its results so far.
 
 use std::any::Any;
 use std::cell::Cell;
@@ -12,64 +11,27 @@ use std::time::Duration;
 use super::clock::Clock;
 use super::studies::Found;
 use super::{JobProgress, ReportBody, Shared, Task};
-use crate::study::context::{CancelFlag, Progress};
-
-/// A thread that does one task at a time. Half a minute of measurements or of stiff scenes must not keep a limit waiting.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lane {
-    Runs,
-    Sweeps,
-    /// Studies of half a minute.
-    Studies,
-    /// Studies of seconds.
-    Searches,
-}
-
-impl Lane {
-    /// All of them, with the names of their threads.
-    pub(super) const ALL: [(Self, &str); 4] = [
-        (Self::Runs, "runs"),
-        (Self::Sweeps, "sweeps"),
-        (Self::Studies, "studies"),
-        (Self::Searches, "searches"),
-    ];
-}
+use crate::study::context::{Answer, CancelFlag, Progress, Reach, Threads};
 
 /// When a task shows what it has so far.
 #[derive(Clone, Copy, Debug)]
-pub struct Tempo {
+pub(super) struct Tempo {
     pub first: Duration,
     /// Least time between two parts.
     pub between: Duration,
-}
-
-/// Rows of a study, all or those computed so far.
-#[derive(Clone, Debug)]
-pub struct RowsSoFar<R> {
-    pub rows: Vec<R>,
-    pub is_complete: bool,
-}
-
-impl<R: Clone> RowsSoFar<R> {
-    pub fn part(rows: &[R]) -> Self {
-        Self { rows: rows.to_vec(), is_complete: false }
-    }
-
-    pub fn ended(rows: Vec<R>, count: usize) -> Self {
-        Self { is_complete: rows.len() == count, rows }
-    }
 }
 
 /// Least time between two reports of progress.
 pub(super) const BETWEEN: Duration = Duration::from_millis(500);
 
 /// A running task, as its computation sees it.
-pub struct Reporter<'a> {
+pub(super) struct Reporter<'a> {
     /// Reports.
     pub(super) send: &'a dyn Fn(ReportBody),
     cancel: &'a CancelFlag,
     /// Threads to run on, where the work can be divided.
-    pub(super) threads: usize,
+    pub(super) threads: Threads,
+    budget: Option<Duration>,
     tempo: Tempo,
     clock: &'a Clock,
     started: Duration,
@@ -78,6 +40,9 @@ pub struct Reporter<'a> {
     /// When progress was reported last, and a part, counted from the start.
     told: Cell<Duration>,
     shown: Cell<Option<Duration>>,
+    /// Progress reported last, and whether the computation was told to stop.
+    progress: Cell<Progress>,
+    is_stopped: Cell<bool>,
 }
 
 impl<'a> Reporter<'a> {
@@ -91,13 +56,16 @@ impl<'a> Reporter<'a> {
         Self {
             send,
             cancel,
-            threads: task.threads,
+            threads: Threads::shared(task.threads, &shared.cores),
+            budget: task.budget,
             tempo: task.asked.tempo(),
             clock: &shared.clock,
             started: (shared.clock)(),
             took: Cell::new(None),
             told: Cell::new(Duration::ZERO),
             shown: Cell::new(None),
+            progress: Cell::default(),
+            is_stopped: Cell::default(),
         }
     }
 
@@ -107,17 +75,28 @@ impl<'a> Reporter<'a> {
     }
 
     /// The time it has been running, s, for all of its threads.
-    pub fn clock(&self) -> impl Fn() -> f64 + Sync + use<> {
+    pub(super) fn clock(&self) -> impl Fn() -> f64 + Sync + use<> {
         let (clock, started) = (Arc::clone(self.clock), self.started);
         move || clock().saturating_sub(started).as_secs_f64()
     }
 
+    /// Returns `Break` once the task is cancelled or its time is used up.
     pub(super) fn goes_on(&self) -> ControlFlow<()> {
-        self.cancel.flow()
+        let is_over = self.budget.is_some_and(|budget| self.elapsed() >= budget);
+        if self.cancel.is_set() || is_over {
+            self.is_stopped.set(true);
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
     }
 
     /// Report the progress and the results of now, unless the last report has just been made. Gives whether the study goes on.
-    pub fn tell(&self, progress: Progress, part: &dyn Fn() -> Option<Found>) -> ControlFlow<()> {
+    pub(super) fn tell(
+        &self,
+        progress: Progress,
+        part: &dyn Fn() -> Option<Found>,
+    ) -> ControlFlow<()> {
+        self.progress.set(progress);
         self.goes_on()?;
         let elapsed = self.elapsed();
         let since = |at: Duration| elapsed.saturating_sub(at);
@@ -133,18 +112,19 @@ impl<'a> Reporter<'a> {
         }
         if let Some(part) = part {
             self.shown.set(Some(elapsed));
-            (self.send)(ReportBody::Part(part));
+            let reach = Reach::Partial(progress);
+            (self.send)(ReportBody::Part(Answer { report: part, reach, elapsed }));
         }
         ControlFlow::Continue(())
     }
 
     /// Watches a study that has no parts.
-    pub fn progress(&self) -> impl FnMut(Progress, Option<&()>) -> ControlFlow<()> {
+    pub(super) fn progress(&self) -> impl FnMut(Progress, Option<&()>) -> ControlFlow<()> {
         |progress, _| self.tell(progress, &|| None)
     }
 
     /// Watches a study, and makes findings of its parts.
-    pub fn watch<P: ?Sized, T: Into<Found>>(
+    pub(super) fn watch<P: ?Sized, T: Into<Found>>(
         &self,
         part: impl Fn(&P) -> T,
     ) -> impl FnMut(Progress, Option<&P>) -> ControlFlow<()> {
@@ -157,9 +137,10 @@ impl<'a> Reporter<'a> {
         work: impl FnOnce() -> Result<Found, Box<dyn Error>>,
     ) -> ReportBody {
         let text = match panic::catch_unwind(AssertUnwindSafe(work)) {
-            Ok(Ok(found)) => {
-                let took = self.took.get().unwrap_or_else(|| self.elapsed());
-                return ReportBody::Ended { found: Some(found), took };
+            Ok(Ok(report)) => {
+                let elapsed = self.took.get().unwrap_or_else(|| self.elapsed());
+                let reach = Reach::new(self.is_stopped.get(), self.progress.get());
+                return ReportBody::Ended(Some(Answer { report, reach, elapsed }));
             }
             Ok(Err(error)) => error.to_string(),
             Err(payload) => format!(
