@@ -1,17 +1,19 @@
 //! How far a long computation is, and whether somebody wants it to end.
 //!
 //! After half a second there is one line on standard error, on a terminal only, taken away when the result comes. The first
-//! interrupt, or a dropped connection, keeps what is finished; a second Ctrl-C ends the process.
+//! interrupt, or a dropped connection, keeps what is finished; a Ctrl-C half a second later ends the process.
 
 use std::io::{self, IsTerminal as _};
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use std::time::Duration;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
+use signal_hook::iterator::Signals;
 
 use crate::cli::output;
 use crate::cli::sweep::page::duration;
@@ -30,6 +32,10 @@ static REACHED: Mutex<String> = Mutex::new(String::new());
 /// Time before the progress of a computation is shown first, and between updates.
 const SHOWN_AFTER: Duration = Duration::from_millis(500);
 const UPDATED_EVERY: Duration = Duration::from_millis(200);
+
+/// Time within which further interrupts are those of the first request: programs that end others send their signal twice, to the
+/// process and to its group. A person's second one comes later.
+const SAME_REQUEST: Duration = Duration::from_millis(500);
 
 /// The line on the terminal that says how far a computation is.
 pub(super) struct ProgressLine {
@@ -129,13 +135,13 @@ pub(super) fn exit_code_after(failures: impl IntoIterator<Item = String>) -> Exi
     exit_code(failures.into_iter().inspect(|failure| output::note(failure)).count() == 0)
 }
 
-/// A flag that the first interrupt, or a dropped connection, sets; a second Ctrl-C ends the process.
+/// A flag that the first interrupt, or a dropped connection, sets; a later Ctrl-C ends the process.
 pub(super) fn interruptible() -> CancelFlag {
     let stop = STOP.get_or_init(|| {
         let stop = Arc::new(AtomicBool::new(false));
-        // In this order: the second Ctrl-C finds the flag set. Programs that end others send their signal twice, to the process and
-        // to its group: only a person's second one ends it at once.
-        let _ = flag::register_conditional_shutdown(SIGINT, 128 + SIGINT, Arc::clone(&stop));
+        if let Ok(interrupts) = Signals::new([SIGINT]) {
+            let _ = thread::Builder::new().spawn(move || end_by_a_later_one(interrupts));
+        }
         let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
         for signal in [SIGINT, SIGTERM].into_iter().chain(hangup) {
             // Where it cannot be done, the interrupt just ends the process.
@@ -144,6 +150,17 @@ pub(super) fn interruptible() -> CancelFlag {
         stop
     });
     CancelFlag::from(Arc::clone(stop))
+}
+
+/// Ends the process at the first interrupt that is a request of its own after another one.
+#[expect(clippy::exit, reason = "a person does not want to wait for the result")]
+fn end_by_a_later_one(mut interrupts: Signals) {
+    let mut first = None;
+    for _ in interrupts.forever() {
+        if first.get_or_insert_with(Instant::now).elapsed() > SAME_REQUEST {
+            std::process::exit(128 + SIGINT);
+        }
+    }
 }
 
 /// A file beyond the limit of its size (`ulimit -f`) is an error of writing, as on a full disk, and not the end of the process.

@@ -25,7 +25,10 @@ fn a_command_that_is_interrupted() {
     let clock = move || {
         let looks = looks.fetch_add(1, Ordering::Relaxed);
         if looks == LOOKS {
-            signal_hook::low_level::raise(SIGINT).expect("a signal");
+            // Twice, as `timeout` sends it: to the process and to its group.
+            for _ in 0..2 {
+                signal_hook::low_level::raise(SIGINT).expect("a signal");
+            }
         }
         Duration::from_secs(1) * looks
     };
