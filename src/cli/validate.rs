@@ -122,6 +122,7 @@ fn closure_words(closure: Closure) -> &'static str {
     match closure {
         Closure::Given => "a flow strength that is given",
         Closure::Cavity | Closure::ByThickness => "cavity, without dishing",
+        Closure::Cylindrical => "cylindrical, without dishing",
         Closure::DoubleYield => "double-yield, with dishing",
     }
 }

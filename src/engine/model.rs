@@ -12,7 +12,8 @@
 //!    [`impact::run`] for every model but the listing of the thesis's Appendix, which has a scheme of its own
 //!    (`appendix::listing`).
 //! 2. `impact::equations` derives the constants of the impact once (masses, [`contact::Geometry`], [`contact_models`],
-//!    [`mechanism::Mechanism`]) and has the motion: forces, accelerations and their derivatives.
+//!    [`mechanism::Mechanism`]) and has the motion: forces, accelerations and their derivatives. [`strength`] and [`plug`] contain the
+//!    laws of the plate's metal; once a plug is picked up, a second set of constants holds.
 //! 3. `impact::modes` says what moves and what acts between two events (penetrating, joined, apart, held, on a stop), and what follows
 //!    each event; `impact::hold` when a spring that is infinitely steep holds the plate. Both are pure functions of mode and state.
 //! 4. `impact::run` is the loop. Each pass decides by energy whether the result can still change (`outcome`); takes one step
@@ -39,11 +40,13 @@ pub mod estimate;
 pub mod impact;
 pub mod library;
 pub mod mechanism;
+pub mod plug;
 pub mod reference;
 pub mod run;
 pub mod scene;
 pub mod simulate;
 pub mod stack;
+pub mod strength;
 pub mod units;
 pub mod variables;
 mod worded;

@@ -107,6 +107,12 @@ impl Reader<'_> {
             }
         }
         self.measured_curve(scene, document);
+        // A file has the coefficient in effect: another one beside a closure that would choose it was written by a person.
+        let drag = scene.target.drag_coefficient;
+        let is_other = drag.to_bits() != scene.target_in_effect().drag_coefficient.to_bits();
+        if is_other && find(document, "target.drag_coefficient").is_some() {
+            scene.target.give_drag();
+        }
         // After gamma, which follows from them.
         self.one_size(document);
         for key in &PlateSize::KEYS[1..] {

@@ -5,7 +5,9 @@ use std::fs;
 use cmra::files::atomic::Existing;
 use cmra::files::preset::save_file;
 use cmra::files::{read, write};
-use cmra::model::scene::{Closure, Combination, ContactModel, PlateSize, Scene, Sweep, SweepAxis};
+use cmra::model::scene::{
+    Closure, Combination, ContactModel, Nose, PlateSize, Scene, Sweep, SweepAxis,
+};
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
@@ -194,6 +196,8 @@ prop_compose! {
             scene.mechanism.combination = Combination::Alone;
             scene.contact.model = ContactModel::Hydrodynamic;
             scene.target.closure = Closure::Given;
+            // A plug needs more than a given strength, and only a hemisphere dishes a plate.
+            scene.projectile.nose = Nose::Hemispherical;
             scene.stack.elements = scene.stack.elements.round();
             scene.stack.base_thickness_m = Some(0.01);
         }

@@ -5,11 +5,17 @@
 //! u² = [(S + c v²) exp(-2 c V/mu) - S]/c: the shot stops where V = mu/(2c) ln(1 + c v²/S), and has its ballistic limit at
 //! v² = (S/c) (exp(2 c V/mu) - 1) with V the volume of the whole passage. Time is one quadrature. A free plate is moved as far as the
 //! momentum of both bodies asks.
+//!
+//! A nose that shears out a plug opens a hole of the volume V ahead of it and arrives with u_1, keeps `m_p/(m_p + m_k)` of that when it
+//! picks up the plug, and perforates if mu_2/2 times the square of what is left exceeds the work W of shearing, mu_2 the reduced mass of
+//! `m_p + m_k` and `m_2 - m_k`. So the limit has u_1² = 2 W (m_p + m_k)²/(mu_2 m_p²), and v² = u_1² exp(x) + (S/c)(exp(x) - 1) with
+//! x = 2 c V/mu. Shearing is u' = -(pi `D_p` tau/mu_2)(`h_p` - s): hyperbolic functions of the time.
 
 use crate::model::contact::{AreaPiece, Geometry};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
+use crate::model::plug::Plug;
 use crate::model::run::{Arrest, Outcome, Run};
-use crate::model::scene::{ContactModel, Scene};
+use crate::model::scene::{ContactModel, Criterion, Scene};
 use crate::numerics::quadrature::converged;
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
@@ -27,6 +33,43 @@ pub struct Passage<'a> {
     pub drag_kg_m3: f64,
     /// Relative velocity at first contact, m/s.
     pub velocity_m_s: f64,
+    /// What is left once the hole is open; `None` for a nose that pushes the metal aside.
+    shearing: Option<Shearing>,
+}
+
+/// Shearing of a plug with a reduced mass.
+#[derive(Clone, Copy, Debug)]
+struct Shearing {
+    plug: Plug,
+    /// 1/mu_2, 1/kg.
+    mobility_per_kg: f64,
+    /// Part of the relative velocity that is left when the plug is picked up.
+    kept: f64,
+}
+
+impl Shearing {
+    /// Slip at which a projectile stops that has picked up the plug with this relative velocity, m; `None` if it goes through.
+    fn arrest_m(&self, slip_m_s: f64) -> Option<f64> {
+        let Plug { thickness_m, work_j, slip_m, .. } = self.plug;
+        let share = 0.5 * slip_m_s * slip_m_s / (self.mobility_per_kg * work_j);
+        // W = F(0) (s_f - s_f²/(2 h_p)): the energy as a part of the work through the whole thickness.
+        let part = slip_m / thickness_m;
+        let whole = share * part * (2.0 - part);
+        (share < 1.0).then(|| thickness_m * whole / (1.0 + (1.0 - whole).sqrt()))
+    }
+
+    /// Square of the relative velocity with which a plug is to be picked up that is to have this one after a slip, m²/s².
+    fn slip_squared_before(&self, slip_m: f64, left: f64) -> f64 {
+        let work_j = 0.5 * slip_m * (self.plug.force_n(0.0) + self.plug.force_n(slip_m));
+        left + 2.0 * work_j * self.mobility_per_kg
+    }
+
+    /// Time from the pick-up with this relative velocity to a slip, with what is left of the velocity there, s.
+    fn time_s(&self, slip_m_s: f64, slip_m: f64, left_m_s: f64) -> f64 {
+        let Plug { thickness_m, diameter_m, shear_pa, .. } = self.plug;
+        let rate = (std::f64::consts::PI * diameter_m * shear_pa * self.mobility_per_kg).sqrt();
+        ((thickness_m + slip_m_s / rate) / (thickness_m - slip_m + left_m_s / rate)).ln() / rate
+    }
 }
 
 impl<'a> Passage<'a> {
@@ -38,10 +81,20 @@ impl<'a> Passage<'a> {
     /// The same on a plate that moves freely, or not at all; velocities are those relative to the plate.
     pub fn unsprung(scene: &Scene, geometry: &'a Geometry, moves: bool) -> Self {
         let cos = geometry.nose.cos;
-        let plate = if moves { cos * cos / moving_plate_kg(scene) } else { 0.0 };
+        let projectile_kg = scene.projectile.mass_kg;
+        let mobility_per_kg = |plug_kg: f64| {
+            let plate = if moves { cos * cos / (moving_plate_kg(scene) - plug_kg) } else { 0.0 };
+            1.0 / (projectile_kg + plug_kg) + plate
+        };
+        let shearing = |plug: Plug| Shearing {
+            plug,
+            mobility_per_kg: mobility_per_kg(plug.mass_kg),
+            kept: plug.kept(projectile_kg),
+        };
         Self {
             geometry,
-            mobility_per_kg: 1.0 / scene.projectile.mass_kg + plate,
+            mobility_per_kg: mobility_per_kg(0.0),
+            shearing: Plug::of(scene).map(shearing),
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: if moves {
@@ -66,7 +119,31 @@ impl<'a> Passage<'a> {
 
     /// Travel at which the shot comes to rest, m; `None` where it perforates.
     pub fn arrest_m(&self) -> Option<f64> {
-        self.stopping_volume_m3().and_then(|volume| self.geometry.travel_at_volume_m(volume))
+        let in_hole_m = || self.geometry.travel_at_volume_m(self.stopping_volume_m3()?);
+        let in_plug_m =
+            || Some(self.geometry.exit_m + self.shearing?.arrest_m(self.picked_up_m_s())?);
+        in_hole_m().or_else(in_plug_m)
+    }
+
+    /// Relative velocity once the plug is picked up; without a plug, once the nose is through, m/s.
+    fn picked_up_m_s(&self) -> f64 {
+        let kept = self.shearing.map_or(1.0, |shearing| shearing.kept);
+        kept * self.slip_squared_at(self.geometry.exit_m).sqrt()
+    }
+
+    /// Travel at which nothing resists any more, m.
+    fn through_m(&self) -> f64 {
+        self.geometry.exit_m + self.shearing.map_or(0.0, |shearing| shearing.plug.slip_m)
+    }
+
+    /// Relative velocity of a shot that perforates once it is through, m/s; `None` for one that is stopped.
+    pub fn left_m_s(&self) -> Option<f64> {
+        let picked_up_m_s = self.picked_up_m_s();
+        let through = self
+            .shearing
+            .map_or(0.0, |shearing| shearing.slip_squared_before(shearing.plug.slip_m, 0.0));
+        let is_through = self.arrest_m().is_none();
+        is_through.then(|| larger(picked_up_m_s * picked_up_m_s - through, 0.0).sqrt())
     }
 
     /// u² before a volume is swept, m²/s², where it is `left` (m/s)² after that.
@@ -101,14 +178,20 @@ impl<'a> Passage<'a> {
             let force_n = |q_m: f64| {
                 area_m2(q_m) * (self.strength_pa + self.drag_kg_m3 * self.slip_squared_at(q_m))
             };
-            larger(force_n(in_bracket(*from_m, to_m, rise)), force_n(to_m))
+            // A blunt nose pushes most at the start.
+            let at_ends_n = larger(force_n(*from_m), force_n(to_m));
+            larger(force_n(in_bracket(*from_m, to_m, rise)), at_ends_n)
         });
         greatest_n.fold(0.0, larger)
     }
 
     /// The ballistic limit, m/s: relative impact velocities above it perforate.
     pub fn limit_velocity_m_s(&self) -> f64 {
-        self.slip_squared_before(self.geometry.swept_m3(self.geometry.exit_m), 0.0).sqrt()
+        let at_plug = self.shearing.map_or(0.0, |shearing| {
+            let picked_up = shearing.slip_squared_before(shearing.plug.slip_m, 0.0);
+            picked_up / (shearing.kept * shearing.kept)
+        });
+        self.slip_squared_before(self.geometry.swept_m3(self.geometry.exit_m), at_plug).sqrt()
     }
 
     /// The volume swept in the last `ahead_m` before `end_m`, m³, without cancellation.
@@ -127,7 +210,22 @@ impl<'a> Passage<'a> {
     /// How long it takes to the arrest at this travel, or to the exit, to rounding, s: with q = end (1 - s²) the integrand 2 end s/u is
     /// smooth up to an arrest.
     pub fn time_s(&self, arrest_m: Option<f64>) -> f64 {
+        let hole_m = self.geometry.exit_m;
+        let slip_m = arrest_m.map_or(f64::INFINITY, |arrest_m| arrest_m - hole_m);
+        let Some(shearing) = self.shearing.filter(|_| slip_m > 0.0) else {
+            return self.hole_s(arrest_m);
+        };
+        let slip_m = smaller(slip_m, shearing.plug.slip_m);
+        let left_m_s = if arrest_m.is_some() { 0.0 } else { self.left_m_s().unwrap_or(0.0) };
+        self.hole_s(None) + shearing.time_s(self.picked_up_m_s(), slip_m, left_m_s)
+    }
+
+    /// The same to the arrest in the hole, or to its end.
+    fn hole_s(&self, arrest_m: Option<f64>) -> f64 {
         let end_m = arrest_m.unwrap_or(self.geometry.exit_m);
+        if end_m <= 0.0 {
+            return 0.0;
+        }
         let left = if arrest_m.is_some() { 0.0 } else { self.slip_squared_at(end_m) };
         let slip = |s: f64| {
             self.slip_squared_before(self.swept_before_m3(end_m * s * s, end_m), left).sqrt()
@@ -147,6 +245,58 @@ pub fn is_unsprung(scene: &Scene) -> bool {
     scene.contact.model == ContactModel::Hydrodynamic && !acts
 }
 
+/// Whether the ballistic limit of a scene has a closed form: a rigid or free plate alone, perforated by passage.
+fn has_limit(scene: &Scene) -> bool {
+    is_unsprung(scene) && !scene.is_stack() && scene.target.criterion == Criterion::Passage
+}
+
+/// The ballistic limit of a rigid or free plate, m/s: the velocity above which the projectile perforates. `None` where a mechanism acts,
+/// and for a stack, another contact model or another criterion.
+pub fn ballistic_limit_m_s(scene: &Scene) -> Option<f64> {
+    if !has_limit(scene) {
+        return None;
+    }
+    let geometry = Geometry::of(scene);
+    let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
+    let plate_m_s = scene.plate_velocity_m_s() * scene.cos_obliquity();
+    Some(passage.limit_velocity_m_s() + plate_m_s)
+}
+
+/// The velocity of the projectile, with its plug, behind a rigid or free plate, m/s. `None` up to the ballistic limit and where that has
+/// no closed form.
+pub fn residual_velocity_m_s(scene: &Scene) -> Option<f64> {
+    if !has_limit(scene) {
+        return None;
+    }
+    let geometry = Geometry::of(scene);
+    let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
+    let left_m_s = passage.left_m_s()?;
+    let plate_m_s = passage.plate_m_s(scene, passage.through_m(), left_m_s);
+    Some(left_m_s + plate_m_s * scene.cos_obliquity())
+}
+
+impl Passage<'_> {
+    /// Velocity of a free plate along its normal, m/s, at the end of a travel with this relative velocity: what a unit of force takes from
+    /// the relative velocity, and what it gives the plate, are in the same proportion up to the plug and behind it.
+    fn plate_m_s(&self, scene: &Scene, travel_m: f64, left_m_s: f64) -> f64 {
+        if !scene.is_sprung() {
+            return 0.0;
+        }
+        let (cos, plate_kg) = (self.geometry.nose.cos, moving_plate_kg(scene));
+        let w_m_s = scene.plate_velocity_m_s();
+        let gained = |lost_m_s: f64, kg: f64, mobility: f64| lost_m_s * cos / (kg * mobility);
+        let Some(shearing) = self.shearing.filter(|_| travel_m > self.geometry.exit_m) else {
+            return w_m_s + gained(self.velocity_m_s - left_m_s, plate_kg, self.mobility_per_kg);
+        };
+        let picked_up_m_s = self.picked_up_m_s();
+        let in_hole_m_s = self.velocity_m_s - picked_up_m_s / shearing.kept;
+        let rest_kg = plate_kg - shearing.plug.mass_kg;
+        w_m_s
+            + gained(in_hole_m_s, plate_kg, self.mobility_per_kg)
+            + gained(picked_up_m_s - left_m_s, rest_kg, shearing.mobility_per_kg)
+    }
+}
+
 /// What becomes of a shot into a plate that is rigid, or that nothing but the shot moves. `None` of other plates and contact models, of a
 /// shot at an angle, whose swept volumes are integrals themselves, and of a run with a horizon.
 pub(super) fn results(scene: &Scene) -> Option<Run> {
@@ -157,25 +307,32 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
     let geometry = Geometry::of(scene);
     let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
     let arrest_m = passage.arrest_m();
-    let end_m = arrest_m.unwrap_or(geometry.exit_m);
+    let end_m = arrest_m.unwrap_or(passage.through_m());
     let end_s = passage.time_s(arrest_m);
-    let left_m_s = if arrest_m.is_some() { 0.0 } else { passage.slip_squared_at(end_m).sqrt() };
-    // What the projectile loses of its velocity relative to the plate the plate gains by its part of the mass.
-    let m_p = scene.projectile.mass_kg;
-    let part = if scene.is_sprung() { m_p / (m_p + moving_plate_kg(scene)) } else { 0.0 };
+    let left_m_s = passage.left_m_s().unwrap_or(0.0);
     let (v, w) = (passage.velocity_m_s, scene.plate_velocity_m_s());
-    let plate_m_s = w + part * (v - left_m_s);
+    let plate_m_s = passage.plate_m_s(scene, end_m, left_m_s);
+    // What projectile and plug go relative to the plate the plate goes by their part of the mass.
+    let shearing = passage.shearing.filter(|_| end_m > geometry.exit_m);
+    let of_plug = shearing.map_or(0.0, |it| it.plug.mass_kg * (end_m - geometry.exit_m));
+    let moved_m = if scene.is_sprung() {
+        let m_p = scene.projectile.mass_kg;
+        (m_p * (v * end_s - end_m) - of_plug) / (m_p + moving_plate_kg(scene))
+    } else {
+        0.0
+    };
     let exit_s = arrest_m.is_none().then_some(end_s);
+    let of_plug_n = shearing.map_or(0.0, |shearing| shearing.plug.force_n(0.0));
     Some(Run {
         outcome: if arrest_m.is_some() { Outcome::Arrested } else { Outcome::Perforated },
         first_arrest: arrest_m.map(|_| Arrest {
             t_s: end_s,
             penetration_m: geometry.depth_m(end_m),
-            plate_displacement_m: scene.start_m() + w * end_s + part * (v * end_s - end_m),
+            plate_displacement_m: scene.start_m() + w * end_s + moved_m,
             plate_velocity_m_s: plate_m_s,
         }),
         final_penetration_m: Some(geometry.depth_m(end_m)),
-        peak_contact_force_n: Some(passage.peak_n(end_m)),
+        peak_contact_force_n: Some(larger(passage.peak_n(end_m), of_plug_n)),
         // The shot only makes the plate faster.
         max_plate_displacement_m: (plate_m_s <= 0.0).then(|| scene.start_m()),
         residual_velocity_m_s: exit_s.map(|_| left_m_s + plate_m_s),
@@ -220,6 +377,13 @@ mod tests {
             "k=0 S_y=0",
             "mount=rigid S_y=0 h=1m",
             "k=0 v_i=900 h=20mm dishing=off",
+            // Stopped in the hole ahead of the plug, in the plug, and through; without a hole; ductile shearing to the rear face.
+            "mount=rigid nose=blunt closure=cylindrical UTS=180MPa v_i=100",
+            "mount=rigid nose=blunt closure=cylindrical UTS=180MPa v_i=330",
+            "mount=rigid nose=blunt closure=cylindrical UTS=180MPa v_i=500",
+            "k=0 nose=fragment closure=cylindrical Y=276MPa UTS=310MPa v_i=400 h=10mm gamma=3",
+            "k=0 nose=fragment closure=cylindrical Y=276MPa UTS=310MPa v_i=700 h=20mm gamma=3 w_0=-20 d=1mm",
+            "k=0 nose=fragment closure=cylindrical Y=276MPa UTS=310MPa v_i=450 h=20mm gamma=3",
         ] {
             let scene = scene_with(pairs);
             let values = |run: &Run| {
@@ -244,6 +408,84 @@ mod tests {
                 assert!(is_near && pair.0.is_some() == pair.1.is_some(), "{pairs}: {pair:?}");
             }
         }
+    }
+
+    const FRAGMENT_20_MM: &str =
+        "nose=fragment m_p=53.78g R=9.95mm closure=cylindrical mount=rigid";
+    const AA2139: &str = "h=38.7mm rho=2810 Y=414MPa UTS=462MPa E=73.1GPa";
+
+    fn with_laws(pairs: &str) -> Scene {
+        scene_with(&format!("closure=cylindrical mount=rigid {pairs}"))
+    }
+
+    /// The formulas of the head of this file in another program, with Brent's method and adaptive quadrature.
+    #[test]
+    fn valid_limits_and_residual_velocities_of_measured_shots() {
+        let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-6;
+        let on_5059 = format!("{FRAGMENT_20_MM} h=25.1mm rho=2660 Y=254MPa UTS=365MPa E=70.9GPa");
+        let on_2139 = format!("{FRAGMENT_20_MM} {AA2139}");
+        for (pairs, limit) in [
+            (
+                "nose=pointed m_p=5.3g R=3.1242mm h=25.4mm rho=2700 Y=276MPa UTS=310MPa E=68.3GPa C_d=0.212",
+                581.574_273,
+            ),
+            (
+                "nose=pointed theta=30deg m_p=25.9g R=5.44195mm h=8.4mm rho=7850 Y=1867.3535MPa UTS=2067MPa E=207GPa",
+                684.105_170,
+            ),
+            (&on_5059, 439.180_621),
+            (&on_2139, 926.906_828),
+            (&format!("{on_2139} mount=sprung k=0 m_2=0.5kg"), 999.684_335),
+            (
+                "nose=fragment m_p=13.4g R=6.3mm h=10.4mm rho=7850 Y=1350MPa UTS=1640MPa E=207GPa",
+                754.446_252,
+            ),
+            (
+                "nose=blunt m_p=197g R=10mm h=12mm rho=7850 Y=490MPa UTS=567MPa E=200GPa",
+                148.336_189,
+            ),
+        ] {
+            let found = ballistic_limit_m_s(&with_laws(pairs)).unwrap();
+            assert!(near(found, limit), "{pairs}: {found}");
+        }
+        for (pairs, residual) in [
+            (format!("{on_5059} v_i=600"), 294.924_987),
+            (format!("{on_2139} v_i=1200"), 437.693_460),
+        ] {
+            assert!(near(residual_velocity_m_s(&with_laws(&pairs)).unwrap(), residual), "{pairs}");
+        }
+        assert_eq!(residual_velocity_m_s(&with_laws(&format!("{on_2139} v_i=900"))), None);
+    }
+
+    /// A heavy free plate is a rigid one; without its plug the hole alone resists, as under a hemisphere of the same drag through as much.
+    #[test]
+    fn valid_plug_laws_have_their_limits() {
+        let rigid = with_laws(&format!("{FRAGMENT_20_MM} {AA2139} v_i=1200"));
+        let heavy =
+            with_laws(&format!("{FRAGMENT_20_MM} {AA2139} v_i=1200 mount=sprung k=0 gamma=1e9"));
+        let near = |a: f64, b: f64, part: f64| (a / b - 1.0).abs() < part;
+        assert!(near(
+            ballistic_limit_m_s(&heavy).unwrap(),
+            ballistic_limit_m_s(&rigid).unwrap(),
+            1e-8
+        ));
+        assert!(near(
+            residual_velocity_m_s(&heavy).unwrap(),
+            residual_velocity_m_s(&rigid).unwrap(),
+            1e-8
+        ));
+        let scene = with_laws("nose=blunt Y=276MPa UTS=310MPa");
+        let geometry = Geometry::of(&scene);
+        let mut passage = Passage::rigid(&scene, &geometry);
+        let shearing = passage.shearing.as_mut().unwrap();
+        (shearing.plug.work_j, shearing.kept) = (0.0, 1.0);
+        (shearing.plug.shear_pa, shearing.plug.slip_m) = (0.0, 0.0);
+        let round = format!("Y=276MPa UTS=310MPa h={}", geometry.exit_m);
+        let hole = ballistic_limit_m_s(&with_laws(&round)).unwrap();
+        assert!(near(passage.limit_velocity_m_s(), hole, 1e-12));
+        // Without hardening the strength is that of U = Y.
+        let strength = |pairs: &str| with_laws(pairs).flow_strength_pa();
+        assert!((strength("UTS=75.8MPa") - strength("")).abs() < 1e-6);
     }
 
     #[test]

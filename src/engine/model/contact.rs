@@ -8,6 +8,7 @@
 
 use std::f64::consts::PI;
 
+use crate::model::plug::Plug;
 use crate::model::scene::Scene;
 use crate::numerics::quadrature::gauss;
 use crate::numerics::root::in_bracket;
@@ -51,7 +52,7 @@ pub struct Geometry {
     pub bend_m: f64,
     /// Travel taken up by dishing, m.
     pub lag_m: f64,
-    /// Travel at which the nose is clear of the rear face, m.
+    /// Travel at which the nose is clear of the rear face, or comes to the plug, m.
     pub exit_m: f64,
     /// The first `count` are in use; fixed room, so that a sweep prepares a contact without allocating.
     pieces: [AreaPiece; PIECES_MAX],
@@ -183,10 +184,13 @@ impl NoseGeometry {
 }
 
 impl Geometry {
-    /// The geometry of a scene.
+    /// The geometry of a scene; with a plug, of the hole ahead of it.
     pub fn of(scene: &Scene) -> Self {
         let nose = NoseGeometry::of(scene);
         let thickness_m = scene.effective_thickness_m();
+        if let Some(plug) = Plug::of(scene) {
+            return Self::ahead_of(&plug, nose, thickness_m);
+        }
         let lag_m = if scene.target_in_effect().dishing { 2.0 * nose.radius_m } else { 0.0 };
         let bend_m = thickness_m + lag_m;
         let slope = thickness_m / bend_m;
@@ -219,6 +223,47 @@ impl Geometry {
             }
         }
         geometry
+    }
+
+    /// The hole ahead of a plug, in which a blunt nose has its full area from the start; without pieces if the whole plate shears.
+    fn ahead_of(plug: &Plug, nose: NoseGeometry, thickness_m: f64) -> Self {
+        let exit_m = thickness_m - plug.thickness_m;
+        let mut geometry = Self {
+            nose,
+            thickness_m,
+            slope: 1.0,
+            bend_m: thickness_m,
+            lag_m: 0.0,
+            exit_m,
+            pieces: [AreaPiece::free(0.0, 0.0); PIECES_MAX],
+            count: 0,
+        };
+        if exit_m > 0.0 {
+            geometry.push(exit_m, [plug.hole_area_m2, 0.0, 0.0]);
+        }
+        geometry
+    }
+
+    /// The geometry once the plug is picked up: the sheared area over the travel, which the shear strength turns into the force. In front
+    /// of it is the hole, of an area that has the resistance of the hole of this strength.
+    #[must_use]
+    pub(in crate::model) fn around(&self, plug: &Plug, strength_pa: f64) -> Self {
+        let mut geometry = Self { count: 0, ..self.clone() };
+        if self.exit_m > 0.0 {
+            geometry.push(self.exit_m, [plug.hole_area_m2 * strength_pa / plug.shear_pa, 0.0, 0.0]);
+        }
+        geometry.exit_m = self.exit_m + plug.slip_m;
+        let rim_m = PI * plug.diameter_m;
+        geometry.push(geometry.exit_m, [rim_m * plug.thickness_m, -rim_m, 0.0]);
+        geometry
+    }
+
+    /// Adds a piece up to a travel, with the coefficients of its area by the travel from its start.
+    fn push(&mut self, to_m: f64, a: [f64; 3]) {
+        let from_m = self.pieces().last().map_or(0.0, |piece| piece.to_m);
+        let law = AreaLaw::Quadratic { origin_m: from_m, a };
+        self.pieces[self.count] = AreaPiece { from_m, to_m, law };
+        self.count += 1;
     }
 
     /// Depth at travel `q_m`, m. Negative travel (the nose is off the entry face) gives negative depth.

@@ -68,13 +68,14 @@ pub struct ContactEnd {
 
 impl Contact {
     /// Prepare the contact of a scene that has been validated; `None` of a spring that is not a power law, a stop, another interaction
-    /// model, a plate that moves at first contact, an area that does not begin as a polynomial, or a contact without a time scale.
+    /// model, a nose that shears out a plug, a plate that moves at first contact, an area that does not begin as a polynomial, or a contact without a time scale.
     pub fn of(scene: &Scene) -> Option<Self> {
         let mechanism = Mechanism::of(scene);
         let Mechanism { spring: Spring::Power(spring), damper, stop: None, .. } = mechanism else {
             return None;
         };
-        let is_other = scene.contact.model != ContactModel::Hydrodynamic;
+        let is_other =
+            scene.contact.model != ContactModel::Hydrodynamic || scene.projectile.nose.shears();
         if is_other || scene.plate_velocity_m_s() != 0.0 {
             return None;
         }

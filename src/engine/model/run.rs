@@ -233,6 +233,8 @@ worded! {
         /// The nose is buried to its full radius.
         NoseBuried = "nose buried",
         RearFace = "rear face reached",
+        /// A blunt nose picks up the plug that it shears out.
+        Plug = "plug picked up",
         Perforation = "perforation",
         Resumption = "penetration resumes",
         PullOut = "pull-out begins",
@@ -283,6 +285,10 @@ pub struct EnergyLedger {
     pub damper_j: f64,
     /// Work done in the hole: penetration, and friction on the way out or in.
     pub penetration_j: f64,
+    /// Energy lost when a plug is picked up.
+    pub pick_up_j: f64,
+    /// Work of shearing the plug out.
+    pub shear_j: f64,
     /// Energy stored in, or taken by, the stop.
     pub stop_j: f64,
 }
@@ -302,6 +308,8 @@ impl EnergyLedger {
             + self.crush_j
             + self.damper_j
             + self.penetration_j
+            + self.pick_up_j
+            + self.shear_j
             + self.stop_j
     }
 

@@ -5,6 +5,7 @@
 //! that a value typed in degrees is stored exactly. This file knows no files and no screen; the row of each
 //! variable, which describes it for people, stands beside its field; [`crate::model::variables`] has them all.
 
+use crate::model::strength::{hardening_exponent, hole_growth_pa};
 use crate::model::variables::part::parts;
 use crate::model::variables::visible::is_stack;
 
@@ -14,7 +15,7 @@ mod mechanism;
 
 pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
 pub use bodies::{
-    Closure, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile, Target,
+    Closure, Core, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile, Target,
 };
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing};
 pub use mechanism::{Combination, Mechanism, OwnMass, Stop, StopKind, Wire};
@@ -170,7 +171,7 @@ impl Scene {
 
     /// The target with the closure, the dishing and the drag in effect.
     pub fn target_in_effect(&self) -> Target {
-        self.target.in_effect(self.projectile.tip_radius_m)
+        self.target.in_effect(&self.projectile)
     }
 
     /// The closure in effect: the one that is stated, or the one that the plate's thickness chooses.
@@ -187,7 +188,23 @@ impl Scene {
             Closure::Cavity | Closure::ByThickness => {
                 2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln())
             }
+            Closure::Cylindrical => hole_growth_pa(y, e, self.hardening_exponent()),
         }
+    }
+
+    /// Hardening exponent of the plate's metal; 0 without a tensile strength above Y.
+    pub fn hardening_exponent(&self) -> f64 {
+        let Target { yield_pa, tensile_pa, modulus_pa, .. } = self.target;
+        hardening_exponent(yield_pa, tensile_pa, modulus_pa)
+    }
+
+    /// Whether the law in effect counts the hardening of the plate's metal, and none is given.
+    pub fn lacks_hardening(&self) -> bool {
+        let closure = self.closure();
+        let counts = closure == Closure::Cylindrical
+            || self.projectile.nose.shears() && closure != Closure::Given;
+        let Target { tensile_pa, yield_pa, .. } = self.target;
+        counts && tensile_pa.is_none_or(|tensile_pa| tensile_pa <= yield_pa)
     }
 
     /// cos(theta).

@@ -238,7 +238,7 @@ fn result(run: &Run, quantity: &Quantity) -> Value {
 /// A part of the energy ledger: its name in JSON, its label on pages, and where it is found.
 type LedgerPart = (&'static str, &'static str, fn(&EnergyLedger) -> f64);
 
-const ENERGY: [LedgerPart; 11] = [
+const ENERGY: [LedgerPart; 13] = [
     ("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
     ("initial_plate", "plate", |it| it.initial_plate_j),
     ("initial_spring", "cocked spring", |it| it.initial_spring_j),
@@ -249,6 +249,8 @@ const ENERGY: [LedgerPart; 11] = [
     ("crush", "crushed", |it| it.crush_j),
     ("damper", "damper", |it| it.damper_j),
     ("penetration", "penetration", |it| it.penetration_j),
+    ("plug_pick_up", "plug pick-up", |it| it.pick_up_j),
+    ("shear", "plug sheared", |it| it.shear_j),
     ("stop", "stop", |it| it.stop_j),
 ];
 /// How many of them were there at the start.

@@ -5,11 +5,9 @@
 
 use std::sync::Arc;
 
-use crate::model::closed_form::{Passage, is_unsprung};
-use crate::model::contact::Geometry;
 use crate::model::run::envelope::oblique_error;
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{Criterion, Scene};
+use crate::model::scene::Scene;
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::context::{Context, to_its_end};
@@ -21,6 +19,7 @@ pub mod residual_law;
 mod search;
 pub(in crate::study) mod verdict;
 
+pub use crate::model::closed_form::ballistic_limit_m_s as closed_form;
 pub use closures::Closures;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
@@ -229,19 +228,6 @@ pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
     let limit = alone(&Arc::new(scene.clone()), &mut Context::new(1, &mut to_its_end));
     let limit = limit.map_err(|error| error.to_string())?;
     limit.velocity_m_s().ok_or_else(|| limit.absence().unwrap_or_default())
-}
-
-/// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts, or for another
-/// model or criterion.
-pub fn closed_form(scene: &Scene) -> Option<f64> {
-    let by_passage = scene.target.criterion == Criterion::Passage;
-    if !is_unsprung(scene) || scene.is_stack() || !by_passage {
-        return None;
-    }
-    let geometry = Geometry::of(scene);
-    let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
-    let plate_m_s = scene.plate_velocity_m_s() * scene.cos_obliquity();
-    Some(passage.limit_velocity_m_s() + plate_m_s)
 }
 
 #[cfg(test)]

@@ -235,7 +235,7 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
 fn other(scene: &Scene) -> Option<Scene> {
     let mut own = scene.clone();
     (own.target.closure, own.target.dishing, own.target.drag_coefficient) = match scene.closure() {
-        Closure::Given => return None,
+        Closure::Given | Closure::Cylindrical => return None,
         Closure::DoubleYield => (Closure::Cavity, false, 1.0),
         Closure::Cavity | Closure::ByThickness => (Closure::DoubleYield, true, 0.5),
     };

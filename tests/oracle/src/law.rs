@@ -470,7 +470,32 @@ fn strength_pa(scene: &Scene) -> f64 {
         Closure::Cavity | Closure::ByThickness => {
             2.0 * y / 3.0 * (1.0 + (2.0 * e / (3.0 * y)).ln())
         }
+        Closure::Cylindrical => cylindrical_pa(y, scene.target.tensile_pa.unwrap_or(y), e),
     }
+}
+
+/// The pressure on a cylindrical cavity: equilibrium summed over thin rings of the plastic region, by the middle of each. The ring between
+/// the radii r and r + dr has the strain ln(r/r_0)/(3/4)^(1/2), r_0² = r² - a², and adds 2/3^(1/2) sigma dr/r to the elastic Y/3^(1/2).
+fn cylindrical_pa(y: f64, u: f64, e: f64) -> f64 {
+    // The exponent by bisection of Considere's tensile strength.
+    let (mut low, mut high) = (std::f64::consts::E * y / e, 2.0);
+    for _ in 0..200 {
+        let n = 0.5 * (low + high);
+        let is_strong = y * (e * n / y).powf(n) * (-n).exp() > u;
+        *(if is_strong { &mut high } else { &mut low }) = n;
+    }
+    let n = if u > y { low } else { 0.0 };
+    // With r = a (1 + exp(z)) the rings are thin where the strain is great.
+    let rings = 20_000;
+    let outer = (e / (3f64.sqrt() * y)).sqrt();
+    let (from, to) = (-60.0, (outer - 1.0).ln());
+    let width = (to - from) / f64::from(rings);
+    let ring = |i: i32| {
+        let s = (from + width * (f64::from(i) + 0.5)).exp();
+        let strain = -((s * (2.0 + s)).ln() - 2.0 * s.ln_1p()) / 3f64.sqrt();
+        2.0 / 3f64.sqrt() * y * (e * strain / y).powf(n) * s / (1.0 + s) * width
+    };
+    y / 3f64.sqrt() + (0..rings).map(ring).sum::<f64>()
 }
 
 /// c |z|^exponent sgn z.

@@ -9,6 +9,7 @@ use crate::model::contact_models::Law;
 use crate::model::impact::modes::{Contact, Hold, Mode};
 use crate::model::impact::stepping::Stepping;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
+use crate::model::plug::Plug;
 use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind};
 use crate::numerics::step::{Point, Slopes};
 use crate::numerics::{larger, smaller};
@@ -67,6 +68,12 @@ pub(super) struct Setup {
     pub(super) stepping: Stepping,
     /// Error of a step relative to what moves.
     pub(super) tolerance: f64,
+    /// Kinetic energy of projectile and plate at first contact, J.
+    pub(super) initial_kinetic_j: [f64; 2],
+    /// The constants once the plug is picked up; `None` for a nose that pushes the metal aside, and once they hold.
+    pub(super) plug: Option<Box<Self>>,
+    /// Part of the slip that is left when the plug is picked up; 1 until these constants hold.
+    pub(super) kept: f64,
 }
 
 /// Time, travel, slip, and displacement from the mode's origin and velocity of the plate.
@@ -99,7 +106,9 @@ impl Setup {
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = moving_plate_kg(scene);
         let absorbs = scene.is_sprung() && scene.mechanism.spring.kind == SpringKind::Crush;
-        Self {
+        let kinetic_j = |kg: f64, speed: f64| 0.5 * kg * speed * speed;
+        let start_m_s = scene.plate_velocity_m_s();
+        let own = Self {
             law,
             geometry,
             absorber: absorbs.then(|| Box::new(scene.mechanism.clone())),
@@ -120,13 +129,58 @@ impl Setup {
             grip: scene.interface.grip,
             velocity_m_s,
             start_m: scene.start_m(),
-            start_m_s: scene.plate_velocity_m_s(),
+            start_m_s,
             closing_m_s,
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             still: !scene.is_sprung(),
             stepping: Stepping::Collocation(tolerance),
             tolerance,
+            initial_kinetic_j: [
+                kinetic_j(projectile_kg, closing_m_s + start_m_s * cos),
+                kinetic_j(plate_kg, start_m_s),
+            ],
+            plug: None,
+            kept: 1.0,
+        };
+        match Plug::of(scene).filter(|_| flows) {
+            None => own,
+            Some(plug) => Self { plug: Some(Box::new(own.around(&plug))), ..own },
         }
+    }
+
+    /// The constants once a plug is picked up: it moves with the projectile, and its sheared rim resists.
+    fn around(&self, plug: &Plug) -> Self {
+        let projectile_kg = self.projectile_kg + plug.mass_kg;
+        let plate_kg = self.plate_kg - plug.mass_kg;
+        Self {
+            geometry: self.geometry.around(plug, self.strength_pa),
+            projectile_kg,
+            plate_kg,
+            joined_kg: plate_kg + projectile_kg * self.cos * self.cos,
+            strength_pa: plug.shear_pa,
+            drag_kg_m3: 0.0,
+            kept: plug.kept(self.projectile_kg),
+            ..self.clone()
+        }
+    }
+
+    /// The constants for steps by a method.
+    pub(super) fn by(mut self, stepping: Stepping) -> Self {
+        self.stepping = stepping;
+        if let Some(plug) = &mut self.plug {
+            plug.stepping = stepping;
+        }
+        self
+    }
+
+    /// The constants at a travel at which a piece of the area ends: those with the plug at the end of the hole ahead of it.
+    pub(super) fn at(&self, q_m: f64) -> &Self {
+        self.plug.as_deref().filter(|_| q_m >= self.geometry.exit_m).unwrap_or(self)
+    }
+
+    /// Whether the plug is picked up.
+    pub(super) fn shears(&self) -> bool {
+        self.kept < 1.0
     }
 
     /// Spring and elastic stop together, without what damps.
@@ -166,16 +220,9 @@ impl Setup {
         is_at_zero && self.spring.is_steep_at_zero() && self.law != Law::AtOnce
     }
 
-    /// Kinetic energy of projectile and plate at first contact, J.
-    pub(super) fn initial_kinetic_j(&self) -> [f64; 2] {
-        let v = self.closing_m_s + self.start_m_s * self.cos;
-        [(self.projectile_kg, v), (self.plate_kg, self.start_m_s)]
-            .map(|(kg, speed)| 0.5 * kg * speed * speed)
-    }
-
-    /// Both together, J.
+    /// Kinetic energy of both at first contact, J.
     pub(super) fn initial_j(&self) -> f64 {
-        self.initial_kinetic_j().into_iter().sum()
+        self.initial_kinetic_j.into_iter().sum()
     }
 
     /// The velocity of the projectile.

@@ -38,7 +38,7 @@ impl Equations<'_> {
     fn first_moment_s(&self) -> f64 {
         let Setup { velocity_m_s, projectile_kg, .. } = *self.setup;
         let slope_n_m = self.contact_slopes(0.0, velocity_m_s).0;
-        FIRST_MOMENT * smaller(self.setup.passage_s(), (projectile_kg / slope_n_m).sqrt())
+        FIRST_MOMENT * smaller(self.setup.passage_s(), (projectile_kg / slope_n_m.abs()).sqrt())
     }
 
     /// The first moments of a contact with an uncocked plate whose spring is steep at zero, by the balance of forces: the
@@ -81,6 +81,10 @@ impl Equations<'_> {
             return None;
         }
         let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
+        // A blunt nose pushes at once.
+        if self.contact_n(&state) > 0.0 {
+            return None;
+        }
         let rate_n_s = self.rate_n_s(&state).abs();
         let mut held_m = self.mode.held_m;
         let held_n = setup.spring.force(held_m);

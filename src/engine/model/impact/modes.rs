@@ -60,7 +60,7 @@ pub(super) struct Mode {
 /// What ends a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Event {
-    /// The area law changes, going deeper; the last time the nose is through.
+    /// The area law changes, going deeper; the last time the nose is through, or picks up the plug.
     PieceEnd,
     /// The area law changes, coming out; the last time the nose is out.
     PieceStart,
@@ -129,7 +129,7 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         w_side: if setup.start_m_s < 0.0 { -1.0 } else { 1.0 },
     };
     let mut state = State {
-        u_m_s: setup.closing_m_s,
+        u_m_s: setup.closing_m_s * setup.kept,
         x_m: setup.start_m,
         w_m_s: setup.start_m_s,
         ..State::default()
@@ -194,6 +194,7 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
         }
         _ => at_contact(setup, mode, event, (&mut next, state)),
     }
+    let setup = if event == Event::PieceEnd { setup.at(state.q_m) } else { setup };
     if next.hold == Hold::OnStop && (Equations { setup, mode: &next }).push_on_stop_n(state) < 0.0 {
         release(setup, &mut next, state);
     }
@@ -206,8 +207,11 @@ fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mod
     match event {
         Event::PieceEnd => {
             state.q_m = mode.piece.to_m;
-            next.piece = setup.geometry.piece(state.q_m);
-            if state.q_m >= setup.geometry.exit_m {
+            let after = setup.at(state.q_m);
+            next.piece = after.geometry.piece(state.q_m);
+            if after.shears() && !setup.shears() {
+                state.u_m_s *= after.kept;
+            } else if state.q_m >= setup.geometry.exit_m {
                 next.deepest_m = larger(mode.deepest_m, state.q_m);
                 next.contact = Contact::Perforated;
             }

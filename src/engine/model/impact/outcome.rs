@@ -185,7 +185,8 @@ impl Equations<'_> {
         let far_m = self.reach_m(state, energy_j);
         let is_past = state.w_m_s < 0.0 && far_m <= farthest_m;
         let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
-        let keeps = self.is_undamped() && setup.absorber.is_none();
+        // Each slip of a plug weakens its rim.
+        let keeps = self.is_undamped() && setup.absorber.is_none() && !setup.shears();
         let may_slip = setup.plastic && is_past && is_joined && keeps;
         if !may_slip || self.meets_rigid_stop(state, energy_j) {
             return None;

@@ -73,6 +73,10 @@ impl Record {
             self.note(state.t_s, EventKind::FirstArrest);
             self.work.penetration_j = equations.setup.initial_j() - equations.kinetic_j(state);
         }
+        if equations.setup.shears() {
+            self.note(state.t_s, EventKind::Plug);
+            self.work.pick_up_j = equations.setup.initial_j() - equations.kinetic_j(state);
+        }
         self.row(equations, state);
     }
 
@@ -101,13 +105,16 @@ impl Record {
             return;
         }
         let span_s = path.end().t_s - path.looks[0].t_s;
+        let work = &mut self.work;
+        let shears = equations.setup.shears();
+        let in_hole_j = if shears { &mut work.shear_j } else { &mut work.penetration_j };
         for &(at, weight) in GAUSS_10.iter() {
             let state = path.at(0.5 + 0.5 * at);
             let State { u_m_s, x_m, w_m_s, .. } = state;
             let part_s = 0.5 * weight * span_s;
-            self.work.penetration_j += part_s * equations.contact_n(&state) * u_m_s;
-            self.work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
-            self.work.stop_j += part_s * equations.pressed_stop_n(x_m, w_m_s) * w_m_s;
+            *in_hole_j += part_s * equations.contact_n(&state) * u_m_s;
+            work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
+            work.stop_j += part_s * equations.pressed_stop_n(x_m, w_m_s) * w_m_s;
         }
     }
 
@@ -223,11 +230,13 @@ impl Record {
     ) {
         self.fastest_m_s = larger(from.w_m_s.abs(), self.fastest_m_s);
         self.reach(after, to);
+        let picks_up = after.setup.shears() && !before.setup.shears();
         self.mark(event, (before, from), (after, to));
         let lost_j = before.kinetic_j(from) - after.kinetic_j(to);
         match event {
             modes::Event::StopReached => self.work.stop_j += lost_j,
             modes::Event::HistoryEnd => self.work.penetration_j += lost_j,
+            _ if picks_up => self.work.pick_up_j += lost_j,
             _ => {}
         }
         let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
@@ -237,7 +246,8 @@ impl Record {
             self.note_loads(after, to, [force_n, -force_n], |_| Some(to.t_s));
         }
         let acts = |mode: &Mode| (mode.contact, mode.hold, mode.is_pressed);
-        if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {
+        let is_blow = event == modes::Event::StopReached || picks_up;
+        if acts(before.mode) != acts(after.mode) || is_blow {
             self.cost.events += 1;
             self.row(after, to);
         } else if let Some(row) = self.series.last_mut()
@@ -269,6 +279,7 @@ impl Record {
                 self.exit = Some(departure);
                 self.note(to.t_s, EventKind::Perforation);
             }
+            modes::Event::PieceEnd if after.setup.shears() => self.note(to.t_s, EventKind::Plug),
             modes::Event::PieceEnd if new.contact == Contact::Penetrating => {
                 self.pass_joint(setup, to);
             }

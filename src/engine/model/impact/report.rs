@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::closed_form::Passage;
+use crate::model::contact::Geometry;
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{Contact, Mode};
@@ -14,7 +15,7 @@ use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
     Outcome, Run, Warning,
 };
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
 
 /// A plate slowed by a damper to this part of its speed has arrived, to be drawn.
@@ -181,6 +182,14 @@ impl Course<'_> {
         if !self.flows() {
             return self.setup.law.on_rigid_mount_m().map(|q_m| geometry.depth_m(q_m));
         }
+        // Once the plug is picked up, the geometry is no longer that of the first contact.
+        let of_scene;
+        let geometry = if self.setup.shears() {
+            of_scene = Geometry::of(self.scene);
+            &of_scene
+        } else {
+            geometry
+        };
         Passage::rigid(self.scene, geometry).arrest_m().map(|q_m| geometry.depth_m(q_m))
     }
 
@@ -193,7 +202,7 @@ impl Course<'_> {
         // An absorber that is being crushed gives back less than was spent on it.
         let crushed = setup.crushed_at(x_m, self.mode.crushed_m);
         let spring_j = crushed.map_or(stored_j, |(spring, _)| spring.energy(x_m));
-        let [initial_kinetic_j, initial_plate_j] = setup.initial_kinetic_j();
+        let [initial_kinetic_j, initial_plate_j] = setup.initial_kinetic_j;
         EnergyLedger {
             initial_kinetic_j,
             initial_plate_j,
@@ -266,10 +275,14 @@ impl Course<'_> {
         let is_through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);
         let is_plastic = !self.flows() && scene.interface.law == InterfaceLaw::Plastic;
         let Run { outcome, at_least, first_arrest, baseline_penetration_m, .. } = *run;
+        let Target { tensile_pa, yield_pa, .. } = scene.target;
+        let no_hardening = Warning::NoHardening { tensile_pa, yield_pa };
         let is_moving = outcome == Outcome::Moving || at_least != AtLeast::default();
         let notes = [
             is_through.then_some(Warning::NotModelled(NotModelled::RearFace)),
             is_plastic.then_some(Warning::NotModelled(NotModelled::PlasticLaw)),
+            scene.lacks_hardening().then_some(no_hardening).filter(|_| self.flows()),
+            (setup.shears() && outcome != Outcome::Perforated).then_some(Warning::PlugStopped),
             setup.law.overruns(first_arrest.map(|arrest| arrest.t_s)),
             // What goes through the first plate of a stack meets the next.
             (baseline_penetration_m.is_none() && !scene.is_stack()).then_some(Warning::NoBaseline),

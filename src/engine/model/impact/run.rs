@@ -61,6 +61,8 @@ pub(super) fn run<const S: usize>(
     settings: Settings,
     observer: Observer<'_>,
 ) -> Run {
+    // A plate that is all plug has no hole ahead of it.
+    let setup = setup.at(0.0);
     let (mode, state) = modes::first(setup);
     let horizon_s = scene.run.horizon_s.unwrap_or(f64::INFINITY);
     let Settings { series: keep_series, every_s, .. } = settings;
@@ -196,14 +198,17 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let mut state = on_it;
         let before = self.course.mode.clone();
         let mut next = modes::after(setup, &before, event, &mut state);
+        let setup_after = if event == Event::PieceEnd { setup.at(state.q_m) } else { setup };
         if event != Event::StopRelease {
-            modes::face(setup, &mut next, &state);
+            modes::face(setup_after, &mut next, &state);
         }
         (self.last, self.previous) = (Some(event), None);
-        let [old, new] = [&before, &next].map(|mode| Equations { setup, mode });
+        let old = Equations { setup, mode: &before };
+        let new = Equations { setup: setup_after, mode: &next };
         self.course.record.event(event, (&old, &on_it), (&new, &state));
         let before_j = new.kinetic_j(&state);
         (self.course.mode, self.course.state) = (next, state);
+        self.course.setup = setup_after;
         // What is to be seen up to a horizon happens when it does.
         if !self.course.is_open() {
             return;

@@ -39,7 +39,7 @@ pub(super) fn run_by(
     stepping: Stepping,
     observer: Observer<'_>,
 ) -> Run {
-    let setup = |tolerance: f64| Setup { stepping, ..Setup::of(scene, tolerance) };
+    let setup = |tolerance: f64| Setup::of(scene, tolerance).by(stepping);
     match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             run(scene, &setup(tolerance), &NINE.to(tolerance), settings, observer)

@@ -172,3 +172,117 @@ fn a_plate_that_creeps_comes_to_rest_on_its_stop() {
         assert!((reached_m - stop_m).abs() < 1e-15, "{pairs}: {reached_m}");
     }
 }
+
+/// Both bodies in absolute coordinates by classical Runge-Kutta steps of equal length, cut by bisection where the plug is picked up, where
+/// it is through and where both have one velocity: (t, travel, plate displacement, plate velocity, relative velocity) at the end.
+fn by_equal_steps(
+    [m_p, m_2, k, b]: [f64; 4],
+    (hole_m, plug): (impl Fn(f64) -> f64, [f64; 5]),
+    v: f64,
+) -> [f64; 5] {
+    let [hole_end_m, plug_kg, rim_n_m, thickness_m, slip_m] = plug;
+    let mut y = [0.0, v, 0.0, 0.0];
+    let (mut t, mut is_sheared) = (0.0, hole_end_m == 0.0);
+    let pick_up = |y: &mut [f64; 4]| y[1] = (m_p * y[1] + plug_kg * y[3]) / (m_p + plug_kg);
+    if is_sheared {
+        pick_up(&mut y);
+    }
+    let step = |y: [f64; 4], h: f64, is_sheared: bool| -> [f64; 4] {
+        let rate = |y: [f64; 4]| {
+            let (q, u) = (y[0] - y[2], y[1] - y[3]);
+            let force =
+                if is_sheared { rim_n_m * (thickness_m - (q - hole_end_m)) } else { hole_m(u) };
+            let kg = if is_sheared { plug_kg } else { 0.0 };
+            [y[1], -force / (m_p + kg), y[3], (force - k * y[2] - b * y[3]) / (m_2 - kg)]
+        };
+        let ahead = |d: [f64; 4], part: f64| std::array::from_fn(|i| y[i] + part * d[i]);
+        let k1 = rate(y);
+        let k2 = rate(ahead(k1, 0.5 * h));
+        let k3 = rate(ahead(k2, 0.5 * h));
+        let k4 = rate(ahead(k3, h));
+        std::array::from_fn(|i| y[i] + h * ((k1[i] + k4[i]) / 6.0 + (k2[i] + k3[i]) / 3.0))
+    };
+    let h = 1e-8;
+    loop {
+        let end_m = if is_sheared { hole_end_m + slip_m } else { hole_end_m };
+        let is_over = |y: [f64; 4]| y[0] - y[2] >= end_m || y[1] <= y[3];
+        let next = step(y, h, is_sheared);
+        if !is_over(next) {
+            (y, t) = (next, t + h);
+            continue;
+        }
+        let (mut low, mut high) = (0.0, h);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            *(if is_over(step(y, middle, is_sheared)) { &mut high } else { &mut low }) = middle;
+        }
+        (y, t) = (step(y, high, is_sheared), t + high);
+        if is_sheared || y[1] - y[3] < 1e-3 {
+            return [t, y[0] - y[2], y[2], y[3], y[1] - y[3]];
+        }
+        pick_up(&mut y);
+        is_sheared = true;
+    }
+}
+
+/// A fragment of 12.6 mm on aluminium and on steel, and a rigid cylinder, on a spring and a damper: stopped in the hole or in the plug, or
+/// through. Ledger, momentum and events of the same runs.
+#[test]
+fn valid_a_plug_is_sheared_as_by_equal_steps_of_both_bodies() {
+    let pi = std::f64::consts::PI;
+    for (nose, metal, h, v, through) in [
+        ("fragment", 0, 0.01, 200.0, false),
+        ("fragment", 0, 0.01, 600.0, true),
+        ("fragment", 0, 0.022, 400.0, false),
+        ("fragment", 0, 0.022, 900.0, true),
+        ("blunt", 0, 0.022, 150.0, false),
+        ("blunt", 1, 0.02, 700.0, false),
+        ("fragment", 1, 0.01, 900.0, true),
+    ] {
+        let (rho, y, u, e) =
+            [(2700.0, 276e6, 310e6, 68.3e9), (7850.0, 1350e6, 1640e6, 207e9)][metal];
+        let (m_p, m_2, k, b) = (0.0134, 0.3, 1e7, 500.0);
+        let pairs = format!(
+            "m_p={m_p} R=6.3mm nose={nose} closure=cylindrical rho={rho} Y={y} UTS={u} E={e} h={h} v_i={v} m_2={m_2} k={k} b={b}"
+        );
+        let run = shot(&pairs);
+        // The laws once more, with the constants of the alloys from elsewhere.
+        let (s, sigma) =
+            [(1_103.065_098_444e6, 395.376_675_796e6), (5_366.407_403_343e6, 2_322.436_110_613e6)]
+                [metal];
+        let (d, tau) = (0.0126, sigma / 3f64.sqrt());
+        let is_fragment = nose == "fragment";
+        let area = if is_fragment { 2.0 } else { 1.0 } * pi * d * d / 4.0;
+        let h_p = if h > 1.35 * d { 1.35 * d } else { h };
+        let d_p = if is_fragment && metal == 1 { 2f64.sqrt() * d } else { d };
+        let w = if 0.5 * tau < [95e6, 250e6][metal] { 0.5 * tau } else { [95e6, 250e6][metal] };
+        let slip = h_p * (1.0 - (1.0 - 2.0 * w / tau).sqrt());
+        let plug_kg = rho * pi * d_p * d_p / 4.0 * h_p;
+        let plug = [h - h_p, plug_kg, pi * d_p * tau, h_p, slip];
+        let hole = |u: f64| area * (s + 0.5 * rho * u * u);
+        let [t, q, x, plate, left] = by_equal_steps([m_p, m_2, k, b], (hole, plug), v);
+        let near = |found: f64, expected: f64| {
+            assert!(is_near(found, expected, 1e-8), "{pairs}: {found} {expected}")
+        };
+        assert_eq!(run.outcome == crate::model::run::Outcome::Perforated, through, "{pairs}");
+        if through {
+            near(run.exit_time_s.unwrap(), t);
+            near(run.residual_velocity_m_s.unwrap(), left + plate);
+            near(run.final_penetration_m.unwrap(), h - h_p + slip);
+        } else {
+            let arrest = run.first_arrest.unwrap();
+            near(arrest.t_s, t);
+            near(arrest.penetration_m, q);
+            near(arrest.plate_displacement_m, x);
+            near(arrest.plate_velocity_m_s, plate);
+        }
+        assert!(run.ledger.residual().abs() < 1e-11, "{pairs}: {:?}", run.ledger);
+        let is_picked_up =
+            run.events.iter().any(|it| it.kind == crate::model::run::EventKind::Plug);
+        assert_eq!(is_picked_up, q > h - h_p, "{pairs}");
+        if through {
+            let work = pi * d_p * h_p * h_p * w;
+            near(run.ledger.shear_j, work);
+        }
+    }
+}

@@ -43,16 +43,17 @@ impl Check {
             Self::Thickness => ("h",
                "Plate thickness over projectile diameter, by which a plate fails in another way: with dishing the law is validated \
                 up to about 1 (conservative beyond: limits come out too low) and from about 0.3 (unconservative below), without it \
-                from about 1 (unconservative below), and hard plates of 750 MPa and more plug below about 2.5 (unconservative). \
-                Cure: dishing=off with closure=cavity for a thick plate, dishing=on with closure=double-yield for a thin one; a \
-                hard thin plate has none."),
+                from about 1 (unconservative below). Cure: dishing=off with closure=cavity for a thick plate, dishing=on with \
+                closure=double-yield for a thin one. Under a pointed core a plate of 1250 MPa and more comes out 40 to 50 % too high \
+                below about 0.7 (unconservative), and under a rigid cylinder every plate too low below about 0.6 (conservative): \
+                there is no cure."),
             Self::Material => ("rho",
                "The target is no metal by its density and yield stress, and strength and drag are laws for metal plates. On which \
                 side the answer errs is not known. Cure: give rho and S_y of a metal."),
             Self::Nose => ("nose",
-               "The law is for a hemispherical nose. A blunt one shears out a plug, and its limit comes out about 60 % too high \
-                (unconservative); for a pointed one the direction is not known. Cure: nose=hemispherical; there is none for \
-                another nose."),
+               "Another nose than a hemisphere has its law measured with closure=cylindrical only: on which side the answer errs with \
+                another closure is not known. Cure: closure=cylindrical with Y, UTS and E. A core that deforms is taken as rigid \
+                (conservative); there is no cure."),
             Self::NosePressure => ("v_i",
                "The pressure on the nose, S + c v^2, is more than half of the 2 GPa of hardened steel: the projectile may deform or \
                 break, which the model does not know. Conservative: a broken projectile penetrates less. Cure: a lower v_i or a \

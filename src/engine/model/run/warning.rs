@@ -21,6 +21,8 @@ pub enum Warning {
     StillMoving { outcome: Outcome, at_least: AtLeast },
     HorizonNotReached { reason: EndReason, t_s: f64, horizon_s: f64 },
     NoBaseline,
+    NoHardening { tensile_pa: Option<f64>, yield_pa: f64 },
+    PlugStopped,
     Overruns { t_s: f64, duration_s: f64 },
     NotModelled(NotModelled),
     Limit(Limit),
@@ -121,6 +123,17 @@ impl fmt::Display for Warning {
                 significant(required_m, 4),
                 significant(limit_m, 4)
             ),
+            Self::NoHardening { tensile_pa, yield_pa } => {
+                let mega = |pa: f64| significant(1e-6 * pa, 4);
+                let why = tensile_pa.map_or_else(
+                    || "UTS is not given".to_owned(),
+                    |tensile_pa| format!("UTS = {} MPa is not above Y = {} MPa", mega(tensile_pa), mega(yield_pa)),
+                );
+                format!("{why}: the plate is taken not to harden (n = 0)")
+            }
+            Self::PlugStopped => "depth and forces are indicative: the plug law picks the plug up at any speed, though a slow shot \
+                                  shears nothing"
+                .to_owned(),
             Self::NoBaseline => {
                 "the same shot also perforates the plate on a rigid mount: there is no depth to compare with".to_owned()
             }

@@ -8,7 +8,7 @@ use crate::model::variables::{Allowed, Kind, Number, Variable};
 use crate::model::worded::worded;
 
 parts! {
-    /// A rigid projectile with a hemispherical nose.
+    /// A rigid projectile.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Projectile at (projectile) {
         pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass",
@@ -26,8 +26,11 @@ parts! {
         pub strength_pa: f64 = 1e9 => "Y_p", "yield strength", "projectile strength, used for the ricochet warning only",
             number(Pressure, Positive).own_name("projectile_strength").when(is_oblique).source("assumption: 1 GPa");
         pub nose: Nose = Nose::Hemispherical => "nose", "nose shape",
-            "shape of the nose; the law is for a hemisphere, other shapes cause a warning",
-            choice().is_seldom(true).listed(|scene| scene.projectile.nose != Nose::Hemispherical).source("assumption of the model");
+            "shape of the nose, which chooses the law: hemispherical or pointed (hole growth), blunt (a rigid cylinder) or fragment (a chisel of soft steel): a plug",
+            choice().is_seldom(true).listed(|scene| scene.projectile.nose != Nose::Hemispherical)
+            .source("hemispherical: the thesis; plug: the form of Recht and Ipson (1963), fitted on the REL database");
+        pub core: Core = Core::Steel => "core", "core", "material of the core: it chooses the class of measurements and changes no force",
+            choice().is_seldom(true).listed(|scene| scene.projectile.core != Core::Steel).source("assumption: steel");
     }
 
     /// The plate as a target.
@@ -42,27 +45,32 @@ parts! {
             number(Pressure, NonNegative).aliases(&["Sy"]).used(|scene| resists(scene) && scene.target.closure == Closure::Given)
             .source("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
         pub closure: Closure = Closure::Given => "closure", "source of S_y",
-            "where S_y comes from: given, 2 Y (with dishing), cavity expansion (without dishing), or the one of them that suits h",
-            choice().is_seldom(true).used(resists).source("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
+            "where S_y comes from: given, 2 Y (with dishing), a spherical cavity, a cylindrical one in a hardening metal (both without dishing), or by-thickness",
+            choice().is_seldom(true).used(resists)
+            .source("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y)); cylindrical: Luk and Forrestal (1987), with UTS");
         pub yield_pa: f64 = 75.8e6 => "Y", "yield strength", "static yield strength, for a closure",
             number(Pressure, Positive).own_name("yield_strength").is_seldom(true)
             .when(|scene| scene.target.closure != Closure::Given).used(resists).source("thesis Appendix A.1: 75.8 MPa");
-        pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for the closure by cavity expansion",
+        pub tensile_pa: Option<f64> = None => "UTS", "tensile strength",
+            "engineering ultimate tensile strength, for the hardening; none, or below Y: no hardening",
+            optional(Pressure, Positive, "none").own_name("tensile_strength").is_seldom(true).used(resists).when(hardens)
+            .source("none: the thesis needs none");
+        pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for cavity expansion and for the plug",
             number(Pressure, Positive).is_seldom(true).used(resists)
-            .when(|scene| matches!(scene.target.closure, Closure::Cavity | Closure::ByThickness))
+            .when(|scene| hardens(scene) || scene.target.closure == Closure::Cavity)
             .source("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
             is(DRAG).aliases(&["Cd"])
-            .used(|scene| resists(scene) && (scene.target.closure != Closure::ByThickness || scene.target.drag == DragSource::Given))
+            .used(|scene| resists(scene) && (!scene.target.closure.chooses_drag() || scene.target.drag == DragSource::Given))
             .source(TABLE_9_1);
         pub drag: DragSource = DragSource::Closure => "drag", "source of C_d",
-            "where C_d comes from with closure = by-thickness: the closure, or given; setting C_d makes it given",
-            choice().is_seldom(true).when(|scene| resists(scene) && scene.target.closure == Closure::ByThickness)
-            .source("0.5 with 2 Y (Virostek), 1 with cavity expansion (a hemisphere)");
+            "where C_d comes from with closure = cylindrical or by-thickness: closure (and nose), or given; setting C_d makes it given",
+            choice().is_seldom(true).when(|scene| resists(scene) && scene.target.closure.chooses_drag())
+            .source("0.5 with 2 Y (Virostek); with a cavity 0.212 for an ogive of CRH 3, else 1");
         pub dishing: bool = true => "dishing", "dishing",
             "the plate's local bulge takes up about one projectile diameter of travel",
-            is(DISHING).used(|scene| penetrates(scene) && scene.target.closure != Closure::ByThickness).source("thesis section 8.3.1 and Appendix A.2");
+            is(DISHING).used(|scene| penetrates(scene) && dishes(scene)).source("thesis section 8.3.1 and Appendix A.2");
         pub criterion: Criterion = Criterion::Passage => "criterion", "criterion",
             "when the plate counts as perforated: passage (navy: the nose is clear of the rear face) or protrusion (army: it stands out)",
             choice().is_seldom(true).used(penetrates).source("passage: the thesis");
@@ -90,8 +98,18 @@ worded! {
         Hemispherical = "hemispherical",
         /// An ogive or a cone.
         Pointed = "pointed",
-        /// Flat, or nearly so: it shears out a plug.
+        /// A rigid cylinder: it shears out a plug.
         Blunt = "blunt",
+        /// A fragment simulating projectile, a chisel of soft steel: it mushrooms and shears out a plug.
+        Fragment = "fragment",
+    }
+
+    /// The core of a projectile.
+    pub enum Core: word {
+        Steel = "steel",
+        TungstenCarbide = "tungsten-carbide",
+        /// Lead, or a rod that shortens.
+        Deformable = "deformable",
     }
 
     /// Where the flow strength comes from.
@@ -103,7 +121,10 @@ worded! {
         /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made
         /// without dishing.
         Cavity = "cavity",
-        /// The first of them for plates thinner than the projectile's diameter, the second from there on.
+        /// The pressure that opens a cylindrical cavity in an incompressible metal that hardens. Made without dishing.
+        Cylindrical = "cylindrical",
+        /// Under a hemisphere 2 Y for plates thinner than the projectile's diameter, a spherical cavity from there on; cylindrical under
+        /// another nose.
         ByThickness = "by-thickness",
     }
 
@@ -115,9 +136,9 @@ worded! {
         Protrusion = "protrusion",
     }
 
-    /// Where the drag coefficient comes from under a closure by thickness.
+    /// Source of the drag coefficient under a closure that chooses it.
     pub enum DragSource: word {
-        /// The closure in effect has its own.
+        /// The closure in effect and the nose have their own.
         Closure = "closure",
         /// It is given, as under every other closure.
         Given = "given",
@@ -168,27 +189,68 @@ impl Target {
         2.0 * tip_radius_m
     }
 
-    /// Makes the drag coefficient a given one, also where the closure by thickness would choose it.
+    /// Makes the drag coefficient a given one, also where the closure would choose it.
     pub fn give_drag(&mut self) {
-        if self.closure == Closure::ByThickness {
+        if self.closure.chooses_drag() {
             self.drag = DragSource::Given;
         }
     }
 
-    /// With the closure that suits its thickness where that chooses it: 2 Y with dishing and Virostek's drag on a thin plate, cavity
-    /// expansion with a hemisphere's drag on a thick one; a given drag stays.
+    /// The target with the closure, the dishing and the drag in effect under a projectile. By thickness: under a hemisphere 2 Y with
+    /// dishing and Virostek's drag on a thin plate, a spherical cavity with a hemisphere's drag on a thick one; under another nose a
+    /// cylindrical cavity. Only a hemisphere dishes a plate; a given drag stays.
     #[must_use]
-    pub fn in_effect(self, tip_radius_m: f64) -> Self {
-        if self.closure != Closure::ByThickness {
-            return self;
-        }
-        let dishing = self.thickness_m < Self::thick_from_m(tip_radius_m);
-        let (closure, drag) =
-            if dishing { (Closure::DoubleYield, 0.5) } else { (Closure::Cavity, 1.0) };
-        let drag_coefficient =
-            if self.drag == DragSource::Given { self.drag_coefficient } else { drag };
+    pub fn in_effect(self, projectile: &Projectile) -> Self {
+        let nose = projectile.nose;
+        let is_thin = self.thickness_m < Self::thick_from_m(projectile.tip_radius_m);
+        let (closure, own_drag) = match self.closure {
+            Closure::Given | Closure::DoubleYield | Closure::Cavity => {
+                let dishing = self.dishing && nose == Nose::Hemispherical;
+                return Self { dishing, ..self };
+            }
+            Closure::ByThickness if nose == Nose::Hemispherical && is_thin => {
+                (Closure::DoubleYield, 0.5)
+            }
+            Closure::ByThickness if nose == Nose::Hemispherical => (Closure::Cavity, 1.0),
+            Closure::ByThickness | Closure::Cylindrical => {
+                (Closure::Cylindrical, nose.drag_coefficient())
+            }
+        };
+        let dishing = closure == Closure::DoubleYield;
+        let is_given = self.drag == DragSource::Given;
+        let drag_coefficient = if is_given { self.drag_coefficient } else { own_drag };
         Self { closure, dishing, drag_coefficient, drag: DragSource::Closure, ..self }
     }
+}
+
+impl Nose {
+    /// Drag coefficient of hole growth without dishing: an ogive of CRH 3 (N = 0.106 of Forrestal, `C_d` = 2 N), else a hemisphere's.
+    pub fn drag_coefficient(self) -> f64 {
+        if self == Self::Pointed { 0.212 } else { 1.0 }
+    }
+
+    /// Returns `true` if the nose shears out a plug.
+    pub fn shears(self) -> bool {
+        matches!(self, Self::Blunt | Self::Fragment)
+    }
+}
+
+impl Closure {
+    /// Returns `true` if the closure chooses the drag coefficient.
+    pub fn chooses_drag(self) -> bool {
+        matches!(self, Self::Cylindrical | Self::ByThickness)
+    }
+}
+
+/// Whether the hardening of the plate counts: in a cylindrical cavity, and in the shear strength of a plug.
+fn hardens(scene: &Scene) -> bool {
+    let Scene { projectile, target, .. } = scene;
+    target.closure.chooses_drag() || projectile.nose.shears() && target.closure != Closure::Given
+}
+
+/// Whether dishing is free to choose: the closure may choose it, and only a hemisphere dishes a plate.
+fn dishes(scene: &Scene) -> bool {
+    !scene.target.closure.chooses_drag() && scene.projectile.nose == Nose::Hemispherical
 }
 
 /// Whether the plate's mass follows from its material and thickness.

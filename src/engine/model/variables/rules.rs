@@ -1,6 +1,8 @@
 //! Rules between the values of a scene, and which studies it serves.
 
 use super::VariableError;
+use super::visible::resists;
+use crate::model::plug::{Metal, Plug};
 use crate::model::scene::{
     Closure, Combination, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target,
 };
@@ -56,7 +58,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     check_stack(scene)
 }
 
-/// The two closures for the flow strength each contain the bulge in their own way: never both.
+/// The closures for the flow strength contain the bulge each in its own way, never both, and cavity expansion needs an elastic body.
 fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target_in_effect();
     let is_cavity = closure == Closure::Cavity;
@@ -65,12 +67,63 @@ fn check_closure(scene: &Scene) -> Result<(), VariableError> {
          material that holds it back: set dishing = off, or closure = double-yield"
             .to_owned()
     })?;
-    require(!is_cavity || modulus_pa > yield_pa, || {
+    let is_stiff = |least_pa: f64, what: &str| {
+        require(modulus_pa > least_pa, || {
+            format!(
+                "E (target.modulus_pa) = {} Pa is not greater than {what} = {} Pa: cavity expansion needs an elastic body; for \
+                 steel E is about 2e11 Pa, for aluminium 7e10 Pa",
+                shortest(modulus_pa),
+                significant(least_pa, 6)
+            )
+        })
+    };
+    match closure {
+        Closure::Given => {}
+        Closure::Cavity => is_stiff(yield_pa, "Y (target.yield_pa)")?,
+        Closure::Cylindrical => is_stiff(3f64.sqrt() * yield_pa, "3^(1/2) Y (target.yield_pa)")?,
+        Closure::DoubleYield | Closure::ByThickness if scene.projectile.nose.shears() => {
+            is_stiff(3f64.sqrt() * yield_pa, "3^(1/2) Y (target.yield_pa)")?;
+        }
+        Closure::DoubleYield | Closure::ByThickness => {}
+    }
+    if scene.projectile.nose.shears() && resists(scene) { check_plug(scene) } else { Ok(()) }
+}
+
+/// A nose that shears out a plug needs the strength of the metal, a metal with a plug law, and a plate that is heavier than its plug.
+fn check_plug(scene: &Scene) -> Result<(), VariableError> {
+    let nose = scene.projectile.nose.word();
+    require(scene.closure() != Closure::Given, || {
         format!(
-            "E (target.modulus_pa) = {} Pa is not greater than Y (target.yield_pa) = {} Pa: cavity expansion needs an elastic \
-             body; for steel E is about 2e11 Pa, for aluminium 7e10 Pa",
-            shortest(modulus_pa),
-            shortest(yield_pa)
+            "nose (projectile.nose) = {nose} with closure (target.closure) = given: the plug law needs Y and E; set closure = \
+             cylindrical with Y, UTS and E, choose a material, or set nose = hemispherical"
+        )
+    })?;
+    require(scene.contact.model != ContactModel::Appendix, || {
+        format!(
+            "nose (projectile.nose) = {nose} with model (contact.model) = appendix: the listing has a hemisphere only; set model = \
+             hydrodynamic, or nose = hemispherical"
+        )
+    })?;
+    let density_kg_m3 = scene.target.density_kg_m3;
+    require(Metal::of_density(density_kg_m3).is_some(), || {
+        let (low, high) = Metal::STEEL_KG_M3;
+        format!(
+            "nose (projectile.nose) = {nose} on a plate of rho (target.density_kg_m3) = {} kg/m^3: there is no plug law for this \
+             metal, only for light alloys below {} and steels of {} to {} kg/m^3; set nose = hemispherical for hole growth alone",
+            shortest(density_kg_m3),
+            shortest(Metal::LIGHT_BELOW_KG_M3),
+            shortest(low),
+            shortest(high)
+        )
+    })?;
+    let plug_kg = Plug::of(scene).map_or(0.0, |plug| plug.mass_kg);
+    let plate_kg = scene.plate_mass_kg();
+    require(!scene.is_sprung() || plate_kg > plug_kg, || {
+        format!(
+            "plate mass m_2 = {} g is not greater than the {} g of the plug that nose (projectile.nose) = {nose} shears out: the \
+             whole plate is the plug; raise gamma (plate.mass_ratio), m_2 or face, or set mount = rigid",
+            significant(1e3 * plate_kg, 4),
+            significant(1e3 * plug_kg, 4)
         )
     })
 }

@@ -199,7 +199,10 @@ mod tests {
             ("m", "where b > 0"),
             ("k_stop", "where x_stop given and stop_kind = elastic"),
             ("k_2", "where combine = parallel"),
-            ("Y", "where closure = double-yield or closure = cavity or closure = by-thickness"),
+            (
+                "Y",
+                "where closure = double-yield or closure = cavity or closure = cylindrical or closure = by-thickness",
+            ),
             ("rho_p", "where theta > 0 or m_p below that of the nose sphere"),
         ] {
             assert_eq!(when(name), words, "{name}");

@@ -2,16 +2,20 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
-use crate::model::scene::{ContactModel, Criterion, Scene, Target};
+use crate::model::plug::Plug;
+use crate::model::scene::{ContactModel, Criterion, Projectile, Scene, Target};
 use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
+
+/// Part of a thickness beyond a root at which the limit still has a value.
+const BESIDE: f64 = 1e-9;
 
 /// The thickness, m, at which a free (`moves`) or rigid plate of the scene's material has this limit velocity, m/s, against the scene's
 /// projectile; `None` for another contact model, or without strength or limit. A closure that depends on thickness gives the thinner of
 /// two such plates; where its limit jumps over this one, that of the jump.
 pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
     let of_nose = |tip_radius_m: f64| {
-        let target = scene.target.in_effect(tip_radius_m);
+        let target = scene.target.in_effect(&Projectile { tip_radius_m, ..scene.projectile });
         of_stated_closure(&Scene { target, ..scene.clone() }, limit_m_s, moves)
     };
     // Under a nose without end every plate is thin, under none every plate is thick.
@@ -40,17 +44,43 @@ fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> 
     let geometry = Geometry::of(scene);
     let plate_m_s = if moves { scene.plate_velocity_m_s() * scene.cos_obliquity() } else { 0.0 };
     let velocity_m_s = limit_m_s - plate_m_s;
-    let passage = Passage { velocity_m_s, ..Passage::unsprung(scene, &geometry, moves) };
+    let mut passage = Passage::unsprung(scene, &geometry, moves);
+    passage.velocity_m_s = velocity_m_s;
+    if scene.projectile.nose.shears() {
+        return thickness_that_shears(scene, velocity_m_s, moves);
+    }
     // At the limit the perforation takes just the volume that stops the shot, which does not depend on the thickness.
     let volume = passage.stopping_volume_m3()?;
-    let (mut thin, mut thick) = (scene.target.thickness_m, scene.target.thickness_m);
+    root(scene.target.thickness_m, |thickness_m| swept(thickness_m) - volume)
+}
+
+/// The same for a nose that shears out a plug, by its limit relative to the plate; `None` for one that is all plug before it has that.
+fn thickness_that_shears(scene: &Scene, velocity_m_s: f64, moves: bool) -> Option<f64> {
+    let excess_m_s = |thickness_m: f64| {
+        let mut own = scene.clone();
+        own.target.thickness_m = thickness_m;
+        let plug_kg = Plug::of(&own).map_or(0.0, |plug| plug.mass_kg);
+        if moves && plug_kg >= own.plate_mass_kg() {
+            return f64::INFINITY;
+        }
+        let geometry = Geometry::of(&own);
+        Passage::unsprung(&own, &geometry, moves).limit_velocity_m_s() - velocity_m_s
+    };
+    let found_m = root(scene.target.thickness_m, excess_m_s)?;
+    // Where the plate is all plug there is a jump in place of a root.
+    excess_m_s(found_m * (1.0 + BESIDE)).is_finite().then_some(found_m)
+}
+
+/// The thickness, m, at which an increasing function is 0, from one near it.
+fn root(near_m: f64, excess: impl Fn(f64) -> f64) -> Option<f64> {
+    let (mut thin, mut thick) = (near_m, near_m);
     for _ in 0..200 {
-        if swept(thin) > volume {
+        if excess(thin) > 0.0 {
             thin *= 0.5;
-        } else if swept(thick) < volume {
+        } else if excess(thick) < 0.0 {
             thick *= 2.0;
         } else {
-            return Some(in_bracket(thin, thick, |thickness| swept(thickness) - volume));
+            return Some(in_bracket(thin, thick, excess));
         }
     }
     None

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Closure, Scene, Target};
+use crate::model::scene::{Closure, Nose, Scene, Target};
 use crate::study::context::Context;
 use crate::study::limit::alone;
 
@@ -25,7 +25,9 @@ pub struct Closures {
 impl Closures {
     /// By both closures; `None` where the flow strength does not come from a yield stress, or when stopped.
     pub(super) fn of(scene: &Scene, context: &mut Context<'_>) -> Option<Self> {
-        if scene.closure() == Closure::Given {
+        // Both were made for a hemisphere.
+        let is_other = scene.projectile.nose != Nose::Hemispherical;
+        if is_other || matches!(scene.closure(), Closure::Given | Closure::Cylindrical) {
             return None;
         }
         let mut by = |closure: Closure| {
@@ -63,8 +65,8 @@ fn by_closure(scene: &Scene, closure: Closure) -> Scene {
     own.sweep = None;
     let layers = own.stack.layers.iter_mut().map(|layer| &mut layer.target);
     for target in std::iter::once(&mut own.target).chain(layers) {
-        *target = target.in_effect(scene.projectile.tip_radius_m);
-        if target.closure == Closure::Given {
+        *target = target.in_effect(&scene.projectile);
+        if matches!(target.closure, Closure::Given | Closure::Cylindrical) {
             continue;
         }
         if target.closure != closure {

@@ -3,6 +3,7 @@
 use super::verdict::ShotOutcome;
 
 use super::*;
+use crate::model::contact::Geometry;
 use crate::study::context::to_its_end;
 use crate::study::{changed_free_plate, plain_run};
 
