@@ -116,7 +116,7 @@ fn entry(
     (name, value): (&str, &Spanned<DeValue<'_>>),
     own: Option<PathBuf>,
 ) -> Option<Entry> {
-    let (word, scene_table) = (library.word(), library.table());
+    let (word, tables) = (library.word(), library.tables());
     let DeValue::Table(table) = value.get_ref() else {
         let text = format!("`{name}` is not a {word}: write [{name}] and its keys below it");
         reader.problem(value.span(), text);
@@ -129,13 +129,14 @@ fn entry(
         let key_name = key.get_ref().as_ref();
         if let Some(at) = KEYS.iter().position(|known| *known == key_name) {
             reader.text_value(key_name, value, &mut texts[at]);
-        } else if key_name == scene_table {
-            reader.entry(&mut scene, scene_table, key.span(), value);
-            leaves(scene_table, value, &mut keys);
+        } else if tables.contains(&key_name) {
+            reader.entry(&mut scene, key_name, key.span(), value);
+            leaves(key_name, value, &mut keys);
         } else {
             let text = format!(
-                "`{key_name}` is not a key of a {word}: it has {}, and keys of [{scene_table}]",
-                KEYS.join(", ")
+                "`{key_name}` is not a key of a {word}: it has {}, and keys of [{}]",
+                KEYS.join(", "),
+                tables.join("] or [")
             );
             reader.problem(key.span(), text);
         }

@@ -4,14 +4,17 @@ use serde_json::Value;
 
 use crate::support::{cmra, says};
 
+/// Limit of a fragment of 13.4 g and 12.6 mm on 12 mm of 6061-T651, from W and the masses in another program, m/s.
+const FRAGMENT_M_S: f64 = 324.329217;
+
 fn limit_m_s(arguments: &[&str]) -> f64 {
     let arguments = [&["--json", "--set", "mount=rigid"], arguments].concat();
     let found: Value = serde_json::from_str(&says("limit", &arguments, 0).0).unwrap();
     found["limit_velocity_m_s"].as_f64().unwrap()
 }
 
-/// Borvik 2002 by 2 Y with dishing, 299.8 m/s, and the AP core on AA6082 by cavity expansion, 507 m/s: closed forms computed by
-/// hand, not by this program.
+/// Borvik 2002 by 2 Y with dishing, 299.8 m/s, and the AP core on AA6082, 507 m/s by a spherical cavity and 500.14 m/s by a cylindrical
+/// one: closed forms computed by hand and by adaptive quadrature, not by this program.
 #[test]
 fn valid_limits_follow_from_the_names_alone() {
     let steel = ["--threat", "borvik-hemisphere", "--material", "weldox-460e", "--set", "h=12mm"];
@@ -20,10 +23,11 @@ fn valid_limits_follow_from_the_names_alone() {
     let ogive = [&core[..], &["--set", "closure=cavity"], &["--set", "dishing=off"]].concat();
     let ogive = [&ogive[..], &["--set", "C_d=0.212"]].concat();
     assert!((limit_m_s(&ogive) - 507.0).abs() < 1.0, "{}", limit_m_s(&ogive));
-    // 20 mm are 3.2 diameters: cavity expansion is chosen without being named, with a drag coefficient of 1.
-    let chosen = [&core[..], &["--set", "v_i=850"]].concat();
-    let named = [&ogive[..], &["--set", "C_d=1"]].concat();
-    assert_eq!(limit_m_s(&chosen).to_bits(), limit_m_s(&named).to_bits());
+    // The entries choose the cylindrical cavity and the ogive's drag without more.
+    assert!((limit_m_s(&core) - 500.136_675).abs() < 1e-4, "{}", limit_m_s(&core));
+    // 12 mm of aluminium under the .50 fragment simulating projectile are all plug.
+    let fragment = ["--threat", "fsp-50", "--material", "aa6061-t651", "--set", "h=12mm"];
+    assert!((limit_m_s(&fragment) - FRAGMENT_M_S).abs() < 1e-4, "{}", limit_m_s(&fragment));
 }
 
 #[test]
@@ -52,16 +56,16 @@ fn set_wins_over_an_entry_and_a_flow_strength_of_ones_own_counts() {
 }
 
 fn with<'s>(sets: &[&'s str]) -> Vec<&'s str> {
-    let core = ["--threat", "m2-ap-core", "--material", "aa6082-t651", "--set", "v_i=850"];
-    core.into_iter().chain(sets.iter().flat_map(|set| ["--set", *set])).collect()
+    let shot = ["--threat", "borvik-hemisphere", "--material", "aa6082-t651", "--set", "v_i=850"];
+    shot.into_iter().chain(sets.iter().flat_map(|set| ["--set", *set])).collect()
 }
 
-/// The core has 6.2 mm: a plate of 5 mm dishes, one of 20 mm does not, also with a drag coefficient of one's own, wherever it comes
-/// from. The advice of the threat is then followed.
+/// The projectile has 20 mm: a plate of 5 mm dishes, one of 30 mm does not, also with a drag coefficient of one's own, wherever it comes
+/// from.
 #[test]
 fn a_drag_of_ones_own_leaves_the_closure_by_thickness() {
     for (h, closure, dishing) in
-        [("h=5mm", "double-yield", "dishing=on"), ("h=20mm", "cavity", "dishing=off")]
+        [("h=5mm", "double-yield", "dishing=on"), ("h=30mm", "cavity", "dishing=off")]
     {
         let stated = [h, &format!("closure={closure}"), dishing, "C_d=0.212"];
         let stated = limit_m_s(&with(&stated)).to_bits();
@@ -77,26 +81,13 @@ fn a_drag_of_ones_own_leaves_the_closure_by_thickness() {
         assert!((first / f64::from_bits(stated) - 1.0).abs() < 1e-9, "{swept}");
     }
     let place = tempfile::tempdir().unwrap();
-    let path = place.path().join("report.html");
-    let file = path.to_str().unwrap();
-    for (sets, is_warned) in [(&["h=5mm"][..], true), (&["h=5mm", "C_d=0.212"], false)] {
-        for command in ["run", "limit", "compare"] {
-            let page = says(command, &[&with(sets)[..], &["--verbose"]].concat(), 0).0;
-            assert_eq!(page.contains("set C_d=0.212"), is_warned, "{command}: {page}");
-        }
-        says("report", &[&with(sets)[..], &["-o", file, "--force"]].concat(), 0);
-        // Once as a warning, and twice in the scene that the report keeps.
-        let report = std::fs::read_to_string(&path).unwrap();
-        assert_eq!(report.contains("<li>threat warning"), is_warned, "{report}");
-        assert_eq!(report.matches("threat warning").count(), 1 + usize::from(is_warned));
-    }
     // Files keep it, and a file of before, with the coefficient in effect, follows the thickness.
     let exported = place.path().join("out.csv");
     let exported = exported.to_str().unwrap();
     let scene = place.path().join("out.toml");
     let scene = scene.to_str().unwrap();
     for (sets, thin) in
-        [(&["h=20mm", "C_d=0.212"][..], &["h=5mm", "C_d=0.212"][..]), (&["h=20mm"], &["h=5mm"])]
+        [(&["h=30mm", "C_d=0.212"][..], &["h=5mm", "C_d=0.212"][..]), (&["h=30mm"], &["h=5mm"])]
     {
         says("run", &[&with(sets)[..], &["--csv", exported, "--force"]].concat(), 0);
         let again = limit_m_s(&[scene, "--set", "h=5mm"]);
@@ -166,10 +157,12 @@ fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
     }
 }
 
-/// The core has 6.2 mm: plates of 3 and 5 mm dish, one of 8 mm does not, in a sweep as one by one.
+/// A sphere of 6.2 mm and the mass of the core: plates of 3 and 5 mm dish, one of 8 mm does not, in a sweep as one by one.
 #[test]
 fn each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {
     let set = ["--threat", "m2-ap-core", "--material", "aa6082-t651", "--set", "face=100mm"];
+    let round = ["--set", "nose=hemispherical", "--set", "closure=by-thickness"];
+    let set = [&set[..], &round].concat();
     let sweep = ["--over", "h=3mm,5mm,8mm", "--outputs", "limit_velocity_m_s", "--csv", "-"];
     let swept = says("sweep", &[&set[..], &sweep[..]].concat(), 0).0;
     let of_sweep: Vec<f64> = swept
@@ -223,7 +216,7 @@ fn every_command_that_takes_a_scene_has_the_options() {
 }
 
 #[test]
-fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
+fn an_unknown_name_gets_the_nearest_and_a_lead_core_a_warning() {
     let (_, error) = says("run", &["--threat", "m80bal"], 2);
     assert!(
         error.contains("`m80bal` is not one of the threats: did you mean `m80-ball`?"),
@@ -231,25 +224,22 @@ fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
     );
     let (_, error) = says("run", &["--material", "unobtainium"], 2);
     assert!(error.contains("aa6061-t6511") && error.contains("cmra libraries"), "{error}");
-    let (page, error) = says("run", &["--threat", "fsp-22", "--verbose"], 0);
-    assert!(
-        page.contains("blunt chisel nose") && error.contains("no velocity: v_i = 100 m/s"),
-        "{error}"
-    );
+    let (_, error) = says("run", &["--threat", "fsp-22"], 0);
+    assert!(error.contains("no velocity: v_i = 100 m/s"), "{error}");
     for command in
         [&["design"][..], &["stability", "--map", "k", "--quick"], &["accuracy", "--quick"]]
     {
-        let more = [&command[1..], &["--threat", "fsp-22", "--set", "v_i=438"]].concat();
+        let more = [&command[1..], &["--threat", "m80-ball", "--set", "v_i=300"]].concat();
         let page = says(command[0], &more, 0).0;
-        assert!(page.contains("blunt chisel nose"), "{command:?}: {page}");
+        assert!(page.contains("lead core"), "{command:?}: {page}");
         if command[0] != "design" {
             let of = |option: &[&str]| says(command[0], &[&more[..], option].concat(), 0).0;
             let found: Value = serde_json::from_str(&of(&["--json"])).unwrap();
             let object = if found.is_array() { &found[0] } else { &found };
             let warning = object["warnings"][0].as_str().unwrap();
-            assert!(warning.contains("blunt chisel nose"), "{warning}");
+            assert!(warning.contains("lead core"), "{warning}");
             let csv = of(&["--csv", "-"]);
-            assert!(csv.lines().nth(1).unwrap().contains("blunt chisel nose"), "{csv}");
+            assert!(csv.lines().nth(1).unwrap().contains("lead core"), "{csv}");
         }
     }
     let (_, error) = says("run", &["--threat", "fsp-22", "--set", "v_i=438"], 0);

@@ -82,7 +82,7 @@ fn warnings_are_those_of_the_solutions_alone() {
         let arguments = [&scene[..], &more, &goal(value)].concat();
         serde_json::from_str(&out(&arguments, code).0).unwrap()
     };
-    let warned = found("limit_velocity_m_s=900", 0);
+    let warned = found("limit_velocity_m_s=700", 0);
     let h = warned["solutions"][0]["at"].as_f64().unwrap();
     let warnings: Vec<&str> =
         warned["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect();

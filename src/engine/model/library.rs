@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::model::scene::{Closure, DragSource, Scene, Target};
+use crate::model::scene::{Closure, DragSource, Nose, Scene, Target};
 use crate::model::variables::{self, Value, VariableError};
 use crate::model::worded::worded;
 
@@ -26,12 +26,12 @@ impl Library {
         format!("{} warning: ", self.word())
     }
 
-    /// The table of a scene whose keys its entries have.
-    pub fn table(self) -> &'static str {
+    /// The tables of a scene whose keys its entries have. A threat brings the closure and the drag coefficient of its nose.
+    pub fn tables(self) -> &'static [&'static str] {
         match self {
-            Self::Threats => "projectile",
-            Self::Materials => "target",
-            Self::Absorbers => "mechanism",
+            Self::Threats => &["projectile", "target"],
+            Self::Materials => &["target"],
+            Self::Absorbers => &["mechanism"],
         }
     }
 }
@@ -70,13 +70,19 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// Takes its values into a scene and notes where they come from. A material takes the closure that suits the plate.
+    /// Takes its values into a scene and notes where they come from. A material takes the closure that suits nose and plate.
     pub fn apply(&self, scene: &mut Scene) -> Result<(), VariableError> {
         for (key, value) in &self.values {
             variables::find(key)?.set(scene, *value)?;
         }
         if self.library == Library::Materials {
-            (scene.target.closure, scene.target.drag) = (Closure::ByThickness, DragSource::Closure);
+            let is_round = scene.projectile.nose == Nose::Hemispherical;
+            scene.target.closure =
+                if is_round { Closure::ByThickness } else { Closure::Cylindrical };
+        }
+        if self.library != Library::Absorbers && scene.target.closure.chooses_drag() {
+            // The coefficient of a threat is that of its nose.
+            scene.target.drag = DragSource::Closure;
             note_closure(scene);
         }
         let (start, warns) = (format!("{}: ", self.library.word()), self.library.warning_start());
@@ -111,14 +117,7 @@ pub fn is_warning(line: &str) -> bool {
     Library::ALL.iter().any(|library| line.starts_with(&library.warning_start()))
 }
 
-/// The warnings of the entries that a scene was made from, but those whose advice it follows.
+/// The warnings of the entries that a scene was made from.
 pub fn warnings(scene: &Scene) -> impl Iterator<Item = &str> {
-    scene.notes.lines().filter(|line| is_warning(line) && !is_followed(line, scene))
-}
-
-/// Whether a warning ends in an advice such as `: set C_d=0.212` that would change nothing.
-fn is_followed(warning: &str, scene: &Scene) -> bool {
-    warning.rsplit_once(": set ").is_some_and(|(_, changes)| {
-        variables::changed(scene.clone(), changes).is_ok_and(|advised| advised == *scene)
-    })
+    scene.notes.lines().filter(|line| is_warning(line))
 }

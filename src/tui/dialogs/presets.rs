@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::files::session::Session;
-use crate::model::scene::{PlateSize, Scene};
+use crate::model::scene::{PlateSize, Scene, Target};
 use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
@@ -179,7 +179,12 @@ pub(crate) fn take(app: &mut App, entry: PresetEntry) -> Result<(), String> {
 fn ask_for_face(app: &mut App) {
     let usual = Scene::default();
     let (scene, base) = (&app.scene, &app.base.scene);
-    let is_chosen = |it: &Scene| scene.projectile != it.projectile && scene.target != it.target;
+    // A threat brings the law of its nose to whatever plate there is.
+    let plate = |of: &Scene| {
+        let Target { closure, drag, drag_coefficient, dishing, .. } = usual.target;
+        Target { closure, drag, drag_coefficient, dishing, ..of.target }
+    };
+    let is_chosen = |it: &Scene| scene.projectile != it.projectile && plate(scene) != plate(it);
     let by_ratio = matches!(scene.plate.size, PlateSize::Ratio(_)) && scene.is_sprung();
     if by_ratio && is_chosen(&usual) && is_chosen(base) {
         run::focus_on(app, index_of("face"));

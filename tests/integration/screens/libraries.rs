@@ -54,7 +54,13 @@ fn a_threat_changes_its_part_of_the_scene_and_undo_takes_it_back() {
     bench.keys("<Enter>");
     let shot = bench.app.scene.projectile;
     assert_eq!((shot.mass_kg, shot.velocity_m_s), (0.0095, 847.0));
-    assert_eq!(bench.app.scene.target, before.target);
+    // Its nose brings the closure and the drag coefficient with it, and nothing else of the plate.
+    let target = bench.app.scene.target;
+    assert_eq!((target.closure.word(), target.drag_coefficient), ("cylindrical", 0.212));
+    assert_eq!(
+        (target.thickness_m, target.yield_pa),
+        (before.target.thickness_m, before.target.yield_pa)
+    );
     // The preset that it is compared with stays.
     assert_eq!(bench.app.base.name, "thesis-baseline");
     bench.keys("u");
@@ -62,8 +68,8 @@ fn a_threat_changes_its_part_of_the_scene_and_undo_takes_it_back() {
 }
 
 #[test]
-fn a_blunt_threat_warns() {
+fn a_threat_that_deforms_warns() {
     let mut bench = listing(120);
-    bench.keys("pfsp<Enter>");
-    assert!(bench.message().contains("blunt chisel nose"), "{}", bench.message());
+    bench.keys("pm80<Enter>");
+    assert!(bench.message().contains("lead core"), "{}", bench.message());
 }
