@@ -17,6 +17,7 @@ pub mod update;
 pub mod view;
 pub(crate) mod widgets;
 
+mod backlog;
 mod effects;
 mod input;
 mod pace;

@@ -21,6 +21,10 @@ const GRACE: Duration = Duration::from_millis(12);
 const ARRIVAL: Duration = Duration::from_secs(3);
 const FIRST_ARRIVAL: Duration = Duration::from_secs(1);
 
+/// How long after the last question an answer may come on leaving: a frame of 10 kB on a line of 2 kB/s. An answer that comes later would
+/// reach the shell as typed text.
+const LAST_ARRIVAL: Duration = Duration::from_secs(5);
+
 /// So many frames in a row without an answer, and the terminal is not asked any more: it has answered before, or not.
 const UNANSWERED: u32 = 5;
 const NEVER_ANSWERED: u32 = 2;
@@ -34,6 +38,8 @@ pub(super) struct Pace {
     waits_until: Option<Instant>,
     /// When the frame was drawn that has not been reported to have arrived.
     under_way: Option<Instant>,
+    /// Number of questions without an answer, and the time of the last question.
+    owed: (u32, Option<Instant>),
     /// Frames in a row without an answer.
     unanswered: u32,
     /// Whether the terminal has ever answered.
@@ -48,6 +54,7 @@ impl Pace {
             full_at: now,
             waits_until: None,
             under_way: None,
+            owed: (0, None),
             unanswered: 0,
             answers: false,
         }
@@ -85,19 +92,21 @@ impl Pace {
         self.unanswered < if self.answers { UNANSWERED } else { NEVER_ANSWERED }
     }
 
-    /// Whether an answer is to be expected.
-    pub(super) fn is_asking(&self) -> bool {
-        self.under_way.is_some()
+    /// The time until which an answer may still come; `None` if all questions are answered.
+    pub(super) fn answers_until(&self) -> Option<Instant> {
+        let (count, last) = self.owed;
+        last.filter(|_| count > 0).map(|asked| asked + LAST_ARRIVAL)
     }
 
     /// The last frame has arrived.
     pub(super) fn arrived(&mut self) {
         (self.under_way, self.unanswered, self.answers) = (None, 0, true);
+        self.owed.0 = self.owed.0.saturating_sub(1);
     }
 
     /// What is under way will not be answered: the terminal was given away meanwhile.
     pub(super) fn lost(&mut self) {
-        self.under_way = None;
+        (self.under_way, self.owed) = (None, (0, None));
     }
 
     /// A frame has been drawn; one that changed nothing cost the line nothing.
@@ -109,6 +118,9 @@ impl Pace {
             let asked = self.asks();
             self.unanswered += u32::from(self.under_way.is_some());
             self.under_way = asked.then_some(now);
+            if asked {
+                self.owed = (self.owed.0 + 1, Some(now));
+            }
         }
     }
 }
@@ -130,6 +142,30 @@ mod tests {
             now += Duration::from_millis(1);
         }
         frames
+    }
+
+    /// On a slow line two questions may be under way: both answers belong to this program.
+    #[test]
+    fn every_answer_is_awaited_for_some_seconds() {
+        let start = Instant::now();
+        let mut pace = Pace::new(start);
+        assert_eq!(pace.answers_until(), None);
+        let second = start + Duration::from_secs(4);
+        for now in [start, second] {
+            pace.change();
+            pace.drawn(now, true);
+        }
+        let until = Some(second + LAST_ARRIVAL);
+        assert_eq!(pace.answers_until(), until);
+        pace.arrived();
+        assert_eq!(pace.answers_until(), until);
+        pace.arrived();
+        assert_eq!(pace.answers_until(), None);
+        // A terminal that was given away answers to someone else.
+        pace.change();
+        pace.drawn(second, true);
+        pace.lost();
+        assert_eq!(pace.answers_until(), None);
     }
 
     #[test]
@@ -182,7 +218,9 @@ mod tests {
         let mut pace = Pace::new(start);
         let ten = Duration::from_secs(10);
         frames(&mut pace, start, ten);
-        assert!(!pace.asks() && !pace.is_asking());
+        assert!(!pace.asks());
+        // Leaving waits for the last question's answer, a few seconds after it was asked.
+        assert!(pace.answers_until().is_some_and(|until| until < start + ten));
         let drawn = frames(&mut pace, start + ten, ten);
         assert!(drawn >= 200, "{drawn}");
         // One that has answered is given more time.

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use crossterm::clipboard::CopyToClipboard;
 use crossterm::event::{MouseEvent, MouseEventKind};
 
+use super::backlog;
 use super::effects::{self, IoThread};
 use super::pace::Pace;
 use super::signals::{self, HUNG_UP, Incoming};
@@ -29,8 +30,8 @@ const MESSAGES_PER_TURN: usize = 256;
 /// Most bytes of text sent to the terminal's clipboard: what terminals take at least.
 const CLIPBOARD_MAX: usize = 64 * 1024 / 4 * 3;
 
-/// How long the last frame may take to arrive when the terminal is given back: its answer is not to reach the shell.
-const LAST_ARRIVAL: Duration = Duration::from_secs(1);
+/// Most messages taken out of the inbox at once.
+const INBOX_MAX: usize = 1 << 16;
 
 /// How long the system may take to stop the process.
 const STOPPING: Duration = Duration::from_millis(150);
@@ -147,9 +148,11 @@ impl Shell {
         if self.put_off.is_empty() {
             self.put_off.extend(self.inbox.recv_timeout(self.wait(Instant::now())));
         }
+        self.put_off.extend(self.inbox.try_iter().take(INBOX_MAX));
+        let keymap = &self.app.keymap;
+        backlog::shorten(&mut self.put_off, |key| keymap.action(key) == Some(Action::Cancel));
         for _ in 0..MESSAGES_PER_TURN {
-            let next = self.put_off.pop_front().or_else(|| self.inbox.try_recv().ok());
-            let Some(incoming) = next else { break };
+            let Some(incoming) = self.put_off.pop_front() else { break };
             self.receive(incoming)?;
         }
         self.fire_timers()?;
@@ -276,11 +279,12 @@ impl Shell {
             ));
         }
         self.guard.send(&CopyToClipboard::to_clipboard_from(text))?;
-        let passed_on = match environment("TMUX") {
-            Some(_) => "; tmux passes it on only with `set -s set-clipboard on`",
-            None => "",
-        };
-        Ok(format!("sent to the terminal's clipboard (OSC 52){passed_on}"))
+        Ok(match (environment("TMUX"), environment("STY")) {
+            (Some(_), _) => "sent to the terminal's clipboard (OSC 52); tmux passes it on only with `set -s set-clipboard on`",
+            (None, Some(_)) => "GNU screen does not pass the terminal's clipboard on (OSC 52): <export> writes a file",
+            (None, None) => "sent to the terminal's clipboard (OSC 52)",
+        }
+        .to_owned())
     }
 
     /// Give the terminal back, stop, and take it over again when continued. Returns whether the process was stopped.
@@ -309,15 +313,21 @@ impl Shell {
         Ok(stopped)
     }
 
-    /// Wait until the last frame has arrived, but not for long.
+    /// Wait for the answers that are under way, as long as they may take: a later one would reach the shell.
     fn await_arrival(&mut self) {
-        let deadline = Instant::now() + LAST_ARRIVAL;
-        while self.pace.is_asking() {
+        self.put_off.retain(|incoming| {
+            let has_arrived = matches!(incoming, Incoming::Arrived);
+            if has_arrived {
+                self.pace.arrived();
+            }
+            !has_arrived
+        });
+        while let Some(deadline) = self.pace.answers_until() {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.inbox.recv_timeout(left) {
                 Ok(Incoming::Arrived) => self.pace.arrived(),
+                Ok(Incoming::End(_)) | Err(_) => return,
                 Ok(other) => self.put_off.push_back(other),
-                Err(_) => return,
             }
         }
     }

@@ -217,6 +217,8 @@ pub(super) fn restore() {
             // If the terminal is gone, the error cannot be shown.
             let _ = write_all(&farewell());
         }
+        // What has come by now was for this program.
+        discard_input();
         let _ = disable_raw_mode();
     }
 }

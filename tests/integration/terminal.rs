@@ -476,6 +476,18 @@ fn a_copy_under_tmux_says_what_tmux_needs() {
     assert_eq!(terminal.wait_exit().exit_code(), 0);
 }
 
+#[test]
+fn a_copy_in_gnu_screen_says_that_it_does_not_arrive() {
+    let environment = &[("STY", "4711.pts-0.host")];
+    let mut terminal = Terminal::start_with(Start { environment, ..Start::default() });
+    terminal.wait_for(DONE);
+    terminal.send("y");
+    terminal.wait_for("GNU screen does not pass");
+    // A program before this one has left the keyboard protocol of kitty on.
+    terminal.send("\x1b[113u");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+}
+
 /// A key that the configuration gives an action works in dialogs, too.
 #[test]
 fn keys_of_the_configuration_reach_dialogs() {

@@ -21,7 +21,7 @@ const WORKBENCH: [&[&str]; 9] = [
     &["pages"],
     &["dialogs"],
     &[
-        "complete", "effects", "input", "pace", "plain", "shell", "signals", "start", "terminal",
+        "complete", "effects", "input", "backlog", "pace", "plain", "shell", "signals", "start", "terminal",
         "update", "view",
     ],
 ];

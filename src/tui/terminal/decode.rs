@@ -233,18 +233,30 @@ fn may_begin(introducer: u8, byte: u8) -> bool {
 /// Decodes a control sequence; `None` if the workbench does not use it.
 fn sequence(rest: &[u8], last: u8) -> Option<Input> {
     if let Some(report) = rest.strip_prefix(b"<") {
-        let [button, column, row] = numbers(report)?[..] else { return None };
+        let fields = fields(report)?;
+        let [button, column, row] = &fields[..] else { return None };
+        let first = |field: &Vec<u32>| field.first().and_then(|it| u16::try_from(*it).ok());
+        let (button, column, row) = (first(button)?, first(column)?, first(row)?);
         return match last {
             b'M' | b'm' => click(button, column, row, last == b'M'),
             _ => None,
         };
     }
-    let numbers = numbers(rest)?;
-    let modifiers = modifiers(numbers.get(1).copied().unwrap_or(1));
-    let first = numbers.first().copied().unwrap_or(0);
+    let fields = fields(rest)?;
+    let field = |at: usize, part: usize| fields.get(at).and_then(|it| it.get(part)).copied();
+    let modifiers = modifiers(field(1, 0).unwrap_or(1));
+    let first = field(0, 0).unwrap_or(0);
+    // The protocol of kitty reports releases too, if another program has left that on.
+    if field(1, 1) == Some(RELEASED) {
+        return None;
+    }
     match last {
+        // xterm's modifyOtherKeys: the number of the character comes last.
+        b'~' if first == 27 => spelled(field(2, 0)?, None, modifiers),
         b'~' => numbered(first).map(|code| with(code, modifiers)),
-        b'n' => (numbers == [0]).then_some(Input::Arrived),
+        // The text of the key where it is given, else the character of the key with Shift.
+        b'u' => spelled(first, field(2, 0).or(field(0, 1)), modifiers),
+        b'n' => (fields == [[0]]).then_some(Input::Arrived),
         b'Z' => Some(key(KeyCode::BackTab)),
         // With other numbers it is the place of the cursor.
         b'P' | b'Q' | b'S' if first <= 1 => Some(with(KeyCode::F(last - b'P' + 1), modifiers)),
@@ -252,18 +264,61 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
     }
 }
 
-/// Numbers between semicolons; `None` for a private sequence, or one with intermediate bytes.
-fn numbers(rest: &[u8]) -> Option<Vec<u16>> {
+/// Fields between semicolons, each with its parts between colons; `None` for a private sequence, or one with intermediate bytes.
+fn fields(rest: &[u8]) -> Option<Vec<Vec<u32>>> {
     let text = std::str::from_utf8(rest).ok()?;
     if text.is_empty() {
         return Some(Vec::new());
     }
     let number = |part: &str| if part.is_empty() { Some(0) } else { part.parse().ok() };
-    text.split(';').map(number).collect()
+    text.split(';').map(|field| field.split(':').map(number).collect()).collect()
+}
+
+/// The event type of a released key.
+const RELEASED: u32 = 3;
+
+/// The key of a character's number, as kitty and xterm spell keys out where another program has left that on; `text` is what the key
+/// types. With Control a key means what its control character meant before.
+fn spelled(number: u32, text: Option<u32>, modifiers: KeyModifiers) -> Option<Input> {
+    let has_control = modifiers.contains(KeyModifiers::CONTROL);
+    let has_shift = modifiers.contains(KeyModifiers::SHIFT);
+    let c = match number {
+        13 | 57414 => return Some(key(KeyCode::Enter)),
+        9 if has_shift => return Some(key(KeyCode::BackTab)),
+        9 => return Some(key(KeyCode::Tab)),
+        8 | 127 => return Some(key(KeyCode::Backspace)),
+        27 => return Some(key(KeyCode::Esc)),
+        // The keypad: digits and signs, then the keys of the cursor.
+        57399..=57413 => {
+            char::from(*b"0123456789./*-+".get(usize::try_from(number - 57399).ok()?)?)
+        }
+        57417..=57426 => {
+            use KeyCode as K;
+            let codes = [K::Left, K::Right, K::Up, K::Down, K::PageUp];
+            let others = [K::PageDown, K::Home, K::End, K::Insert, K::Delete];
+            let at = usize::try_from(number - 57417).ok()?;
+            return codes.iter().chain(&others).nth(at).map(|code| with(*code, modifiers));
+        }
+        // Other keys without a character.
+        0..=31 | 57344..=63743 => return None,
+        _ => char::from_u32(number)?,
+    };
+    if has_control {
+        return Some(match c.to_ascii_lowercase() {
+            '[' => key(KeyCode::Esc),
+            'i' => key(KeyCode::Tab),
+            'm' => key(KeyCode::Enter),
+            c => with(KeyCode::Char(c), modifiers - KeyModifiers::SHIFT),
+        });
+    }
+    let text = text.filter(|it| *it > 0).and_then(char::from_u32);
+    let capital = || c.to_uppercase().next().unwrap_or(c);
+    let c = text.unwrap_or_else(|| if has_shift { capital() } else { c });
+    Some(character(c, modifiers - KeyModifiers::SHIFT))
 }
 
 /// The modifiers of a number: one more than its bits.
-fn modifiers(number: u16) -> KeyModifiers {
+fn modifiers(number: u32) -> KeyModifiers {
     let bits = number.saturating_sub(1);
     [(1, KeyModifiers::SHIFT), (2, KeyModifiers::ALT), (4, KeyModifiers::CONTROL)]
         .into_iter()
@@ -285,7 +340,7 @@ fn named(letter: u8) -> Option<KeyCode> {
 }
 
 /// The keys that have a number.
-fn numbered(number: u16) -> Option<KeyCode> {
+fn numbered(number: u32) -> Option<KeyCode> {
     let number = u8::try_from(number).ok()?;
     Some(match number {
         1 | 7 => KeyCode::Home,
@@ -398,6 +453,51 @@ mod tests {
         }
         assert_eq!(one(b"\x1b\r"), [key(K::Esc), key(K::Enter)]);
         assert_eq!(one(b"\x1b\x1b[D"), [key(K::Esc), key(K::Left)]);
+    }
+
+    /// The keyboard protocol of kitty, and xterm's modifyOtherKeys, by their manuals: another program may have left them on.
+    #[test]
+    fn keys_that_are_spelled_out_are_the_same_keys() {
+        for (spelled, plain) in [
+            (&b"\x1b[113u"[..], &b"q"[..]),
+            (b"\x1b[113;1u", b"q"),
+            (b"\x1b[113;1:1u", b"q"),
+            (b"\x1b[113;1:2u", b"q"),
+            (b"\x1b[113;1:3u", b""),
+            (b"\x1b[99;5u", b"\x03"),
+            (b"\x1b[99;6u", b"\x03"),
+            (b"\x1b[27;5;99~", b"\x03"),
+            (b"\x1b[27;5;67~", b"\x03"),
+            (b"\x1b[122;5u", b"\x1a"),
+            (b"\x1b[32;5u", b"\x00"),
+            (b"\x1b[105;5u", b"\t"),
+            (b"\x1b[109;5u", b"\r"),
+            (b"\x1b[27u", b"\x1b"),
+            (b"\x1b[13u", b"\r"),
+            (b"\x1b[27;2;13~", b"\r"),
+            (b"\x1b[9u", b"\t"),
+            (b"\x1b[9;2u", b"\x1b[Z"),
+            (b"\x1b[127u", b"\x7f"),
+            (b"\x1b[103;2u", b"G"),
+            (b"\x1b[103:71;2u", b"G"),
+            (b"\x1b[49:33;2u", b"!"),
+            (b"\x1b[27;2;33~", b"!"),
+            (b"\x1b[49;2;33u", b"!"),
+            (b"\x1b[106;3u", b"\x1bj"),
+            (b"\x1b[246u", b"\xc3\xb6"),
+            // Caps Lock and Num Lock are no modifiers of a command.
+            (b"\x1b[113;129u", b"q"),
+            (b"\x1b[57400u", b"1"),
+            (b"\x1b[57414u", b"\r"),
+            (b"\x1b[57417u", b"\x1b[D"),
+            (b"\x1b[1;1:1D", b"\x1b[D"),
+            (b"\x1b[1;1:3D", b""),
+            (b"\x1b[3;1:3~", b""),
+            // A modifier pressed alone.
+            (b"\x1b[57441;2u", b""),
+        ] {
+            assert_eq!(one(spelled), one(plain), "{spelled:?}");
+        }
     }
 
     #[test]

@@ -1,0 +1,112 @@
+//! Messages that wait for the loop: what a person wants now comes before what was typed earlier.
+
+use std::collections::VecDeque;
+
+use crossterm::event::KeyEvent;
+
+use super::signals::Incoming;
+use crate::tui::message::Message;
+
+/// Most equal keys that wait in a row: about 50 ms of work. A held key that has more of them waiting would go on after its release.
+const REPEATS_MAX: usize = 1000;
+
+/// Waiting messages from which on the key that cancels overtakes: about 15 ms of work. Fewer are dealt with in their order.
+const OVERTAKEN_MIN: usize = 256;
+
+/// Shortens the queue: a reason to leave comes first, the key that cancels discards what was typed before it, and of equal keys in a row
+/// a limited number stays.
+pub(super) fn shorten(queue: &mut VecDeque<Incoming>, cancels: impl Fn(KeyEvent) -> bool) {
+    if queue.len() <= OVERTAKEN_MIN {
+        return;
+    }
+    let ends = |incoming: &Incoming| matches!(incoming, Incoming::End(_));
+    if let Some(at) = queue.iter().position(ends)
+        && let Some(end) = queue.remove(at)
+    {
+        queue.push_front(end);
+    }
+    let is_cancel = |incoming: &Incoming| key_of(incoming).is_some_and(&cancels);
+    let cancel = queue.iter().rposition(is_cancel).filter(|at| *at > OVERTAKEN_MIN).unwrap_or(0);
+    let (mut at, mut last, mut repeats) = (0, None, 0);
+    queue.retain(|incoming| {
+        let is_overtaken = at < cancel && is_typed(incoming);
+        at += 1;
+        let key = key_of(incoming);
+        if key.is_some() && key == last {
+            repeats += 1;
+        } else if is_typed(incoming) {
+            (last, repeats) = (key, 1);
+        }
+        !is_overtaken && (key.is_none() || repeats <= REPEATS_MAX)
+    });
+}
+
+fn key_of(incoming: &Incoming) -> Option<KeyEvent> {
+    if let Incoming::Message(Message::Key(key)) = incoming { Some(*key) } else { None }
+}
+
+fn is_typed(incoming: &Incoming) -> bool {
+    matches!(incoming, Incoming::Message(Message::Key(_) | Message::Paste(_)) | Incoming::Mouse(_))
+}
+
+#[cfg(test)]
+mod tests {
+    use crossterm::event::{KeyCode, KeyModifiers};
+
+    use super::*;
+
+    const CANCEL: KeyEvent = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
+
+    fn typed(text: &str) -> Vec<Incoming> {
+        let key = |c| KeyEvent::new(KeyCode::Char(c), KeyModifiers::NONE);
+        text.chars().map(|c| Incoming::Message(Message::Key(key(c)))).collect()
+    }
+
+    fn cancel() -> Incoming {
+        Incoming::Message(Message::Key(CANCEL))
+    }
+
+    /// The queue as text: keys, `^` for the key that cancels, `$` for the end, `.` for anything else.
+    fn shortened(queue: Vec<Incoming>) -> String {
+        let mut queue = VecDeque::from(queue);
+        shorten(&mut queue, |key| key == CANCEL);
+        let word = |incoming: &Incoming| match (incoming, key_of(incoming)) {
+            (_, Some(key)) if key == CANCEL => '^',
+            (_, Some(KeyEvent { code: KeyCode::Char(c), .. })) => c,
+            (Incoming::End(_), _) => '$',
+            _ => '.',
+        };
+        queue.iter().map(word).collect()
+    }
+
+    #[test]
+    fn the_key_that_cancels_overtakes_what_was_typed() {
+        let mut queue = typed(&"jk".repeat(50_000));
+        queue.insert(7, Incoming::Resized);
+        queue.push(cancel());
+        queue.extend(typed("xy"));
+        assert_eq!(shortened(queue), ".^xy");
+        // A few keys are dealt with in their order.
+        let mut few = typed("2l");
+        few.push(cancel());
+        assert_eq!(shortened(few), "2l^");
+    }
+
+    #[test]
+    fn a_held_key_stops_soon_after_its_release() {
+        let mut queue = typed(&"l".repeat(100_000));
+        queue.push(Incoming::Arrived);
+        queue.extend(typed("lq"));
+        assert_eq!(shortened(queue), "l".repeat(REPEATS_MAX) + ".q");
+        // Different keys all count.
+        let different = "jk".repeat(2000);
+        assert_eq!(shortened(typed(&different)), different);
+    }
+
+    #[test]
+    fn a_reason_to_leave_comes_first() {
+        let mut queue = typed(&"jk".repeat(2000));
+        queue.push(Incoming::End(143));
+        assert!(shortened(queue).starts_with("$jk"));
+    }
+}
