@@ -7,7 +7,7 @@ use clap::Args;
 use crate::cli::progress::was_interrupted;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
-use crate::files::atomic;
+use crate::files::{atomic, export};
 use crate::report::svg::{self, Picture, Svg};
 
 /// `--svg FILE`.
@@ -36,7 +36,7 @@ impl PictureArguments {
             ));
         }
         if let Some(path) = self.svg.as_ref().filter(|_| !self.is_stdout()) {
-            atomic::check(path, table.existing())?;
+            export::check(path, table.existing())?;
         }
         if let (Some(path), Some(to)) = (&self.svg, table.file())
             && to.has(path)

@@ -12,6 +12,7 @@ use crate::cli::study::Threads;
 use crate::cli::sweep::page::KEPT_MAX;
 use crate::cli::{CliError, output, progress};
 use crate::files::atomic::{self, Existing};
+use crate::files::export;
 use crate::files::report::{html, is_report};
 use crate::model::scene::Scene;
 use crate::study::limit;
@@ -48,7 +49,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
             let text = format!("-o {path}: a report is .html, for example -o {example}");
             return Err(CliError::Option(text));
         }
-        atomic::check(path, existing)?;
+        export::check(path, existing)?;
     }
     let preset = arguments.scene.load()?;
     let scene = Arc::new(preset.scene);

@@ -5,13 +5,15 @@
 //! right after the other, and are never found beside one of another time.
 
 use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
-use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _};
+use std::os::unix::ffi::OsStrExt as _;
+use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _};
 use std::path::{Path, PathBuf};
 
 use rustix::event::{Timespec, poll};
-use rustix::fs::{FlockOperation, flock};
+use rustix::fs::{FlockOperation, Gid, Uid, fchown, flock};
 use tempfile::NamedTempFile;
 
 use crate::files::error::FileError;
@@ -86,7 +88,7 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
         let aside = with_end(&old.target, PREVIOUS);
         // Where there is none, or it cannot step aside, naming the new one tells.
         if matches!(old.place, Place::Beside(_)) && fs::rename(&old.target, &aside).is_ok() {
-            previous.push(aside);
+            previous.push((old.target.clone(), aside));
         }
     }
     let mut named: Vec<PathBuf> = Vec::new();
@@ -94,8 +96,8 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
         let path = file.target.clone();
         if let Err(error) = file.name(existing) {
             // Nothing is in their place yet if it was the first.
-            for path in previous.iter().filter(|_| named.is_empty()) {
-                let _ = fs::rename(path, path.with_extension(""));
+            for (path, aside) in previous.iter().filter(|_| named.is_empty()) {
+                let _ = fs::rename(aside, path);
             }
             // Only files that were not there before are taken back: a replaced one cannot be.
             for path in named.iter().filter(|_| existing == Existing::Keep) {
@@ -105,9 +107,9 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
         }
         named.push(path);
     }
-    for path in previous {
+    for (_, aside) in previous {
         // Where it cannot be taken away it does no harm.
-        let _ = fs::remove_file(path);
+        let _ = fs::remove_file(aside);
     }
     // Not between two names: a program that is killed while the disk works would leave files that do not belong together.
     // The new names reach the disk only with their directories; not every file system can do this, and the content is safe either way.
@@ -202,6 +204,7 @@ impl Growing {
         }
         let file = temporary(&target).map_err(failed)?;
         if let Some(found) = found {
+            keep_owner(file.as_file(), &found);
             // Not by the builder: the user's mask would be taken off once more.
             file.as_file().set_permissions(found.permissions()).map_err(failed)?;
         }
@@ -276,16 +279,61 @@ impl Growing {
     }
 }
 
-/// A temporary file beside a target, which is small and soon gone.
+/// Gives a file the owner of the one that it replaces, as far as this user may.
+fn keep_owner(file: &File, replaced: &fs::Metadata) {
+    let (uid, gid) = (Uid::from_raw(replaced.uid()), Gid::from_raw(replaced.gid()));
+    let own = file.metadata().ok().map(|own| (own.uid(), own.gid()));
+    if own != Some((replaced.uid(), replaced.gid())) && fchown(file, Some(uid), Some(gid)).is_err()
+    {
+        // Only root gives files away; a group may be one's own.
+        let _ = fchown(file, None, Some(gid));
+    }
+}
+
+/// The name of a temporary file.
+const HIDDEN: (&str, &str) = (".cmra-", ".tmp");
+/// How often one that was removed before it was locked is made again; on a file system that counts no names, the last one is used.
+const HIDDEN_TRIES: u32 = 20;
+
+/// A temporary file beside a target, which is small and soon gone. It is locked while its program lives, by which those of killed
+/// programs are told from it.
 fn hidden(target: &Path) -> io::Result<NamedTempFile> {
-    builder().prefix(".cmra-").suffix(".tmp").tempfile_in(directory_of(target))
+    let directory = directory_of(target);
+    remove_stale(directory);
+    let made = || builder().prefix(HIDDEN.0).suffix(HIDDEN.1).tempfile_in(directory);
+    for _ in 0..HIDDEN_TRIES {
+        let file = made()?;
+        // Where the file system has no locks nothing is removed either.
+        let _ = flock(&file, FlockOperation::LockExclusive);
+        // Another program may have taken it for a stale one before it was locked.
+        if file.as_file().metadata()?.nlink() > 0 {
+            return Ok(file);
+        }
+    }
+    made()
+}
+
+/// Removes the temporary files of programs that were killed.
+pub fn remove_stale(directory: &Path) {
+    for entry in fs::read_dir(directory).into_iter().flatten().flatten() {
+        let (name, path) = (entry.file_name(), entry.path());
+        let name = name.to_string_lossy();
+        let is_hidden = name.starts_with(HIDDEN.0) && name.ends_with(HIDDEN.1);
+        if is_hidden
+            && entry.file_type().is_ok_and(|kind| kind.is_file())
+            && let Ok(file) = File::open(&path)
+            && flock(&file, FlockOperation::NonBlockingLockExclusive).is_ok()
+        {
+            let _ = fs::remove_file(path);
+        }
+    }
 }
 
 /// A temporary file beside a target, `NAME.partial`, or with a number where there is one.
 fn visible(target: &Path) -> io::Result<NamedTempFile> {
     for number in 1..10_000 {
         let end = if number > 1 { format!("{PARTIAL}-{number}") } else { PARTIAL.to_owned() };
-        let name = with_end(Path::new(target.file_name().unwrap_or_default()), &end);
+        let name = fitted(target.file_name().unwrap_or_default(), &end);
         let made = builder().prefix(&name).rand_bytes(0).tempfile_in(directory_of(target));
         if !made.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::AlreadyExists) {
             return made;
@@ -322,9 +370,25 @@ fn copy_over(mut file: NamedTempFile, target: &Path) -> io::Result<()> {
 
 /// A path whose name has a further ending.
 pub(super) fn with_end(path: &Path, end: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(end);
-    PathBuf::from(name)
+    path.with_file_name(fitted(path.file_name().unwrap_or_default(), end))
+}
+
+/// Most bytes of a file's name on usual file systems.
+const NAME_MAX: usize = 255;
+
+/// A name with a further ending, of which as much stays as there is room for.
+pub(super) fn fitted(name: &OsStr, end: &str) -> OsString {
+    let room = NAME_MAX.saturating_sub(end.len());
+    let mut fitted = if name.len() <= room {
+        name.to_owned()
+    } else {
+        // Whole characters, where it is text.
+        let text = String::from_utf8_lossy(name.as_bytes());
+        let cut = (0..=room).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+        OsString::from(&text[..cut])
+    };
+    fitted.push(end);
+    fitted
 }
 
 fn directory_of(target: &Path) -> &Path {
@@ -401,6 +465,57 @@ mod tests {
         copy_over(made(b"3"), &path).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"3");
         assert_eq!(names(place.path()), ["a.csv"]);
+    }
+
+    /// Every name that the file system takes can be written, as a table and as a scene.
+    #[test]
+    fn the_longest_names_are_written() {
+        let place = tempfile::tempdir().unwrap();
+        for (stem, end) in
+            [("a".repeat(251), ".csv"), ("ö".repeat(125), ".csv"), ("b".repeat(255), "")]
+        {
+            let path = place.path().join(format!("{stem}{end}"));
+            let mut file = Growing::begin(&path, Existing::Keep).unwrap();
+            file.add(b"1").unwrap();
+            let beside = crate::files::export::sidecar_path(&path, Some("A"));
+            file.finish(&[(beside.clone(), "2".to_owned())], Existing::Keep).unwrap();
+            assert_eq!(
+                (fs::read(&path).unwrap(), fs::read(&beside).unwrap()),
+                (b"1".to_vec(), b"2".to_vec())
+            );
+            let file = Growing::begin(&path, Existing::Replace).unwrap();
+            file.finish(&[(beside, "3".to_owned())], Existing::Replace).unwrap();
+        }
+        assert_eq!(names(place.path()).len(), 6);
+    }
+
+    #[test]
+    fn temporary_files_of_killed_programs_go_and_others_stay() {
+        let place = tempfile::tempdir().unwrap();
+        let (path, stale) = (place.path().join("a"), place.path().join(".cmra-killed.tmp"));
+        fs::write(&stale, "1").unwrap();
+        let mut living = Growing::prepare(&path, Existing::Keep, hidden).unwrap();
+        living.add(b"2").unwrap();
+        assert!(!stale.exists());
+        write(&place.path().join("b"), b"3", Existing::Keep).unwrap();
+        name_all(vec![living], Existing::Keep).unwrap();
+        assert_eq!(names(place.path()), ["a", "b"]);
+        assert_eq!(fs::read(&path).unwrap(), b"2");
+    }
+
+    /// Only root can give a file away.
+    #[test]
+    fn a_replaced_file_keeps_its_owner() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("a");
+        fs::write(&path, "old").unwrap();
+        let chosen = (Some(12_345), Some(23_456));
+        let is_root = std::os::unix::fs::chown(&path, chosen.0, chosen.1).is_ok();
+        let before = fs::metadata(&path).unwrap();
+        assert!(!is_root || before.uid() == 12_345);
+        write(&path, b"new", Existing::Replace).unwrap();
+        let after = fs::metadata(&path).unwrap();
+        assert_eq!((after.uid(), after.gid()), (before.uid(), before.gid()));
     }
 
     #[test]

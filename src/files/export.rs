@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::clean;
 use crate::files::error::FileError;
+use crate::files::inputs;
 use crate::files::read;
 use crate::files::write;
 use crate::model::run::{Run, envelope};
@@ -47,15 +48,22 @@ pub struct Beside<'a> {
     pub command: String,
 }
 
+/// Whether a file of the command line can be written: no input, its name free or to be replaced.
+pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
+    inputs::reserve(path)?;
+    atomic::check(path, existing)
+}
+
 impl Destination {
     /// Whether the table, and its scene where one goes beside it, can be written: checked before a long computation, not after it.
     pub fn check(&self, has_scene: bool) -> Result<(), FileError> {
         let beside = sidecar_path(&self.path, None);
         let has_beside = has_scene && self.has_beside();
         if has_beside {
+            inputs::reserve(&beside)?;
             check_sidecar(&self.path, &beside)?;
         }
-        atomic::check(&self.path, self.existing)?;
+        check(&self.path, self.existing)?;
         if has_beside && self.existing == Existing::Keep && fs::symlink_metadata(&beside).is_ok() {
             return Err(FileError::Exists(beside));
         }
@@ -77,6 +85,7 @@ impl Destination {
         scenes: &[Beside<'_>],
         is_complete: bool,
     ) -> Result<Vec<PathBuf>, FileError> {
+        inputs::refuse(&self.path)?;
         if !scenes.is_empty() && self.has_beside() {
             check_sidecar(&self.path, &sidecar_path(&self.path, None))?;
         }
@@ -210,13 +219,9 @@ pub fn sweep_notes(plan: &Plan, missing: Option<&str>) -> String {
 pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
     let is_csv = csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"));
     let stem = if is_csv { csv.file_stem() } else { csv.file_name() };
-    let mut name = stem.unwrap_or_else(|| OsStr::new("export")).to_owned();
-    if let Some(run) = run {
-        name.push("-");
-        name.push(run);
-    }
-    name.push(".toml");
-    csv.with_file_name(name)
+    let name = stem.unwrap_or_else(|| OsStr::new("export")).to_owned();
+    let end = run.map_or_else(|| ".toml".to_owned(), |run| format!("-{run}.toml"));
+    csv.with_file_name(atomic::fitted(&name, &end))
 }
 
 /// A sidecar may replace an older sidecar, never a scene that someone wrote or edited.

@@ -11,6 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::files::clean;
 use crate::files::error::{FileError, SceneErrors, nearest};
+use crate::files::inputs;
 use crate::files::paths::Paths;
 use crate::files::read;
 use crate::files::reader::{self, Reader};
@@ -44,7 +45,7 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
     let Some(path) = paths.map(|paths| paths.library_file(library.file())) else {
         return (entries, problems);
     };
-    match read::text_file(&path, read::BYTES_MAX) {
+    match inputs::note(&path).and_then(|()| read::text_file(&path, read::BYTES_MAX)) {
         Ok(text) => {
             let name = path.display().to_string();
             let (own, wrong) = self::entries(library, &text, (&name, Some(&path)));

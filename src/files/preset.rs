@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use crate::files::atomic::{self, Existing};
 use crate::files::bundled::{self, BUNDLED, Bundled};
 use crate::files::error::{FileError, did_you_mean};
+use crate::files::inputs;
 use crate::files::paths::Paths;
 use crate::files::read;
 use crate::files::session;
@@ -103,6 +104,7 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
 
 /// A scene in a file, or that of a session that was kept.
 pub fn from_file(path: &Path) -> Result<Preset, FileError> {
+    inputs::note(path)?;
     let text = read::text_file(path, read::BYTES_MAX)?;
     let text = session::scene_in(&text).unwrap_or(text);
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
@@ -202,6 +204,7 @@ fn from_bundled((name, text): Bundled) -> Result<Preset, FileError> {
 }
 
 fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
+    inputs::note(&path)?;
     let text = read::text_file(&path, read::BYTES_MAX)?;
     from_text(name, Origin::Mine(path), text)
 }

@@ -9,6 +9,7 @@ use toml::de::{DeValue, ValueDeserializer};
 
 use crate::files::clean;
 use crate::files::error::FileError;
+use crate::files::inputs;
 use crate::files::read;
 use crate::files::reader::{self, Reader};
 use crate::model::units::{self, Bare, Dimension};
@@ -60,6 +61,7 @@ pub(super) fn points(
 /// whose headings have a unit of their kind or such a name, `time_s,displacement_mm,force_N` for example, else in the first two. They
 /// are in m and N where no unit is given. An end of a heading in brackets or after `_` or `/` must be a unit.
 pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
+    inputs::note(path)?;
     let text = read::text_file(path, read::BYTES_MAX)?;
     points_in(&text, path).map_err(FileError::Refused)
 }

@@ -135,6 +135,11 @@ struct FileQueue {
 impl FileQueue {
     fn serve(&self, requests: &Receiver<Request>) {
         let mut session_due: Option<Instant> = None;
+        if let Some(paths) = &self.unsaved.paths {
+            for folder in [&paths.state, &paths.recent_folder(), &paths.presets] {
+                atomic::remove_stale(folder);
+            }
+        }
         loop {
             if session_due.is_some_and(|due| due <= Instant::now()) {
                 session_due = None;

@@ -7,6 +7,8 @@ use assert_cmd::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::support::in_folder;
+
 /// A directory of its own for each test, with a home inside.
 struct Place(TempDir);
 
@@ -662,4 +664,56 @@ fn keys_of_json_are_in_reading_order() {
     let keys: Vec<&String> = rows[0].as_object().unwrap().keys().collect();
     let csv = place.cmra(&format!("{over} --csv -")).out;
     assert_eq!(keys, csv.lines().next().unwrap().split(',').collect::<Vec<_>>());
+}
+
+/// Every output of every command refuses every input, whichever is read first.
+#[test]
+fn no_output_takes_the_place_of_an_input() {
+    let place = tempfile::tempdir().unwrap();
+    let at = |name: &str| place.path().join(name);
+    assert_eq!(in_folder(place.path(), "run --csv made.csv").code, 0);
+    let scene = fs::read_to_string(at("made.toml")).unwrap();
+    let curve = "displacement_m,force_n\n0,0\n0.01,1000\n0.02,3000\n";
+    for name in ["plate.toml", "plate.html", "plate.svg"] {
+        fs::write(at(name), &scene).unwrap();
+    }
+    fs::write(at("t.csv"), curve).unwrap();
+    std::os::unix::fs::symlink(at("plate.toml"), at("link.svg")).unwrap();
+    for words in [
+        "run plate.toml --svg plate.toml",
+        "run plate.toml --svg link.svg",
+        "run plate.svg --svg ./plate.svg",
+        "run made.toml --set gamma=2 --csv made.csv",
+        "run --set table=t.csv --csv t.csv",
+        "run --set table=t.csv --svg t.csv",
+        "sweep --over gamma=1..2:3 --set table=t.csv --csv t.csv",
+        "limit --set table=t.csv --csv t.csv",
+        "seek --over gamma=1..2:5 --goal stroke_m=0.1 --set table=t.csv --csv t.csv",
+        "compare --set table=t.csv --csv t.csv",
+        "stability plate.svg --map k --csv plate.svg",
+        "report plate.html -o plate.html",
+        "report --set table=t.csv -o t.html",
+    ] {
+        if words.ends_with("t.html") {
+            fs::write(at("t.html"), curve).unwrap();
+        }
+        let words = words.replace("table=t.csv -o", "table=t.html -o");
+        let done = in_folder(place.path(), &format!("{words} --force"));
+        assert_eq!(done.code, 2, "{words}: {}", done.err);
+        assert!(done.err.contains("is an input of this computation"), "{words}: {}", done.err);
+        assert_eq!(fs::read_to_string(at("t.csv")).unwrap(), curve, "{words}");
+        for name in ["plate.toml", "plate.html", "plate.svg", "made.toml"] {
+            assert_eq!(fs::read_to_string(at(name)).unwrap(), scene, "{words}");
+        }
+    }
+}
+
+/// A scene whose file is named like a formula is text in every table.
+#[test]
+fn a_name_is_no_formula_in_a_table() {
+    let place = tempfile::tempdir().unwrap();
+    assert_eq!(in_folder(place.path(), "run --csv made.csv").code, 0);
+    fs::rename(place.path().join("made.toml"), place.path().join("=1+1.toml")).unwrap();
+    let table = in_folder(place.path(), "sweep =1+1.toml --over gamma=1..2:2 --csv -");
+    assert!(table.out.contains("'=1+1.toml") && !table.out.contains(",=1"), "{}", table.out);
 }

@@ -21,8 +21,8 @@ const WORKBENCH: [&[&str]; 9] = [
     &["pages"],
     &["dialogs"],
     &[
-        "complete", "effects", "input", "backlog", "pace", "plain", "shell", "signals", "start", "terminal",
-        "update", "view",
+        "complete", "effects", "input", "backlog", "pace", "plain", "shell", "signals", "start",
+        "terminal", "update", "view",
     ],
 ];
 

@@ -93,7 +93,7 @@ impl<'c, R> Table<'c, R> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for row in &self.rows {
             for column in &self.columns {
-                drop(writer.write_field(&*field(&(column.get)(row))));
+                drop(writer.write_field(&*cell(&(column.get)(row))));
             }
             drop(writer.write_record(None::<&[u8]>));
         }
@@ -273,6 +273,19 @@ pub fn pretty(value: &impl Serialize) -> String {
     serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
 }
 
+/// A field of CSV. A text that a spreadsheet would take for a formula begins with an apostrophe there: it stays text.
+fn cell(value: &Value) -> Cow<'_, str> {
+    match value {
+        Value::String(text) if is_formula(text) => Cow::Owned(format!("'{text}")),
+        value => field(value),
+    }
+}
+
+/// Whether a spreadsheet computes a text: names of files and scenes may be anything. A lone sign is text.
+fn is_formula(text: &str) -> bool {
+    text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.len() > 1
+}
+
 fn field(value: &Value) -> Cow<'_, str> {
     match value {
         Value::Null => Cow::Borrowed(""),
@@ -296,6 +309,22 @@ mod tests {
             .with("name", "name", "", |row: &Row| row.0)
             .with("depth_m", "depth", "m", |row: &Row| row.1)
             .with("steps", "steps", "", |row: &Row| row.2)
+    }
+
+    /// A spreadsheet computes what begins with such a sign; numbers stay numbers.
+    #[test]
+    fn a_text_is_no_formula_in_a_file() {
+        let rows = ["=1+1.toml", "+1", "-2", "@x", "\tx", "-", "a=b"];
+        let rows = rows.map(|name| (name, Some(-1.5), 0));
+        let table = Table::of(rows).with("name", "name", "", |row: &Row| row.0).with(
+            "depth_m",
+            "depth",
+            "m",
+            |row: &Row| row.1,
+        );
+        let csv = "name,depth_m\n'=1+1.toml,-1.5\n'+1,-1.5\n'-2,-1.5\n'@x,-1.5\n'\tx,-1.5\n-,-1.5\na=b,-1.5\n";
+        assert_eq!(table.csv(), csv);
+        assert!(table.json().contains("\"=1+1.toml\""));
     }
 
     #[test]
