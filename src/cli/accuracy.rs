@@ -19,6 +19,7 @@ use crate::report::accuracy::{
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::reference::Reference;
 use crate::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
+use crate::study::context::Reach;
 use crate::tui::theme::Theme;
 use crate::worker::clock;
 
@@ -43,24 +44,26 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(true)?;
     let Preset { name, scene, .. } = arguments.scene.load()?;
     let effort = if arguments.quick { ComparisonOptions::QUICK } else { ComparisonOptions::FULL };
-    let report = progress::study(1, "points", |context| {
+    let (report, extent) = progress::study(1, "points", |context| {
         compare(&Arc::new(scene.clone()), effort, &mut clock::processor_s, context)
-    })?;
+    });
+    let report = report?;
+    let reach = extent.reach;
     let table = &arguments.table;
-    let page = page(&name, &report) + &table.warnings(&accuracy::warnings(&report));
-    let (object, rows) = (accuracy::json(&name, &report), accuracy::table(&name, &report));
+    let page = page(&name, &report, reach) + &table.warnings(&accuracy::warnings(&report));
+    let (object, rows) = (accuracy::json(&name, &report, reach), accuracy::table(&name, &report));
     let source = (&arguments.scene.changes, &scene, effort.to_string());
-    table.deliver(Some(source), &page, Some(object), rows)?;
+    table.deliver(extent, Some(source), &page, Some(object), rows)?;
     let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
-    Ok(progress::exit_code_after(auto.flat_map(|method| &method.points).filter_map(|point| {
+    Ok(extent.exit_code_after(auto.flat_map(|method| &method.points).filter_map(|point| {
         let why = point.result.as_ref().err()?.words();
         Some(format!("{name}: auto gave no answer at {}: {why}", point.parameter))
     })))
 }
 
-fn page(name: &str, report: &Report) -> String {
+fn page(name: &str, report: &Report, reach: Reach) -> String {
     let mut page = format!("{name}: error against run time\n\n");
-    if report.is_complete {
+    if reach.is_complete() {
         let _ = writeln!(page, "{}", advice(report));
     }
     if let Some(printed) = printed_scheme(report) {
@@ -71,11 +74,11 @@ fn page(name: &str, report: &Report) -> String {
         Some(chart) => page += &draw::chart(&chart, chart_size(SIZE), Theme::PLAIN),
         None => page.push_str("no method gave a result to compare\n"),
     }
-    let pick = report.cheapest(TARGETS[1]).filter(|_| report.is_complete).map(|pick| pick.method);
+    let pick = report.cheapest(TARGETS[1]).filter(|_| reach.is_complete()).map(|pick| pick.method);
     let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
     let table = methods(&report.methods).with("cheapest", "", "", mark);
     let _ = write!(page, "\n{}", table.page(&KEYS, width()));
-    if !report.is_complete {
+    if !reach.is_complete() {
         return page + "\nnot complete: no answer is drawn from these points\n";
     }
     answers(&mut page, report);

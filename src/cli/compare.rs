@@ -9,7 +9,7 @@ use clap::Args;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging, width};
-use crate::cli::{CliError, draw, progress};
+use crate::cli::{CliError, draw};
 use crate::files::preset::Preset;
 use crate::model::scene::{Criterion, Scene};
 use crate::model::units::{fixed_significant, significant};
@@ -58,13 +58,15 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Option(text.to_owned()));
     }
     let scene = Arc::new(preset.scene);
-    let report = arguments.study.run("candidates", |it| compare(&scene, request.hardware, it))?;
+    let (report, extent) =
+        arguments.study.run("candidates", |it| compare(&scene, request.hardware, it));
+    let report = report?;
     let name = preset.name.as_str();
     let warnings = validity::of_scene(&scene);
     let (page, object) = (page(name, &report), tables::json(name, &report));
     let (source, rows) = ((&*scene, request.to_string()), tables::table(name, &report));
-    arguments.study.deliver(source, &warnings, page, object, rows)?;
-    Ok(progress::exit_code(true))
+    arguments.study.deliver(extent, source, &warnings, page, object, rows)?;
+    Ok(extent.exit_code(true))
 }
 
 impl CompareArguments {
@@ -80,19 +82,21 @@ impl CompareArguments {
         axes: &[Axis; 2],
         request: &Request,
     ) -> Result<ExitCode, CliError> {
-        let map = self.study.run("points", |context| {
-            Map::compute(&preset.scene, axes, request.hardware, context)
-        })?;
+        let (map, extent) = self
+            .study
+            .run("points", |context| Map::compute(&preset.scene, axes, request.hardware, context));
+        let map = map?;
         let name = preset.name.as_str();
         let warnings = validity::of_axes(map.scene(), axes);
         let page = map_page(name, &map) + &self.study.table.warnings(&warnings);
         if !self.pictures.is_stdout() {
             let source = (&self.study.scene.changes, &preset.scene, request.to_string());
-            self.study.table.deliver(Some(source), &page, None, tables::map_table(name, &map))?;
+            let rows = tables::map_table(name, &map);
+            self.study.table.deliver(extent, Some(source), &page, None, rows)?;
         }
         let drawn = || tables::picture(&map).map(Picture::Map).into_iter().collect();
-        self.pictures.write(&self.study.table, drawn)?;
-        Ok(progress::exit_code(map.is_complete()))
+        self.pictures.write(&self.study.table, extent.reach, drawn)?;
+        Ok(extent.exit_code(map.is_complete()))
     }
 }
 

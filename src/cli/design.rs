@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::amount::above_zero;
+use crate::cli::progress::Extent;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::model::design;
@@ -47,7 +48,7 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     warnings.extend(variables::range_warnings(&preset.scene));
     warnings.extend(library::warnings(&preset.scene).map(str::to_owned));
     let page = page + &arguments.table.warnings(&warnings);
-    arguments.table.deliver(None, &page, None, rows.with_warnings(&warnings))
+    arguments.table.deliver(Extent::WHOLE, None, &page, None, rows.with_warnings(&warnings))
 }
 
 /// The name of a value, the value by a formula, its unit, and where the formula is from.

@@ -9,7 +9,7 @@ use clap::Args;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging};
-use crate::cli::{CliError, draw, progress};
+use crate::cli::{CliError, draw};
 use crate::model::units::velocity;
 use crate::report::limit::{self, remarks, residual, taken_to_hold};
 use crate::report::svg::Picture;
@@ -30,17 +30,18 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     pictures.check(&study.table)?;
     let preset = study.load()?;
     let scene = Arc::new(preset.scene);
-    let report = study.run("shots or so", |context| find(&scene, context))?;
+    let (report, extent) = study.run("shots or so", |context| find(&scene, context));
+    let report = report?;
     let name = preset.name.as_str();
     let warnings = limit::warnings(&report);
     if !pictures.is_stdout() {
         let (page, object) = (page(name, &report), limit::json(name, &report));
         let (source, rows) = ((&*report.scene, COMMAND.to_owned()), limit::shots(name, &report));
-        study.deliver(source, &warnings, page, object, rows)?;
+        study.deliver(extent, source, &warnings, page, object, rows)?;
     }
     let chart = || residual(&report, report.scene.projectile.velocity_m_s).map(Picture::Chart);
-    pictures.write(&study.table, || chart().into_iter().collect())?;
-    Ok(progress::exit_code(true))
+    pictures.write(&study.table, extent.reach, || chart().into_iter().collect())?;
+    Ok(extent.exit_code(true))
 }
 
 const WIDTH: u16 = 80;

@@ -5,12 +5,13 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::amount::{deviation, part};
 use crate::cli::study::{Random, StudyArguments};
 use crate::cli::text::width;
-use crate::cli::{CliError, progress};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo::{self, perforation, table};
+use crate::study::context::Reach;
 use crate::study::monte_carlo::{LIMIT, Report, Request, Tolerance, run as study};
 use crate::study::quantities::{Quantity, named};
 
@@ -90,19 +91,22 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     let request = arguments.request(&preset.scene)?;
-    let report = arguments.study.run("runs", |context| study(&preset.scene, &request, context))?;
+    let (report, extent) =
+        arguments.study.run("runs", |context| study(&preset.scene, &request, context));
+    let report = report?;
     let name = preset.name.as_str();
     let warnings = monte_carlo::warnings(&preset.scene, &report);
-    let (page, object) = (page(name, &report), monte_carlo::json(name, &report));
+    let (page, object) =
+        (page(name, &report, extent.reach), monte_carlo::json(name, &report, extent.reach));
     let source = (&preset.scene, request.to_string());
-    arguments.study.deliver(source, &warnings, page, object, table(name, &report))?;
+    arguments.study.deliver(extent, source, &warnings, page, object, table(name, &report))?;
     let failed = Some(report.outcomes.failed).filter(|failed| *failed > 0);
     let failed = failed.map(|failed| format!("{failed} samples failed and are not counted"));
-    Ok(progress::exit_code_after(failed))
+    Ok(extent.exit_code_after(failed))
 }
 
-fn page(name: &str, report: &Report) -> String {
-    let early = if report.is_complete { "" } else { ", stopped early" };
+fn page(name: &str, report: &Report, reach: Reach) -> String {
+    let early = if reach.is_complete() { "" } else { ", stopped early" };
     let mut page = format!("{name}: {} samples, seed {}{early}\n\n", report.samples, report.seed);
     for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
         let again = match redrawn {

@@ -5,13 +5,14 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::amount::count;
 use crate::cli::study::{StudyArguments, axes};
 use crate::cli::text::{hanging, width};
-use crate::cli::{CliError, progress};
 use crate::model::units::significant;
 use crate::report::front;
 use crate::report::table::{Cells, grid};
+use crate::study::context::Reach;
 use crate::study::search::front::{
     Constraint, Objective, Report, Request, SAMPLES, STEPS_MAX, run as search, usual_bounds,
 };
@@ -87,16 +88,19 @@ impl OptimiseArguments {
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let request = arguments.request()?;
     let preset = arguments.study.load()?;
-    let front = arguments.study.run("runs", |context| search(&preset.scene, &request, context))?;
+    let (front, extent) =
+        arguments.study.run("runs", |context| search(&preset.scene, &request, context));
+    let front = front?;
     let name = preset.name.as_str();
-    let (page, object) = (page(name, &front), front::json(name, &front));
+    let (page, object) =
+        (page(name, &front, extent.reach), front::json(name, &front, extent.reach));
     let warnings = front::warnings(&front);
     let source = (&preset.scene, request.to_string());
-    arguments.study.deliver(source, &warnings, page, object, front::table(name, &front))?;
-    Ok(progress::exit_code(!front.designs.is_empty()))
+    arguments.study.deliver(extent, source, &warnings, page, object, front::table(name, &front))?;
+    Ok(extent.exit_code(!front.designs.is_empty()))
 }
 
-fn page(name: &str, front: &Report) -> String {
+fn page(name: &str, front: &Report, reach: Reach) -> String {
     let request = &front.request;
     let objective = |it: &Objective| {
         let most = if it.maximise { "greatest " } else { "least " };
@@ -116,11 +120,11 @@ fn page(name: &str, front: &Report) -> String {
         let (low, high) = (significant(low, 4), axis.show(high, 4));
         let _ = writeln!(page, "  {:8}{low} .. {high}{log}", axis.symbol());
     }
-    designs(&mut page, front);
+    designs(&mut page, front, reach);
     page
 }
 
-fn designs(page: &mut String, front: &Report) {
+fn designs(page: &mut String, front: &Report, reach: Reach) {
     let count = front.designs.len();
     let kind = match (front.request.objectives.len(), count) {
         (_, 0) if front.lacks.iter().any(|it| it.count == front.runs) => "no design".to_owned(),
@@ -128,7 +132,7 @@ fn designs(page: &mut String, front: &Report) {
         (1, _) => "the best design".to_owned(),
         (_, _) => format!("a front of {count} designs"),
     };
-    let early = if front.is_complete { "" } else { ", stopped early" };
+    let early = if reach.is_complete() { "" } else { ", stopped early" };
     let (law, runs) = (front.base.interface.law.word(), front.runs);
     let _ = writeln!(page, "\ninterface {law}: {kind} ({runs} runs{early})");
     if front.given_up > 0 {

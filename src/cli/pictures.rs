@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use crate::cli::progress::was_interrupted;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::{atomic, export};
 use crate::report::svg::{self, Picture, Svg};
+use crate::study::context::Reach;
 
 /// `--svg FILE`.
 #[derive(Debug, Args)]
@@ -53,10 +53,11 @@ impl PictureArguments {
     pub(super) fn write(
         &self,
         table: &TableArguments,
+        reach: Reach,
         pictures: impl FnOnce() -> Vec<Picture>,
     ) -> Result<(), CliError> {
         let Some(path) = &self.svg else { return Ok(()) };
-        if was_interrupted() {
+        if !reach.is_complete() {
             output::note("interrupted: no picture was written");
             return Ok(());
         }

@@ -7,7 +7,7 @@ use std::io::{self, IsTerminal as _};
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -17,7 +17,8 @@ use signal_hook::iterator::Signals;
 
 use crate::cli::output;
 use crate::cli::sweep::page::duration;
-use crate::study::context::{CancelFlag, Context, Progress};
+use crate::model::run::{EndReason, Run};
+use crate::study::context::{CancelFlag, Context, Progress, Reach};
 use crate::worker::clock::{Clock, wall};
 
 /// Set by the first interrupt. Global, as signals are.
@@ -25,9 +26,6 @@ static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
 /// The clock that decides when progress is shown. Global, as the terminal is.
 static CLOCK: OnceLock<Clock> = OnceLock::new();
-
-/// How far the last study of the command came: `30 of 49 rows`.
-static REACHED: Mutex<String> = Mutex::new(String::new());
 
 /// Time before the progress of a computation is shown first, and between updates.
 const SHOWN_AFTER: Duration = Duration::from_millis(500);
@@ -81,12 +79,53 @@ impl ProgressLine {
     }
 }
 
-/// Runs a study on this number of threads, and shows how many of its items are done, and the remaining time at this rate.
+/// Extent of the study of a command, counted in its items.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extent {
+    pub(super) reach: Reach,
+    items: &'static str,
+}
+
+impl Extent {
+    /// Extent of what cannot be interrupted.
+    pub(super) const WHOLE: Self = Self { reach: Reach::Complete, items: "" };
+
+    /// Extent of some runs, each of which an interrupt may have stopped.
+    pub(super) fn of_runs<'r>(runs: impl ExactSizeIterator<Item = &'r Run>) -> Self {
+        let total = runs.len();
+        let done = runs.filter(|run| run.end != EndReason::Cancelled).count();
+        Self { reach: Reach::new(done < total, Progress { done, total }), items: "runs" }
+    }
+
+    /// `not complete: interrupted after 30 of 49 rows`; `None` for a complete study.
+    pub(super) fn missing(self) -> Option<String> {
+        let after = self.reach.counted(self.items)?;
+        Some(format!("not complete: interrupted after {after}"))
+    }
+
+    /// Exit status 0 for success, 1 for failure or after an interrupt, which is reported below the result.
+    pub(super) fn exit_code(self, good: bool) -> ExitCode {
+        let is_complete = self.reach.is_complete();
+        if !is_complete {
+            output::note("interrupted: partial results are shown");
+        }
+        if good && is_complete { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    }
+
+    /// The same after notes of what failed: 0 where there is none.
+    pub(super) fn exit_code_after(self, failures: impl IntoIterator<Item = String>) -> ExitCode {
+        let failures = failures.into_iter().inspect(|failure| output::note(failure)).count();
+        self.exit_code(failures == 0)
+    }
+}
+
+/// Runs a study on this number of threads, and shows how many of its items are done, and the remaining time at this rate. Returns its
+/// result and how far it came.
 pub(super) fn study<P: ?Sized, T>(
     threads: usize,
-    what: &str,
+    items: &'static str,
     study: impl FnOnce(&mut Context<'_, P>) -> T,
-) -> T {
+) -> (T, Extent) {
     let mut line = ProgressLine::begin();
     let mut reached = Progress::default();
     let watch = &mut |now: Progress, _: Option<&P>| {
@@ -95,14 +134,14 @@ pub(super) fn study<P: ?Sized, T>(
         line.update(|elapsed_s| {
             let percent = 100.0 * done as f64 / total.max(1) as f64;
             let left = duration(elapsed_s * (total - done) as f64 / done.max(1) as f64);
-            format!("{percent:.0} %: {done} of {total} {what}, {left} left")
+            format!("{percent:.0} %: {done} of {total} {items}, {left} left")
         })
     };
-    let found = study(&mut Context::new(threads, watch));
+    let mut context = Context::new(threads, watch);
+    let found = study(&mut context);
+    let is_stopped = context.is_stopped();
     line.clear();
-    *REACHED.lock().unwrap_or_else(PoisonError::into_inner) =
-        format!("{} of {} {what}", reached.done, reached.total);
-    found
+    (found, Extent { reach: Reach::new(is_stopped, reached), items })
 }
 
 /// Lets this clock decide when progress is shown. The first one handed in stays.
@@ -112,27 +151,6 @@ pub(super) fn use_clock(clock: Clock) {
 
 fn now() -> Duration {
     CLOCK.get_or_init(wall)()
-}
-
-/// What every result says that an interrupt has cut short; `None` for a complete one.
-pub(super) fn not_complete() -> Option<String> {
-    let reached = REACHED.lock().unwrap_or_else(PoisonError::into_inner);
-    let after = if reached.is_empty() { "" } else { " after " };
-    was_interrupted().then(|| format!("not complete: interrupted{after}{reached}"))
-}
-
-/// Exit status 0 for success, 1 for failure or after an interrupt, which is reported below the result.
-pub(super) fn exit_code(good: bool) -> ExitCode {
-    let stopped = was_interrupted();
-    if stopped {
-        output::note("interrupted: partial results are shown");
-    }
-    if good && !stopped { ExitCode::SUCCESS } else { ExitCode::FAILURE }
-}
-
-/// The same after notes of what failed: 0 where there is none.
-pub(super) fn exit_code_after(failures: impl IntoIterator<Item = String>) -> ExitCode {
-    exit_code(failures.into_iter().inspect(|failure| output::note(failure)).count() == 0)
 }
 
 /// A flag that the first interrupt, or a dropped connection, sets; a later Ctrl-C ends the process.

@@ -55,7 +55,9 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let scene = Arc::new(preset.scene);
     let run = compute(&scene)?;
     let threads = arguments.threads.count();
-    let limit = progress::study(threads, "shots or so", |context| limit::find(&scene, context))?;
+    let (limit, _) =
+        progress::study(threads, "shots or so", |context| limit::find(&scene, context));
+    let limit = limit?;
     let sweep = own_sweep(&scene, threads)?;
     if progress::was_interrupted() {
         output::note("interrupted: no report was written");
@@ -78,5 +80,5 @@ fn own_sweep(scene: &Scene, threads: usize) -> Result<Option<Grid>, CliError> {
     }
     let plan = Arc::new(Plan::of(scene)?);
     let grid = Grid::new(Arc::clone(&plan)).filter(|_| plan.points() <= KEPT_MAX);
-    Ok(grid.map(|grid| progress::study(threads, "points", |it| grid.fill(PIECE, it))))
+    Ok(grid.map(|grid| progress::study(threads, "points", |it| grid.fill(PIECE, it)).0))
 }

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::progress::Extent;
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, progress, text};
@@ -23,16 +24,16 @@ pub(super) struct ReproduceArguments {
 /// Checks every claim.
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(false)?;
-    let rows = progress::study(arguments.threads.count(), "rows", thesis::reproduce);
-    arguments.table.deliver(None, &page(&rows), None, tables::claims(&rows))?;
+    let (rows, extent) = progress::study(arguments.threads.count(), "rows", thesis::reproduce);
+    arguments.table.deliver(extent, None, &page(&rows, extent), None, tables::claims(&rows))?;
     let failing = rows.iter().filter(|row| !row.holds).map(|row| {
         let (id, verdict) = (row.claim.id, row.claim.verdict.words());
         format!("{id}: the computation does not bear out \"{verdict}\"")
     });
-    Ok(progress::exit_code_after(failing))
+    Ok(extent.exit_code_after(failing))
 }
 
-fn page(rows: &[Row]) -> String {
+fn page(rows: &[Row], extent: Extent) -> String {
     let mut page = String::new();
     for row in rows {
         let claim = row.claim;
@@ -53,6 +54,6 @@ fn page(rows: &[Row]) -> String {
     let counts: Vec<String> =
         counts.map(|(verdict, count)| format!("{count} {}", verdict.words())).collect();
     let whole = || format!("{} rows: {}.", rows.len(), counts.join(", "));
-    let _ = writeln!(page, "{}", progress::not_complete().unwrap_or_else(whole));
+    let _ = writeln!(page, "{}", extent.missing().unwrap_or_else(whole));
     page
 }

@@ -10,7 +10,7 @@ use clap::Args;
 
 use crate::cli::amount::above_zero;
 use crate::cli::pictures::PictureArguments;
-use crate::cli::progress::{ProgressLine, was_interrupted};
+use crate::cli::progress::{Extent, ProgressLine};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::TableArguments;
@@ -129,11 +129,19 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         if let Some(first) = scenes.first_mut() {
             first.command = format!("run{dt}");
         }
-        let written = to.write(report::csv(&runs).as_bytes(), &scenes, !was_interrupted());
+        let written = to.write(
+            report::csv(&runs).as_bytes(),
+            &scenes,
+            Extent::of_runs(std::iter::once(&*run)).reach.is_complete(),
+        );
         output::note_written(&written?);
     }
     let drawn = || selected(&run).into_iter().map(Picture::Chart).collect();
-    arguments.pictures.write(&arguments.table, drawn)?;
+    arguments.pictures.write(
+        &arguments.table,
+        Extent::of_runs(std::iter::once(&*run)).reach,
+        drawn,
+    )?;
     if arguments.pictures.is_stdout() {
         return Ok(exit_code(&run));
     }
@@ -275,6 +283,7 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     }
     page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
     let source = (&arguments.scene.changes, &preset.scene, "run --compare models".to_owned());
-    arguments.table.deliver(Some(source), &page, None, report::results(&runs))?;
-    Ok(ExitCode::SUCCESS)
+    let extent = Extent::of_runs(runs.iter().map(|(_, run)| &**run));
+    arguments.table.deliver(extent, Some(source), &page, None, report::results(&runs))?;
+    Ok(extent.exit_code(true))
 }

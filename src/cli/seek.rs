@@ -5,10 +5,11 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::study::StudyArguments;
-use crate::cli::{CliError, progress};
 use crate::model::units::shortest;
 use crate::report::seek::{self, remarks, solution};
+use crate::study::context::Reach;
 use crate::study::search::seek::{Goal, Report, Request, SCAN, SCAN_USUAL, run as solve};
 use crate::study::sweep::{Axis, Spacing};
 
@@ -42,17 +43,20 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let request =
         Request { over: Axis::read_range(&arguments.over, Some(SCAN_USUAL), &SCAN)?, goal };
     let preset = arguments.study.load()?;
-    let report = arguments.study.run("runs", |context| solve(&preset.scene, &request, context))?;
+    let (report, extent) =
+        arguments.study.run("runs", |context| solve(&preset.scene, &request, context));
+    let report = report?;
     let name = preset.name.as_str();
     let warnings = seek::warnings(&preset.scene, &report);
-    let (page, object) = (page(name, &report), seek::json(name, &report));
+    let (page, object) =
+        (page(name, &report, extent.reach), seek::json(name, &report, extent.reach));
     let source = (&preset.scene, request.to_string());
-    arguments.study.deliver(source, &warnings, page, object, seek::table(name, &report))?;
-    Ok(progress::exit_code(report.solutions().next().is_some()))
+    arguments.study.deliver(extent, source, &warnings, page, object, seek::table(name, &report))?;
+    Ok(extent.exit_code(report.solutions().next().is_some()))
 }
 
 /// The page.
-fn page(name: &str, report: &Report) -> String {
+fn page(name: &str, report: &Report, reach: Reach) -> String {
     let axis = &report.axis;
     let (low, high) = axis.ends();
     let spacing = if axis.spacing() == Spacing::Log { ", at equal ratios" } else { "" };
@@ -64,7 +68,7 @@ fn page(name: &str, report: &Report) -> String {
     );
     let solutions = report.solutions().zip(&report.checked);
     let solutions = solutions.map(|(found, checked)| solution(report, found, checked));
-    for line in solutions.chain(remarks(report).into_iter().map(|remark| remark.text)) {
+    for line in solutions.chain(remarks(report, reach).into_iter().map(|remark| remark.text)) {
         let _ = writeln!(page, "  {line}");
     }
     if let Some(solution) = report.solutions().next() {

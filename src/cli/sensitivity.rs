@@ -6,9 +6,9 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::study::{Random, StudyArguments, axes};
 use crate::cli::text::{hanging, width};
-use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
 use crate::study::quantities::named;
@@ -58,14 +58,15 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         seed: arguments.random.seed,
     };
     let preset = arguments.study.load()?;
-    let report =
-        arguments.study.run("runs", |context| analyse(&preset.scene, &request, context))?;
+    let (report, extent) =
+        arguments.study.run("runs", |context| analyse(&preset.scene, &request, context));
+    let report = report?;
     let name = preset.name.as_str();
     let warnings = validity::of_axes(&preset.scene, &report.axes);
     let page = page(name, &report, arguments.over.is_empty());
     let (source, object) = ((&preset.scene, request.to_string()), sensitivity::json(name, &report));
-    arguments.study.deliver(source, &warnings, page, object, table(name, &report))?;
-    Ok(progress::exit_code(!report.is_empty()))
+    arguments.study.deliver(extent, source, &warnings, page, object, table(name, &report))?;
+    Ok(extent.exit_code(!report.is_empty()))
 }
 
 fn page(name: &str, report: &Report, is_usual: bool) -> String {

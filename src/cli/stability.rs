@@ -6,9 +6,10 @@ use std::time::Instant;
 
 use clap::Args;
 
+use crate::cli::progress::Extent;
 use crate::cli::study::StudyArguments;
 use crate::cli::table::choice;
-use crate::cli::{CliError, draw, progress, text};
+use crate::cli::{CliError, draw, text};
 use crate::model::library;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
@@ -51,11 +52,13 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let cases = stability::battery(arguments.quick);
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
-    let rows = arguments.study.run("scenes", |context| stability::run(&cases, &now_s, context))?;
+    let (rows, extent) =
+        arguments.study.run("scenes", |context| stability::run(&cases, &now_s, context));
+    let rows = rows?;
     let took_s = now_s();
-    let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
-    arguments.study.table.deliver(None, &page, Some(object), table(&rows))?;
-    Ok(progress::exit_code_after(failures(&rows)))
+    let (page, object) = (battery_page(&rows, took_s, text::width(), extent), tables::json(&rows));
+    arguments.study.table.deliver(extent, None, &page, Some(object), table(&rows))?;
+    Ok(extent.exit_code_after(failures(&rows)))
 }
 
 /// A sentence for each scene that fails.
@@ -71,17 +74,18 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     map::accepts(&preset.scene)?;
     let size = if arguments.quick { map::QUICK } else { map::SIZE };
     let wanted = Wanted { method: arguments.method, axis, size };
-    let map = arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
+    let (map, extent) =
+        arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
     let warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
     let (page, object) = (map_page(&map, name), tables::map_json(name, &map));
     let (source, rows) = ((&preset.scene, wanted.to_string()), tables::map_table(name, &map));
-    arguments.study.deliver(source, &warnings, page, object, rows)?;
-    Ok(progress::exit_code(true))
+    arguments.study.deliver(extent, source, &warnings, page, object, rows)?;
+    Ok(extent.exit_code(true))
 }
 
 /// The table of the battery, what it means, and one line that sums it up.
-fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {
+fn battery_page(rows: &[Row], took_s: f64, width: usize, extent: Extent) -> String {
     let mut keys = vec!["scene"];
     keys.extend(HOW_IT_RAN);
     if width >= WIDE {
@@ -91,7 +95,7 @@ fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {
     text.extend(failures(rows).map(|failure| failure + "\n"));
     text.push('\n');
     text.push_str(LEGEND);
-    summary(&mut text, rows, took_s);
+    summary(&mut text, rows, took_s, extent);
     text
 }
 
@@ -103,8 +107,8 @@ or R Radau IIA of order 5 at 1e-12, or t this solver at 1e-13 where both fail
 
 ";
 
-fn summary(text: &mut String, rows: &[Row], took_s: f64) {
-    if let Some(missing) = progress::not_complete() {
+fn summary(text: &mut String, rows: &[Row], took_s: f64, extent: Extent) {
+    if let Some(missing) = extent.missing() {
         let _ = writeln!(text, "{missing}");
         return;
     }

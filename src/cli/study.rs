@@ -3,9 +3,10 @@
 use clap::Args;
 use serde_json::Value;
 
+use crate::cli::CliError;
+use crate::cli::progress::{self, Extent};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::report::table::Table;
@@ -34,16 +35,17 @@ impl StudyArguments {
     /// Runs a study, and shows its progress.
     pub(super) fn run<P: ?Sized, T>(
         &self,
-        what: &str,
+        items: &'static str,
         study: impl FnOnce(&mut Context<'_, P>) -> T,
-    ) -> T {
-        progress::study(self.threads.count(), what, study)
+    ) -> (T, Extent) {
+        progress::study(self.threads.count(), items, study)
     }
 
     /// Prints the page or the object, and writes the rows, each with the warnings. The command is that which makes them of the scene:
     /// its name and options.
     pub(super) fn deliver<R>(
         &self,
+        extent: Extent,
         (scene, command): (&Scene, String),
         warnings: &[String],
         page: String,
@@ -54,7 +56,7 @@ impl StudyArguments {
         let page = page + &self.table.warnings(warnings);
         let rows = rows.with_warnings(warnings);
         let source = (&self.scene.changes, scene, command);
-        self.table.deliver(Some(source), &page, Some(object), rows)
+        self.table.deliver(extent, Some(source), &page, Some(object), rows)
     }
 }
 

@@ -24,7 +24,7 @@ use crate::files::export::{self, Beside};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, Piece, Sheet, json_tail};
-use crate::study::context::{Context, Work};
+use crate::study::context::{Context, Progress, Reach, Work};
 use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities;
 use crate::study::sweep::grid::{Grid, PIECE};
@@ -102,7 +102,8 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
             + &arguments.table.warnings(&validity::of_plan(&plan));
         output::print(&fitted(&(arguments.scene.changes.changed() + &text)))?;
     }
-    arguments.pictures.write(&arguments.table, || page::pictures(kept.as_ref(), columns))?;
+    let reach = Reach::new(job.missing(ended).is_some(), Progress::default());
+    arguments.pictures.write(&arguments.table, reach, || page::pictures(kept.as_ref(), columns))?;
     Ok(job.ended(ended, columns, &arguments.table, start))
 }
 
@@ -241,7 +242,7 @@ impl Job<'_> {
             }
         };
         let work = Work { count, at_once: PIECE };
-        progress::study(self.threads, "points", |context: &mut Context<'_>| {
+        let ((), _) = progress::study(self.threads, "points", |context: &mut Context<'_>| {
             context.expect(usize::try_from(count).unwrap_or(usize::MAX));
             context.each(work, worker, |context, piece, found| {
                 found.points.iter().for_each(|point| counts.add(point.outcome));

@@ -7,7 +7,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::Value;
 
-use crate::cli::progress::not_complete;
+use crate::cli::progress::Extent;
 use crate::cli::scene::Changes;
 use crate::cli::{CliError, output, text};
 use crate::files::atomic::Existing;
@@ -109,28 +109,26 @@ impl TableArguments {
     /// from a scene the changes head the page, and the scene goes beside the file.
     pub(super) fn deliver<R>(
         &self,
+        extent: Extent,
         source: Option<Source<'_>>,
         page: &str,
         object: Option<Value>,
         rows: Table<'_, R>,
     ) -> Result<(), CliError> {
-        let missing = not_complete();
-        // The rows of an incomplete table say so.
-        let rows = if missing.is_some() { rows.field("complete", |_| false) } else { rows };
+        let rows = rows.with_reach(extent.reach);
         if self.is_stdout() {
             return output::print(&rows.csv());
         }
         let changed = source.as_ref().map(|source| source.0.changed());
-        let written = self.file().map_or(Ok(()), |to| write(&to, &rows.csv(), source));
+        let written = self.file().map_or(Ok(()), |to| write(&to, &rows.csv(), source, extent));
         // A file that cannot be written must not cost what was computed.
         output::print(&match object {
             _ if !self.json => {
-                let missing = missing.map(|missing| missing + "\n\n");
+                let missing = extent.missing().map(|missing| missing + "\n\n");
                 text::fitted(&(missing.unwrap_or_default() + &changed.unwrap_or_default() + page))
             }
             Some(mut object) => {
-                let is_complete = object["complete"].as_bool().unwrap_or(true);
-                object["complete"] = (is_complete && missing.is_none()).into();
+                object["complete"] = extent.reach.is_complete().into();
                 pretty(&object)
             }
             None => rows.json(),
@@ -142,9 +140,14 @@ impl TableArguments {
 /// The changes that made a scene, the scene, and the command that makes the table of it: its name and options.
 pub(super) type Source<'a> = (&'a Changes, &'a Scene, String);
 
-fn write(to: &Destination, text: &str, source: Option<Source<'_>>) -> Result<(), FileError> {
-    let notes = not_complete().map_or_else(String::new, |missing| format!("# {missing}\n"));
-    let is_complete = notes.is_empty();
+fn write(
+    to: &Destination,
+    text: &str,
+    source: Option<Source<'_>>,
+    extent: Extent,
+) -> Result<(), FileError> {
+    let notes = extent.missing().map_or_else(String::new, |missing| format!("# {missing}\n"));
+    let is_complete = extent.reach.is_complete();
     let beside = source.map(|(_, scene, command)| Beside { run: None, scene, notes, command });
     output::note_written(&to.write(text.as_bytes(), beside.as_slice(), is_complete)?);
     Ok(())

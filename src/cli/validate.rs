@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::progress::Extent;
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, progress, text};
@@ -25,14 +26,16 @@ pub(super) struct ValidateArguments {
 /// Compute every case; exit status 1 when the model gives nothing for one.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(false)?;
-    let report = progress::study(arguments.threads.count(), "measurements", validation::report)?;
-    arguments.table.deliver(None, &page(&report), None, tables::table(&report))?;
+    let (report, extent) =
+        progress::study(arguments.threads.count(), "measurements", validation::report);
+    let report = report?;
+    arguments.table.deliver(extent, None, &page(&report, extent), None, tables::table(&report))?;
     let missing = report.iter().filter(|row| row.computed.is_none());
     let missing = missing.map(|row| format!("nothing could be computed for {}", row.case.id));
-    Ok(progress::exit_code_after(missing))
+    Ok(extent.exit_code_after(missing))
 }
 
-fn page(report: &[Row]) -> String {
+fn page(report: &[Row], extent: Extent) -> String {
     use Closure::{Cavity, DoubleYield};
     let mut page = String::new();
     for row in report {
@@ -76,7 +79,7 @@ fn page(report: &[Row]) -> String {
         text::labelled_each(&mut page, &lines);
         page.push('\n');
     }
-    page + &progress::not_complete().map_or_else(|| summary(report), |missing| missing + "\n")
+    page + &extent.missing().map_or_else(|| summary(report), |missing| missing + "\n")
 }
 
 /// Points from which a class has a scatter.

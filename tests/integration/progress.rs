@@ -101,6 +101,38 @@ fn what_is_cut_short_says_so_and_draws_no_conclusion() {
     }
 }
 
+/// Every study that was stopped says so on its page, in each row of its table, in the name of its file and beside it.
+#[test]
+fn each_study_that_is_cut_short_says_so_on_its_page_and_in_its_file() {
+    let slow = "--set k=1e9 --set n=1.5 --set interface=plastic --set run.horizon_s=1000";
+    for (command, said) in [
+        (format!("limit {slow}"), " shots or so"),
+        (format!("compare {slow}"), " candidates"),
+        ("compare --map v_i,gamma".to_owned(), " points"),
+        (format!("seek --over gamma=1..3:9 --goal stroke_m=1mm {slow}"), " runs"),
+        ("optimise".to_owned(), " runs"),
+        ("montecarlo --samples 1000000".to_owned(), " runs"),
+        ("stability".to_owned(), " scenes"),
+        ("stability --map k".to_owned(), " rows"),
+        ("accuracy --set interface=plastic".to_owned(), " points"),
+        ("reproduce".to_owned(), " rows"),
+        ("validate".to_owned(), " measurements"),
+    ] {
+        let (page, terminal) = interrupted(&format!("{command} --csv a.csv"), said);
+        // A long page has left the screen by its top.
+        let all = terminal.text();
+        assert!(all.contains("not complete: interrupted after "), "{command}: {page}");
+        let rows = std::fs::read_to_string(terminal.file("a.csv.partial"));
+        let rows = rows.unwrap_or_else(|_| panic!("{command}: {page}"));
+        let mut lines = rows.lines();
+        assert!(lines.next().is_some_and(|head| head.ends_with(",complete")), "{command}: {rows}");
+        assert!(lines.all(|line| line.ends_with(",false")), "{command}: {rows}");
+        if let Ok(beside) = std::fs::read_to_string(terminal.file("a.csv.toml")) {
+            assert!(beside.contains("# not complete: interrupted after "), "{command}: {beside}");
+        }
+    }
+}
+
 /// Of a sweep the points that are done are counted.
 #[test]
 fn a_sweep_counts_its_points() {

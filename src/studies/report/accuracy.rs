@@ -9,6 +9,7 @@ use crate::report::table::Table;
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::reference::References;
 use crate::study::accuracy::{Cheapest, MethodReport, Point, RESULTS, Report, Saving};
+use crate::study::context::Reach;
 
 /// A point of a method.
 pub type Row<'r> = (&'r MethodReport, &'r Point);
@@ -137,7 +138,7 @@ pub fn seconds(value: f64) -> String {
 pub const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
 /// The object of the scene of this name.
-pub fn json(name: &str, report: &Report) -> Value {
+pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
     let References { engine, other } = report.references;
     let references = engine.into_iter().chain(other).map(|reference| {
         json!({
@@ -162,8 +163,8 @@ pub fn json(name: &str, report: &Report) -> Value {
     json!({
         "scene": name,
         "references": references.collect::<Vec<_>>(),
-        "complete": report.is_complete,
-        "answers": report.is_complete.then_some(answers),
+        "complete": reach.is_complete(),
+        "answers": reach.is_complete().then_some(answers),
         "printed_scheme_off": report.printed_off,
         "run_time_s": report.run_s,
         "omitted": savings(&report.savings).objects(|_| true),

@@ -6,6 +6,7 @@ use crate::model::library;
 use crate::model::run::Outcome;
 use crate::model::units::significant;
 use crate::report::table::Table;
+use crate::study::context::Reach;
 use crate::study::search::front::{Lack, Report};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
@@ -87,7 +88,7 @@ pub fn page_keys(front: &Report) -> Vec<&'static str> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, front: &Report) -> Value {
+pub fn json(name: &str, front: &Report, reach: Reach) -> Value {
     let request = &front.request;
     let variables = request.over.iter().map(|axis| {
         let (low, high) = axis.ends();
@@ -113,7 +114,7 @@ pub fn json(name: &str, front: &Report) -> Value {
         "runs": front.runs,
         "given_up": front.given_up,
         "no_design": lacks(front),
-        "complete": front.is_complete,
+        "complete": reach.is_complete(),
         "designs": table(name, front).objects(|key| !["scene", "interface"].contains(&key)),
     })
 }

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report::table::Table;
+use crate::study::context::Reach;
 use crate::study::limit::RANGE_M_S;
 use crate::study::monte_carlo::{Distribution, Estimate, LIMIT, Report, Summary};
 use crate::study::validation::ModelError;
@@ -121,7 +122,7 @@ pub fn perforation(report: &Report) -> Option<String> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> Value {
+pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
     let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
         let Distribution(kind, (first, second)) = tolerance.distribution;
         json!({
@@ -152,7 +153,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "seed": report.seed,
         "samples": report.samples,
         "model_error": { "bias": report.model.bias, "spread": report.model.spread },
-        "complete": report.is_complete,
+        "complete": reach.is_complete(),
         "outcomes": outcomes.collect::<Map<_, _>>(),
         "perforation": perforation,
         "outputs": outputs.collect::<Vec<_>>(),

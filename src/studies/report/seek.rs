@@ -7,6 +7,7 @@ use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report::Remark;
 use crate::report::table::Table;
+use crate::study::context::Reach;
 use crate::study::search::seek::{Kind, Report, SamplePoint, SeekResult};
 use crate::study::sweep::{PointOutcome, Spacing};
 use crate::study::validity::Checked;
@@ -34,7 +35,7 @@ pub fn solution(report: &Report, solution: &SeekResult, checked: &Checked) -> St
 }
 
 /// Further remarks: that there is no solution, jumps over the goal, and where there is no value.
-pub fn remarks(report: &Report) -> Vec<Remark> {
+pub fn remarks(report: &Report, reach: Reach) -> Vec<Remark> {
     let (axis, measure) = (&report.axis, report.measure);
     let at = |value: f64| axis.show(value, 6);
     let shown = |value: f64| measure.show(value, 6);
@@ -49,7 +50,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         remarks.push(Remark::caution("", text));
     }
     if report.solutions().next().is_none() {
-        let text = if report.is_complete {
+        let text = if reach.is_complete() {
             format!("nothing reaches {}", shown(report.target))
         } else {
             let (runs, target) = (report.runs, shown(report.target));
@@ -61,7 +62,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
             .range
             .map(|(least, most)| format!("minimum: {}; maximum: {}", place(least), place(most)));
         remarks.extend(nearest.chain(range).map(|text| Remark::new("", text)));
-        if report.is_complete && report.range.is_none() {
+        if reach.is_complete() && report.range.is_none() {
             let text = "no run has this quantity: choose another goal, for example stroke_m";
             remarks.push(Remark::new("", text));
         }
@@ -100,7 +101,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult>
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> Value {
+pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
     let own = ["kind", "at", "until", "value", "outcome", "plastic"];
     let list = |kind: Kind| {
         let mut table = table(name, report);
@@ -128,6 +129,6 @@ pub fn json(name: &str, report: &Report) -> Value {
         "least": report.range.map(|range| place(range.0)),
         "most": report.range.map(|range| place(range.1)),
         "runs": report.runs,
-        "complete": report.is_complete,
+        "complete": reach.is_complete(),
     })
 }

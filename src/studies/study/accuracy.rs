@@ -117,8 +117,6 @@ pub struct Report {
     pub run_s: Option<f64>,
     /// The gain from omitted terms.
     pub savings: Vec<Saving>,
-    /// Whether it was stopped before its end.
-    pub is_complete: bool,
 }
 
 /// A part of a run with the time it takes.
@@ -169,7 +167,6 @@ pub fn compare(
         printed_off,
         run_s: None,
         savings: Vec::new(),
-        is_complete: true,
     };
     for (method, parameters) in plan {
         let reference = match method {
@@ -180,8 +177,7 @@ pub fn compare(
         report.methods.push(MethodReport { method, reference, points: Vec::new() });
         let mut is_costly = false;
         for parameter in parameters {
-            report.is_complete = context.show(&report);
-            if !report.is_complete {
+            if !context.show(&report) {
                 break;
             }
             context.count(1);
@@ -201,7 +197,7 @@ pub fn compare(
             }
         }
     }
-    if report.is_complete {
+    if !context.is_stopped() {
         (report.run_s, report.savings) = savings(scene, effort.point_s, clock);
         context.show(&report);
     }

@@ -161,8 +161,6 @@ pub struct Report {
     pub uncounted: Vec<&'static str>,
     /// The candidates, without those that cannot be made or were not reached.
     pub entries: Vec<Entry>,
-    /// Whether it was done to its end.
-    pub is_complete: bool,
 }
 
 impl Report {
@@ -243,7 +241,6 @@ pub fn compare(
         spring_is_own: hardware::is_own(scene),
         uncounted: uncounted(scene),
         entries: Vec::new(),
-        is_complete: false,
     };
     context.expect(Candidate::ALL.len());
     for candidate in Candidate::ALL {
@@ -258,7 +255,6 @@ pub fn compare(
         report.entries.push(entry);
         context.count(1);
     }
-    report.is_complete = true;
     Ok(report)
 }
 

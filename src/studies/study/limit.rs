@@ -154,8 +154,6 @@ pub struct Report {
     pub recht_ipson: Option<ResidualLaw>,
     /// Lambert and Jonas's law through the curve.
     pub lambert_jonas: Option<ResidualLaw>,
-    /// Whether it was done to its end.
-    pub is_complete: bool,
 }
 
 impl Report {
@@ -212,7 +210,6 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
         recht_ipson: found_m_s
             .and_then(|limit_m_s| ResidualLaw::recht_ipson(&perforated, limit_m_s)),
         lambert_jonas: found_m_s.and_then(|_| ResidualLaw::lambert_jonas(&perforated)),
-        is_complete: !context.is_stopped(),
     })
 }
 

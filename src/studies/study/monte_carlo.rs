@@ -158,8 +158,6 @@ pub struct Report {
     pub model: ModelError,
     /// Measure by measure; a limit velocity with the error of the model, and then without it.
     pub summaries: Vec<Summary>,
-    /// Whether it was done to its end.
-    pub is_complete: bool,
 }
 
 /// What of every scene scatters where nothing is named, besides its springs. The order is part of what a seed means.
@@ -264,7 +262,6 @@ pub fn run(
             }
         }
     }
-    report.is_complete = !context.is_stopped();
     report.redrawn = redrawn;
     report.perforated = perforated(report.outcomes);
     report.nominal = nominal.as_ref().map(|found| found.outcome);

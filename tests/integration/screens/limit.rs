@@ -39,7 +39,6 @@ fn found(scene: &Arc<Scene>) -> Report {
         shots: below.chain(above).map(shot).collect(),
         recht_ipson: Some(ResidualLaw { a: 0.9412, p: 2.0, limit_m_s: V_BL, misfit_m_s: 4.321 }),
         lambert_jonas: Some(ResidualLaw { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
-        is_complete: true,
     }
 }
 

@@ -40,7 +40,6 @@ fn front(scene: &Scene, request: &front::Request) -> Report {
         base: scene.clone(),
         outside: vec![(Check::Thickness, 40), (Check::Interface, 31)],
         runs: 2460,
-        is_complete: true,
         ..Report::default()
     }
 }

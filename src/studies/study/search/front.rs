@@ -167,8 +167,6 @@ pub struct Report {
     pub lacks: Vec<Lack>,
     /// Runs that were infeasible, by check.
     pub infeasible: Vec<(Check, usize)>,
-    /// Whether it was done to its end.
-    pub is_complete: bool,
 }
 
 impl Report {
@@ -193,7 +191,7 @@ pub fn run(
     let plan = Plan::for_designs(scene, request.over.clone(), &names)?.limited(STEPS_MAX);
     context.expect(request.samples);
     let known = Checked::of(scene, request.objectives[0].measure, &[], &mut || true).fails;
-    let front = Report { request, base: scene.clone(), is_complete: true, ..Report::default() };
+    let front = Report { request, base: scene.clone(), ..Report::default() };
     Ok(Search { plan, known, front }.run(context))
 }
 
@@ -214,7 +212,6 @@ impl Search {
             self.front.designs = self.designs(best);
             context.show(&self.front).then(|| self.judged(points, context))?
         });
-        self.front.is_complete = !context.is_stopped();
         self.front.designs = self.designs(&best);
         let measure = self.front.request.objectives[0].measure;
         let mut checked = Vec::new();

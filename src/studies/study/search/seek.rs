@@ -138,8 +138,6 @@ pub struct Report {
     pub scan: Vec<(f64, Option<f64>)>,
     /// Runs made.
     pub runs: usize,
-    /// Whether it was done to its end.
-    pub is_complete: bool,
 }
 
 impl Report {
@@ -180,7 +178,8 @@ pub fn run(
         (!context.is_stopped()).then(|| found.iter().map(|found| found.values[0]).collect())
     };
     let mut root_scan = RootScan::new(goal.target, &mut function);
-    let ended = root_scan.run(scan);
+    // A stopped scan leaves what it has seen.
+    let _stopped = root_scan.run(scan);
     let RootScan { crossings, seen, scan: scanned, .. } = root_scan;
     let place = |point: SamplePoint| SamplePoint { at: axis.at_share(point.at), ..point };
     let outcome_at = |share: f64| {
@@ -221,7 +220,6 @@ pub fn run(
         range: range(&seen).map(|(least, most)| (place(least), place(most))),
         scan: scanned.iter().map(|(share, value)| (axis.at_share(*share), *value)).collect(),
         runs,
-        is_complete: ended.is_ok(),
     })
 }
 

@@ -83,7 +83,8 @@ impl Answer for Report {
             let warnings = warnings.filter(move |_| index == selected);
             std::iter::once(solution).chain(warnings)
         });
-        let lines = solutions.chain(remarks(self).into_iter().map(line)).collect();
+        let reach = app.pages.search.shown().map_or(Reach::Complete, |kept| kept.reach);
+        let lines = solutions.chain(remarks(self, reach).into_iter().map(line)).collect();
         broken(lines, width)
     }
 
