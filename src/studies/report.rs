@@ -7,6 +7,7 @@ pub mod chart;
 pub mod clean;
 pub mod compare;
 pub mod document;
+pub mod energies;
 pub mod figures;
 pub mod front;
 pub mod law;

@@ -7,6 +7,7 @@ use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::report::map::{Cell, Map};
 use crate::study::sweep::{self, Spacing};
 
+pub mod impact;
 pub mod run;
 pub mod sweeps;
 

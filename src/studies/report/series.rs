@@ -141,6 +141,41 @@ impl Channel {
     }
 }
 
+/// The state of a run at a time, linear between the rows of its series; after the last row bodies keep their velocities. At a jump the
+/// state after it. `None` without a series.
+pub fn state_at(run: &Run, t_s: f64) -> Option<Sample> {
+    let after = run.series.partition_point(|sample| sample.t_s <= t_s);
+    let before = run.series[after.saturating_sub(1)..].first()?;
+    let Some(next) = run.series.get(after.max(1)) else {
+        let left_s = t_s - before.t_s;
+        let (v, w) = (before.projectile_velocity_m_s, before.plate_velocity_m_s);
+        let apart_m_s = v - w * run.scene.cos_obliquity();
+        return Some(Sample {
+            t_s,
+            penetration_m: before.penetration_m + left_s * apart_m_s,
+            projectile_displacement_m: before.projectile_displacement_m + left_s * v,
+            plate_displacement_m: before.plate_displacement_m + left_s * w,
+            ..*before
+        });
+    };
+    let width_s = next.t_s - before.t_s;
+    let part = if width_s > 0.0 { ((t_s - before.t_s) / width_s).clamp(0.0, 1.0) } else { 0.0 };
+    let mix = |get: fn(&Sample) -> f64| get(before) + part * (get(next) - get(before));
+    Some(Sample {
+        t_s,
+        mode: before.mode,
+        penetration_m: mix(|row| row.penetration_m),
+        projectile_displacement_m: mix(|row| row.projectile_displacement_m),
+        projectile_velocity_m_s: mix(|row| row.projectile_velocity_m_s),
+        plate_displacement_m: mix(|row| row.plate_displacement_m),
+        plate_velocity_m_s: mix(|row| row.plate_velocity_m_s),
+        contact_force_n: mix(|row| row.contact_force_n),
+        spring_force_n: mix(|row| row.spring_force_n),
+        damper_force_n: mix(|row| row.damper_force_n),
+        stop_force_n: mix(|row| row.stop_force_n),
+    })
+}
+
 /// Fewer points that make the same picture over a linear axis of time.
 ///
 /// The whole time is divided into equal parts, more than a screen has columns of dots. Of each part the first, lowest, highest and

@@ -1,0 +1,263 @@
+//! Energies of a run over time: where the energy at the start is at a moment.
+//!
+//! Kinetic energies and the energy of the spring follow from a row of the series in closed form. The rest of the energy at the start has
+//! been dissipated. Each part of it is booked where forces do work between two rows.
+
+use crate::model::mechanism::{Spring, moving_plate_kg};
+use crate::model::run::{Mode, Run, Sample};
+use crate::model::scene::{ContactModel, Scene, SpringKind};
+use crate::numerics::larger;
+
+/// Distance to the stop, relative to its position and the plate's thickness, below which a jump of the velocity is an impact on it.
+const AT_STOP: f64 = 1e-6;
+
+/// Energies at a moment, J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energies {
+    /// Kinetic energy of the projectile.
+    pub projectile_j: f64,
+    /// Work of penetration.
+    pub target_j: f64,
+    /// Kinetic energy of the plate and of all that moves with it.
+    pub plate_j: f64,
+    /// Energy stored in the springs, and spent on crushing an absorber.
+    pub spring_j: f64,
+    /// Work of the damper.
+    pub damper_j: f64,
+    /// Work of friction in the hole.
+    pub interface_j: f64,
+    /// Energy stored in, or dissipated by, the stop.
+    pub stop_j: f64,
+}
+
+impl Energies {
+    /// Energies at a time, linear between the rows of the series; those of the last row after its end. `None` without a series.
+    pub fn at(run: &Run, t_s: f64) -> Option<Self> {
+        let first = run.series.first()?;
+        let books = Books::of(&run.scene);
+        let mut crushed = Crushed::default();
+        let mut now = books.kept(first, &mut crushed);
+        // A collision that takes no time has already happened at the first row.
+        now.target_j = run.ledger.initial_j() - now.sum_j();
+        for pair in run.series.windows(2) {
+            if pair[0].t_s > t_s {
+                break;
+            }
+            let next = books.next(&now, (&pair[0], &pair[1]), &mut crushed);
+            if pair[1].t_s > t_s {
+                let part = (t_s - pair[0].t_s) / (pair[1].t_s - pair[0].t_s);
+                return Some(now.between(&next, part));
+            }
+            now = next;
+        }
+        Some(now)
+    }
+
+    /// Energies with their names, in the order of a bar.
+    pub fn parts(&self) -> [(&'static str, f64); 7] {
+        [
+            ("projectile", self.projectile_j),
+            ("target", self.target_j),
+            ("plate", self.plate_j),
+            ("spring", self.spring_j),
+            ("damper", self.damper_j),
+            ("interface", self.interface_j),
+            ("stop", self.stop_j),
+        ]
+    }
+
+    /// Sum of all energies, J.
+    pub fn sum_j(&self) -> f64 {
+        self.parts().iter().map(|part| part.1).sum()
+    }
+
+    fn between(&self, next: &Self, part: f64) -> Self {
+        let mix = |a: f64, b: f64| a + part * (b - a);
+        Self {
+            projectile_j: mix(self.projectile_j, next.projectile_j),
+            target_j: mix(self.target_j, next.target_j),
+            plate_j: mix(self.plate_j, next.plate_j),
+            spring_j: mix(self.spring_j, next.spring_j),
+            damper_j: mix(self.damper_j, next.damper_j),
+            interface_j: mix(self.interface_j, next.interface_j),
+            stop_j: mix(self.stop_j, next.stop_j),
+        }
+    }
+}
+
+/// Masses and laws by which a scene's energies are booked.
+struct Books<'a> {
+    scene: &'a Scene,
+    plate_kg: f64,
+    spring: Spring,
+    has_friction: bool,
+}
+
+/// The spring of an absorber after its latest crushing.
+#[derive(Default)]
+struct Crushed {
+    farthest_m: Option<f64>,
+    /// The displacement to which it is crushed, m, and the law from there on.
+    spring: Option<(f64, Spring)>,
+}
+
+impl<'a> Books<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        let spring =
+            if scene.is_sprung() { Spring::of(&scene.mechanism, 0.0) } else { Spring::NONE };
+        let plate_kg = if scene.is_sprung() { moving_plate_kg(scene) } else { 0.0 };
+        let has_friction = scene.contact.model == ContactModel::Hydrodynamic;
+        Self { scene, plate_kg, spring, has_friction }
+    }
+
+    /// Kinetic and spring energies of a row.
+    fn kept(&self, row: &Sample, crushed: &mut Crushed) -> Energies {
+        let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
+        Energies {
+            projectile_j: kinetic(self.scene.projectile.mass_kg, row.projectile_velocity_m_s),
+            plate_j: kinetic(self.plate_kg, row.plate_velocity_m_s),
+            spring_j: self.spring_j(row.plate_displacement_m, crushed),
+            ..Energies::default()
+        }
+    }
+
+    /// Work done on the springs up to a displacement, J.
+    fn spring_j(&self, x_m: f64, crushed: &mut Crushed) -> f64 {
+        let far_m = crushed.farthest_m.map_or(x_m, |far_m| larger(far_m, x_m));
+        crushed.farthest_m = Some(far_m);
+        let crush = &self.scene.mechanism.spring.crush;
+        let is_absorber = crush.crushed_by(far_m, 0.0).is_some()
+            && self.scene.mechanism.spring.kind == SpringKind::Crush;
+        if !is_absorber || x_m >= far_m {
+            return self.spring.energy(x_m);
+        }
+        if crushed.spring.as_ref().is_none_or(|(at_m, _)| at_m.to_bits() != far_m.to_bits()) {
+            crushed.spring = Some((far_m, Spring::of(&self.scene.mechanism, far_m)));
+        }
+        let returned = crushed
+            .spring
+            .as_ref()
+            .map_or(0.0, |(at_m, spring)| spring.energy(*at_m) - spring.energy(x_m));
+        self.spring.energy(far_m) - returned
+    }
+
+    /// Energies of the later of two rows, where those of the earlier are known.
+    fn next(
+        &self,
+        now: &Energies,
+        (from, to): (&Sample, &Sample),
+        crushed: &mut Crushed,
+    ) -> Energies {
+        let kept = self.kept(to, crushed);
+        let mut next = Energies {
+            projectile_j: kept.projectile_j,
+            plate_j: kept.plate_j,
+            spring_j: kept.spring_j,
+            ..*now
+        };
+        let mut lost_j = now.sum_j() - next.sum_j();
+        if to.t_s <= from.t_s {
+            *self.jump(&mut next, from, to) += lost_j;
+            return next;
+        }
+        let half_s = 0.5 * (to.t_s - from.t_s);
+        let work_j = |force: fn(&Sample) -> f64| {
+            half_s * (force(from) * from.plate_velocity_m_s + force(to) * to.plate_velocity_m_s)
+        };
+        let is_pressed = from.stop_force_n != 0.0 || to.stop_force_n != 0.0;
+        let is_damped = from.damper_force_n != 0.0 || to.damper_force_n != 0.0;
+        let contact = match from.mode {
+            Mode::Penetrating => Some(&mut next.target_j),
+            Mode::Withdrawing | Mode::Closing if self.has_friction => Some(&mut next.interface_j),
+            Mode::Withdrawing | Mode::Closing => Some(&mut next.target_j),
+            Mode::Fused | Mode::FreeFlight | Mode::Perforated => None,
+        };
+        // What has a place of its own is integrated; the last place takes the remainder, so that the sum stays exact.
+        if let Some(contact) = contact {
+            let (stop_j, damper_j) =
+                (work_j(|row| row.stop_force_n), work_j(|row| row.damper_force_n));
+            lost_j -= stop_j + damper_j;
+            *contact += lost_j;
+            next.stop_j += stop_j;
+            next.damper_j += damper_j;
+        } else if is_damped {
+            let stop_j = work_j(|row| row.stop_force_n);
+            next.stop_j += stop_j;
+            next.damper_j += lost_j - stop_j;
+        } else if is_pressed {
+            next.stop_j += lost_j;
+        } else {
+            // Rounding.
+            next.target_j += lost_j;
+        }
+        next
+    }
+
+    /// The place of energy that is lost at once.
+    fn jump<'b>(&self, energies: &'b mut Energies, from: &Sample, to: &Sample) -> &'b mut f64 {
+        let stop_m = self.scene.mechanism.stop.position_m.filter(|_| self.scene.is_sprung());
+        let is_at_stop = stop_m.is_some_and(|stop_m| {
+            let size_m = stop_m.abs() + self.scene.target.thickness_m;
+            (from.plate_displacement_m - stop_m).abs() <= AT_STOP * size_m
+                && from.plate_velocity_m_s > to.plate_velocity_m_s
+        });
+        if is_at_stop { &mut energies.stop_j } else { &mut energies.target_j }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::simulate::Settings;
+    use crate::study::run_with;
+    use crate::study::testing::scene;
+
+    /// The ledger integrates every work by Gauss's rule on the steps of the run.
+    #[test]
+    fn valid_energies_sum_to_that_of_the_start_and_end_as_the_ledger_has_them() {
+        for text in [
+            "gamma=1",
+            "mount=rigid",
+            "k=0",
+            "d=0.5 k=7.5e6 gamma=0.8",
+            "theta=30deg",
+            "h=6.35mm v_i=300",
+            "x_stop=5mm e=0.5",
+            "x_stop=5mm stop_kind=elastic k_stop=1e7 b_stop=100",
+            "b=200 m=1",
+            "b=5 m=2 h=6.35mm v_i=250",
+            "interface=plastic k=1e7 gamma=2",
+            "model=lumped k=1e5",
+            "model=initial-velocity",
+            "model=half-sine",
+            "spring=crush",
+        ] {
+            // Up to a horizon, so that the ledger is that of the last row.
+            let text = format!("{text} horizon=2ms");
+            let run = run_with(&scene(&text), Settings::SERIES).unwrap();
+            let initial_j = run.ledger.initial_j();
+            let end_s = run.series.last().unwrap().t_s;
+            for part in 0..=50 {
+                let energies = Energies::at(&run, end_s * f64::from(part) / 50.0).unwrap();
+                let sum = energies.sum_j() / initial_j;
+                assert!((sum - 1.0).abs() < 1e-12, "{text}: {sum}");
+                for (name, value_j) in energies.parts() {
+                    assert!(value_j > -1e-6 * initial_j, "{text}: {name} {value_j} J");
+                }
+            }
+            let last = Energies::at(&run, end_s).unwrap();
+            let ledger = &run.ledger;
+            for (name, value_j, expected_j) in [
+                ("projectile", last.projectile_j, ledger.projectile_j),
+                ("contact", last.target_j + last.interface_j, ledger.penetration_j),
+                ("plate", last.plate_j, ledger.plate_j + ledger.inertia_j),
+                ("spring", last.spring_j, ledger.spring_j + ledger.crush_j),
+                ("damper", last.damper_j, ledger.damper_j),
+                ("stop", last.stop_j, ledger.stop_j),
+            ] {
+                let off = (value_j - expected_j).abs() / initial_j;
+                assert!(off < 2e-3, "{text}: {name} {value_j} J, ledger {expected_j} J");
+            }
+        }
+    }
+}
