@@ -22,6 +22,7 @@ use running::Jobs;
 
 use crate::files::clean;
 use crate::files::session;
+use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::tui::keymap::Keymap;
 use crate::tui::message::FileTask;
@@ -82,6 +83,8 @@ pub struct App {
     pub history: History,
     /// The result on the screen, if any yet.
     pub shown: Option<Shown>,
+    /// The run before the latest edit.
+    pub before: Option<Arc<Run>>,
     /// The tasks of the worker.
     pub jobs: Jobs,
     /// Pinned runs, in the order of their letters.
@@ -221,6 +224,19 @@ impl App {
             messages.drain(..LOG_MAX / 4);
         }
         messages.push(notice);
+    }
+
+    /// The run before the latest edit, while the result of the edit is on the screen and differs from it.
+    pub fn run_before(&self) -> Option<&Run> {
+        let before = self.before.as_deref()?;
+        let is_new = |shown: &Shown| *shown.run.scene != *before.scene && !self.is_stale();
+        self.shown.as_ref().is_some_and(is_new).then_some(before)
+    }
+
+    /// Keep the run of a scene that is about to be edited, if it is complete.
+    pub(crate) fn keep_before(&mut self, scene: &Scene) {
+        let of_scene = |shown: &&Shown| shown.took.is_some() && *shown.run.scene == *scene;
+        self.before = self.shown.as_ref().filter(of_scene).map(|shown| Arc::clone(&shown.run));
     }
 
     /// The runs to draw, the current one last so that it lies on top.

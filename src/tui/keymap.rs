@@ -171,6 +171,7 @@ pub enum Action {
     Redraw,
     Reset,
     Window,
+    Play,
     ResetAll,
 }
 
@@ -406,6 +407,7 @@ pub static LISTED: &[KeyHelp] = &[
     line(&[(A::FullPane, "full-pane", "z")], "show this pane alone"),
     line(&[(A::Reset, "reset", "d Del")], "reset this row"),
     line(&[(A::Window, "window", "c")], "show the contact only, or the whole response"),
+    line(&[(A::Play, "play", ".")], "play the impact"),
 ];
 
 #[cfg(test)]

@@ -30,6 +30,8 @@ pub enum Message {
     RunDue(u64),
     /// A job has been running for so long that leaving must not drop it without confirmation: its number.
     LongJob(u64),
+    /// The next picture of the playing with this number is due.
+    Tick(u64),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),
 }

@@ -3,6 +3,8 @@
 //! A frame asks the terminal to report when it has arrived, and the next one is drawn only then: on a slow line the picture is never
 //! older than one frame takes. Of a terminal that does not answer nothing is asked any more.
 //!
+//! A picture that moves by itself leaves the line free for longer than a frame takes: keys come first.
+//!
 //! A change waits a few milliseconds for the result of the run it started, so that value and curves come in one frame. Knows
 //! no clock: the time is passed in.
 
@@ -29,9 +31,18 @@ const LAST_ARRIVAL: Duration = Duration::from_secs(5);
 const UNANSWERED: u32 = 5;
 const NEVER_ANSWERED: u32 = 2;
 
+/// Rest of the line after a frame of what moves by itself, in times that the frame took to arrive.
+const REST: f64 = 2.0;
+/// The same for a terminal that does not tell when a frame has arrived.
+const REST_UNKNOWN: Duration = Duration::from_millis(250);
+
 pub(super) struct Pace {
     /// Whether anything has changed since the last frame.
     dirty: bool,
+    /// Whether what moves by itself has changed since the last frame.
+    moving: bool,
+    /// When the next frame of that may be drawn.
+    rests_until: Instant,
     /// When the budget will be full again; each frame moves it on by one interval.
     full_at: Instant,
     /// Until when a frame waits for a result.
@@ -51,6 +62,8 @@ impl Pace {
     pub(super) fn new(now: Instant) -> Self {
         Self {
             dirty: true,
+            moving: false,
+            rests_until: now,
             full_at: now,
             waits_until: None,
             under_way: None,
@@ -62,6 +75,11 @@ impl Pace {
 
     pub(super) fn change(&mut self) {
         self.dirty = true;
+    }
+
+    /// What moves by itself has changed.
+    pub(super) fn animate(&mut self) {
+        self.moving = true;
     }
 
     /// A run has been started whose result may come at once.
@@ -77,14 +95,15 @@ impl Pace {
 
     /// When the next frame is to be drawn; `None` when there is nothing to draw.
     pub(super) fn due(&self) -> Option<Instant> {
-        if !self.dirty {
+        if !self.dirty && !self.moving {
             return None;
         }
+        let rest = (!self.dirty).then_some(self.rests_until);
         let spare = FRAME * (BURST - 1);
         let budget = self.full_at.checked_sub(spare).unwrap_or(self.full_at);
         let patience = if self.answers { ARRIVAL } else { FIRST_ARRIVAL };
         let arrived = self.under_way.map(|drawn| drawn + patience);
-        [self.waits_until, arrived].into_iter().flatten().chain([budget]).max()
+        [self.waits_until, arrived, rest].into_iter().flatten().chain([budget]).max()
     }
 
     /// Whether a frame is to ask for its arrival.
@@ -99,7 +118,10 @@ impl Pace {
     }
 
     /// The last frame has arrived.
-    pub(super) fn arrived(&mut self) {
+    pub(super) fn arrived(&mut self, now: Instant) {
+        if let Some(drawn) = self.under_way {
+            self.rests_until = now + now.saturating_duration_since(drawn).mul_f64(REST);
+        }
         (self.under_way, self.unanswered, self.answers) = (None, 0, true);
         self.owed.0 = self.owed.0.saturating_sub(1);
     }
@@ -111,9 +133,12 @@ impl Pace {
 
     /// A frame has been drawn; one that changed nothing cost the line nothing.
     pub(super) fn drawn(&mut self, now: Instant, changed: bool) {
-        self.dirty = false;
+        (self.dirty, self.moving) = (false, false);
         self.waits_until = None;
         if changed {
+            if !self.answers {
+                self.rests_until = now + REST_UNKNOWN;
+            }
             self.full_at = self.full_at.max(now) + FRAME;
             let asked = self.asks();
             self.unanswered += u32::from(self.under_way.is_some());
@@ -157,9 +182,9 @@ mod tests {
         }
         let until = Some(second + LAST_ARRIVAL);
         assert_eq!(pace.answers_until(), until);
-        pace.arrived();
+        pace.arrived(second);
         assert_eq!(pace.answers_until(), until);
-        pace.arrived();
+        pace.arrived(second);
         assert_eq!(pace.answers_until(), None);
         // A terminal that was given away answers to someone else.
         pace.change();
@@ -192,14 +217,14 @@ mod tests {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         pace.drawn(start, true);
-        pace.arrived();
+        pace.arrived(start);
         let (mut now, mut frames) = (start, 0);
         let mut arrives = None;
         while now < start + Duration::from_secs(10) {
             now += Duration::from_millis(1);
             pace.change();
             if arrives.is_some_and(|at| at <= now) {
-                pace.arrived();
+                pace.arrived(now);
                 arrives = None;
             }
             if pace.due().is_some_and(|due| due <= now) {
@@ -210,6 +235,34 @@ mod tests {
             }
         }
         assert!((25..=27).contains(&frames), "{frames}");
+    }
+
+    /// A frame of 600 bytes takes 0.12 s at 5 kB/s: with twice as long a rest that is 1.7 kB/s. A key does not wait.
+    #[test]
+    fn what_moves_by_itself_leaves_a_slow_line_free() {
+        let start = Instant::now();
+        let mut pace = Pace::new(start);
+        pace.drawn(start, true);
+        pace.arrived(start);
+        let (mut now, mut frames, mut arrives) = (start, 0, None);
+        while now < start + Duration::from_secs(10) {
+            now += Duration::from_millis(1);
+            pace.animate();
+            if arrives.is_some_and(|at| at <= now) {
+                pace.arrived(now);
+                arrives = None;
+            }
+            if pace.due().is_some_and(|due| due <= now) {
+                pace.drawn(now, true);
+                arrives = Some(now + Duration::from_millis(120));
+                frames += 1;
+            }
+        }
+        assert!((26..=29).contains(&frames), "{frames}");
+        pace.arrived(now);
+        let rest = pace.due();
+        pace.change();
+        assert!(pace.due() <= rest && pace.due().is_some_and(|due| due <= now + FRAME));
     }
 
     #[test]
@@ -226,7 +279,7 @@ mod tests {
         // One that has answered is given more time.
         let mut pace = Pace::new(start);
         pace.drawn(start, true);
-        pace.arrived();
+        pace.arrived(start);
         pace.drawn(start + ten, true);
         pace.change();
         assert_eq!(pace.due(), Some(start + ten + ARRIVAL));

@@ -194,7 +194,7 @@ impl Shell {
                     self.take(message)?;
                 }
             }
-            Incoming::Arrived => self.pace.arrived(),
+            Incoming::Arrived => self.pace.arrived(Instant::now()),
             Incoming::End(status) => return Err(Ending::Signal(status)),
             Incoming::Stop => {
                 // Where no shell could continue it, the system would ignore the signal.
@@ -224,8 +224,13 @@ impl Shell {
     fn take(&mut self, message: Message) -> GoesOn {
         let mut queue = VecDeque::from([message]);
         while let Some(message) = queue.pop_front() {
+            let is_tick = matches!(message, Message::Tick(_));
             let effects = update::update(&mut self.app, message);
-            self.pace.change();
+            if is_tick {
+                self.pace.animate();
+            } else {
+                self.pace.change();
+            }
             if self.app.jobs.current.is_none() {
                 self.pace.result_came();
             }
@@ -318,14 +323,14 @@ impl Shell {
         self.put_off.retain(|incoming| {
             let has_arrived = matches!(incoming, Incoming::Arrived);
             if has_arrived {
-                self.pace.arrived();
+                self.pace.arrived(Instant::now());
             }
             !has_arrived
         });
         while let Some(deadline) = self.pace.answers_until() {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.inbox.recv_timeout(left) {
-                Ok(Incoming::Arrived) => self.pace.arrived(),
+                Ok(Incoming::Arrived) => self.pace.arrived(Instant::now()),
                 Ok(Incoming::End(_)) | Err(_) => return,
                 Ok(other) => self.put_off.push_back(other),
             }

@@ -14,6 +14,7 @@ use crate::tui::app::{Typing, edit, jobs};
 use crate::tui::keymap::Key;
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
+use crate::tui::pages::run::impact;
 use crate::tui::prelude::*;
 use crate::tui::preset::Base;
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
@@ -61,6 +62,7 @@ fn take(app: &mut App, message: Message) {
         }
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => app.jobs.long.push(id),
+        Message::Tick(serial) => impact::tick(app, serial),
         Message::Done(report) => done(app, report),
     }
 }
@@ -84,6 +86,10 @@ fn open_text(app: &mut App) -> Option<&mut TextField> {
 fn press(app: &mut App, key: KeyEvent) {
     app.notice = None;
     let action = app.keymap.action(key);
+    // A key ends the playing; the two that are for this do nothing else.
+    if app.stop_playing() && matches!(action, Some(Action::Back | Action::Play)) {
+        return;
+    }
     if everywhere(app, action) {
         return;
     }

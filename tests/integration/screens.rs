@@ -3,11 +3,13 @@
 mod accuracy;
 mod bench;
 mod cases;
+mod changed;
 mod charts;
 mod doors;
 mod edits;
 mod exports;
 mod filters;
+mod impact;
 mod jobs;
 mod keys;
 mod libraries;

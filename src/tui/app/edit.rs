@@ -88,6 +88,10 @@ pub(crate) fn show_in_unit_of(app: &mut App, index: usize, text: &str, before: S
 /// Make another scene the current one, as one edit.
 pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<usize>) {
     let before = app.snapshot();
+    // Held arrows count from where they began.
+    if app.history.extended(stepping).is_none() {
+        app.keep_before(&before.scene);
+    }
     app.scene = Arc::new(scene);
     commit(app, before, label, stepping);
 }
@@ -111,6 +115,7 @@ pub(crate) fn load(app: &mut App, base: Base, picture: Picture) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
     app.pages.run.charts.cursor_s = None;
+    app.before = None;
     app.pages.explore.picture = picture;
     (app.scene, app.base) = (Arc::clone(&base.scene), base);
     commit(app, before, label, None);
@@ -154,6 +159,7 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
         follow_pins(app);
     }
     if (&from.scene, &from.base) != (&to.scene, &to.base) {
+        app.keep_before(&from.scene);
         (app.scene, app.base) = (to.scene, to.base);
         follow(app);
     }

@@ -231,13 +231,15 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let mut canvas = Canvas::new(self.theme.glyphs, plot.width, plot.height);
         let mut markers = Vec::new();
+        let is_line = |curve: &&Curve<'_>| curve.emphasis != Emphasis::Faint || !curve.is_dotted();
+        let lines = self.chart.curves.iter().filter(is_line).count();
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
             if curve.is_dotted() {
                 continue;
             }
             trace(curve, owner, (self.layout.x, self.layout.y), &mut canvas);
-            if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
+            if self.theme.glyphs != GlyphSet::Ascii && lines > 1 {
                 place_markers(&canvas, owner, plot.width, &mut markers);
             }
         }
@@ -263,9 +265,15 @@ impl Painter<'_> {
         let crosshair = self.chart.crosshair.and_then(|x| self.layout.x.cell(x));
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
+            let is_faint = curve.emphasis == Emphasis::Faint;
             for (x, y) in curve.points.iter().filter(|_| curve.is_dotted()) {
                 let cell = self.layout.x.cell(*x).zip(self.layout.y.cell(*y));
                 let Some((column, up)) = cell else { continue };
+                // Faint points lie under everything but dotted lines.
+                let at = (plot.x + column, self.row(up));
+                if is_faint && !(self.is_free(at, EVENT) || self.is_free(at, LEVEL)) {
+                    continue;
+                }
                 let style = self.curve_style(curve);
                 let under = crosshair == Some(column);
                 let style = if under { style.add_modifier(Modifier::BOLD) } else { style };

@@ -2,6 +2,7 @@
 
 pub mod charts;
 pub mod editor;
+pub(crate) mod impact;
 pub mod runs;
 pub mod state;
 mod status;
@@ -37,6 +38,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Window, "contact/whole", "show the contact, or the whole response"),
         key(A::Down, "chart", "select the chart below or above"),
         key(A::Right, "cursor", "move the cursor in time (<far-left> <far-right> ten columns)"),
+        key(A::Play, "play", "play the drawing of the impact below the enlarged chart, 4 s; any key ends it"),
         key(A::View, "view", "show another quantity: F(x), stiffness and stress come last"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
     ] },
@@ -55,6 +57,7 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
     Command::new(Call::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield stiffness"),
     Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
+    Command::new(Call::In(CHARTS, A::Play), "Play the impact", "drawing animation animate movie scene picture time"),
     Command::new(Call::In(CHARTS, A::FullPane), "Show this chart alone", "full enlarge maximise"),
 ];
 
@@ -74,6 +77,7 @@ impl Page for RunTab {
                 app.focus_on(if pane == VARIABLES { CHARTS } else { pane });
                 app.pages.run.is_full = !app.pages.run.is_full;
             }
+            (Action::Play, CHARTS) => impact::play(app),
             (_, CHARTS) | (Action::Window, VARIABLES) => {
                 return charts::act(app, action);
             }
@@ -93,6 +97,10 @@ impl Page for RunTab {
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         match app.pane() {
+            // The drawing has the values at the crosshair.
+            CHARTS if app.is_full() => {
+                note(Some(charts::draw::event_words(app, app.pages.run.charts.selected)))
+            }
             CHARTS if app.pages.run.charts.cursor_s.is_some() => note(Some(app.readout())),
             CHARTS => note(Some(charts::draw::event_words(app, app.pages.run.charts.selected))),
             RUNS => note(runs::difference(app)),

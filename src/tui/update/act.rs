@@ -4,7 +4,7 @@ use crate::tui::app::{Settings, edit};
 use crate::tui::dialogs;
 use crate::tui::keymap::Call;
 use crate::tui::message::Content;
-use crate::tui::pages::run::{self, VARIABLES, runs};
+use crate::tui::pages::run::{self, CHARTS, VARIABLES, runs};
 use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
 use crate::tui::update;
@@ -204,6 +204,9 @@ fn leave(app: &mut App, action: Action) {
 
 /// Esc with nothing to stop: it closes what is open here, and never takes anything away.
 fn back(app: &mut App) {
+    if app.pane() == CHARTS && app.pages.run.charts.cursor_s.take().is_some() {
+        return;
+    }
     if app.is_full() {
         app.pages.run.is_full = false;
         return;

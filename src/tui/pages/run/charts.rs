@@ -1,6 +1,7 @@
 //! The content of the charts: quantities, the times shown, the crosshair, and the points of every curve. No drawing.
 
 pub(crate) mod draw;
+mod titles;
 
 use crate::model::run::{Run, Sample};
 use crate::numerics::{larger, smaller};

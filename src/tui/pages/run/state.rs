@@ -36,6 +36,10 @@ pub struct Charts {
     pub selected: usize,
     /// The crosshair, s since first contact.
     pub cursor_s: Option<f64>,
+    /// The crosshair moves by itself.
+    pub is_playing: bool,
+    /// Number of the latest playing: the ticks of earlier ones are out of date.
+    pub serial: u64,
 }
 
 impl Default for Charts {
@@ -45,6 +49,8 @@ impl Default for Charts {
             windows: [Window::Contact, Window::Contact, Window::Whole],
             selected: 0,
             cursor_s: None,
+            is_playing: false,
+            serial: 0,
         }
     }
 }

@@ -1,20 +1,20 @@
 //! The charts of the Run tab: as many as have room above each other in one box, each with its number in its title.
 
-use crate::model::run::{Outcome, Run, Warning, envelope};
+use crate::model::run::Run;
 use crate::report::chart::Below;
-use crate::report::figures::run::{contact_window_s, event_letter, event_marks};
+use crate::report::figures::run::{event_letter, event_marks};
 use crate::report::law::Law;
-use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
-    Axis, Chart, Curve, Frame, Legend, MARKERS, Mark, Unit, align_gutters, emphasis,
+    Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters, emphasis,
 };
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::run::charts::{Curve as Data, is_free, is_held};
-use crate::tui::pages::run::state::{CHARTS, Charts, Window};
+use crate::tui::pages::run::charts::titles::title;
+use crate::tui::pages::run::charts::{Curve as Data, is_held};
+use crate::tui::pages::run::impact;
+use crate::tui::pages::run::state::{CHARTS, Charts};
 use crate::tui::widgets::steps::engineering;
-use crate::tui::widgets::text::fitting;
 
 /// Rows of a chart that can be read.
 const LEAST: u16 = 3;
@@ -32,6 +32,12 @@ struct Place {
 }
 
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    let drawing = if app.is_full() { impact::rows(area.height) } else { 0 };
+    let (area, below) = split_bottom(area, drawing);
+    if drawing > 0 {
+        canvas.pane(below, CHARTS);
+        impact::render(app, below, focused, canvas);
+    }
     let places = places(app, area);
     let data: Vec<Vec<Data<'_>>> = places.iter().map(|place| app.curves(place.chart)).collect();
     let mut charts: Vec<Chart<'_>> =
@@ -153,11 +159,15 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     let index = place.chart;
     let quantity = app.pages.run.charts.quantities[index];
+    let before = before_points(app, place);
+    let before =
+        before.map(|points| Curve::points('·', "", points).colour(0).emphasis(Emphasis::Faint));
     let curves = data.iter().map(|Data { view, points }| {
         Curve::new(MARKERS[view.index % MARKERS.len()], label(view), points)
             .colour(view.index)
             .emphasis(emphasis(view.old, view.letter.is_none()))
     });
+    let curves = before.into_iter().chain(curves);
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.
     let room = usize::from(place.area.width.saturating_sub(5));
@@ -175,11 +185,32 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     Chart {
         marks: marks.take(EVENT_LINES).collect(),
         levels: levels(app, quantity),
-        crosshair: app.pages.run.charts.cursor_s,
+        crosshair: crosshair_s(app),
         frame,
         note: note(app, index, alike, left).into(),
         ..Chart::new(title, x, value_axis(app, data, index), curves.collect())
     }
+}
+
+/// Points of the run before an edit that an axis has room for.
+const AXIS_POINTS: u16 = 64;
+
+/// Points at equal times of a quantity of the run before the latest edit, one every second column; `None` without such a run.
+fn before_points(app: &App, place: &Place) -> Option<Vec<(f64, f64)>> {
+    let quantity = app.pages.run.charts.quantities[place.chart];
+    let run = app.run_before().filter(|_| quantity.is_over_time())?;
+    Some(before_values(quantity, run, app.end_s(place.chart), place.area.width / 2))
+}
+
+fn before_values(quantity: Channel, run: &Run, end_s: f64, count: u16) -> Vec<(f64, f64)> {
+    let times = (0..=count).map(|at| end_s * f64::from(at) / f64::from(count.max(1)));
+    let point = |t_s| Some((t_s, quantity.at(run, t_s)?));
+    times.filter_map(point).filter(|point| point.1.is_finite()).collect()
+}
+
+/// The time of the crosshair, s; an enlarged chart always has one, for it is that of the drawing.
+fn crosshair_s(app: &App) -> Option<f64> {
+    if app.is_full() { Some(app.time_shown_s()) } else { app.pages.run.charts.cursor_s }
 }
 
 /// The plate's thickness, and where the stop stands.
@@ -255,7 +286,7 @@ fn over_displacement<'a>(
         marks: law.map_or_else(Vec::new, |law| law.marks()),
         levels,
         crosshair: run
-            .zip(app.pages.run.charts.cursor_s)
+            .zip(crosshair_s(app))
             .and_then(|(run, t_s)| Channel::PlateDisplacement.at(run, t_s)),
         ..Chart::new(title, x.padded(0.04), y.padded(0.04), curves)
     }
@@ -267,7 +298,9 @@ fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
     let points = data.iter().flat_map(|curve| &curve.points).filter(|point| point.0 <= end_s);
     // What a curve passes at the end of the time counts, too: there may be no point just before it.
     let at_end = data.iter().filter_map(|curve| quantity.at(curve.view.run, end_s));
-    let values = points.map(|point| point.1).chain(at_end);
+    let before = app.run_before().map(|run| before_values(quantity, run, end_s, AXIS_POINTS));
+    let before = before.into_iter().flatten().map(|point| point.1);
+    let values = points.map(|point| point.1).chain(at_end).chain(before);
     let none = || Axis::new("", ViewRange::default()).unit(Unit::new(quantity.unit()));
     let axis = Axis::over("", quantity.unit(), Scale::Linear, values).unwrap_or_else(none);
     // Rates at or above zero begin at zero: the eye takes the axis for it.
@@ -279,132 +312,6 @@ fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
 fn label(view: &RunView<'_>) -> String {
     view.letter
         .map_or_else(|| "now".to_owned(), |letter| format!("{letter} {}", clip(view.name, 16)))
-}
-
-/// The name of a chart with the number of the current run, in a given number of columns.
-fn title(app: &App, chart: usize, room: usize) -> String {
-    let quantity = app.pages.run.charts.quantities[chart];
-    let name = quantity.title().trim_end_matches(" over displacement");
-    let window = match app.pages.run.charts.windows[chart] {
-        Window::Whole if quantity.is_over_time() => ", whole",
-        Window::Whole | Window::Contact => "",
-    };
-    let Some(shown) = &app.shown else { return name.to_owned() };
-    if app.shows_old() {
-        return format!("{name} (old)");
-    }
-    let run = &*shown.run;
-    let name = format!("{name}{}{window}", of_first(run));
-    match quantity {
-        Channel::Penetration => fitting(depth_titles(&name, run), room),
-        Channel::ContactForce => {
-            let peak = peak(run);
-            fitting([format!("{name}, {peak}"), format!("Force, {peak}")], room)
-        }
-        Channel::PlateDisplacement => {
-            let travel = travel(run);
-            fitting([format!("{name}: {travel}"), format!("Plate: {travel}")], room)
-        }
-        _ => {
-            let values = run.series.iter().map(|sample| quantity.of(sample).abs());
-            let most = values.filter(|value| value.is_finite()).fold(0.0, f64::max);
-            let most = engineering(most, quantity.unit());
-            let title = format!("{name}, greatest {most}");
-            fitting([if quantity.is_over_time() { title } else { name }], room)
-        }
-    }
-}
-
-/// The depth in its title, from the longest to the shortest: a fused one that the interface could not hold never stands alone.
-fn depth_titles(name: &str, run: &Run) -> Vec<String> {
-    let Some(depth) = depth(run) else {
-        return vec![format!("{name}: {}", page::outcome(run)), name.to_owned()];
-    };
-    let percent = run.percent_of_baseline().filter(|_| run.scene.is_sprung());
-    let share = |of: &str| percent.map_or_else(String::new, |it| format!(" ({it:.0} %{of})"));
-    let plastic = plastic(run).map_or_else(String::new, |it| format!("; plastic: {it}"));
-    let colon = if run.outcome == Outcome::Perforated { ":" } else { "" };
-    vec![
-        format!("{name}{colon} {depth}{}{plastic}", share(" of rigid mount")),
-        format!("{name}{colon} {depth}{}{plastic}", share("")),
-        format!("Depth {depth}{plastic}"),
-        format!("{depth}{plastic}"),
-    ]
-}
-
-/// The depth of a shot, and what becomes of it after the first contact; `None` where it is not known.
-fn depth(run: &Run) -> Option<String> {
-    let depth_m = run.final_penetration_m?;
-    if run.outcome == Outcome::Perforated {
-        return Some(through(run));
-    }
-    let depth = engineering(depth_m, "m");
-    let first_m = run.first_arrest.map(|arrest| arrest.penetration_m);
-    let is_later = first_m.is_some_and(|first_m| depth_m > first_m * 1.001);
-    let leaves = run
-        .separation
-        .map_or_else(String::new, |it| format!(", leaves at {}", speed(it.velocity_m_s.abs())));
-    let shows_first = contact_window_s(run) < 1.2 * run.contact_end_s();
-    Some(match first_m.filter(|_| is_later && shows_first) {
-        Some(first_m) => format!("{}, later {depth}{leaves}", engineering(first_m, "m")),
-        None => format!("{depth}{leaves}"),
-    })
-}
-
-/// That a shot is through, and how fast it goes on.
-fn through(run: &Run) -> String {
-    match run.residual_velocity_m_s {
-        Some(left) if left < 0.0 => format!("through, back at {}", speed(-left)),
-        Some(left) => format!("through, leaves at {}", speed(left)),
-        None => "through".to_owned(),
-    }
-}
-
-/// A velocity with one decimal, of a slow one with the figures that say something.
-fn speed(velocity_m_s: f64) -> String {
-    if velocity_m_s < 1.0 {
-        engineering(velocity_m_s, "m/s")
-    } else {
-        format!("{velocity_m_s:.1} m/s")
-    }
-}
-
-/// What a plastic interface comes to, where the fused one would have to carry more than its strength.
-fn plastic(run: &Run) -> Option<String> {
-    let is_exceeded =
-        |it: &Warning| matches!(it, Warning::InterfacePush { .. } | Warning::InterfacePull { .. });
-    let fails = run.warnings.iter().any(is_exceeded);
-    let is_hit = envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0);
-    let plastic = run.plastic.as_ref().filter(|_| fails || is_hit)?;
-    if plastic.outcome == Outcome::Perforated {
-        return Some(through(plastic));
-    }
-    plastic.final_penetration_m.map(|depth_m| engineering(depth_m, "m"))
-}
-
-fn peak(run: &Run) -> String {
-    if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
-        return "fused: unbounded at the stop".to_owned();
-    }
-    run.peak_contact_force_n.map_or_else(
-        || "no peak: the collision takes no time".to_owned(),
-        |peak| format!("peak {}", engineering(peak, "N")),
-    )
-}
-
-fn travel(run: &Run) -> String {
-    let stroke = run.stroke_m().filter(|_| run.scene.start_m() != 0.0);
-    let stroke =
-        stroke.map_or_else(String::new, |stroke| format!(", stroke {}", engineering(stroke, "m")));
-    match (run.max_plate_displacement_m, run.at_least.plate_displacement_m) {
-        (Some(most), _) => format!("greatest {}{stroke}", engineering(most, "m")),
-        (None, Some(least)) => format!("at least {}", engineering(least, "m")),
-        (None, None) if is_free(run) => {
-            let last = run.series.last().map_or(0.0, |last| last.plate_velocity_m_s);
-            format!("leaves at {}, no greatest", speed(last))
-        }
-        (None, None) => "greatest not known".to_owned(),
-    }
 }
 
 /// What the letters of a chart's event lines mean.

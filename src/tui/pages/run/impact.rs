@@ -1,0 +1,255 @@
+//! The impact itself, below an enlarged chart: a drawing to scale at the time of the crosshair, with velocities, forces, and where the
+//! energy is; and its playing.
+
+mod raster;
+
+use std::time::Duration;
+
+use crate::model::run::{Run, Sample};
+use crate::model::units::{Prefix, engineering};
+use crate::numerics::larger;
+use crate::report::energies::Energies;
+use crate::report::figures::impact::{Stage, mode_words};
+use crate::report::series::state_at;
+use crate::tui::message::Message;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::state::CHARTS;
+use crate::tui::theme::GlyphSet;
+use crate::tui::widgets::text::fitting;
+
+/// Part of the body's rows for the drawing, in percent.
+const SHARE: u16 = 62;
+/// Least rows of a body that has room for chart and drawing.
+const LEAST: u16 = 11;
+/// Rows inside the frame from which on the numbers have a row of their own.
+const NUMBERS_FROM: u16 = 7;
+
+/// Time between two pictures that are played.
+const TICK: Duration = Duration::from_millis(50);
+/// Pictures from the start to the end of a chart's time: 4 s.
+const TICKS: f64 = 80.0;
+
+/// The rows of the drawing below an enlarged chart in a body so high; none where there is no room.
+pub(crate) fn rows(height: u16) -> u16 {
+    if height < LEAST { 0 } else { height * SHARE / 100 }
+}
+
+/// Draws the impact at the time of the crosshair.
+pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    let charts = &app.pages.run.charts;
+    let t_s = app.time_shown_s();
+    let state = app.shown.as_ref().and_then(|shown| state_at(&shown.run, t_s));
+    let Some((shown, state)) = app.shown.as_ref().zip(state) else {
+        PaneFrame::new("Impact").focused(focused).draw(area, canvas);
+        return;
+    };
+    let run = &*shown.run;
+    let width = usize::from(area.width.saturating_sub(2));
+    let has_row = area.height.saturating_sub(2) >= NUMBERS_FROM;
+    let old = if app.shows_old() { " (old)" } else { "" };
+    let mut title = format!(
+        "Impact at {}: {}{old}",
+        engineering(t_s, "s", 3),
+        mode_words(&run.scene, state.mode)
+    );
+    let mut numbers = numbers(run, &state);
+    if !has_row {
+        title = format!("{}{old}", engineering(t_s, "s", 3));
+        while let Some(one) = numbers.first() {
+            if title.len() + one.len() + 6 > width {
+                break;
+            }
+            title = format!("{title}  {one}");
+            numbers.remove(0);
+        }
+    }
+    let inside = Rect { height: area.height.saturating_sub(2), ..area };
+    let bars = bars(run, t_s, width - 2, inside.height >= NUMBERS_FROM, canvas.theme.glyphs);
+    let lines = u16::try_from(bars.len()).unwrap_or(0) + u16::from(has_row);
+    let picture = Rect {
+        x: area.x + 1,
+        y: area.y + 1 + u16::from(has_row),
+        width: area.width.saturating_sub(2),
+        height: inside.height.saturating_sub(lines),
+    };
+    let end_s = app.end_s(charts.selected);
+    let stage = Stage::of(run, end_s, raster::dots_of(picture, canvas.theme.glyphs));
+    let notes = stage.as_ref().map_or_else(String::new, |stage| stage.notes.join("; "));
+    let has_room = title.len() + notes.len() + 10 <= width;
+    let right = if has_room { notes.clone() } else { String::new() };
+    let inner = PaneFrame::new(title).right(right).focused(focused).draw(area, canvas);
+    if has_row {
+        let mut line = String::new();
+        for one in numbers {
+            if line.len() + one.len() + 4 <= width {
+                line = format!("{line}{}{one}", if line.is_empty() { "" } else { "  " });
+            }
+        }
+        canvas.put(inner, (1, 0), &line, Role::Text);
+    }
+    if let Some(stage) = stage {
+        let shapes = stage.picture(&state);
+        raster::paint(&shapes, &stage, picture, canvas);
+        if let Some(out_m) = stage.beyond_m(&state) {
+            let text = format!("< projectile, {} away", engineering(out_m, "m", 3));
+            canvas.put(picture, (0, picture.height / 2), &text, Role::Curve(0));
+        }
+    }
+    if !has_room && !notes.is_empty() {
+        let notes = format!(" {} ", clip(&notes, usize::from(picture.width.saturating_sub(2))));
+        let column = picture.width.saturating_sub(columns(&notes)) / 2;
+        canvas.put(picture, (column, picture.height.saturating_sub(1)), &notes, Role::Dim);
+    }
+    for (row, line) in (picture.bottom() - inner.y..).zip(bars) {
+        canvas.put(inner, (1, row), &line, Role::Text);
+    }
+}
+
+/// Velocities, depth, displacement and forces, the most important first.
+fn numbers(run: &Run, state: &Sample) -> Vec<String> {
+    let scene = &run.scene;
+    let speed = |name: &str, value: f64| format!("{name} {}", engineering(value, "m/s", 3));
+    let length = |value: f64| engineering(value, "m", 4);
+    let force = |value: f64| engineering(value, "N", 3);
+    let mut all = vec![speed("v", state.projectile_velocity_m_s)];
+    if scene.is_sprung() {
+        all.push(speed("w", state.plate_velocity_m_s));
+    }
+    let whole_m = scene.effective_thickness_m();
+    let depth_m = state.penetration_m;
+    if depth_m < 0.0 {
+        all.push(format!("gap {}", length(-depth_m)));
+    } else if depth_m > whole_m {
+        all.push(format!("nose {} out", length(depth_m - whole_m)));
+    } else if depth_m.is_finite() {
+        let of = engineering(whole_m, "m", 3);
+        let depth = length(depth_m);
+        let same = depth.rsplit_once(' ').zip(of.rsplit_once(' '));
+        let depth = match same {
+            Some(((number, unit), (_, other))) if unit == other => number.to_owned(),
+            _ => depth,
+        };
+        all.push(format!("depth {depth} of {of}"));
+    }
+    if scene.is_sprung() {
+        all.push(format!("x {}", length(state.plate_displacement_m)));
+    }
+    for (name, value) in [
+        ("contact", state.contact_force_n),
+        ("spring", state.spring_force_n),
+        ("damper", state.damper_force_n),
+        ("stop", state.stop_force_n),
+    ] {
+        if value != 0.0 {
+            all.push(format!("{name} {}", force(value)));
+        }
+    }
+    all
+}
+
+/// Columns of a part's bar and number beside its name: blanks, and up to five characters.
+const NUMBER: usize = 9;
+/// Least columns for the bar of the whole energy in one row; with less there are two rows, where there is room.
+const BAR_LEAST: usize = 12;
+
+/// Where the energy is: names, bars of one scale and numbers, in one row or two.
+fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> Vec<String> {
+    let Some(energies) = Energies::at(run, t_s) else { return Vec::new() };
+    let whole_j = energies.sum_j();
+    let prefix = Prefix::for_unit(whole_j, "J");
+    let decimals = match whole_j / prefix.size {
+        100.0.. => 1,
+        10.0.. => 2,
+        _ => 3,
+    };
+    let number = |value_j: f64| {
+        let text = format!("{:.decimals$}", value_j / prefix.size);
+        if text.parse() == Ok(0.0) { "0".to_owned() } else { text }
+    };
+    // Parts that a scene cannot have are left out.
+    let last = Energies::at(run, f64::INFINITY).unwrap_or_default().parts();
+    let is_used = |(at, part): &(usize, (&'static str, f64))| {
+        let ever_j = larger(part.1.abs(), last[*at].1.abs());
+        *at < 2 || (*at == 2 && run.scene.is_sprung()) || ever_j > 1e-6 * whole_j
+    };
+    let parts = energies.parts().into_iter().enumerate().filter(is_used);
+    let parts: Vec<(&str, f64)> = parts.map(|(_, part)| part).collect();
+    let taken = |parts: &[(&str, f64)]| {
+        parts.iter().map(|part| part.0.len() + NUMBER).sum::<usize>().saturating_sub(2)
+    };
+    let unit = format!("{}J", prefix.letter);
+    let lead = format!("energy [{unit}]  ");
+    let one = taken(&parts) + lead.len() + BAR_LEAST <= width;
+    let split = if has_two && !one { parts.len().div_ceil(2) } else { parts.len() };
+    let rows: Vec<_> = parts.chunks(split.max(1)).collect();
+    let widest = rows.iter().map(|row| taken(row)).max().unwrap_or(0);
+    let room = width.saturating_sub(widest + lead.len());
+    if room == 0 {
+        // What is nothing goes first, then long names: no number is cut.
+        let text = |parts: &[(&str, f64)], gap: &str| {
+            let words = parts.iter().map(|(name, value_j)| format!("{name} {}", number(*value_j)));
+            format!("{unit}: {}", words.collect::<Vec<_>>().join(gap))
+        };
+        let is_some = |part: &&(&str, f64)| number(part.1) != "0";
+        let some: Vec<_> = parts.iter().filter(is_some).copied().collect();
+        let short = text(&some, " ").replace("projectile", "shot").replace("interface", "grip");
+        return vec![fitting(
+            [text(&parts, "  "), text(&some, "  "), text(&some, " "), short],
+            width,
+        )];
+    }
+    let bar = if glyphs == GlyphSet::Ascii { "#" } else { "█" };
+    let line = |(index, row): (usize, &&[(&str, f64)])| {
+        let part = |(name, value_j): &(&str, f64)| {
+            let cells = ((value_j / whole_j).clamp(0.0, 1.0) * room as f64).round() as usize;
+            let gap = if cells > 0 { " " } else { "" };
+            format!("{name} {}{gap}{}", bar.repeat(cells), number(*value_j))
+        };
+        let lead = if index == 0 { lead.clone() } else { " ".repeat(lead.len()) };
+        lead + &row.iter().map(part).collect::<Vec<_>>().join("  ")
+    };
+    rows.iter().enumerate().map(line).collect()
+}
+
+impl App {
+    /// The time of the drawing: that of the crosshair, or the middle of the selected chart's, s.
+    pub(crate) fn time_shown_s(&self) -> f64 {
+        let charts = &self.pages.run.charts;
+        charts.cursor_s.unwrap_or_else(|| 0.5 * self.end_s(charts.selected))
+    }
+
+    /// Ends the playing; returns whether anything was played.
+    pub(crate) fn stop_playing(&mut self) -> bool {
+        std::mem::take(&mut self.pages.run.charts.is_playing)
+    }
+}
+
+/// Plays what the selected chart shows, from its crosshair on, or from the start once it is at the end.
+pub(crate) fn play(app: &mut App) {
+    app.focus_on(CHARTS);
+    app.pages.run.is_full = true;
+    let end_s = app.end_s(app.pages.run.charts.selected);
+    let charts = &mut app.pages.run.charts;
+    charts.cursor_s = charts.cursor_s.filter(|t_s| *t_s < end_s).or(Some(0.0));
+    charts.is_playing = true;
+    charts.serial += 1;
+    let serial = charts.serial;
+    app.request(Effect::After(TICK, Message::Tick(serial)));
+}
+
+/// Shows the next picture of what is played.
+pub(crate) fn tick(app: &mut App, serial: u64) {
+    let charts = &app.pages.run.charts;
+    if !charts.is_playing || charts.serial != serial {
+        return;
+    }
+    let end_s = app.end_s(charts.selected);
+    let next_s = charts.cursor_s.unwrap_or(0.0) + end_s / TICKS;
+    let charts = &mut app.pages.run.charts;
+    // The sum of the parts is the whole but for rounding.
+    charts.is_playing = next_s < end_s * (1.0 - 1e-9);
+    charts.cursor_s = Some(if charts.is_playing { next_s } else { end_s });
+    if charts.is_playing {
+        app.request(Effect::After(TICK, Message::Tick(serial)));
+    }
+}
