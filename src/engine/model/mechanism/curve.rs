@@ -5,10 +5,12 @@ use crate::model::mechanism::piece::Piece;
 use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
 
-/// Places looked at within each stretch to find where the force, or its tangent, changes sign.
+/// Sampling points within each stretch at which the sign of the force, or of its tangent, is compared.
 const LOOKS: usize = 64;
-/// How far beyond the last knot zeros and extremes are sought, in sizes of the law.
+/// Length of an infinite stretch that is sampled evenly, in sizes of the law.
 const FAR: f64 = 20.0;
+/// Doublings of that length at which an infinite stretch is sampled further: a straight end may have its zero far out.
+const DOUBLINGS: i32 = 32;
 
 /// A length for a law that has none, m: a plate's travel, about.
 pub(super) const SCALE_M: f64 = 1e-3;
@@ -94,21 +96,12 @@ impl Curve {
         self.pieces[stretch].energy(x) + self.offsets_j[stretch]
     }
 
-    /// Where a function of the pieces changes sign, rising order not promised, m.
+    /// Places where a function of the pieces changes sign, in no order, m.
     fn changes(&self, f: impl Fn(&Piece, f64) -> f64) -> Vec<f64> {
         let mut found = Vec::new();
-        let far = FAR * self.scale_m;
         for (region, piece) in self.pieces.iter().enumerate() {
-            // Finite ends in place of the infinite ones.
-            let (low, high) = match ends(&self.knots_m, region) {
-                (f64::NEG_INFINITY, f64::INFINITY) => (-far, far),
-                (f64::NEG_INFINITY, high) => (high - far, high),
-                (low, f64::INFINITY) => (low, low + far),
-                both => both,
-            };
-            let place = |i: usize| low + (high - low) * i as f64 / LOOKS as f64;
-            for i in 0..LOOKS {
-                let (a, b) = (place(i), place(i + 1));
+            for (i, pair) in self.looks_m(region).windows(2).enumerate() {
+                let (a, b) = (pair[0], pair[1]);
                 let (fa, fb) = (f(piece, a), f(piece, b));
                 if fa == 0.0 && fb != 0.0 && i > 0 {
                     found.push(a);
@@ -118,6 +111,25 @@ impl Curve {
             }
         }
         found
+    }
+
+    /// Sampling points of a stretch, rising, m.
+    fn looks_m(&self, stretch: usize) -> Vec<f64> {
+        let far = FAR * self.scale_m;
+        let (below, above) = ends(&self.knots_m, stretch);
+        // Finite ends of the even part in place of the infinite ones.
+        let (low, high) = match (below, above) {
+            (f64::NEG_INFINITY, f64::INFINITY) => (-far, far),
+            (f64::NEG_INFINITY, high) => (high - far, high),
+            (low, f64::INFINITY) => (low, low + far),
+            both => both,
+        };
+        let beyond =
+            |is_open: bool| (1..=if is_open { DOUBLINGS } else { 0 }).map(|i| far * 2f64.powi(i));
+        let before = beyond(below.is_infinite()).rev().map(|more| low - more);
+        let even = (0..=LOOKS).map(|i| low + (high - low) * i as f64 / LOOKS as f64);
+        let after = beyond(above.is_infinite()).map(|more| high + more);
+        before.chain(even).chain(after).collect()
     }
 }
 

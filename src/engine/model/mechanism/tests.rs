@@ -219,3 +219,25 @@ fn only_coils_have_a_least_mass_without_a_specific_energy() {
     assert_eq!(least_g("combine=parallel spring=crush"), None);
     assert_eq!(least_g("spring=crush e_spring=19460"), Some(3.8));
 }
+
+/// Beyond its points, 0, 1 mm and 1.1 mm, the table goes on along the tangent, three times the last secant of -10 N/m. Both bodies at
+/// 72.5 m/s spend their energy on it before its zero at 3.3 m, 3000 times the table's width; a cubic's energy is the trapezoid's and a
+/// twelfth of the squared width times the difference of the slopes.
+#[test]
+fn valid_a_straight_end_of_a_table_turns_the_plate_before_its_zero_far_out() {
+    let mut scene = scene_with("gamma=1 spring=table model=initial-velocity v_i=145");
+    let points = [[0.0, 0.0], [1e-3, 100.0], [1.1e-3, 99.999]];
+    scene.mechanism.spring.table.points = std::sync::Arc::from(points);
+    let (end_n, secant): (f64, f64) = (99.999, -0.001 / 1e-4);
+    let (slope, first) = (3.0 * secant, 1e5 + 1e-3 * (1e5 - secant) / 1.1e-3);
+    let points_j =
+        0.5e-3 * 100.0 + 1e-6 / 12.0 * first + 0.5e-4 * (100.0 + end_n) - 1e-8 / 12.0 * slope;
+    let left_j = 0.5 * 0.059 * 72.5 * 72.5 - points_j;
+    let way_m = (end_n - (end_n * end_n + 2.0 * slope * left_j).sqrt()) / -slope;
+    let run = crate::model::simulate::bare_run(&scene);
+    let far_m = run.max_plate_displacement_m.unwrap();
+    assert!((far_m / (1.1e-3 + way_m) - 1.0).abs() < 1e-9, "{far_m} {way_m}");
+    // A little faster it passes the zero, and nothing stops it.
+    scene.projectile.velocity_m_s = 155.0;
+    assert_eq!(crate::model::simulate::bare_run(&scene).max_plate_displacement_m, None);
+}
