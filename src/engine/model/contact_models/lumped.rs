@@ -62,20 +62,49 @@ impl Lumped {
         0.5 * force_n * force_n / self.unload_n_m
     }
 
-    /// The dent that is left on a rigid mount, m: of m q'' + b q' + k q = 0 from q = 0 at the impact velocity.
+    /// Dent on a rigid mount, m: of m q'' + b q' + k q = 0 from q = 0 at the impact velocity up to the turn.
+    ///
+    /// With r = b/(2 m) and w = (k/m)^(1/2) the greatest travel is v/w exp(-r t) with t = atan(s/r)/s, s = (w² - r²)^(1/2) below the
+    /// critical damping. Above it, s = (r² - w²)^(1/2), it is v/(r + s) exp(-ln(1 + z)/z) with z = 2 s/(r - s) = 2 s (r + s)/w²: a
+    /// difference of large numbers appears in neither.
     pub(super) fn on_rigid_mount_m(&self) -> f64 {
         let (m, v) = (self.mass_kg, self.velocity_m_s);
-        let rate = 0.5 * self.damping_n_s_m / m;
-        let square = self.load_n_m / m - rate * rate;
-        let root = square.abs().sqrt();
-        // The time to the turn: by an angle, or by a hyperbolic one where the damper lets nothing oscillate.
-        let to_turn_s = if square > 0.0 {
-            root.atan2(rate) / root
-        } else if root > 0.0 {
-            (root / rate).atanh() / root
+        let (r, w) = (0.5 * self.damping_n_s_m / m, (self.load_n_m / m).sqrt());
+        let s = ((w - r).abs() * (w + r)).sqrt();
+        let travel_m = if w > r {
+            v / w * (-r * s.atan2(r) / s).exp()
         } else {
-            1.0 / rate
+            let z = 2.0 * s * (r + s) / (w * w);
+            let part = if z > 0.0 { z.ln_1p() / z } else { 1.0 };
+            v / (r + s) * (-part).exp()
         };
-        self.dent_m(v * (-rate * to_turn_s).exp() / (self.load_n_m / m).sqrt())
+        self.dent_m(travel_m)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::variables::scene_with;
+
+    /// `v/(l_2 - l_1) (exp(-l_1 t) - exp(-l_2 t))` at its turn in 60-digit arithmetic, below and above the critical damping; at it
+    /// `v/(w e)`, and without a damper `v/w`. The dent is 99 % of it.
+    #[test]
+    fn valid_the_dent_on_a_rigid_mount_keeps_its_digits_at_any_damping() {
+        let critical_m = 0.99 * 100.0 * (0.0295f64 / 1e6).sqrt() / 1f64.exp();
+        let critical = format!("k_load=1e6 b_2={:e}", 2.0 * (0.0295f64 * 1e6).sqrt());
+        for (pairs, dent_m) in [
+            ("k_load=1 b_2=1e9", 2.9205e-9),
+            ("k_load=1 b_2=1e7", 2.920_499_999_999_970_05e-7),
+            ("k_load=1e7 b_2=1e5", 2.919_687_506_583_498_86e-5),
+            ("k_load=1e4 b_2=100", 0.026_926_022_766_453_113_8),
+            ("k_load=1e6 b_2=10", 0.016_257_238_270_444_225),
+            ("k_load=1e6 b_2=0", 0.99 * 100.0 * (0.0295f64 / 1e6).sqrt()),
+            (&critical, critical_m),
+        ] {
+            let found_m =
+                Lumped::of(&scene_with(&format!("model=lumped {pairs}"))).on_rigid_mount_m();
+            assert!((found_m / dent_m - 1.0).abs() < 1e-14, "{pairs}: {found_m} {dent_m}");
+        }
     }
 }
