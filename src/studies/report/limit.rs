@@ -88,9 +88,8 @@ pub fn taken_to_hold(report: &Report) -> Option<Remark> {
 
 /// Why the residual velocity begins far above zero, which no law of the curve knows; `None` where it does not.
 fn carried(report: &Report) -> Option<String> {
-    report.limit.velocity_m_s()?;
-    let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
-    let (_, residual) = first.filter(|(impact, residual)| *residual > CARRIED * impact)?;
+    let limit_m_s = report.limit.velocity_m_s()?;
+    let residual = report.residual_at_limit_m_s.filter(|it| *it > CARRIED * limit_m_s)?;
     Some(format!(
         "Just above the limit the residual velocity is {} m/s, the common velocity of projectile and plate.",
         fixed_significant(residual, 4)
@@ -200,6 +199,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "undecided_at_m_s": report.undecided_at_m_s(),
         "impact_velocity_m_s": report.scene.projectile.velocity_m_s,
         "interface_holds_m_s": report.interface_holds_m_s,
+        "residual_at_limit_m_s": report.residual_at_limit_m_s,
         "margin": report.margin(),
         "caution": report.caution(),
         "stroke_at_limit_m": at_limit("stroke_m"),

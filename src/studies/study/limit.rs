@@ -24,8 +24,9 @@ pub use closures::Closures;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);
-/// How far below a limit the shot is fired that shows what the mechanism bears there, relative.
-pub(in crate::study) const JUST_BELOW: f64 = 1e-9;
+/// Distance from a limit, relative to it, of the two shots that describe it: below it the load of the mechanism, above it the residual
+/// velocity. Ten times the width to which the limit is found.
+pub(in crate::study) const BESIDE_LIMIT: f64 = 1e-9;
 /// Points of the scan over them, at equal ratios.
 const SCAN: usize = 41;
 /// Shots of the curve below and above the limit, and the range they cover, over the limit.
@@ -141,6 +142,8 @@ pub struct Report {
     pub limit: Limit,
     /// A shot just below the limit; `None` without a limit.
     pub at_limit: Option<Run>,
+    /// Residual velocity of a shot just above the limit, m/s; `None` without a limit, or if that shot does not pass through.
+    pub residual_at_limit_m_s: Option<f64>,
     /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none; `None` where it holds up to
     /// the limit.
     pub interface_holds_m_s: Option<f64>,
@@ -186,7 +189,7 @@ impl Report {
 /// Find the limit of a scene and its residual-velocity curve.
 pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, VariableError> {
     variables::validate(scene)?;
-    context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE);
+    context.expect(SCAN + 41 + 2 * BESIDE.len() + BELOW + ABOVE);
     let mut range = ShotRunner { scene, context };
     let limit = range.whole_limit();
     let shots = range.curve(limit);
@@ -194,6 +197,7 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
     let perforated: Vec<(f64, f64)> = perforated.collect();
     let found_m_s = limit.velocity_m_s();
     let at_limit = found_m_s.and_then(|limit_m_s| range.at_limit(limit_m_s));
+    let residual_at_limit_m_s = found_m_s.and_then(|limit_m_s| range.residual_at_limit(limit_m_s));
     let interface_holds_m_s = at_limit.as_ref().zip(found_m_s);
     let interface_holds_m_s = interface_holds_m_s
         .and_then(|(at_limit, limit_m_s)| range.interface_holds(at_limit, limit_m_s));
@@ -203,6 +207,7 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
         scene: Arc::clone(scene),
         limit,
         at_limit,
+        residual_at_limit_m_s,
         interface_holds_m_s,
         closures,
         jump_m_s,

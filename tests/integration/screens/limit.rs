@@ -33,6 +33,7 @@ fn found(scene: &Arc<Scene>) -> Report {
         scene: Arc::clone(scene),
         limit: Limit::found(V_BL, LimitMethod::Outcome),
         at_limit: None,
+        residual_at_limit_m_s: None,
         interface_holds_m_s: None,
         closures: None,
         jump_m_s: None,

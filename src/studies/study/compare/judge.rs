@@ -10,7 +10,7 @@ use crate::study::compare::hardware::{Built, Demand, is_held};
 use crate::study::compare::sized::{self, sized};
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, hold_spring_mass};
 use crate::study::context::{Context, to_its_end};
-use crate::study::limit::{self, JUST_BELOW, Limit};
+use crate::study::limit::{self, BESIDE_LIMIT, Limit};
 
 /// Relative width to which the velocity is closed in at which the hardware fails.
 const WIDTH: f64 = 1e-9;
@@ -124,7 +124,7 @@ impl Judge<'_, '_> {
     }
 
     fn fire_below(&mut self, limit_m_s: f64) -> Option<Run> {
-        self.fire(limit_m_s * (1.0 - JUST_BELOW))
+        self.fire(limit_m_s * (1.0 - BESIDE_LIMIT))
     }
 
     /// The velocity from which on the hardware fails before the plate is perforated, m/s, and what fails there; `None` when stopped.

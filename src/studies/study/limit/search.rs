@@ -12,7 +12,7 @@ use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::closures::jump;
 use crate::study::limit::verdict::{Judged, ShotOutcome, decide, edge};
 use crate::study::limit::{
-    ABOVE, BELOW, CURVE, Closures, JUST_BELOW, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
+    ABOVE, BELOW, BESIDE_LIMIT, CURVE, Closures, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
     closed_form,
 };
 
@@ -74,11 +74,16 @@ impl ShotRunner<'_, '_, '_> {
         if !self.goes_on() {
             return None;
         }
-        let own = aimed(self.scene, limit_m_s * (1.0 - JUST_BELOW));
+        let own = aimed(self.scene, limit_m_s * (1.0 - BESIDE_LIMIT));
         let mut run = simulate(&own, &Settings::SERIES, &mut self.context.observer()).ok()?;
         // The page of a limit has no depth to compare.
         run.warnings.retain(|warning| *warning != Warning::NoBaseline);
         (run.end != EndReason::Cancelled).then_some(run)
+    }
+
+    /// Residual velocity just above a limit, m/s; `None` if the shot does not pass through, or when stopped.
+    pub(super) fn residual_at_limit(&mut self, limit_m_s: f64) -> Option<f64> {
+        self.shoot(limit_m_s * (1.0 + BESIDE_LIMIT))?.0.residual_m_s
     }
 
     /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none, where it carries more just
