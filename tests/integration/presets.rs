@@ -8,9 +8,10 @@ use std::sync::Arc;
 use cmra::files::bundled::{BASELINE, BUNDLED};
 use cmra::files::preset::{self, Preset};
 use cmra::files::{read, write};
+use cmra::model::run::Sample;
 use cmra::model::scene::{ContactModel, Scene};
-use cmra::model::simulate::{Settings, simulate};
-use cmra::model::variables::{VARIABLES, validate};
+use cmra::model::simulate::{Look, Settings, simulate};
+use cmra::model::variables::{VARIABLES, changed, validate};
 use cmra::study::quantities;
 
 use serde::Deserialize;
@@ -175,4 +176,169 @@ fn valid_every_preset_gives_the_expected_results() {
             );
         }
     }
+}
+
+/// A number in the text of a preset that is not a result of its own run: the preset, the words with the number first, what is changed
+/// in the scene, and the result; `limit` is the ballistic limit.
+#[rustfmt::skip]
+const SAID: [(&str, &str, &str, &str); 21] = [
+    ("appendix-listing", "5.982280 mm", "model=hydrodynamic", "final_penetration_m"),
+    ("cocked-plastic", "86.3 m/s left", "g=10", "residual_velocity_m_s"),
+    ("concept-bistable-shuttle", "4.568 mm", "spring=power-law k=0", "final_penetration_m"),
+    ("concept-buckling-cantilever", "4.568 mm", "spring=power-law k=0", "final_penetration_m"),
+    ("concept-buckling-four-bar", "4.568 mm", "spring=power-law k=0", "final_penetration_m"),
+    ("figure-9.2", "64.27 % of baseline", "gamma=1", "percent_of_baseline"),
+    ("figure-9.3", "64.27 % at d = 0", "d=0", "percent_of_baseline"),
+    ("figure-9.3", "1.658338 mm", "d=0.5", "final_penetration_m"),
+    ("figure-9.3", "23.3 %", "d=0.5", "percent_of_baseline"),
+    ("figure-9.4", "4.568088 mm at b = 0", "b=0", "final_penetration_m"),
+    ("figure-9.4", "5.836233 mm", "b=1000", "final_penetration_m"),
+    ("figure-9.4", "6.356205 mm", "b=2000", "final_penetration_m"),
+    ("figure-9.6", "7.113055 mm at n = 0.1", "n=0.1", "final_penetration_m"),
+    ("figure-9.6", "6.919384 mm", "n=0.5", "final_penetration_m"),
+    ("free-plate", "347.708052 m/s", "", "limit"),
+    ("validation-ap-core", "506.7 m/s", "", "limit"),
+    ("validation-ap-core", "399.2 m/s", "closure=double-yield dishing=on C_d=0.106", "limit"),
+    ("validation-borvik-cavity", "298.5 m/s", "", "limit"),
+    ("validation-borvik", "299.8 m/s", "", "limit"),
+    ("validation-thin-sphere", "204.7 m/s", "", "limit"),
+    ("validation-thin-sphere", "170.5 with 215", "Y=215e6", "limit"),
+];
+
+/// Numbers with a decimal point in the texts that are given, not computed, or that another test computes.
+#[rustfmt::skip]
+const GIVEN: [(&str, &[&str]); 12] = [
+    ("cocked", &["8.7 kN", "25.1 kN", "28.5 times"]),
+    ("concept-bistable-shuttle", &["44.1 J"]),
+    ("concept-cocked-four-bar", &["14.87 mm"]),
+    ("concept-emergent-four-bar", &["1.2 kg"]),
+    ("figure-9.8", &["n = 0.22", "n = 0.5", "figure-9.6"]),
+    ("figure-9.9", &["n = 1.5", "gamma = 1.5"]),
+    ("rigid-mount", &["7.129 mm", "1.516e8 Pa", "7.1260 mm"]),
+    ("validation-ap-core", &["1.4 % low", "3.2:"]),
+    ("validation-borvik", &["2.6 % high", "0.6, the", "184.5 m/s"]),
+    ("validation-borvik-cavity", &["2.2 % high", "0.6. With"]),
+    ("validation-rod-6061", &["5.04 Y"]),
+    ("yang-xi", &["2.714 ms", "46.2 mm"]),
+];
+
+/// Unit of a number in a text, and its size in the unit of results.
+fn size_of(unit: &str) -> Option<f64> {
+    Some(match unit {
+        "mm" => 1e-3,
+        "us" => 1e-6,
+        "ms" => 1e-3,
+        "kN" => 1e3,
+        "m/s" | "%" | "J" | "" => 1.0,
+        _ => return None,
+    })
+}
+
+/// Whether a result is what a number with its digits says, in a unit.
+fn is_said(number: &str, size: f64, result: f64) -> bool {
+    let decimals = number.split_once('.').map_or(0, |(_, after)| after.len());
+    let half = 0.5001 * 10f64.powi(-i32::try_from(decimals).unwrap());
+    (result.abs() / size - number.parse::<f64>().unwrap()).abs() <= half
+}
+
+/// Every result of a run and of its plates, and where the plate is and how fast at its events.
+fn all_results(scene: &Arc<Scene>) -> Vec<f64> {
+    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+    let run = simulate(scene, &Settings::default(), go_on).unwrap();
+    let behind: Vec<_> = run.stack.iter().flat_map(|stack| stack.behind.iter().cloned()).collect();
+    let mut first = run.clone();
+    first.stack = None;
+    let plates = [&run, &first].into_iter().chain(behind.iter().map(|run| &**run));
+    let results =
+        plates.flat_map(|run| quantities::QUANTITIES.iter().filter_map(|it| it.value(run)));
+    let at_events = run.series.iter().filter(|row| run.events.iter().any(|it| it.t_s == row.t_s));
+    let of_row = |row: &Sample| [row.plate_displacement_m, row.plate_velocity_m_s];
+    // The row before an event as well: a stop changes the velocity at once.
+    let hits = run.events.iter().map(|it| run.series.partition_point(|row| row.t_s < it.t_s));
+    let before = hits.filter_map(|at| run.series.get(at.checked_sub(1)?));
+    results.chain(at_events.chain(before).flat_map(of_row)).collect()
+}
+
+/// A number of the texts is a result of the preset's run, of a run of [`SAID`], or [`GIVEN`]; a text that is mistaken, or changed, fails.
+#[test]
+fn numbers_in_the_texts_of_presets_are_those_of_runs() {
+    let mut wrong = Vec::new();
+    for preset in all() {
+        let name = &*preset.name;
+        let text = preset.comment.split_once("Expect: ").unwrap().1;
+        let mut text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        for (_, words, changes, key) in SAID.iter().filter(|said| said.0 == name) {
+            let number = words.split(' ').next().unwrap();
+            let unit = words.split(' ').nth(1).unwrap();
+            let scene = changed(preset.scene.clone(), changes).unwrap();
+            let result = if *key == "limit" {
+                cmra::study::limit::velocity_m_s(&scene).unwrap()
+            } else {
+                let scene = Arc::new(scene);
+                let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+                let run = simulate(&scene, &Settings::default(), go_on).unwrap();
+                quantities::find(key).unwrap().value(&run).unwrap()
+            };
+            if !is_said(number, size_of(unit).unwrap_or(1.0), result) {
+                wrong.push(format!("{name}: {words}, and {changes} gives {key} = {result}"));
+            }
+            assert!(text.contains(words), "{name}: {words}");
+            text = text.replacen(words, "", 1);
+        }
+        for words in GIVEN.iter().filter(|given| given.0 == name).flat_map(|given| given.1) {
+            assert!(text.contains(words), "{name}: {words}");
+            text = text.replacen(words, "", 1);
+        }
+        let results = all_results(&Arc::new(preset.scene.clone()));
+        let words: Vec<&str> = text.split(' ').collect();
+        for (at, word) in words.iter().enumerate() {
+            let number = word.trim_matches(|c: char| !c.is_ascii_digit());
+            let is_set = at > 0 && words[at - 1] == "=" || word.contains('=');
+            if !number.contains('.') || number.parse::<f64>().is_err() || is_set {
+                continue;
+            }
+            // In a list of numbers the last one has the unit.
+            let units =
+                words[at + 1..].iter().map(|it| it.trim_end_matches([',', '.', ':', ';', ')']));
+            let size = units.filter_map(|unit| size_of(unit)).next().unwrap_or(1.0);
+            let sizes = [size, 1.0];
+            let is_result = |size: f64| results.iter().any(|result| is_said(number, size, *result));
+            if !sizes.into_iter().any(is_result) {
+                wrong.push(format!("{name}: {number} is no result"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The edges of Figures 9.6 and 9.8 are where the depth falls most steeply with n; in Figure 9.4 it rises ever more slowly up to the end,
+/// by more than 3 % in its last quarter.
+#[test]
+fn edges_and_levels_in_the_texts_of_figures_are_those_of_runs() {
+    let depth_m = |changes: &str| {
+        let scene = Arc::new(changed(Scene::default(), changes).unwrap());
+        let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+        simulate(&scene, &Settings::BARE, go_on).unwrap().first_arrest.unwrap().penetration_m
+    };
+    for (k, edge, preset) in [("1e5", 0.22, "figure-9.8"), ("1e6", 0.56, "figure-9.6")] {
+        let at = |i: i32| 0.01 * f64::from(i);
+        let depths: Vec<f64> = (10..=100).map(|i| depth_m(&format!("k={k} n={}", at(i)))).collect();
+        let falls = depths.windows(2).map(|pair| pair[0] - pair[1]);
+        let steepest = falls.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap().0;
+        let found = at(10 + i32::try_from(steepest).unwrap()) + 0.005;
+        assert!((found - edge).abs() < 0.02, "{k}: {found}");
+        let text = preset::resolve(preset, None).unwrap().comment;
+        assert!(text.contains(&format!("{edge}")), "{preset}");
+    }
+    let depths: Vec<f64> = (0..=4).map(|i| depth_m(&format!("k=0 b={}", 500 * i))).collect();
+    let rises: Vec<f64> = depths.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    assert!(rises.windows(2).all(|pair| pair[1] < pair[0]), "{rises:?}");
+    assert!(rises[3] > 0.03 * depths[3], "{depths:?}");
+    // At the first arrest of the preset `cocked` the spring pulls 28.5 times as hard as the grip holds.
+    let scene = Arc::new(preset::resolve("cocked", None).unwrap().scene);
+    let run = simulate(&scene, &Settings::SERIES, &mut |_| ControlFlow::Continue(())).unwrap();
+    let row = run.series.iter().find(|row| row.t_s >= run.first_arrest.unwrap().t_s).unwrap();
+    let area_n = 8.7438e3;
+    assert!((row.spring_force_n.abs() / 2.0 / (0.1 * area_n) - 28.5).abs() < 0.05);
+    assert!((run.interface_demand_ratio.unwrap() * area_n / 25.1e3 - 1.0).abs() < 2e-3);
 }
