@@ -157,7 +157,7 @@ fn value_of(kind: &Kind, size: f64, share: f64) -> Value {
             let within = |low: f64, high: f64| low + share * (high - low);
             let wanted = match number.allowed {
                 Allowed::Between(low, high) | Allowed::Below(low, high) => within(low, high),
-                Allowed::Positive | Allowed::NonNegative => size.abs(),
+                Allowed::Positive | Allowed::From(_) | Allowed::NonNegative => size.abs(),
                 Allowed::Any | Allowed::Closing => size,
             };
             if number.allowed.contains(wanted) { Value::Number(wanted) } else { Value::Number(0.5) }

@@ -145,11 +145,17 @@ pub struct Number {
     pub set: fn(&mut Scene, Option<f64>),
 }
 
+/// Least value of a quantity that must be greater than zero, in its stored unit: 1e-15 m is the size of a nucleus. Products and powers
+/// of smaller values underflow.
+const LEAST: f64 = 1e-15;
+
 /// The values that make physical sense.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Allowed {
-    /// Greater than zero.
+    /// Greater than zero: [`LEAST`] or more.
     Positive,
+    /// This or more.
+    From(f64),
     /// Zero or more.
     NonNegative,
     /// Any finite number.
@@ -167,12 +173,18 @@ impl Allowed {
     pub fn contains(self, value: f64) -> bool {
         value.is_finite()
             && match self {
-                Self::Positive => value > 0.0,
+                Self::Positive => value >= LEAST,
+                Self::From(least) => value >= least,
                 Self::NonNegative => value >= 0.0,
                 Self::Any | Self::Closing => true,
                 Self::Between(low, high) => (low..=high).contains(&value),
                 Self::Below(low, high) => (low..high).contains(&value),
             }
+    }
+
+    /// Whether its numbers have one sign.
+    fn has_sign(self) -> bool {
+        matches!(self, Self::Positive | Self::From(_) | Self::NonNegative)
     }
 
     /// The rule in words, with the unit: `greater than 0 kg`.
@@ -182,6 +194,7 @@ impl Allowed {
         let show = units::shortest;
         match self {
             Self::Positive => format!("a number greater than 0{unit}"),
+            Self::From(least) => format!("{}{unit} or more", show(least)),
             Self::NonNegative => format!("0{unit} or more"),
             Self::Any => "any finite number".to_owned(),
             Self::Closing => "below v_i/cos(theta)".to_owned(),
@@ -301,6 +314,12 @@ impl Variable {
         match &self.kind {
             Kind::Number(number) => {
                 let rule = number.allowed.describe(number.quantity);
+                let rule = match number.allowed {
+                    Allowed::Positive => {
+                        format!("{rule}: {}", Allowed::From(LEAST).describe(number.quantity))
+                    }
+                    _ => rule,
+                };
                 number.absent.map_or_else(|| rule.clone(), |word| format!("{rule}, or `{word}`"))
             }
             Kind::Choice { words, .. } => {
@@ -344,15 +363,17 @@ impl Variable {
             _ if *quantity == Dimension::Angle && value >= 90.0 => {
                 "write degrees as for example `30deg`".to_owned()
             }
-            _ if matches!(allowed, Allowed::Positive | Allowed::NonNegative) && value < 0.0 => {
+            _ if allowed.has_sign() && allowed.contains(-value) => {
                 format!("did you mean {}?", units::shortest(-value))
             }
             Some(default) => format!("the default is {}", units::shortest(default)),
             None => "omit it to have none".to_owned(),
         };
         let written = if value.is_finite() { units::shortest(value) } else { value.to_string() };
-        let (value, allowed) =
-            (format!("{written} {}", quantity.unit()), allowed.describe(*quantity));
+        // What is greater than 0 is told how small it may be.
+        let is_tiny = *allowed == Allowed::Positive && value > 0.0;
+        let rule = if is_tiny { Allowed::From(LEAST) } else { *allowed };
+        let (value, allowed) = (format!("{written} {}", quantity.unit()), rule.describe(*quantity));
         let Self { symbol, key, meaning, .. } = self;
         Err(VariableError(format!(
             "{symbol} ({key}) = {} is impossible: {meaning} must be {allowed}; {cure}",
@@ -408,4 +429,32 @@ pub fn range_warnings(scene: &Scene) -> Vec<String> {
 #[cfg(test)]
 pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
     changed(Scene::default(), pairs).expect("values the variables take")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every number above zero has a least value, which its description says and below which it is refused.
+    #[test]
+    fn numbers_above_zero_have_a_least_value() {
+        let mut exponents = 0;
+        for variable in VARIABLES.iter() {
+            let Some(number) = variable.number() else { continue };
+            let least = match number.allowed {
+                Allowed::Positive => LEAST,
+                Allowed::From(least) => {
+                    exponents += 1;
+                    least
+                }
+                _ => continue,
+            };
+            assert!(variable.allowed().contains(&units::shortest(least)), "{}", variable.key);
+            let set = |value| variable.set(&mut Scene::default(), Value::Number(value));
+            assert!(set(least).is_ok() && set(least.next_down()).is_err(), "{}", variable.key);
+        }
+        assert_eq!(exponents, 3);
+        let refusal = set_by_name(&mut Scene::default(), "n", "1e-20").unwrap_err().to_string();
+        assert!(refusal.contains("0.01 or more"), "{refusal}");
+    }
 }

@@ -390,9 +390,10 @@ pub(super) fn face(setup: &Setup, mode: &mut Mode, state: &State) {
     if is_at_rest && way != 0.0 {
         mode.w_side = way;
     }
-    if way > 0.0 && state.x_m >= ahead {
+    // An infinite end has no stretch beyond it, even where a displacement overflows.
+    if way > 0.0 && state.x_m >= ahead && ahead.is_finite() {
         mode.stretch += 1;
-    } else if way < 0.0 && state.x_m <= behind {
+    } else if way < 0.0 && state.x_m <= behind && behind.is_finite() {
         mode.stretch -= 1;
     }
 }

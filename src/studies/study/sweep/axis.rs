@@ -304,6 +304,7 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
     let unit = number.quantity.unit();
     let limit = match number.allowed {
         Allowed::Positive => Some("a value above 0".to_owned()),
+        Allowed::From(least) => Some(units::shortest(least)),
         Allowed::NonNegative => Some("0".to_owned()),
         Allowed::Any | Allowed::Closing => None,
         Allowed::Between(low, high) => Some(units::shortest(if end < low { low } else { high })),
