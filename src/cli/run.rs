@@ -19,8 +19,8 @@ use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
 use crate::files::export::scenes;
 use crate::files::preset::Preset;
-use crate::model::run::Run;
 use crate::model::run::envelope::warnings;
+use crate::model::run::{EVERY_ROWS_MAX, Run};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::simulate::{self, Look, Settings};
 use crate::model::units::{Dimension, engineering};
@@ -58,7 +58,6 @@ pub(super) struct RunArguments {
     glyphs: Glyphs,
 }
 
-const DT_ROWS_MAX: f64 = 5e6;
 /// Steps after which it is shown again how far a run is: a look at the clock costs a part of a step.
 const LOOK: u64 = 64;
 
@@ -73,10 +72,11 @@ fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
     variables::require_hydrodynamic(scene)?;
     variables::require_single(scene)?;
     let end_s = compute_by(scene, Settings::SERIES)?.series.last().map_or(0.0, |row| row.t_s);
-    if end_s >= DT_ROWS_MAX * dt_s {
-        let least = engineering(end_s / DT_ROWS_MAX, "s", 2);
+    let most = EVERY_ROWS_MAX as f64;
+    if end_s >= most * dt_s {
+        let least = engineering(end_s / most, "s", 2);
         return Err(CliError::Option(format!(
-            "--dt: more than {DT_ROWS_MAX} rows; write {least} or more"
+            "--dt: more than {EVERY_ROWS_MAX} rows; write {least} or more"
         )));
     }
     Ok(compute_by(scene, Settings { every_s: Some(dt_s), ..Settings::default() })?)
@@ -98,8 +98,7 @@ fn compute_by(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableErr
     let start = Instant::now();
     let mut run = simulate::simulate(scene, &settings, &mut observer)?;
     run.cost.took_s = Some(start.elapsed().as_secs_f64());
-    let loads = [run.interface_demand_ratio, run.interface_tension_ratio];
-    if run.end.is_complete() && loads.into_iter().flatten().any(|ratio| ratio > 1.0) {
+    if run.end.is_complete() {
         run.plastic = simulate::plastic_beside(scene, &mut observer).map(Arc::new);
     }
     line.clear();
@@ -264,7 +263,7 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
             Err(problem) => output::note(&format!("not run: {word}: {problem}")),
         }
     }
-    let rows = runs.iter().map(|(name, run)| (name.clone(), Some(&**run)));
+    let rows = runs.iter().map(|(name, run)| (name.clone(), Ok(&**run)));
     let keys = [
         "name",
         "outcome",

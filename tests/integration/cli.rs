@@ -635,11 +635,18 @@ fn valid_a_fused_interface_that_is_asked_for_too_much_has_the_plastic_answer_bes
     let json = |arguments: &str| -> Value {
         serde_json::from_str(&place.cmra(&format!("run --json {arguments}")).out).unwrap()
     };
-    let (beside, own) = (json("--set d=0.5"), json("--set d=0.5 --set interface=plastic"));
-    for key in ["outcome", "residual_velocity_m_s", "max_plate_displacement_m"] {
-        assert!(beside["plastic"][key] == own[key] && !own[key].is_null(), "{key}");
+    // The JSON has it wherever the interface is fused.
+    for (scene, keys) in [
+        ("d=0.5", ["outcome", "residual_velocity_m_s", "max_plate_displacement_m"]),
+        ("gamma=5", ["outcome", "final_penetration_m", "max_plate_displacement_m"]),
+    ] {
+        let beside = json(&format!("--set {scene}"));
+        let own = json(&format!("--set {scene} --set interface=plastic"));
+        for key in keys {
+            assert!(beside["plastic"][key] == own[key] && !own[key].is_null(), "{scene} {key}");
+        }
+        assert!(own["plastic"].is_null());
     }
-    assert!(own["plastic"].is_null());
 }
 
 /// A person reads JSON from its top: the scene, what came out, the rest; rows have the order of the table's columns.

@@ -21,6 +21,8 @@ mod files;
 #[cfg(test)]
 mod hostile;
 #[cfg(test)]
+mod identities;
+#[cfg(test)]
 mod kills;
 #[cfg(test)]
 mod libraries;

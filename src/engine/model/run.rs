@@ -22,7 +22,7 @@ pub use warning::{NotModelled, Warning};
 pub struct Settings {
     /// Keep the series to draw from.
     pub series: bool,
-    /// Its rows at equal times so far apart, s, instead of at the solver's own steps.
+    /// Distance in time of its rows, s, greater than 0, instead of the solver's own steps; no rows follow the first [`EVERY_ROWS_MAX`].
     pub every_s: Option<f64>,
     /// Compute the error estimate (from a closed form or a second computation).
     pub estimate: bool,
@@ -34,6 +34,9 @@ impl Settings {
     /// The series too.
     pub const SERIES: Self = Self { series: true, ..Self::BARE };
 }
+
+/// Most rows at equal times: a series of that many takes about half a gigabyte.
+pub const EVERY_ROWS_MAX: usize = 5_000_000;
 
 impl Default for Settings {
     fn default() -> Self {
@@ -69,7 +72,8 @@ pub struct Run {
     pub first_arrest: Option<Arrest>,
     /// Depth of the hole at the end; of a perforation, the depth at which the nose was clear of the rear face, m.
     pub final_penetration_m: Option<f64>,
-    /// Penetration of the same shot into the same plate on a rigid mount; `None` when that perforates.
+    /// Penetration of the same shot into the same plate on a rigid mount, m; `None` if that perforates, or if the contact model knows no
+    /// depth.
     pub baseline_penetration_m: Option<f64>,
     /// Greatest contact force while penetrating, N; `None` for a collision that takes no time.
     pub peak_contact_force_n: Option<f64>,
@@ -216,6 +220,13 @@ pub struct Sample {
     pub stop_force_n: f64,
 }
 
+impl Sample {
+    /// Force of spring, damper and stop together on the mount, N.
+    pub fn mount_force_n(&self) -> f64 {
+        self.spring_force_n + self.damper_force_n + self.stop_force_n
+    }
+}
+
 /// Something that happened at a located moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
@@ -339,8 +350,7 @@ pub struct MechanismLoad {
     pub added_kg: Option<f64>,
     /// The springs' own mass, kg; `None` where it is not known.
     pub spring_mass_kg: Option<f64>,
-    /// Greatest force of spring, damper and elastic stop over the whole motion, way back included, N; `None` where it follows from
-    /// the displacements, as of a power law alone, or by the listing of Appendix A.
+    /// Greatest force of spring, damper and elastic stop together over the whole motion, way back included, N; `None` on a rigid mount.
     pub peak_mount_n: Option<f64>,
     /// Greatest energy of rotation at the solver's own steps, J; `None` where nothing turns.
     pub rotation_j: Option<f64>,
@@ -386,6 +396,11 @@ impl Run {
         let by_protrusion = self.scene.target.criterion == Criterion::Protrusion;
         let is_out = base.is_some_and(|run| run.protrusion_m().is_some());
         if by_protrusion && is_out { Outcome::Perforated } else { outcome }
+    }
+
+    /// Whether the run reached its end and the outcome of the shot is decided.
+    pub fn is_decided(&self) -> bool {
+        self.end.is_complete() && self.shot_outcome() != Outcome::Moving
     }
 
     /// The runs of the plates that were struck, in order; of a stack, the base plate at the end where it was.

@@ -15,7 +15,7 @@ use crate::model::variables::{self, VariableError};
 /// Simulate one impact.
 ///
 /// # Errors
-/// A [`VariableError`] when the scene makes no physical sense. Anything that goes wrong later is reported in
+/// A [`VariableError`] when the scene makes no physical sense, or the distance of rows is not greater than 0. Anything that goes wrong later is reported in
 /// [`Run::end`], with the part that was computed.
 pub fn simulate(
     scene: &Arc<Scene>,
@@ -23,6 +23,7 @@ pub fn simulate(
     observer: Observer<'_>,
 ) -> Result<Run, VariableError> {
     variables::validate(scene)?;
+    check_rows(settings)?;
     if scene.contact.model == ContactModel::Appendix {
         return Ok(listing::run(scene, *settings, observer));
     }
@@ -31,6 +32,16 @@ pub fn simulate(
     let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, &mut unseen);
     run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
     Ok(run)
+}
+
+/// Refuses rows that do not follow each other in time.
+fn check_rows(settings: &Settings) -> Result<(), VariableError> {
+    match settings.every_s.filter(|every_s| !(every_s.is_finite() && *every_s > 0.0)) {
+        Some(every_s) => Err(VariableError(format!(
+            "every_s = {every_s} s is no distance of rows: it must be a number greater than 0 s; omit it for the solver's own steps"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// The same shot on a plastic interface, without series and estimate: what to hold against a fused one, which carries whatever it is
@@ -53,4 +64,26 @@ pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
 pub(in crate::model) fn bare_run(scene: &Scene) -> Run {
     let go_on = &mut |_: &Look<'_>| std::ops::ControlFlow::Continue(());
     simulate(&Arc::new(scene.clone()), &Settings::BARE, go_on).expect("a valid scene")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::run::EVERY_ROWS_MAX;
+    use crate::model::variables::scene_with;
+
+    fn run(pairs: &str, every_s: f64) -> Result<Run, VariableError> {
+        let settings = Settings { every_s: Some(every_s), ..Settings::SERIES };
+        let go_on = &mut |_: &Look<'_>| std::ops::ControlFlow::Continue(());
+        simulate(&Arc::new(scene_with(pairs)), &settings, go_on)
+    }
+
+    #[test]
+    fn rows_that_do_not_follow_each_other_are_refused_and_their_number_is_bounded() {
+        for every_s in [0.0, -0.0, -1e-6, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(run("", every_s).unwrap_err().to_string().contains("greater than 0 s"));
+        }
+        let rows = run("gamma=1 k=0 horizon=1ms", 1e-300).unwrap().series.len();
+        assert_eq!(rows, EVERY_ROWS_MAX);
+    }
 }

@@ -84,12 +84,13 @@ pub fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
     of_runs().fold(table, |table, quantity| table.field(quantity.name, |it| quantity.value(&it.1)))
 }
 
-/// A run beside others: its name, and no run while it is computed.
-pub type Compared<'c> = (String, Option<&'c Run>);
+/// A run beside others: its name, and the run or why there is none, in a word.
+pub type Compared<'c> = (String, Result<&'c Run, &'static str>);
 
 /// Runs beside each other, each number in the unit of its heading.
 pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c, Compared<'c>> {
-    let outcome = |it: &Compared<'_>| it.1.map_or("running", |run| run.shot_outcome().word());
+    let outcome =
+        |it: &Compared<'_>| it.1.map_or_else(|word| word, |run| run.shot_outcome().word());
     let table = Table::of(runs).with("name", "run", "", |it| it.0.clone());
     let table = table.with("outcome", "outcome", "", outcome);
     let table =
@@ -98,9 +99,9 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
         Some(format!("{:.0}", run.percent_of_baseline()?))
     });
     let table = table.with("plastic", "plastic mm", "", |it: &Compared<'_>| {
-        it.1?.plastic.as_ref()?.final_penetration_m
+        it.1.ok()?.plastic.as_ref()?.final_penetration_m
     });
-    let table = table.shown(|it, _| Some(plastic(it.1?.plastic.as_ref()?)));
+    let table = table.shown(|it, _| Some(plastic(it.1.ok()?.plastic.as_ref()?)));
     let table = column(table, "max_plate_displacement_m", "travel mm", 1e3, |_| None);
     let table = column(table, "peak_contact_force_n", "peak kN", 1e-3, |run| {
         fused_stop_hits(run).filter(|hits| *hits > 0).map(|_| "unbounded".to_owned())
@@ -116,9 +117,9 @@ fn column<'c>(
     factor: f64,
     text: impl Fn(&Run) -> Option<String> + 'c,
 ) -> Table<'c, Compared<'c>> {
-    let value = move |it: &Compared<'_>| find(name)?.value(it.1?);
+    let value = move |it: &Compared<'_>| find(name)?.value(it.1.ok()?);
     table.with(name, label, "", value).shown(move |it, value| {
-        let own = it.1.and_then(&text);
+        let own = it.1.ok().and_then(&text);
         own.or_else(|| Some(fixed_significant(factor * value.as_f64()?, 4)))
     })
 }
@@ -161,7 +162,7 @@ pub fn json(name: &str, run: &Run) -> String {
         "criterion": scene.target.criterion.word(),
         "closure": scene.closure().word(),
         "end": run.end.words(),
-        "complete": run.end.is_complete(),
+        "complete": run.is_decided(),
     });
     let mut object = with_results(object, run);
     let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());

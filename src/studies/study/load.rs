@@ -1,6 +1,6 @@
 //! The load of the mount in a run: the greatest force, the impulse, and the energy in the springs.
 
-use crate::model::mechanism::{Inertia, Mechanism, moving_plate_kg};
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EventKind, Mode, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::larger;
@@ -12,9 +12,8 @@ const SAME: f64 = 4.0 * f64::EPSILON;
 
 /// The greatest force into the mount, N.
 ///
-/// A rigid mount takes all of the contact force along the plate's normal. The greatest force of a power law is at the greatest
-/// displacement, where the damper is at rest; that of a curve, or with a damper or a stop, the run finds, way back included. Of the
-/// listing of Appendix A the rows are searched. `None` where the run ended before the greatest displacement.
+/// A rigid mount takes all of the contact force along the plate's normal. The run records the maximum over all its states, way back
+/// included. `None` if the run ended before the greatest displacement, or if a rigid stop was hit.
 pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
     peak_so_far_n(run).filter(|_| run.at_least.plate_displacement_m.is_none())
 }
@@ -24,7 +23,7 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;
     }
-    if !run.scene.is_sprung() || holds_still(&run.scene, run.max_plate_displacement_m) {
+    if !run.scene.is_sprung() {
         return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
     }
     let mechanism = Mechanism::of(&run.scene);
@@ -36,16 +35,7 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
     if mechanism.is_absent() && mechanism.stop.is_none() {
         return None;
     }
-    let force = |row: &Sample| (row.spring_force_n + row.damper_force_n + row.stop_force_n).abs();
-    let rows = || run.series.iter().map(force).fold(0.0, larger);
-    let on_the_way = run.mechanism.peak_mount_n.unwrap_or_else(rows);
-    let spring = &mechanism.spring;
-    // There the mount takes not all of the spring's force where it turns a mass with the plate; the run knows how much.
-    let tells = mechanism.stop.is_none() && Inertia::of(&run.scene).rotation_kg == 0.0;
-    let turned = run.max_plate_displacement_m.filter(|_| tells);
-    let turn = turned.map_or(0.0, |farthest| spring.force(farthest).abs());
-    Some(larger(larger(on_the_way, turn), spring.force(run.scene.start_m()).abs()))
-        .filter(|f| f.is_finite())
+    run.mechanism.peak_mount_n.filter(|force_n| force_n.is_finite())
 }
 
 /// Whether a sprung plate never leaves its place: a singular spring takes whatever comes, like a rigid mount.

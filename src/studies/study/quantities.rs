@@ -11,7 +11,7 @@ use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Dimension, engineering};
 use crate::study::error::SweepError;
 use crate::study::first_contact::FirstContact;
-use crate::study::load::impulse_n_s;
+use crate::study::load::{impulse_n_s, peak_n};
 
 mod mount;
 mod names;
@@ -77,8 +77,8 @@ pub(in crate::study) enum Search {
 enum Source {
     Scene(fn(&Scene) -> Option<f64>),
     Run(fn(&Run) -> Option<f64>),
-    /// From a run with its course in time, where the scene needs that.
-    Course(fn(&Run) -> Option<f64>, fn(&Scene) -> bool),
+    /// From a run with its course in time.
+    Course(fn(&Run) -> Option<f64>),
     /// From a search with many shots, which the study of that search makes.
     Search(Search),
 }
@@ -133,7 +133,7 @@ const fn quantity(
         source,
         from_contact: match source {
             Source::Scene(_) => FromContact::Scene,
-            Source::Run(_) | Source::Course(..) | Source::Search(_) => FromContact::No,
+            Source::Run(_) | Source::Course(_) | Source::Search(_) => FromContact::No,
         },
         lower_bound: None,
         title: "",
@@ -178,7 +178,7 @@ use Trait::{
 
 /// Why there is no displacement, and no percentage.
 const UNSTOPPED: &str = "nothing stops the plate";
-const NO_BASELINE: &str = "no baseline (perforated)";
+const NO_BASELINE: &str = "no baseline depth";
 
 /// The greatest ratio that is reported: it stands for infinity, the ratio to a strength of zero.
 const GRIPLESS: f64 = 1e6;
@@ -223,9 +223,9 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("added_inertia_kg", Mass, "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
     quantity("spring_mass_kg", Mass, "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
     quantity("rotational_energy_j", Energy, "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
-    quantity("peak_mount_force_n", Force, "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Course(mount::peak_force_n, mount::needs_course))
+    quantity("peak_mount_force_n", Force, "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Run(peak_n))
         .by_contact(Displacement(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force"),
-    quantity("mount_impulse_n_s", Impulse, "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)),
+    quantity("mount_impulse_n_s", Impulse, "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()))),
     quantity("travel_margin", Number, "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
     quantity("fused_stop_hits", Number, "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
     quantity("plate_mass_kg", Mass, "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
@@ -284,7 +284,7 @@ impl Quantity {
         match self.source {
             Source::Scene(_) => Needs::Scene,
             Source::Run(_) => Needs::Run,
-            Source::Course(..) => Needs::Course,
+            Source::Course(_) => Needs::Course,
             Source::Search(_) => Needs::Limit,
         }
     }
@@ -339,7 +339,7 @@ impl Quantity {
     pub fn value(&self, run: &Run) -> Option<f64> {
         let own = || match self.source {
             Source::Scene(get) => get(&run.scene),
-            Source::Run(get) | Source::Course(get, _) => get(run),
+            Source::Run(get) | Source::Course(get) => get(run),
             Source::Search(_) => None,
         };
         let has = self.has(OfStack) || run.stack.is_none();
@@ -372,9 +372,9 @@ impl Quantity {
         if let Source::Search(search) = self.source { Some(search) } else { None }
     }
 
-    /// Whether a run of a scene has to keep its course in time for it.
-    pub(in crate::study) fn needs_course(&self, scene: &Scene) -> bool {
-        matches!(self.source, Source::Course(_, is_needed) if is_needed(scene))
+    /// Whether a run has to keep its course in time for it.
+    pub(in crate::study) fn needs_course(&self) -> bool {
+        self.needs() == Needs::Course
     }
 
     /// Whether designs that are perforated may be compared by it.

@@ -222,6 +222,8 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
         ReportBody::Failed(text) => {
             app.jobs.failure = Some(text.clone());
             app.refuse(text);
+            // The result of another scene would stand under this one, which has none.
+            app.shown.take_if(|shown| shown.run.scene != app.scene);
         }
         ReportBody::Ended(Some(Answer { report: Found::Run(run), elapsed, .. })) => {
             let took = Some(elapsed).filter(|_| run.end != EndReason::Cancelled);

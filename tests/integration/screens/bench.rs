@@ -7,9 +7,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use cmra::files::export::Destination;
+use cmra::model::mechanism::Mechanism;
 use cmra::model::run::{
-    Arrest, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind, Mode, Outcome, Run,
-    Sample, Warning,
+    Arrest, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind, MechanismLoad, Mode,
+    Outcome, Run, Sample, Warning,
 };
 use cmra::model::scene::{Mount, PlateSize, Scene};
 use cmra::study::context::{Answer, Progress, Reach};
@@ -360,6 +361,19 @@ impl Shape {
     }
 }
 
+/// The force of a power law alone where the plate starts and turns, N; else that of the rows.
+fn mount_n(scene: &Scene) -> f64 {
+    let Mechanism { spring, damper, stop } = Mechanism::of(scene);
+    if spring.power().is_none() || !damper.is_absent() || stop.is_some() {
+        return 4e3;
+    }
+    let turn_m = Shape::of(scene).sample(TURN_S).plate_displacement_m;
+    [-scene.plate.cocking_m, turn_m]
+        .map(|x_m| spring.force(x_m).abs())
+        .into_iter()
+        .fold(0.0, f64::max)
+}
+
 /// A made-up run of a scene: a thin plate is perforated, a cocked one asks too much of the interface.
 pub(crate) fn made(scene: &Arc<Scene>) -> Run {
     let rigid = !scene.is_sprung();
@@ -396,7 +410,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
             Event { t_s: TURN_S, kind: EventKind::GreatestDisplacement },
         ],
         ledger: ledger(rigid),
-        mechanism: cmra::model::run::MechanismLoad::default(),
+        mechanism: MechanismLoad { peak_mount_n: Some(mount_n(scene)), ..MechanismLoad::default() },
         stack: None,
         plastic: None,
         cost: cost(rigid),

@@ -389,7 +389,7 @@ fn the_letter_of_points_at_rest_without_a_value_is_explained() {
     bench.press("/v_i<Enter><Enter>300<Enter>2");
     bench.answer();
     answer(&mut bench);
-    assert!(bench.screen().contains(" points (n): no baseline (perforated)"), "{}", bench.screen());
+    assert!(bench.screen().contains(" points (n): no baseline depth"), "{}", bench.screen());
 }
 
 /// The row says `none`: the variable that would be the usual one is chosen by its name like any other.

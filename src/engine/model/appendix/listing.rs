@@ -37,6 +37,7 @@ struct Work {
     deepest_m: f64,
     max_displacement_m: f64,
     peak_n: f64,
+    peak_mount_n: f64,
     before: Option<Sample>,
 }
 
@@ -79,6 +80,7 @@ pub fn compute(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Obser
         // The listing puts a zero before the plate's positions: a cocked plate that stays behind neutral has gone as far as neutral.
         max_displacement_m: 0.0,
         peak_n: 0.0,
+        peak_mount_n: 0.0,
         before: None,
     };
     work.note(Mode::Penetrating, 0, true);
@@ -127,6 +129,7 @@ impl Work {
         self.deepest_m = larger(sample.penetration_m, self.deepest_m);
         self.max_displacement_m = larger(sample.plate_displacement_m, self.max_displacement_m);
         self.peak_n = larger(sample.contact_force_n, self.peak_n);
+        self.peak_mount_n = larger(sample.mount_force_n().abs(), self.peak_mount_n);
         if self.keep && (is_event || step.is_multiple_of(step / POINTS + 1)) {
             self.run.series.push(sample);
         }
@@ -279,6 +282,7 @@ impl Work {
         let residual = ledger.residual();
         self.run.warnings.push(Warning::EnergyDrift { residual });
         self.run.peak_contact_force_n = Some(self.peak_n);
+        self.run.mechanism.peak_mount_n = (!is_rigid).then_some(self.peak_mount_n);
         let is_decided = self.run.outcome != Outcome::Moving;
         self.run.final_penetration_m = is_decided.then_some(self.deepest_m);
         if !self.run.end.is_complete() {

@@ -296,3 +296,23 @@ fn ignored_jumps_end_in_no_number_and_what_the_listing_lacks_is_noted() {
         assert!(listing(pairs).warnings.contains(&Warning::NotModelled(missing)), "{pairs}");
     }
 }
+
+/// Two equal masses on a spring that gives back what it took exchange their velocities: the projectile is at rest.
+#[test]
+fn valid_a_velocity_that_is_rounding_is_zero() {
+    for k_load in ["1e7", "3e6", "1e5", "7.7e8"] {
+        let run = run(&format!("gamma=1 k=0 model=lumped k_load={k_load} k_unload={k_load}"));
+        assert_eq!(run.separation.unwrap().velocity_m_s.to_bits(), 0, "{k_load}");
+    }
+}
+
+/// A model that knows no depth has no baseline, which says nothing of a perforation; the hydrodynamic shot at 232.3 m/s does perforate
+/// the plate on a rigid mount.
+#[test]
+fn valid_a_missing_baseline_is_a_perforation_only_where_the_model_has_a_depth() {
+    let warns = |pairs: &str| run(pairs).warnings.contains(&Warning::NoBaseline);
+    for pairs in ["", "v_i=10", "mount=rigid", "k=0", "v_i=500"] {
+        assert!(!warns(&format!("model=initial-velocity {pairs}")), "{pairs}");
+    }
+    assert!(!warns("v_i=232.29") && warns("v_i=232.3") && warns("v_i=232.3 mount=rigid"));
+}

@@ -100,7 +100,7 @@ impl Equations<'_> {
     }
 
     /// Whether what still moves has no energy to speak of.
-    fn is_at_rest(&self, state: &State) -> bool {
+    pub(super) fn is_at_rest(&self, state: &State) -> bool {
         // Where the spring drives the plate away, its energy is less than nothing.
         let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
         has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()

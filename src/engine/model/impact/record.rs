@@ -6,7 +6,9 @@ use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::{self, Contact, Hold, Mode};
 use crate::model::impact::path::Path;
-use crate::model::run::{Arrest, Cost, Departure, EnergyLedger, Event, EventKind, Sample};
+use crate::model::run::{
+    Arrest, Cost, Departure, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Sample,
+};
 use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::quadrature::GAUSS_10;
 use crate::numerics::{larger, smaller};
@@ -77,24 +79,44 @@ impl Record {
             self.note(state.t_s, EventKind::Plug);
             self.work.pick_up_j = equations.setup.initial_j() - equations.kinetic_j(state);
         }
+        self.note_mount(equations, state);
         self.row(equations, state);
+    }
+
+    /// Notes the force on the mount at a state.
+    fn note_mount(&mut self, equations: &Equations<'_>, state: &State) {
+        self.loads.mount_n = larger(equations.mount_n(state).abs(), self.loads.mount_n);
     }
 
     /// Notes a step, whose states are given by the part of it.
     pub(super) fn step(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
         self.cost.steps += 1;
         self.add_work(equations, path);
+        self.note_displacements(equations, path);
         self.note_forces(equations, path);
         self.draw(equations, path);
     }
 
-    /// Notes a state that the run has come to.
-    pub(super) fn reach(&mut self, equations: &Equations<'_>, state: &State) {
-        let x_m = equations.displacement_m(state.x_m);
+    /// Notes the displacements on a step; of a plate that a spring holds, those at which the forces balance.
+    fn note_displacements(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
+        let is_held = equations.mode.hold == Hold::Spring;
+        for state in &path.looks {
+            let held_m = || equations.balanced(state).0;
+            let x_m = if is_held { held_m() } else { equations.displacement_m(state.x_m) };
+            self.note_displacement(x_m, state.t_s);
+        }
+    }
+
+    fn note_displacement(&mut self, x_m: f64, t_s: f64) {
         // By more than rounding: a plate may come to its stop again and again.
         if x_m - self.farthest_m > 4.0 * f64::EPSILON * x_m.abs() {
-            (self.farthest_m, self.farthest_s) = (x_m, state.t_s);
+            (self.farthest_m, self.farthest_s) = (x_m, t_s);
         }
+    }
+
+    /// Notes a state that the run has come to.
+    pub(super) fn reach(&mut self, equations: &Equations<'_>, state: &State) {
+        self.note_displacement(equations.displacement_m(state.x_m), state.t_s);
         self.fastest_m_s = larger(state.w_m_s.abs(), self.fastest_m_s);
     }
 
@@ -199,6 +221,7 @@ impl Record {
             let (from_s, to_s) = (path.looks[0].t_s, path.end().t_s);
             while let t_s = self.series.len() as f64 * every_s
                 && t_s <= to_s * (1.0 + 4.0 * f64::EPSILON)
+                && self.series.len() < EVERY_ROWS_MAX
             {
                 let state = State { t_s, ..path.at((t_s - from_s) / (to_s - from_s)) };
                 self.series.push(sample(equations, &state));
@@ -241,6 +264,7 @@ impl Record {
         }
         let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
         self.cost.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
+        self.note_mount(after, to);
         if after.mode.contact == Contact::Fused && after.mode.hold == Hold::Free {
             let force_n = after.mechanism_n(to.x_m, to.w_m_s);
             self.note_loads(after, to, [force_n, -force_n], |_| Some(to.t_s));
@@ -304,7 +328,10 @@ impl Record {
         } else if is_new(Contact::Withdrawing) && flows {
             self.note(to.t_s, EventKind::PullOut);
         } else if new.contact == Contact::FreeFlight && old.contact != Contact::FreeFlight {
-            self.separation = Some(departure);
+            // A velocity within the error of a step relative to the impact velocity is rounding.
+            let is_known = departure.velocity_m_s.abs() > setup.tolerance * setup.velocity_m_s;
+            let velocity_m_s = if is_known { departure.velocity_m_s } else { 0.0 };
+            self.separation = Some(Departure { velocity_m_s, ..departure });
             self.note(to.t_s, EventKind::Separation);
         }
         match (old.hold, new.hold) {
@@ -376,7 +403,8 @@ impl Equations<'_> {
     }
 }
 
-/// The greatest value of a force of the mechanism on a step. A power law and a stop push most at an end of it: the plate turns only there.
+/// The greatest value of a force of the mechanism on a step. A power law pushes most at one of its extreme displacements, which are those
+/// of the looks: of a plate that turns within a step only rounding is left.
 fn peak_n(
     equations: &Equations<'_>,
     path: &Path<'_>,
@@ -385,7 +413,12 @@ fn peak_n(
 ) -> f64 {
     let is_elastic = equations.is_undamped() && equations.mode.spring.power().is_some();
     if is_elastic && equations.mode.hold == Hold::Free && equations.setup.turning_kg == 0.0 {
-        larger(force_n(&path.looks[0]), force_n(path.end()))
+        let extreme = |way: f64| {
+            let beyond = |most: &&State, state: &State| way * (state.x_m - most.x_m) > 0.0;
+            let first = &path.looks[0];
+            path.looks.iter().fold(first, |most, it| if beyond(&most, it) { it } else { most })
+        };
+        larger(force_n(extreme(1.0)), force_n(extreme(-1.0)))
     } else {
         path.greatest(known_n, force_n)
     }

@@ -78,16 +78,14 @@ impl Course<'_> {
         let most_n = bounds.map(|most_n| most_n / setup.interface_fraction());
         let known_n = record.loads.known_n(&equations, state);
         let grows = |way: usize| most_n[way] > known_n[way] * (1.0 + GROWTH);
-        if !(grows(0) || all && grows(1)) {
-            return false;
-        }
+        let grows = grows(0) || all && grows(1);
         let exceeds = all && is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
             || setup.has_stop()
             || setup.absorber.is_some()
             || (exceeds && record.loads.exceeded_s[0].is_none())
         {
-            return true;
+            return grows;
         }
         // Nothing takes any of the energy on the way to where the spring pushes most, nor back.
         record.note_loads(&equations, state, most_n, |_| None);
@@ -105,7 +103,9 @@ impl Course<'_> {
     /// Whether there is still something to draw: the end of the contact, or the way to the greatest displacement.
     pub(super) fn is_drawn(&self) -> bool {
         let equations = self.equations();
-        if equations.plate_rests() && self.mode.contact == Contact::Fused {
+        // What a plate at rest still does is rounding.
+        let is_at_rest = equations.plate_rests() || equations.is_at_rest(&self.state);
+        if is_at_rest && self.mode.contact == Contact::Fused {
             return false;
         }
         let in_tail = self.state.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON);
@@ -176,7 +176,7 @@ impl Course<'_> {
         }
     }
 
-    /// The depth on a rigid mount, m; `None` where that is perforated.
+    /// Depth on a rigid mount, m; `None` if that is perforated, or if the contact model knows no depth.
     fn baseline_m(&self) -> Option<f64> {
         let geometry = &self.setup.geometry;
         if !self.flows() {
@@ -284,8 +284,9 @@ impl Course<'_> {
             scene.lacks_hardening().then_some(no_hardening).filter(|_| self.flows()),
             (setup.shears() && outcome != Outcome::Perforated).then_some(Warning::PlugStopped),
             setup.law.overruns(first_arrest.map(|arrest| arrest.t_s)),
-            // What goes through the first plate of a stack meets the next.
-            (baseline_penetration_m.is_none() && !scene.is_stack()).then_some(Warning::NoBaseline),
+            // What goes through the first plate of a stack meets the next; a model without a depth has no baseline to miss.
+            (baseline_penetration_m.is_none() && self.flows() && !scene.is_stack())
+                .then_some(Warning::NoBaseline),
             is_moving.then_some(Warning::StillMoving { outcome, at_least }),
         ];
         happened.into_iter().flatten().chain(limits).chain(notes.into_iter().flatten()).collect()

@@ -152,6 +152,10 @@ pub fn results(run: &Run) -> Vec<String> {
     } else {
         rounded(run.interface_demand_ratio, " of its strength A S_y")
     };
+    // Where the interface holds, it makes no difference whether it can yield.
+    let loads = [run.interface_demand_ratio, run.interface_tension_ratio];
+    let is_overloaded = loads.into_iter().flatten().any(|ratio| ratio > 1.0);
+    let plastic = run.plastic.as_ref().filter(|_| is_overloaded);
     let closure = run.scene.closure_by_thickness().map(|it| format!("{}, by thickness", it.word()));
     let mount_force = quantities::find("peak_mount_force_n").and_then(|it| it.value(run));
     let of_run = [
@@ -177,7 +181,7 @@ pub fn results(run: &Run) -> Vec<String> {
         ("stroke so far", known(stroke_so_far, "m")),
         ("stroke", known(run.stroke_m(), "m")),
         ("interface push", push),
-        ("  if it can yield", run.plastic.as_ref().map(|plastic| if_it_yields(plastic))),
+        ("  if it can yield", plastic.map(|plastic| if_it_yields(plastic))),
     ];
     let margin_words = " (yield strength over the greatest stress)";
     // A single power law stores what the ledger says.

@@ -2,7 +2,7 @@
 
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{ContactModel, Scene};
+use crate::model::scene::Scene;
 use crate::numerics::larger;
 use crate::study::load::{self, spring_energy_j};
 
@@ -32,24 +32,9 @@ pub(super) fn areal_kg_m2(scene: &Scene, max_displacement_m: Option<f64>) -> Opt
     Some(plate_kg_m2 * (1.0 + spring_kg(scene, max_displacement_m)? / scene.plate_mass_kg()))
 }
 
-/// The greatest force into the mount, from the run's course where that is needed.
-pub(super) fn peak_force_n(run: &Run) -> Option<f64> {
-    let scene = &run.scene;
-    if needs_course(scene) && run.series.is_empty() {
-        return None;
-    }
-    force_n(scene, run.max_plate_displacement_m).or_else(|| load::peak_n(run))
-}
-
 /// The greatest force into the mount of a run that ended before the plate's greatest displacement.
 pub(super) fn least_peak_n(run: &Run) -> Option<f64> {
     run.at_least.plate_displacement_m.and_then(|_| load::peak_so_far_n(run))
-}
-
-/// Whether the force into the mount has to be looked for in the rows of a run: the listing of Appendix A does not locate it.
-pub(super) fn needs_course(scene: &Scene) -> bool {
-    let is_listing = scene.contact.model == ContactModel::Appendix;
-    scene.is_sprung() && is_listing && !turn_tells_force(scene)
 }
 
 /// Whether the greatest force into the mount follows from where the plate starts and turns: of a power law, which is odd, without
@@ -61,7 +46,7 @@ pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
     is_odd && is_alone && Inertia::of(scene).rotation_kg == 0.0
 }
 
-/// The force into the mount of a spring alone, from where the plate starts and turns; `None` where that is not all.
+/// The force into the mount of a spring alone, without a simulation, from where the plate starts and turns; `None` where that is not all.
 pub(super) fn force_n(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     let mechanism = Mechanism::of(scene);
     if !scene.is_sprung() || mechanism.is_absent() || !turn_tells_force(scene) {

@@ -6,7 +6,6 @@
 use std::ops::Range;
 
 use crate::model::scene::InterfaceLaw;
-use crate::numerics::larger;
 use crate::study::context::{Context, Work};
 use crate::study::sweep::kernel::Kernel;
 use crate::study::sweep::{Evaluator, Plan, Point};
@@ -47,12 +46,7 @@ impl Plan {
 
     /// Whether designs are simulated one by one: on the plastic law, and where a measure is not known from the contact alone.
     fn runs_whole(&self) -> bool {
-        let mut far = self.base.clone();
-        for axis in &self.axes {
-            axis.set(&mut far, larger(axis.ends().0, axis.ends().1));
-        }
-        let forced = self.outputs.iter().any(|it| it.needs_course(&far));
-        self.base.interface.law == InterfaceLaw::Plastic || forced || Kernel::of(self).is_none()
+        self.base.interface.law == InterfaceLaw::Plastic || Kernel::of(self).is_none()
     }
 }
 

@@ -125,7 +125,7 @@ impl<'p> Evaluator<'p> {
             }
         };
         let outputs = self.plan.outputs();
-        let series = outputs.iter().any(|it| it.needs_course(&self.scene));
+        let series = outputs.iter().any(|it| it.needs_course());
         let (scene, settings) = (&self.scene, &Settings { series, ..self.settings });
         let work = || {
             let run = simulate::simulate(scene, settings, &mut observer).ok()?;

@@ -16,7 +16,7 @@ use crate::study::sweep::Plan;
 
 #[derive(Clone, Copy, Debug)]
 enum Baseline {
-    /// No axis changes it: this, m, or none where a rigid mount is perforated.
+    /// Depth on a rigid mount, which no axis changes, m; `None` if that is perforated.
     Fixed(Option<f64>),
     /// The axes change projectile or target.
     ByPoint,

@@ -15,8 +15,12 @@ use crate::tui::widgets::table::{Grid, NAME_LEAST};
 impl App {
     /// The current run and the pinned ones beside each other.
     pub(crate) fn compared_runs(&self) -> Table<'_, Compared<'_>> {
+        let absent = |runs: bool| if runs { "running" } else { "no result" };
         let now = self.shown.as_ref().map(|shown| &*shown.run);
-        let pins = self.pins.iter().map(|pin| (pin.name.clone(), pin.run.as_deref()));
+        let now = now.ok_or(absent(self.jobs.current.is_some()));
+        let pins = self.pins.iter().map(move |pin| {
+            (pin.name.clone(), pin.run.as_deref().ok_or(absent(pin.job.is_some())))
+        });
         comparison(std::iter::once((self.name_of(&self.scene), now)).chain(pins))
     }
 
