@@ -15,10 +15,18 @@ use crate::numerics::step::{
 };
 use crate::numerics::{larger, smaller};
 
-/// Iterations after which a step has failed. One that contracts by a fifth is at rounding after them.
+/// Iterations of the stage equations by each method. A contraction rate of 0.2 reaches rounding within this limit.
 const ITERATIONS_MAX: usize = 20;
-/// Contraction of the iteration that is worse than the price of new derivatives.
+/// Greatest contraction rate of Newton's iteration with the Jacobian of an earlier iterate. A new Jacobian costs less than slower ones.
 const SLOW: f64 = 0.2;
+/// Greatest contraction rate of the fixed-point iteration. Newton's method costs less than slower ones: factoring takes about as many
+/// instructions as ten iterations of an inexpensive law.
+const SLOW_FIXED_POINT: f64 = 0.5;
+/// Most further fixed-point iterations that are expected to cost less than Newton's method from the first guess.
+const ROUNDS_LEFT: i32 = 14;
+/// Evaluations that a Jacobian counts as, per stage and place: those by which differences of place and of speed would give it. It takes
+/// about as long, with its factoring.
+const JACOBIAN: usize = 2;
 /// Part of the step's tolerance to which the stage equations are solved: far below the error that is accepted.
 const SOLVED: f64 = 1e-2;
 /// Rounding of the stage equations, relative to the scales: a few units of the last place of a sum of ten terms.
@@ -93,8 +101,7 @@ impl<const S: usize> Stepper<S> for Collocation<'_, S> {
 }
 
 impl<const S: usize> Collocation<'_, S> {
-    /// A step of `h` from a point; `None` where the iteration does not converge. It begins with the acceleration at the start, or with
-    /// that `near` it.
+    /// A step of `h` from a point; `None` if no iteration converges. The first guess is the acceleration at the start, or that `near` it.
     fn solve<const D: usize>(
         &self,
         law: &impl Acceleration<D>,
@@ -104,67 +111,20 @@ impl<const S: usize> Collocation<'_, S> {
         evaluations: &mut usize,
     ) -> Option<Step<D, S>> {
         let Self { member, tolerance } = *self;
-        let mut stages = match near {
+        let guess = match near {
             Some(Near { acceleration, from, over }) => {
                 by_place(|i| series(&acceleration, from + over * member.nodes[i]))
             }
             None => guess(law, &start, h).map(|value| [value; S]),
         };
-        let mut newton = Factored::zero();
-        let mut is_old = true;
-        let mut before = f64::INFINITY;
-        let enough = SOLVED + ROUNDING / tolerance;
         let (place, speed) = law.sizes(&start);
-        let weights: [f64; D] =
-            array::from_fn(|d| larger(h / speed[d], h * h / place[d]) / tolerance);
-        let size = |change: &Stages<D, S>| {
-            change.iter().zip(weights).fold(0.0, |size, (change, weight)| {
-                change.iter().fold(size, |size, change| larger(weight * change.abs(), size))
-            })
-        };
-        for round in 1..=ITERATIONS_MAX {
-            let points = member.points(start, h, &stages);
-            let is_new = is_old;
-            if is_old {
-                let slopes = array::from_fn(|i| law.slopes(&points[i]));
-                newton.set(&member.a, &member.square, &slopes, h);
-            }
-            *evaluations += S;
-            let mut change: Stages<D, S> = by_place(|i| law.at(h * member.nodes[i], &points[i]));
-            for (change, stage) in change.as_flattened_mut().iter_mut().zip(stages.as_flattened()) {
-                *change -= stage;
-            }
-            if !newton.solve(&mut change) {
-                return None;
-            }
-            for (stage, change) in stages.as_flattened_mut().iter_mut().zip(change.as_flattened()) {
-                *stage += change;
-            }
-            let norm = size(&change);
-            if !norm.is_finite() || (round > 3 && norm > 2.0 * before) {
-                return None;
-            }
-            // Of the first change nothing is known.
-            let contraction = if before.is_finite() { norm / before } else { 1.0 };
-            // With new derivatives each contraction is the square of the one before.
-            let next = if is_new { contraction * contraction } else { contraction };
-            let ahead = if contraction < 1.0 { norm * next } else { norm };
-            // What no longer shrinks, far below the tolerance or as small as what the rounding of forces makes if it is alike at all
-            // stages, is rounding.
-            let stalls = before.is_finite() && contraction > 0.5 && {
-                let mut rounding = law.rounding(0.0, &start).map(|rounding| [rounding; S]);
-                newton.solve(&mut rounding);
-                norm < 10.0 * enough || norm < size(&rounding)
-            };
-            if norm <= SOLVED || ahead <= enough || stalls {
-                return Some(member.polynomial(start, h, &stages));
-            }
-            // The first contracts by about as much as the derivatives have changed, like the stages.
-            let slow = if before.is_finite() { contraction } else { norm * tolerance };
-            is_old = slow > SLOW;
-            before = norm;
-        }
-        None
+        let weights = array::from_fn(|d| larger(h / speed[d], h * h / place[d]) / tolerance);
+        let enough = SOLVED + ROUNDING / tolerance;
+        let equations = StageEquations { member, law, start, h, weights, tolerance, enough };
+        let stages = equations
+            .by_fixed_point(guess, evaluations)
+            .or_else(|| equations.by_newton(guess, evaluations))?;
+        Some(member.polynomial(start, h, &stages))
     }
 
     /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
@@ -219,6 +179,138 @@ impl<const S: usize> Collocation<'_, S> {
                 larger(larger(place, speed) / self.tolerance, worst)
             })
         })
+    }
+}
+
+/// The equations of the stages of one step: each stage acceleration equals the law's at its node.
+struct StageEquations<'a, L, const D: usize, const S: usize> {
+    member: &'a Member<S>,
+    law: &'a L,
+    start: Point<D>,
+    h: f64,
+    /// Weights of accelerations in the norm, which is the change of place or speed over the step's tolerance.
+    weights: [f64; D],
+    /// Error of the step relative to the scales.
+    tolerance: f64,
+    /// Norm of the error to which the equations are solved.
+    enough: f64,
+}
+
+impl<L: Acceleration<D>, const D: usize, const S: usize> StageEquations<'_, L, D, S> {
+    /// Expected contraction rate of the fixed-point iteration, from the Jacobian at the start: the eigenvalues of A are about 1/S.
+    fn contraction_rate(&self) -> f64 {
+        let Slopes { place, speed } = self.law.slopes(&self.start);
+        let part = self.h / S as f64;
+        let rate = |by_place: &f64, by_speed: &f64| part * (by_speed.abs() + part * by_place.abs());
+        let rates = place.as_flattened().iter().zip(speed.as_flattened());
+        rates.fold(0.0, |worst, (by_place, by_speed)| larger(rate(by_place, by_speed), worst))
+    }
+
+    /// Iterates `stages = f(stages)`; `None` unless the iteration contracts fast.
+    ///
+    /// Errors of a stiff component may lie below the tolerance, and above its value: Newton's method damps them, this does not.
+    fn by_fixed_point(
+        &self,
+        mut stages: Stages<D, S>,
+        evaluations: &mut usize,
+    ) -> Option<Stages<D, S>> {
+        if !(self.contraction_rate() <= SLOW_FIXED_POINT) {
+            return None;
+        }
+        let mut before = f64::INFINITY;
+        for round in 0..ITERATIONS_MAX {
+            *evaluations += S;
+            let change = self.residual(&stages, &self.points(&stages));
+            add(&mut stages, &change);
+            let norm = self.norm(&change);
+            // Nothing is known about the contraction of the first change.
+            let contraction = if round > 0 { norm / before } else { 1.0 };
+            if norm <= SOLVED || norm * contraction <= self.enough {
+                return Some(stages);
+            }
+            let left = norm * contraction.powi(ROUNDS_LEFT);
+            let contracts = contraction <= SLOW_FIXED_POINT && left <= self.enough;
+            if (round > 0 && !contracts) || !norm.is_finite() {
+                // Changes this small are rounding.
+                return (norm < 10.0 * self.enough).then_some(stages);
+            }
+            before = norm;
+        }
+        None
+    }
+
+    /// Newton's method with a Jacobian that is renewed once the iteration contracts slowly; `None` if it diverges.
+    fn by_newton(&self, mut stages: Stages<D, S>, evaluations: &mut usize) -> Option<Stages<D, S>> {
+        let Self { member, law, ref start, h, enough, .. } = *self;
+        let mut newton = Factored::zero();
+        let mut is_old = true;
+        let mut before = f64::INFINITY;
+        for round in 1..=ITERATIONS_MAX {
+            let points = self.points(&stages);
+            let is_new = is_old;
+            if is_old {
+                let slopes = array::from_fn(|i| law.slopes(&points[i]));
+                newton.set(&member.a, &member.square, &slopes, h);
+                *evaluations += JACOBIAN * D * S;
+            }
+            *evaluations += S;
+            let mut change = self.residual(&stages, &points);
+            if !newton.solve(&mut change) {
+                return None;
+            }
+            add(&mut stages, &change);
+            let norm = self.norm(&change);
+            if !norm.is_finite() || (round > 3 && norm > 2.0 * before) {
+                return None;
+            }
+            // Nothing is known about the contraction of the first change.
+            let contraction = if before.is_finite() { norm / before } else { 1.0 };
+            // With a new Jacobian the convergence is quadratic.
+            let next = if is_new { contraction * contraction } else { contraction };
+            let ahead = if contraction < 1.0 { norm * next } else { norm };
+            // Changes that no longer shrink are rounding if they are far below the tolerance, or no larger than the solution for the
+            // rounding of the forces, taken as equal at all stages.
+            let stalls = before.is_finite() && contraction > 0.5 && {
+                let mut rounding = law.rounding(0.0, start).map(|rounding| [rounding; S]);
+                newton.solve(&mut rounding);
+                norm < 10.0 * enough || norm < self.norm(&rounding)
+            };
+            if norm <= SOLVED || ahead <= enough || stalls {
+                return Some(stages);
+            }
+            // The first iteration contracts by about the relative change of the Jacobian, which is that of the stages.
+            let slow = if before.is_finite() { contraction } else { norm * self.tolerance };
+            is_old = slow > SLOW;
+            before = norm;
+        }
+        None
+    }
+
+    fn points(&self, stages: &Stages<D, S>) -> [Point<D>; S] {
+        self.member.points(self.start, self.h, stages)
+    }
+
+    /// The law's accelerations at the points of the stages, less the stages.
+    fn residual(&self, stages: &Stages<D, S>, points: &[Point<D>; S]) -> Stages<D, S> {
+        let mut residual = by_place(|i| self.law.at(self.h * self.member.nodes[i], &points[i]));
+        for (residual, stage) in residual.as_flattened_mut().iter_mut().zip(stages.as_flattened()) {
+            *residual -= stage;
+        }
+        residual
+    }
+
+    /// The greatest component by weight; infinite or NaN if one is.
+    fn norm(&self, change: &Stages<D, S>) -> f64 {
+        change.iter().zip(self.weights).fold(0.0, |norm, (change, weight)| {
+            change.iter().fold(norm, |norm, change| larger(weight * change.abs(), norm))
+        })
+    }
+}
+
+/// Adds a change to each stage.
+fn add<const D: usize, const S: usize>(stages: &mut Stages<D, S>, change: &Stages<D, S>) {
+    for (stage, change) in stages.as_flattened_mut().iter_mut().zip(change.as_flattened()) {
+        *stage += change;
     }
 }
 
@@ -402,6 +494,8 @@ fn eliminate<const D: usize, const S: usize>(
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
     use super::*;
     use crate::numerics::step::tests::Spring;
 
@@ -467,6 +561,37 @@ mod tests {
         }
         let [seven, nine] = [error(&SEVEN, 2.0), error(&NINE, 2.0)];
         assert!(nine < 0.01 * seven, "{nine:e} {seven:e}");
+    }
+
+    /// y'' = -y, with the number of its Jacobians.
+    #[derive(Debug)]
+    struct Counted(Cell<usize>);
+
+    impl Acceleration<1> for Counted {
+        fn at(&self, _: f64, (place, _): &Point<1>) -> [f64; 1] {
+            [-place[0]]
+        }
+
+        fn slopes(&self, _: &Point<1>) -> Slopes<1> {
+            self.0.set(self.0.get() + 1);
+            Slopes { place: [[-1.0]], speed: [[0.0]] }
+        }
+
+        fn sizes(&self, _: &Point<1>) -> Point<1> {
+            ([1.0], [1.0])
+        }
+    }
+
+    #[test]
+    fn valid_a_smooth_step_factors_no_jacobian() {
+        let law = Counted(Cell::new(0));
+        let end = step(&NINE, &law, ONE_OFF, 1.0).end;
+        assert!((end.0[0] - 1f64.cos()).abs() < 1e-15 && (end.1[0] + 1f64.sin()).abs() < 1e-15);
+        // One tells that the step is not stiff.
+        assert_eq!(law.0.get(), 1);
+        // The iteration would contract by about h²/81.
+        step(&NINE, &law, ONE_OFF, 10.0);
+        assert!(law.0.get() > 9, "{law:?}");
     }
 
     #[test]

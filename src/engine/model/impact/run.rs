@@ -15,8 +15,8 @@ use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::step::{Near, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
-/// Evaluations of the equations after which a run ends undecided: about 0.2 s.
-const EVALUATIONS_MAX: usize = 800_000;
+/// Evaluations of the equations after which a run ends undecided: about 0.2 s, at 0.15 us each.
+const EVALUATIONS_MAX: usize = 1_600_000;
 /// Length of the first step in passages of a tip radius.
 const FIRST_STEP: f64 = 0.5;
 /// Part of a step that is tried where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
