@@ -1,13 +1,14 @@
 //! A stack of elements: a projectile that perforates one hits the next with its residual velocity; the last one is
 //! a base plate on a rigid mount. Thesis section 6.2.8, arrays "upward out of the plane of a base armor plate".
 //!
-//! Its mass and its nose do not change, and plates do not touch each other: a plate that travels farther than the gap
-//! behind it earns a warning, and is not computed.
+//! Its mass and its nose change where it shears out a plug: the next plate is struck by both, with a blunt front. Plates do not touch each
+//! other: a plate that travels farther than the gap behind it earns a warning, and is not computed.
 
 use std::sync::Arc;
 
+use crate::model::plug::Plug;
 use crate::model::run::{Outcome, Run, Warning};
-use crate::model::scene::{Closure, Layer, Mount, Scene, Stack};
+use crate::model::scene::{Closure, Layer, Mount, Nose, PlateSize, Scene, Stack};
 use crate::model::variables::VariableError;
 
 /// The outcome of a shot into a stack.
@@ -28,11 +29,7 @@ pub struct StackRun {
 impl StackRun {
     /// The name of the plate with this number, 0 for the first.
     pub fn name(&self, plate: usize) -> String {
-        if plate < self.elements {
-            format!("element {}", plate + 1)
-        } else {
-            "base plate".to_owned()
-        }
+        name(plate, self.elements)
     }
 
     /// The sentence: `stopped in element 2 of 3, 31.20 mm in all`.
@@ -49,6 +46,11 @@ impl StackRun {
             _ => format!("stack: undecided in {last}"),
         }
     }
+}
+
+/// The name of the plate with this number, 0 for the first, before or behind so many elements.
+pub(super) fn name(plate: usize, elements: usize) -> String {
+    if plate < elements { format!("element {}", plate + 1) } else { "base plate".to_owned() }
 }
 
 /// Follow the shot behind the scene's own plate, whose run is `first`, plate by plate; `None` where the scene is not a stack.
@@ -103,7 +105,7 @@ fn goes_on(run: &Run) -> Option<f64> {
     run.residual_velocity_m_s.filter(|velocity| through && *velocity > 0.0)
 }
 
-/// The scene of each plate in order, the base plate last, all with the first one's shot.
+/// The scene of each plate in order, the base plate last, all with the first one's shot and what it takes with it.
 pub fn plates(scene: &Scene) -> Vec<Scene> {
     let alone = Scene { stack: Stack::default(), sweep: None, ..scene.clone() };
     // A validated scene has a whole number of elements, 1 to 50.
@@ -128,7 +130,23 @@ pub fn plates(scene: &Scene) -> Vec<Scene> {
         base.target.flow_strength_pa = strength_pa;
     }
     plates.push(base);
+    carry_plugs(&mut plates);
     plates
+}
+
+/// Makes each plug part of the projectile that strikes the next plate. A mass ratio is that to the first projectile.
+fn carry_plugs(plates: &mut [Scene]) {
+    for next in 1..plates.len() {
+        let before = &plates[next - 1];
+        let Some(plug) = Plug::of(before) else { continue };
+        let mut shot = before.projectile;
+        (shot.mass_kg, shot.nose) = (shot.mass_kg + plug.mass_kg, Nose::Blunt);
+        let plate = &mut plates[next];
+        if let PlateSize::Ratio(_) = plate.plate.size {
+            plate.plate.size = PlateSize::Mass(plate.plate_mass_kg());
+        }
+        plate.projectile = shot;
+    }
 }
 
 fn warn_of_gaps(scene: &Scene, first: &mut Run, behind: &[Arc<Run>], elements: usize) {
@@ -143,6 +161,46 @@ fn warn_of_gaps(scene: &Scene, first: &mut Run, behind: &[Arc<Run>], elements: u
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::simulate::bare_run;
+    use crate::model::variables::{scene_with, validate};
+
+    /// Mass that strikes a plate, kg, and velocity behind it, m/s.
+    const EXPECTED: [(f64, f64); 3] = [
+        (0.0134, 584.239_128_247),
+        (0.019_126_629_015, 281.824_822_033),
+        (0.024_853_258_030, 145.888_518_321),
+    ];
+
+    /// The closed forms of three rigid plates one after the other, in another program.
+    #[test]
+    fn valid_the_next_plate_is_struck_by_projectile_and_plug() {
+        let alloy = "closure=cylindrical rho=2700 Y=276MPa UTS=310MPa E=68.3GPa";
+        let shot =
+            "nose=fragment m_p=13.4g R=6.3mm v_i=1100 h=20mm mount=rigid elements=2 h_base=12mm";
+        let run = bare_run(&scene_with(&format!("{alloy} {shot}")));
+        for (plate, (kg, after_m_s)) in run.plates().zip(EXPECTED) {
+            let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
+            assert!(near(plate.scene.projectile.mass_kg, kg), "{:?}", plate.scene.projectile);
+            assert!(near(plate.residual_velocity_m_s.unwrap(), after_m_s), "{kg}");
+        }
+        assert_eq!(run.plates().count(), 3);
+        // The plates of a mass ratio keep their mass.
+        let heavy = plates(&scene_with(&format!("{alloy} {shot} mount=sprung gamma=5")));
+        assert!((heavy[1].plate_mass_kg() / 0.067 - 1.0).abs() < 1e-14);
+    }
+
+    /// What goes on behind a fragment is blunt: a plate behind it needs the strength of its metal too, and a mass above its plug's.
+    #[test]
+    fn a_plate_behind_a_plug_without_its_law_is_refused() {
+        let alloy = "closure=cylindrical rho=2700 Y=276MPa UTS=310MPa E=68.3GPa";
+        for (pairs, text) in [
+            ("nose=fragment mount=rigid elements=2 h_base=12mm S_base=300MPa", "base plate: nose"),
+            ("nose=fragment elements=3 h_base=12mm gamma=0.1", "the whole plate is the plug"),
+        ] {
+            let error = validate(&scene_with(&format!("{alloy} {pairs}"))).unwrap_err().to_string();
+            assert!(error.contains(text) && !error.contains('\n'), "{error}");
+        }
+    }
 
     #[test]
     fn the_sentence_names_the_plate_that_stopped_the_shot() {

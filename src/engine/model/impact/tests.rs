@@ -173,6 +173,19 @@ fn a_plate_that_creeps_comes_to_rest_on_its_stop() {
     }
 }
 
+/// Half way through its slip the rim of the plug has half of its area left, if its shearing is ductile: F(s) pushed and a tenth pulled.
+#[test]
+fn valid_the_rim_of_a_plug_carries_its_shear_force() {
+    let pairs = "nose=blunt R=10mm h=12mm closure=cylindrical rho=7850 Y=490MPa UTS=567MPa E=200GPa gamma=9";
+    let setup = Setup::of(&scene_with(pairs), 1e-12);
+    let plug = setup.at(0.0);
+    let mode = Mode { contact: Contact::Fused, deepest_m: 6e-3, ..first(plug).0 };
+    let state = State { q_m: 6e-3, ..State::default() };
+    let (push_n, pull_n) = Equations { setup: plug, mode: &mode }.limits_n(&state);
+    // F(0) = 314.049 kN.
+    assert!(is_near(push_n, 0.5 * 314_048.999, 1e-7) && is_near(pull_n, 0.1 * push_n, 1e-14));
+}
+
 /// Both bodies in absolute coordinates by classical Runge-Kutta steps of equal length, cut by bisection where the plug is picked up, where
 /// it is through and where both have one velocity: (t, travel, plate displacement, plate velocity, relative velocity) at the end.
 fn by_equal_steps(

@@ -6,6 +6,7 @@ use crate::model::plug::{Metal, Plug};
 use crate::model::scene::{
     Closure, Combination, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target,
 };
+use crate::model::stack;
 use crate::model::units::{shortest, significant};
 
 /// Refuses values that make no sense together.
@@ -176,6 +177,16 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
         (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
         super::validate(&own)
             .map_err(|error| VariableError(format!("stack.layer {number}: {error}")))?;
+    }
+    if !scene.projectile.nose.shears() {
+        return Ok(());
+    }
+    // Each plate behind a plug is struck by the plug too.
+    let plates = stack::plates(scene);
+    let count = plates.len() - 1;
+    for (number, plate) in plates.iter().enumerate().skip(1) {
+        super::validate(plate)
+            .map_err(|error| VariableError(format!("{}: {error}", stack::name(number, count))))?;
     }
     Ok(())
 }
