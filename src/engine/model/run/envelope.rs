@@ -15,7 +15,7 @@ use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{
     Closure, ContactModel, Core, InterfaceLaw, Nose, OwnMass, Projectile, Scene, Target,
 };
-use crate::model::units::significant;
+use crate::model::units::{engineering, significant};
 use crate::model::variables;
 use crate::model::worded::worded;
 use Direction::{Conservative, Unconservative, Unknown};
@@ -405,12 +405,29 @@ pub fn warnings(run: &Run) -> Vec<String> {
     list
 }
 
+/// That the peak contact force exceeds the static collapse load of the clamped plate, pi Y h^2; `None` up to that load, and for a strength
+/// that is given.
+fn bends(run: &Run) -> Option<String> {
+    let Target { yield_pa, thickness_m, .. } = run.scene.target;
+    let load_n = std::f64::consts::PI * yield_pa * thickness_m * thickness_m;
+    let is_known = run.scene.closure() != Closure::Given;
+    let peak_n = run.peak_contact_force_n.filter(|peak_n| is_known && *peak_n > load_n)?;
+    Some(format!(
+        "plate bends: the peak contact force of {} exceeds {}, the static collapse load pi Y h^2 of a clamped plate (indicative: short \
+         contacts resist by inertia)",
+        engineering(peak_n, "N", 3),
+        engineering(load_n, "N", 3)
+    ))
+}
+
 /// What happened on the way of a run that is no breach of validity.
 pub fn remarks(run: &Run) -> Vec<String> {
     let is_remark = |warning: &&Warning| check_of(warning).is_none();
     let mut list: Vec<String> =
         run.warnings.iter().filter(is_remark).map(ToString::to_string).collect();
+    list.extend(bends(run));
     for (name, plate) in behind(run) {
+        list.extend(bends(plate).map(|text| format!("{name}: {text}")));
         // No plate of a stack has a baseline; what the first has, too, is said once.
         let is_own = |it: &&Warning| **it != Warning::NoBaseline && !run.warnings.contains(*it);
         let own = plate.warnings.iter().filter(is_remark).filter(is_own);
