@@ -115,8 +115,8 @@ fn valid_an_oblique_limit_says_how_far_it_is_off() {
     assert!(json(&["--set", "theta=30deg", "--set", "h=5"])["caution"].is_null());
 }
 
-/// 3 mm of 6061 on a tile of 100 mm against 1.10 g: 399 to 423 m/s, 2 Y with dishing and cavity expansion without. By the closed
-/// form of a free plate, evaluated apart from this program: 423.35 and 398.92 m/s.
+/// 3 mm of 6061 on a tile of 100 mm against 1.10 g: 367 to 423 m/s, 2 Y with dishing and cavity expansion without. By the closed
+/// form of a free plate, evaluated apart from this program: 423.35 m/s, 398.92 by a spherical and 366.85 by a cylindrical cavity.
 #[test]
 fn valid_band_between_the_closures() {
     let pairs = [
@@ -136,11 +136,12 @@ fn valid_band_between_the_closures() {
     let number = |key: &str| found["closures"][key].as_f64().unwrap();
     assert!((number("double_yield_dishing_m_s") - 423.351_634).abs() < 5e-6, "{found}");
     assert!((number("cavity_no_dishing_m_s") - 398.920_895).abs() < 5e-6, "{found}");
+    assert!((number("cylindrical_no_dishing_m_s") - 366.845_163).abs() < 5e-6, "{found}");
     assert!((found["limit_velocity_m_s"].as_f64().unwrap() - 423.351_634).abs() < 5e-6);
     let page = output(&set);
-    assert!(page.contains("by each rule") && page.contains("398.9 to 423.4 m/s"), "{page}");
+    assert!(page.contains("by each rule") && page.contains("366.8 to 423.4 m/s"), "{page}");
     assert!(page.contains("2 Y with dishing (C_d = 0.5) 423.4 m/s"), "{page}");
-    assert!(page.contains("cavity without dishing (C_d = 1) 398.9 m/s"), "{page}");
+    assert!(page.contains("spherical cavity without dishing (C_d = 1) 398.9 m/s"), "{page}");
     assert_eq!(found["closures"]["double_yield_drag_coefficient"], 0.5, "{found}");
     assert_eq!(found["closures"]["cavity_drag_coefficient"], 1.0, "{found}");
     // A strength that is given has no such band.
@@ -203,7 +204,7 @@ fn stacks_have_limits() {
     assert!(preset["limit_velocity_m_s"].as_f64().unwrap() > 250.0, "{preset}");
 }
 
-/// The limits just below and at h = D are those between which the page says that the limit jumps.
+/// The limits just below and at h = D, and at 1.6 D, are those between which the page says that the limit jumps.
 #[test]
 fn valid_the_jump_at_one_diameter_is_said() {
     let at = |h: f64| {
@@ -213,15 +214,16 @@ fn valid_the_jump_at_one_diameter_is_said() {
         let words: Vec<&str> = words.split(' ').collect();
         json(&words)
     };
-    let d = 0.02;
     let limit = |found: &Value| found["limit_velocity_m_s"].as_f64().unwrap();
-    let found = at(d * (1.0 + 1e-9));
-    let jump: Vec<f64> =
-        found["jump_m_s"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
-    for (side, h) in jump.iter().zip([d * (1.0 - 1e-9), d * (1.0 + 1e-9)]) {
-        assert!((limit(&at(h)) / side - 1.0).abs() < 1e-6, "{jump:?}");
+    for change_m in [0.02, 0.032] {
+        let found = at(change_m * (1.0 + 1e-9));
+        let jump: Vec<f64> =
+            found["jump_m_s"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
+        for (side, part) in jump.iter().zip([1.0 - 1e-9, 1.0 + 1e-9]) {
+            assert!((limit(&at(change_m * part)) / side - 1.0).abs() < 1e-6, "{jump:?}");
+        }
+        assert!((jump[1] / jump[0] - 1.0).abs() > 0.01, "{jump:?}");
     }
-    assert!((jump[1] / jump[0] - 1.0).abs() > 0.03, "{jump:?}");
     let words = [
         "--threat",
         "borvik-hemisphere",
@@ -235,5 +237,5 @@ fn valid_the_jump_at_one_diameter_is_said() {
     let page = output(&words);
     let page: Vec<&str> = page.split_whitespace().collect();
     assert!(page.join(" ").contains("the strength rule changes and the limit jumps from"));
-    assert!(at(0.03)["jump_m_s"].is_null());
+    assert!(at(0.05)["jump_m_s"].is_null());
 }

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{Outcome, Run, envelope};
+use crate::model::scene::Scene;
 use crate::model::units::{engineering, fixed_significant, significant, velocity};
 use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit};
@@ -51,10 +52,15 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         remarks.push(Remark::new("strength rule", text));
     }
     if let Some((thin, thick)) = report.jump_m_s {
-        let change = engineering(2.0 * report.scene.projectile.tip_radius_m, "m", 4);
+        let Scene { target, projectile, .. } = &*report.scene;
+        let change_m = target.nearest_change_m(projectile.tip_radius_m);
+        let body_m = 2.0 * projectile.tip_radius_m;
+        let bodies =
+            if change_m > body_m { significant(change_m / body_m, 2) + " " } else { String::new() };
+        let change = engineering(change_m, "m", 4);
         let (thin, thick) = (fixed_significant(thin, 4), velocity(thick, 4));
         let text = format!(
-            "at h = D = {change} the strength rule changes and the limit jumps from {thin} to {thick}: between these two it is not known"
+            "at h = {bodies}D = {change} the strength rule changes and the limit jumps from {thin} to {thick}: between these two it is not known"
         );
         remarks.push(Remark::caution("jump", text));
     }
@@ -134,16 +140,17 @@ fn measured(report: &Report) -> Option<String> {
     ))
 }
 
-/// The limits by both closures.
+/// The limits by each closure.
 fn closures(closures: &Closures) -> String {
     let shown = |value: Option<f64>, drag: f64| {
         let limit = value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
         format!("(C_d = {}) {limit}", significant(drag, 4))
     };
     let each = format!(
-        "2 Y with dishing {}, cavity without dishing {}",
+        "2 Y with dishing {}, spherical cavity without dishing {}, cylindrical cavity {}",
         shown(closures.double_yield_m_s, closures.double_yield_drag),
-        shown(closures.cavity_m_s, closures.cavity_drag)
+        shown(closures.cavity_m_s, closures.cavity_drag),
+        shown(closures.cylindrical_m_s, closures.cavity_drag)
     );
     closures.band_m_s().map_or_else(
         || each.clone(),
@@ -177,6 +184,7 @@ pub fn json(name: &str, report: &Report) -> Value {
             "double_yield_drag_coefficient": closures.double_yield_drag,
             "cavity_no_dishing_m_s": closures.cavity_m_s,
             "cavity_drag_coefficient": closures.cavity_drag,
+            "cylindrical_no_dishing_m_s": closures.cylindrical_m_s,
         })
     });
     let known = KnownError::of(&report.scene).map(|known| {

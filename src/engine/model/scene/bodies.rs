@@ -123,8 +123,8 @@ worded! {
         Cavity = "cavity",
         /// The pressure that opens a cylindrical cavity in an incompressible metal that hardens. Made without dishing.
         Cylindrical = "cylindrical",
-        /// Under a hemisphere 2 Y for plates thinner than the projectile's diameter, a spherical cavity from there on; cylindrical under
-        /// another nose.
+        /// Under a hemisphere 2 Y for plates thinner than the projectile's diameter, a spherical cavity from there on, and a cylindrical one
+        /// from 1.6 diameters on; cylindrical under another nose.
         ByThickness = "by-thickness",
     }
 
@@ -183,10 +183,22 @@ impl Projectile {
 }
 
 impl Target {
-    /// The thickness from which a closure by thickness is cavity expansion without dishing instead of 2 Y with it, m: the projectile's
-    /// diameter.
-    pub fn thick_from_m(tip_radius_m: f64) -> f64 {
-        2.0 * tip_radius_m
+    /// The closures that a closure by thickness chooses under a hemisphere, each with the thickness from which on it holds, m: by a plate
+    /// that dishes, one that is as thick as the projectile, and one that is thick enough for a hole of one radius.
+    pub fn by_thickness(tip_radius_m: f64) -> [(Closure, f64); 3] {
+        let body_m = 2.0 * tip_radius_m;
+        [
+            (Closure::DoubleYield, 0.0),
+            (Closure::Cavity, body_m),
+            (Closure::Cylindrical, CYLINDRICAL_FROM * body_m),
+        ]
+    }
+
+    /// The thickness nearest to the plate's at which a closure by thickness changes under a hemisphere, m.
+    pub fn nearest_change_m(&self, tip_radius_m: f64) -> f64 {
+        let [_, (_, spherical_m), (_, cylindrical_m)] = Self::by_thickness(tip_radius_m);
+        let between = (spherical_m * cylindrical_m).sqrt();
+        if self.thickness_m < between { spherical_m } else { cylindrical_m }
     }
 
     /// Makes the drag coefficient a given one, also where the closure would choose it.
@@ -197,31 +209,42 @@ impl Target {
     }
 
     /// The target with the closure, the dishing and the drag in effect under a projectile. By thickness: under a hemisphere 2 Y with
-    /// dishing and Virostek's drag on a thin plate, a spherical cavity with a hemisphere's drag on a thick one; under another nose a
-    /// cylindrical cavity. Only a hemisphere dishes a plate; a given drag stays.
+    /// dishing and Virostek's drag on a thin plate, a cavity with a hemisphere's drag on a thick one, spherical, then cylindrical; under
+    /// another nose a cylindrical cavity. Only a hemisphere dishes a plate; a given drag stays.
     #[must_use]
     pub fn in_effect(self, projectile: &Projectile) -> Self {
         let nose = projectile.nose;
-        let is_thin = self.thickness_m < Self::thick_from_m(projectile.tip_radius_m);
-        let (closure, own_drag) = match self.closure {
+        match self.closure {
             Closure::Given | Closure::DoubleYield | Closure::Cavity => {
-                let dishing = self.dishing && nose == Nose::Hemispherical;
-                return Self { dishing, ..self };
+                Self { dishing: self.dishing && nose == Nose::Hemispherical, ..self }
             }
-            Closure::ByThickness if nose == Nose::Hemispherical && is_thin => {
-                (Closure::DoubleYield, 0.5)
+            Closure::ByThickness if nose == Nose::Hemispherical => {
+                let chosen = Self::by_thickness(projectile.tip_radius_m).into_iter().rev();
+                let mut chosen = chosen.filter(|(_, from_m)| self.thickness_m >= *from_m);
+                self.under(chosen.next().map_or(Closure::DoubleYield, |(closure, _)| closure), nose)
             }
-            Closure::ByThickness if nose == Nose::Hemispherical => (Closure::Cavity, 1.0),
-            Closure::ByThickness | Closure::Cylindrical => {
-                (Closure::Cylindrical, nose.drag_coefficient())
-            }
-        };
+            Closure::ByThickness | Closure::Cylindrical => self.under(Closure::Cylindrical, nose),
+        }
+    }
+
+    /// The target under a closure and a nose, with the dishing and, unless that is given, the drag that belong to them.
+    #[must_use]
+    pub fn under(self, closure: Closure, nose: Nose) -> Self {
         let dishing = closure == Closure::DoubleYield;
-        let is_given = self.drag == DragSource::Given;
-        let drag_coefficient = if is_given { self.drag_coefficient } else { own_drag };
+        let drag_coefficient = match self.drag {
+            DragSource::Given => self.drag_coefficient,
+            DragSource::Closure if dishing => VIROSTEK_DRAG,
+            DragSource::Closure => nose.drag_coefficient(),
+        };
         Self { closure, dishing, drag_coefficient, drag: DragSource::Closure, ..self }
     }
 }
+
+/// Thickness over the projectile's diameter from which on a hemisphere opens a cylindrical cavity: soft hardening alloys were measured from
+/// there on.
+const CYLINDRICAL_FROM: f64 = 1.6;
+/// Drag coefficient of Virostek's law.
+const VIROSTEK_DRAG: f64 = 0.5;
 
 impl Nose {
     /// Drag coefficient of hole growth without dishing: an ogive of CRH 3 (N = 0.106 of Forrestal, `C_d` = 2 N), else a hemisphere's.

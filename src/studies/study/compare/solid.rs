@@ -3,7 +3,7 @@
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::plug::Plug;
-use crate::model::scene::{ContactModel, Criterion, Projectile, Scene, Target};
+use crate::model::scene::{Closure, ContactModel, Criterion, Nose, Scene, Target};
 use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
 
@@ -14,17 +14,21 @@ const BESIDE: f64 = 1e-9;
 /// projectile; `None` for another contact model, or without strength or limit. A closure that depends on thickness gives the thinner of
 /// two such plates; where its limit jumps over this one, that of the jump.
 pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
-    let of_nose = |tip_radius_m: f64| {
-        let target = scene.target.in_effect(&Projectile { tip_radius_m, ..scene.projectile });
-        of_stated_closure(&Scene { target, ..scene.clone() }, limit_m_s, moves)
-    };
-    // Under a nose without end every plate is thin, under none every plate is thick.
-    let thin = of_nose(f64::INFINITY)?;
-    let thick_from_m = Target::thick_from_m(scene.projectile.tip_radius_m);
-    if scene.closure_by_thickness().is_none() || thin < thick_from_m {
-        return Some(thin);
+    let Scene { target, projectile, .. } = scene;
+    let with =
+        |target: Target| of_stated_closure(&Scene { target, ..scene.clone() }, limit_m_s, moves);
+    if target.closure != Closure::ByThickness || projectile.nose != Nose::Hemispherical {
+        return with(target.in_effect(projectile));
     }
-    Some(larger(of_nose(0.0)?, thick_from_m))
+    let ranges = Target::by_thickness(projectile.tip_radius_m);
+    for (at, (closure, from_m)) in ranges.into_iter().enumerate() {
+        let thickness_m = with(target.under(closure, projectile.nose))?;
+        let to_m = ranges.get(at + 1).map_or(f64::INFINITY, |(_, to_m)| *to_m);
+        if thickness_m < to_m {
+            return Some(larger(thickness_m, from_m));
+        }
+    }
+    None
 }
 
 fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
