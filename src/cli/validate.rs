@@ -1,10 +1,13 @@
-//! `cmra validate`: measurements from outside the thesis beside what the model computes for them.
+//! `cmra validate [FILE.csv]`: measurements beside what the model computes for them, built-in ones or a user's own.
 
 use std::fmt::Write as _;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use serde_json::Value;
 
+use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::Extent;
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
@@ -12,32 +15,123 @@ use crate::cli::{CliError, progress, text};
 use crate::files::validation;
 use crate::model::scene::Closure;
 use crate::model::units::{engineering, fixed_significant};
+use crate::report::measured as limits;
+use crate::report::svg::Picture;
 use crate::report::validation as tables;
+use crate::study::context::Context;
+use crate::study::measured;
 use crate::study::validation::{MeasuredQuantity, NOT_COUNTED, Row, biases, measurements};
 
 #[derive(Debug, Args)]
+#[command(
+    after_help = "FILE.csv has a row for each shot. Columns are variables as `--set` takes them, the unit in the heading: `R [mm]`, `m_p [g]`, \
+    `theta [deg]`; `threat` and `material` name entries of the libraries. Measured are any of limit_m_s, deviation_m_s, depth_m and \
+    residual_velocity_m_s; source and note are free text. A blank cell is not given. The mount is rigid and the closure cylindrical unless the row \
+    says otherwise.\n\
+    Such a file begins, for example:\n  \
+    nose,core,R [mm],m_p [g],h [mm],rho [kg/m3],E [GPa],Y [MPa],UTS [MPa],theta [deg],mount,closure,C_d,limit_m_s,source\n\
+    Exit status 1 when a row cannot be computed."
+)]
 pub(super) struct ValidateArguments {
+    /// Your own measurements [default: the built-in ones, by class]
+    #[arg(value_name = "FILE.csv")]
+    file: Option<PathBuf>,
+    /// List all rows of the built-in measurements
+    #[arg(long)]
+    rows: bool,
+    #[command(flatten)]
+    pictures: PictureArguments,
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
     table: TableArguments,
 }
 
-/// Compute every case; exit status 1 when the model gives nothing for one.
+/// Compute every row; exit status 1 when one cannot be computed.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check(false)?;
+    let ValidateArguments { table, pictures, threads, .. } = arguments;
+    table.check(false)?;
+    pictures.check(table)?;
+    let Some(file) = &arguments.file else { return built_in(arguments) };
+    let measurements = validation::read_measurements(file)?;
+    let (rows, extent) = progress::study(threads.count(), "rows", |context: &mut Context<'_>| {
+        measured::evaluate(&measurements, context)
+    });
+    let keys = limits::page_keys(&rows);
+    let mut page = limits::rows(&rows).page(&keys, text::width());
+    page += &refused(&rows);
+    page.push('\n');
+    page += &error_page(&rows);
+    deliver(arguments, extent, &page, limits::json(&rows), &rows)?;
+    Ok(extent.exit_code_after(limits::refusals(&rows)))
+}
+
+/// The built-in measurements.
+fn built_in(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     let (report, extent) =
         progress::study(arguments.threads.count(), "measurements", validation::report);
     let report = report?;
-    arguments.table.deliver(extent, None, &page(&report, extent), None, tables::table(&report))?;
+    let rows = measured::left_out();
+    let mut page =
+        "Measured ballistic limits beside those expected from all other papers, by class\n\n"
+            .to_owned();
+    page += &error_page(rows);
+    if arguments.rows {
+        page.push('\n');
+        page += &limits::rows(rows).page(&limits::page_keys(rows), text::width());
+        page.push('\n');
+    }
+    page.push('\n');
+    page += &cases(&report, extent, arguments.rows);
+    let mut object = limits::json(rows);
+    object["cases"] = tables::table(&report).objects(|_| true);
+    deliver(arguments, extent, &page, object, rows)?;
     let missing = report.iter().filter(|row| row.computed.is_none());
     let missing = missing.map(|row| format!("nothing could be computed for {}", row.case.id));
     Ok(extent.exit_code_after(missing))
 }
 
-fn page(report: &[Row], extent: Extent) -> String {
-    use Closure::{Cavity, DoubleYield};
+fn deliver(
+    arguments: &ValidateArguments,
+    extent: Extent,
+    page: &str,
+    object: Value,
+    rows: &[measured::Row],
+) -> Result<(), CliError> {
+    let ValidateArguments { table, pictures, .. } = arguments;
+    let picture = || limits::picture(rows).map(Picture::Chart).into_iter().collect();
+    if pictures.is_stdout() {
+        return pictures.write(table, extent.reach, picture);
+    }
+    table.deliver(extent, None, page, Some(object), limits::rows(rows))?;
+    pictures.write(table, extent.reach, picture)
+}
+
+/// Errors by class and of all rows.
+fn error_page(rows: &[measured::Row]) -> String {
+    let errors = measured::errors(rows);
+    if errors.is_empty() {
+        return String::new();
+    }
+    limits::error_lines(&errors) + &text::hanging("", limits::ERRORS_MEAN, 0)
+}
+
+fn refused(rows: &[measured::Row]) -> String {
+    let lines = limits::refusals(rows).into_iter();
+    lines.map(|line| text::hanging("refused: ", &line, 9)).collect()
+}
+
+/// Measurements of other quantities: their biases by class, and each case where all rows are wanted.
+fn cases(report: &[Row], extent: Extent, has_rows: bool) -> String {
     let mut page = String::new();
+    if has_rows {
+        each_case(&mut page, report);
+    }
+    page + &extent.missing().map_or_else(|| summary(report), |missing| missing + "\n")
+}
+
+fn each_case(page: &mut String, report: &[Row]) {
+    use Closure::{Cavity, DoubleYield};
     for row in report {
         let case = row.case;
         let unit = case.quantity.unit();
@@ -70,16 +164,15 @@ fn page(report: &[Row], extent: Extent) -> String {
             ("caution", case.caution.to_owned()),
             ("source", case.source.to_owned()),
         ];
-        text::labelled_each(&mut page, &lines);
+        text::labelled_each(page, &lines);
         page.push('\n');
     }
     for it in &measurements().not_checked {
         let _ = writeln!(page, "{}  [cannot be checked]", it.id);
         let lines = [("says", it.says), ("why not", it.why), ("source", it.source)];
-        text::labelled_each(&mut page, &lines);
+        text::labelled_each(page, &lines);
         page.push('\n');
     }
-    page + &extent.missing().map_or_else(|| summary(report), |missing| missing + "\n")
 }
 
 /// Points from which a class has a scatter.

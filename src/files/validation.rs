@@ -1,9 +1,30 @@
-//! The measurements, computed from their presets.
+//! The measurements, computed from their presets, and a user's own from a CSV file.
+
+use std::path::Path;
 
 use crate::files::error::FileError;
-use crate::files::preset;
+use crate::files::paths::Paths;
+use crate::files::{clean, library, preset, read};
+use crate::model::library::Library;
 use crate::study::context::Context;
+use crate::study::measured::{self, FindEntry, Measurement};
 use crate::study::validation::{Row, compute, measurements};
+
+/// The measurements in a CSV file, with the user's own threats and materials.
+///
+/// # Errors
+/// A [`FileError`] when the file cannot be read, or is no table of measurements.
+pub fn read_measurements(path: &Path) -> Result<Vec<Measurement>, FileError> {
+    let text = read::text_file(path, read::BYTES_MAX)?;
+    let paths = Paths::of_user().ok();
+    let find: FindEntry<'_> = &|library: Library, name: &str| {
+        library::find(library, name, paths.as_ref()).map_err(|problem| problem.to_string())
+    };
+    measured::read(&text, find).map_err(|problem| {
+        let name = clean::line(&path.to_string_lossy()).into_owned();
+        FileError::Refused(format!("`{name}`, {problem}"))
+    })
+}
 
 /// Every case, computed from its bundled preset; fewer than all when stopped.
 pub fn report(context: &mut Context<'_>) -> Result<Vec<Row>, FileError> {

@@ -13,6 +13,7 @@ pub mod front;
 pub mod law;
 pub mod limit;
 pub mod map;
+pub mod measured;
 pub mod monte_carlo;
 pub mod run;
 pub mod seek;
@@ -25,6 +26,7 @@ pub mod sweep;
 pub mod table;
 pub mod thesis;
 pub mod validation;
+pub mod verdict;
 
 /// Words about a result.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -6,10 +6,12 @@
 pub mod accuracy;
 pub mod compare;
 pub mod context;
+pub mod csv;
 pub mod error;
 mod first_contact;
 pub mod limit;
 pub mod load;
+pub mod measured;
 pub mod monte_carlo;
 pub mod outcome;
 pub mod parallel;
@@ -25,6 +27,7 @@ pub(crate) mod testing;
 pub mod thesis;
 pub mod validation;
 pub mod validity;
+pub mod verdict;
 
 use std::fmt::Display;
 use std::ops::ControlFlow;

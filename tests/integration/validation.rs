@@ -1,10 +1,10 @@
 //! Measurements from outside the thesis: the table is computed, and agrees with an independent computation of the same law.
 
 use cmra::files::validation;
-use cmra::model::scene::{Closure, Nose, Scene};
+use cmra::model::scene::{Closure, Scene};
 use cmra::model::variables;
 use cmra::study::context::{Context, to_its_end};
-use cmra::study::validation::{KNOWN, KnownError, NOT_COUNTED, Row, measurements};
+use cmra::study::validation::{NOT_COUNTED, Row, measurements};
 
 fn row(id: &str) -> Row {
     let report = validation::report(&mut Context::new(2, &mut to_its_end)).unwrap();
@@ -82,10 +82,10 @@ fn valid_strength_and_bulge() {
     assert_eq!(row("borvik-bulge").other, None);
 }
 
-/// What an independent computation of the same law gives for both ladders, in percent; and the closed form
-/// v^2 = S/c (exp(2 c pi R^2 h/m) - 1) for two of them.
+/// What an independent computation of the same law gives for the ladder, in percent; and the closed form
+/// v^2 = S/c (exp(2 c pi R^2 h/m) - 1) for one of them.
 #[test]
-fn valid_the_ladders_of_thickness() {
+fn valid_the_ladder_of_thickness() {
     let near = |id: &str, percent: f64| {
         let row = row(id);
         let own = 100.0 * row.error(row.computed.unwrap());
@@ -96,18 +96,12 @@ fn valid_the_ladders_of_thickness() {
     for (h, percent) in ["4.7", "6", "10", "12", "16", "20", "25"].into_iter().zip(mild) {
         near(&format!("mild-steel-{h}mm"), percent);
     }
-    let rha = [59.0, 39.0, 29.0, 18.0, 10.0, 2.0];
-    for (h, percent) in ["6", "8", "10", "12", "14", "16"].into_iter().zip(rha) {
-        near(&format!("rha-{h}mm"), percent);
-    }
     let closed = |y: f64, h: f64| {
         let (s, c) = (2.0 / 3.0 * y * (1.0 + (400e9 / (3.0 * y)).ln()), 0.106 * 7850.0);
         let volume = std::f64::consts::PI * 0.003_124_2f64.powi(2) * h;
         (s / c * (2.0 * c * volume / 0.0053).exp_m1()).sqrt()
     };
     assert_near(row("mild-steel-10mm").computed, closed(250e6, 0.01), 1e-9);
-    assert_near(row("rha-6mm").computed, closed(900e6, 0.006), 1e-9);
-    assert!(row("rha-6mm").case.caution.contains("UNCONSERVATIVE"));
 }
 
 /// Twelve measured pairs at 30 deg have a mean ratio of 1.117 +- 0.032, the model 1.077, 1/cos(30 deg) is 1.155.
@@ -126,6 +120,41 @@ fn valid_the_pairs_at_30_degrees() {
     assert!(((spread / 11.0).sqrt() - 0.032).abs() < 1e-3, "{spread}");
     let computed = mean(|row| row.computed.unwrap());
     assert!((computed - 1.077).abs() < 1.5e-3, "{computed}");
+}
+
+/// Acceptance needs less than the classes of measurements let expect: 7.62 mm APM2 on rolled armour of 6 to 16 mm.
+#[test]
+fn least_required_limits_of_rolled_armour_are_below_the_expected_ones() {
+    let report = validation::report(&mut Context::new(2, &mut to_its_end)).unwrap();
+    let least: Vec<&Row> =
+        report.iter().filter(|row| row.case.id.starts_with("rha-least-")).collect();
+    let required = [469.0, 565.0, 647.0, 720.0, 787.0, 850.0];
+    assert_eq!(least.iter().map(|row| row.case.measured).collect::<Vec<_>>(), required);
+    for row in least {
+        assert!(row.case.class == NOT_COUNTED && row.case.caution.starts_with("least required"));
+        assert!(row.error(row.computed.unwrap()).abs() < 0.1, "{row:?}");
+    }
+}
+
+/// Common velocities by momentum: `m_2/(m_p + m_2)` of the closing velocity, times 1.95088 for a restitution of 0.95088, and the rest of
+/// the momentum for the plate. A soft absorber is crushed by `m v^2/(2 F)` beyond the elastic rise.
+#[test]
+fn valid_moving_plates_and_mounts() {
+    for shot in 1..=5 {
+        assert_near(row(&format!("air-track-fused-{shot}")).computed, 205.0 / 412.0, 1e-9);
+    }
+    for shot in 1..=4 {
+        let id = format!("air-track-elastic-{shot}");
+        assert_near(row(&id).computed, 1.95088 * 205.0 / 412.0, 1e-6);
+        assert_near(row(&(id + "-plate")).computed, 1.95088 * 207.0 / 412.0, 1e-6);
+    }
+    // Restitution 0.2: the root of 1e6 over 2.5e7.
+    assert_near(row("polo-5.5mph").computed, 1.2 * 770.0 / 1720.0, 1e-6);
+    assert_near(row("polo-5.5mph-struck").computed, 1.2 * 950.0 / 1720.0, 1e-6);
+    assert_near(row("yang-xi-travel").computed, 0.04540, 1e-3);
+    assert_near(row("honeycomb-2").computed, 108_981.0, 1e-9);
+    let (m, v, f, k) = (5291.91, 8.35965, 587_165.0, 1e8);
+    assert_near(row("collision-post-stroke").computed, 0.5 * m * v * v / f + 0.5 * f / k, 1e-4);
 }
 
 /// N equal hits at one place open the hole of one limit shot: `N m/(2 c) ln(1 + c v_N^2/S)` is the same volume for every N. Without
@@ -147,10 +176,9 @@ fn valid_hits_at_the_same_place() {
 fn bias_and_scatter_are_of_the_rows_and_stale_statements_are_gone() {
     let report = validation::report(&mut Context::new(2, &mut to_its_end)).unwrap();
     let biases = cmra::study::validation::biases(&report);
-    let armour =
-        biases.iter().find(|it| it.class == Some("AP core on armour steel (RHA)")).unwrap();
-    // The mean of 59, 39, 29, 18, 10 and 2 percent.
-    assert!(armour.points == 6 && (armour.mean - 0.262).abs() < 5e-3, "{}", armour.mean);
+    let mild = biases.iter().find(|it| it.class == Some("AP core on mild steel")).unwrap();
+    // The mean of -5, -3, -4, -5, -7, -18 and -20 percent.
+    assert!(mild.points == 7 && (mild.mean + 0.089).abs() < 5e-3, "{}", mild.mean);
     let all = biases.last().unwrap();
     let counted = report.iter().filter(|row| row.case.class != NOT_COUNTED).count();
     assert_eq!((all.class, all.points), (None, counted));
@@ -160,37 +188,6 @@ fn bias_and_scatter_are_of_the_rows_and_stale_statements_are_gone() {
     for text in texts {
         for stale in ["numbers are not at hand", "bullet's mass", "and projectile are not given"] {
             assert!(!text.contains(stale), "{text}");
-        }
-    }
-}
-
-/// The numbers that `limit` and `montecarlo` take are those of this table, and of the classes that its shots are found to be of.
-#[test]
-fn the_known_errors_are_those_of_the_table() {
-    let report = validation::report(&mut Context::new(2, &mut to_its_end)).unwrap();
-    let biases = cmra::study::validation::biases(&report);
-    for known in &KNOWN {
-        let bias = biases.iter().find(|it| it.class == Some(known.class)).unwrap();
-        assert_eq!(bias.points, known.points, "{known:?}");
-        assert!((bias.mean - known.error.bias).abs() < 1e-3, "{known:?} {bias:?}");
-        let mut logs = report.iter().filter(|row| row.case.class == known.class);
-        let logs: Vec<f64> =
-            logs.by_ref().map(|row| (row.computed.unwrap() / row.case.measured).ln()).collect();
-        let mean = logs.iter().sum::<f64>() / logs.len() as f64;
-        let square: f64 = logs.iter().map(|it| (it - mean).powi(2)).sum();
-        let spread = if logs.len() > 1 { (square / (logs.len() - 1) as f64).sqrt() } else { 0.0 };
-        assert!((spread - known.error.spread).abs() < 1e-3, "{known:?} {spread}");
-    }
-    for case in &measurements().cases {
-        let preset = cmra::files::preset::resolve(case.preset, None).unwrap().scene;
-        let mut scene = variables::changed(preset, case.set).unwrap();
-        if case.class.starts_with("AP core") {
-            // The preset takes the core as the law does; the library's core has its ogive.
-            scene.projectile.nose = Nose::Pointed;
-        }
-        let found = KnownError::of(&scene).map(|known| known.class);
-        if KNOWN.iter().any(|known| known.class == case.class) {
-            assert_eq!(found, Some(case.class), "{}", case.id);
         }
     }
 }
@@ -238,15 +235,79 @@ fn the_command_prints_the_table_as_page_csv_and_json() {
         String::from_utf8(output.stdout).unwrap()
     };
     let page = cmra(&["validate"]);
-    assert!(page.contains("299.8 m/s (+2.6 %)") && page.contains("never combined"), "{page}");
+    for text in
+        ["379     13  -1.8 %  4.7 %", "steel core on light alloy", "597     20", "never combined"]
+    {
+        assert!(page.contains(text), "{text}: {page}");
+    }
+    assert!(
+        !page.contains("299.8 m/s (+2.6 %)") && page.lines().all(|it| it.chars().count() <= 80),
+        "{page}"
+    );
+    let all = cmra(&["validate", "--rows"]);
+    assert!(all.contains("299.8 m/s (+2.6 %)") && all.lines().count() > 597, "{all}");
     let csv = cmra(&["validate", "--csv", "-"]);
-    assert!(csv.starts_with("case,preset,quantity,unit,measured,"), "{csv}");
-    // Forty-five measurements, eight that cannot be checked, eleven classes and all together.
-    assert_eq!(csv.lines().count(), 1 + 45 + 8 + 12);
-    assert!(page.contains("45 measurements: 45 computed, 0 not"), "{page}");
-    assert!(page.contains("-20.4 % to +58.5 %"), "a row of the summary is one line: {page}");
-    assert!(page.contains("yu-beam  [cannot be checked]") && page.contains("hinge"), "{page}");
-    let list: serde_json::Value = serde_json::from_str(&cmra(&["validate", "--json"])).unwrap();
-    assert_eq!(list[0]["case"], "borvik-hemispherical");
-    assert!((list[0]["relative_error"].as_f64().unwrap() - 0.0264).abs() < 1e-3);
+    assert!(
+        csv.starts_with(
+            "line,source,measured_limit_m_s,deviation_m_s,limit_velocity_m_s,expected_limit_m_s,"
+        ),
+        "{csv}"
+    );
+    assert_eq!(csv.lines().count(), 1 + 597);
+    assert!(all.contains("yu-beam  [cannot be checked]") && all.contains("hinge"), "{all}");
+    let object: serde_json::Value = serde_json::from_str(&cmra(&["validate", "--json"])).unwrap();
+    assert_eq!(object["cases"][0]["case"], "borvik-hemispherical");
+    assert!((object["cases"][0]["relative_error"].as_f64().unwrap() - 0.0264).abs() < 1e-3);
+    assert_eq!(object["rows"].as_array().unwrap().len(), 597);
+    assert_eq!(object["errors"].as_array().unwrap().last().unwrap()["class"], "all");
+}
+
+/// A file of one's own measurements: the classes are those of the built-in table, whose own rows err by less than papers left out.
+#[test]
+fn a_users_own_measurements_are_read_computed_and_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.csv");
+    let cmra = |text: &str, more: &[&str]| {
+        std::fs::write(&file, text).unwrap();
+        let output =
+            crate::support::program().arg("validate").arg(&file).args(more).output().unwrap();
+        let [out, told] = [output.stdout, output.stderr].map(|it| String::from_utf8(it).unwrap());
+        (output.status.code(), out, told)
+    };
+    let head = "nose,core,R [mm],m_p [g],h [mm],rho [kg/m3],E [GPa],Y [MPa],UTS [MPa],theta [deg],mount,closure,C_d,limit_m_s,source";
+    let row = "pointed,steel,3.1242,5.3,20,2700,70,260,290,0,rigid,cylindrical,0.212,501,mine";
+    let (status, out, told) = cmra(&format!("{head}\n{row}\n"), &["--json"]);
+    assert_eq!((status, told.as_str()), (Some(0), ""));
+    let found: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let first = &found["rows"][0];
+    // The independent band of this shot.
+    for (key, value) in [
+        ("limit_velocity_m_s", 500.136_675_3),
+        ("expected_limit_m_s", 494.673_326_3),
+        ("expected_low_m_s", 457.606_943_8),
+        ("expected_high_m_s", 534.742_103_8),
+    ] {
+        assert_near(first[key].as_f64(), value, 1e-7);
+    }
+    assert_eq!(
+        (&first["class"], &first["refused"]),
+        (&"steel core on light alloy".into(), &serde_json::Value::Null)
+    );
+    assert_eq!(first["measured_limit_m_s"], 501.0);
+    // A row without mass keeps its place, and a page names it.
+    let (status, out, told) =
+        cmra(&format!("{head}\n{}\n{row}\n", row.replacen(",5.3,", ",,", 1)), &[]);
+    assert_eq!(status, Some(1));
+    assert!(
+        out.contains("refused: line 2: no value of m_p") && told.contains("line 2"),
+        "{out} {told}"
+    );
+    for (text, problem) in [
+        ("R [mm],calibre,limit_m_s\n1,2,3\n", "`calibre` is no column"),
+        ("R [mm],limit_m_s\n1in,3\n", "write numbers only"),
+    ] {
+        let (status, _, told) = cmra(text, &[]);
+        assert_eq!((status, told.trim().lines().count()), (Some(2), 1), "{told}");
+        assert!(told.contains(problem), "{told}");
+    }
 }

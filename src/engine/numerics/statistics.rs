@@ -1,5 +1,9 @@
 //! Statistics of samples: moments, quantiles, and the interval of a proportion.
 
+use std::f64::consts::FRAC_PI_2;
+
+use crate::numerics::root::in_bracket;
+
 /// Standard normal quantile of a two-sided 95 % interval.
 pub const Z95: f64 = 1.959_963_984_540_054;
 
@@ -49,6 +53,31 @@ pub fn wilson(p: f64, n: f64) -> (f64, f64) {
     (if p > 0.0 { centre - half } else { 0.0 }, if p < 1.0 { centre + half } else { 1.0 })
 }
 
+/// Quantile of Student's distribution for a whole number of degrees of freedom >= 1 and a fraction in (0.5, 1).
+///
+/// The distribution function is the finite sum of Abramowitz and Stegun 26.7.3 and 26.7.4; its root is bracketed in atan(t/sqrt(nu)).
+pub fn student_quantile(fraction: f64, freedom: usize) -> f64 {
+    let within = 2.0 * fraction - 1.0;
+    let excess = |angle: f64| student_within(angle, freedom) - within;
+    in_bracket(0.0, FRAC_PI_2, excess).tan() * (freedom as f64).sqrt()
+}
+
+/// Probability that |t| is below tan(angle) sqrt(nu).
+fn student_within(angle: f64, freedom: usize) -> f64 {
+    let is_odd = freedom % 2 == 1;
+    let (sine, cosine) = angle.sin_cos();
+    let (mut term, mut sum) = if is_odd { (cosine, cosine) } else { (1.0, 1.0) };
+    if freedom == 1 {
+        sum = 0.0;
+    }
+    for power in (if is_odd { 3 } else { 2 }..=freedom.saturating_sub(2)).step_by(2) {
+        let power = power as f64;
+        term *= (power - 1.0) / power * cosine * cosine;
+        sum += term;
+    }
+    if is_odd { (angle + sine * sum) / FRAC_PI_2 } else { sine * sum }
+}
+
 /// The slope of the straight line that fits points (x, y) best by least squares; not finite where they do not differ in x.
 pub fn slope(points: &[(f64, f64)]) -> f64 {
     let count = points.len() as f64;
@@ -68,6 +97,23 @@ mod tests {
         let (low, high) = wilson(0.1, 100.0);
         assert!((low - 0.0552).abs() < 1e-4 && (high - 0.1744).abs() < 1e-4, "{low} {high}");
         assert_eq!((wilson(0.0, 1000.0).0, wilson(1.0, 7.0).1), (0.0, 1.0));
+    }
+
+    /// Independent: `scipy.stats.t.ppf(0.95, freedom)`.
+    #[test]
+    fn valid_quantiles_of_student() {
+        for (freedom, expected) in [
+            (1, 6.313_751_514_675_037),
+            (2, 2.919_985_580_353_724_2),
+            (3, 2.353_363_434_801_823_3),
+            (4, 2.131_846_786_326_649_5),
+            (27, 1.703_288_445_722_126_5),
+            (83, 1.663_420_174_918_884_8),
+            (368, 1.649_004_810_816_203_2),
+        ] {
+            let found = student_quantile(0.95, freedom);
+            assert!((found / expected - 1.0).abs() < 1e-10, "{freedom}: {found} {expected}");
+        }
     }
 
     #[test]

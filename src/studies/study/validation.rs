@@ -10,14 +10,14 @@ use serde::Deserialize;
 
 use crate::model::run::envelope::{self, Check};
 use crate::model::scene::{Closure, Scene};
+use crate::model::simulate::Settings;
 use crate::model::variables;
-use crate::study::{changed, limit, plain_run};
+use crate::study::quantities::{Quantity, find};
+use crate::study::{changed, limit, plain_run, run_with};
 
 mod bias;
-mod known;
 
 pub use bias::{Bias, biases};
-pub use known::{KNOWN, KnownError, ModelError};
 
 /// The measurements as they are written.
 const FILE: &str = include_str!("../data/measurements.toml");
@@ -117,6 +117,12 @@ pub enum MeasuredQuantity {
     Strength,
     /// How far the plate bulges under the nose, m.
     Bulge,
+    /// Change of the projectile's velocity over the closing velocity.
+    ProjectileShare,
+    /// Change of the plate's velocity over the closing velocity.
+    PlateShare,
+    /// A quantity of the run, by its name.
+    Output(&'static str),
 }
 
 impl MeasuredQuantity {
@@ -130,6 +136,9 @@ impl MeasuredQuantity {
             Self::Ratio => "limit over that at 0 deg",
             Self::Strength => "flow strength",
             Self::Bulge => "bulge",
+            Self::ProjectileShare => "projectile's velocity change over closing velocity",
+            Self::PlateShare => "plate's velocity change over closing velocity",
+            Self::Output(name) => find(name).map_or(name, |quantity| quantity.meaning),
         }
     }
 
@@ -138,7 +147,8 @@ impl MeasuredQuantity {
         match self {
             Self::Limit | Self::RepeatLimit(_) => "m/s",
             Self::Depth | Self::Bulge => "m",
-            Self::Ratio => "",
+            Self::Ratio | Self::ProjectileShare | Self::PlateShare => "",
+            Self::Output(name) => find(name).map_or("", Quantity::unit),
             Self::Strength => "Pa",
         }
     }
@@ -263,5 +273,18 @@ fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
             scene.target_in_effect().dishing.then_some(2.0 * scene.projectile.tip_radius_m)
         }
         MeasuredQuantity::Depth => plain_run(scene)?.final_penetration_m,
+        MeasuredQuantity::ProjectileShare => shares(scene).map(|shares| shares.0),
+        MeasuredQuantity::PlateShare => shares(scene).map(|shares| shares.1),
+        MeasuredQuantity::Output(name) => find(name)?.value(&run_with(scene, Settings::SERIES)?),
     }
+}
+
+/// Changes of the velocities of projectile and plate up to their first common velocity or their separation, over the closing velocity.
+/// Momentum gives the plate's.
+fn shares(scene: &Scene) -> Option<(f64, f64)> {
+    let run = plain_run(scene)?;
+    let common = || run.first_arrest.map(|arrest| arrest.plate_velocity_m_s);
+    let after_m_s = run.separation.map(|it| it.velocity_m_s).or_else(common)?;
+    let change = (scene.projectile.velocity_m_s - after_m_s) / scene.closing_velocity_m_s();
+    Some((change, change / scene.mass_ratio()))
 }

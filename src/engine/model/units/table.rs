@@ -55,7 +55,7 @@ impl Dimension {
     }
 
     /// The units this kind may be written in, beside the stored one with a prefix.
-    pub(super) fn accepted(self) -> &'static str {
+    pub fn accepted(self) -> &'static str {
         ROWS[self as usize][3]
     }
 }

@@ -1,0 +1,134 @@
+//! Measured limits beside computed ones: a row for each measurement, a line for each class, and the picture of both. SI.
+
+use serde_json::{Value, json};
+
+use crate::report::chart::{Axis, Chart, Curve, Scale, Unit};
+use crate::report::table::Table;
+use crate::report::verdict;
+use crate::study::measured::{Errors, Row, errors};
+
+/// Markers of the classes in the picture, the largest class first.
+const MARKERS: [char; 8] = ['o', 'x', '+', 's', 'd', '*', 'v', 'm'];
+
+/// The measurements with what is computed for each.
+pub fn rows(rows: &[Row]) -> Table<'_, &Row> {
+    let measured = |row: &&Row| row.measurement.measured;
+    let table = Table::of(rows)
+        .with("line", "line", "", |row| row.measurement.line)
+        .field("source", |row| row.measurement.source.as_str())
+        .with("measured_limit_m_s", "measured", "m/s", move |row| measured(row).limit_m_s)
+        .field("deviation_m_s", move |row| measured(row).deviation_m_s)
+        .with("limit_velocity_m_s", "law", "m/s", |row| row.verdict()?.limit_m_s);
+    let table = verdict::expected_columns(table, |row| row.verdict()?.expected.as_ref());
+    table
+        .with("relative_error", "error", "", |row| row.limit_error())
+        .shown(|_, value| Some(format!("{:+.1} %", 100.0 * value.as_f64()?)))
+        .with("inside_band", "inside", "", |row| row.is_inside())
+        .with("measured_depth_m", "depth", "m", move |row| measured(row).depth_m)
+        .with("depth_m", "computed", "m", |row| row.computed.as_ref().ok()?.depth_m)
+        .with("measured_residual_velocity_m_s", "residual", "m/s", move |row| {
+            measured(row).residual_velocity_m_s
+        })
+        .with("residual_velocity_m_s", "computed", "m/s", |row| {
+            row.computed.as_ref().ok()?.residual_velocity_m_s
+        })
+        .field("note", |row| row.measurement.note.as_str())
+        .with("refused", "", "", |row| row.computed.as_ref().err().cloned())
+}
+
+/// The columns of a page of rows: those of quantities that were measured.
+pub fn page_keys(rows: &[Row]) -> Vec<&'static str> {
+    let limit = [
+        "measured_limit_m_s",
+        "limit_velocity_m_s",
+        "expected_limit_m_s",
+        "expected_low_m_s",
+        "expected_high_m_s",
+        "relative_error",
+    ];
+    let has = |is_measured: fn(&Row) -> bool| rows.iter().any(is_measured);
+    let mut keys = vec!["line"];
+    if has(|row| row.measurement.measured.limit_m_s.is_some()) {
+        keys.extend(limit);
+    }
+    if has(|row| row.measurement.measured.depth_m.is_some()) {
+        keys.extend(["measured_depth_m", "depth_m"]);
+    }
+    if has(|row| row.measurement.measured.residual_velocity_m_s.is_some()) {
+        keys.extend(["measured_residual_velocity_m_s", "residual_velocity_m_s"]);
+    }
+    keys
+}
+
+/// The errors by class, and of all rows.
+pub fn error_table(list: &[Errors]) -> Table<'_, &Errors> {
+    Table::of(list)
+        .field("class", |it| it.group.as_deref().unwrap_or("all"))
+        .field("rows", |it| it.rows)
+        .field("papers", |it| it.papers)
+        .field("bias", |it| it.bias)
+        .field("standard_deviation", |it| it.deviation)
+        .field("mean_absolute_error_m_s", |it| it.mean_absolute_m_s)
+        .field("rms_error_m_s", |it| it.rms_m_s)
+        .field("rows_with_band", |it| it.banded)
+        .field("share_inside_band", |it| it.share_inside())
+}
+
+/// The errors by class as lines of a page, the class last.
+pub fn error_lines(list: &[Errors]) -> String {
+    let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
+    let line = |it: &Errors| {
+        let scatter = it.deviation.map_or_else(String::new, |it| format!("{:.1} %", 100.0 * it));
+        let inside =
+            it.share_inside().map_or_else(String::new, |it| format!("{:.0} %", 100.0 * it));
+        let [mean, rms] = [it.mean_absolute_m_s, it.rms_m_s].map(|it| format!("{it:.1}"));
+        let (class, bias) = (it.group.as_deref().unwrap_or("all"), percent(it.bias));
+        let (rows, papers) = (it.rows, it.papers);
+        format!("{rows:>4}{papers:>7}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} {class}\n")
+    };
+    let [rows, papers, bias, scatter, mean, rms, inside] =
+        ["rows", "papers", "bias", "scatter", "mean", "RMS", "inside"];
+    let head =
+        format!("{rows:>4}{papers:>7}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} class\n");
+    list.iter().map(line).fold(head, |page, line| page + &line)
+}
+
+/// What the columns of these lines mean.
+pub const ERRORS_MEAN: &str = "bias and scatter: mean and standard deviation of computed over measured, less 1; mean: mean absolute error, m/s; \
+     RMS: root mean square error, m/s; inside: part of the limits inside their 90 % band. Positive bias is unconservative.";
+
+/// Everything, as one object.
+pub fn json(list: &[Row]) -> Value {
+    let refused = list.iter().filter(|row| row.computed.is_err()).count();
+    json!({
+        "rows": rows(list).objects(|_| true),
+        "errors": error_table(&errors(list)).objects(|_| true),
+        "refused": refused,
+    })
+}
+
+/// Rows that cannot be computed, a line each.
+pub fn refusals(list: &[Row]) -> Vec<String> {
+    let refused = list.iter().filter_map(|row| {
+        let why = row.computed.as_ref().err()?;
+        Some(format!("line {}: {why}", row.measurement.line))
+    });
+    refused.collect()
+}
+
+/// The picture: computed over measured, by class; `None` without a measured limit.
+pub fn picture(list: &[Row]) -> Option<Chart<'static>> {
+    let points = |row: &Row| Some((row.measurement.measured.limit_m_s?, 1.0 + row.limit_error()?));
+    let all: Vec<(f64, f64)> = list.iter().filter_map(points).collect();
+    let x = Axis::over("measured limit", "m/s", Scale::Linear, all.iter().map(|at| at.0))?;
+    let y = Axis::over("computed over measured", "", Scale::Linear, all.iter().map(|at| at.1))?;
+    let groups: Vec<String> = errors(list).into_iter().filter_map(|it| it.group).collect();
+    let curves = groups.into_iter().enumerate().map(|(at, group)| {
+        let own = list.iter().filter(|row| row.group() == group).filter_map(points);
+        let own: Vec<(f64, f64)> = own.collect();
+        let marker = MARKERS[at % MARKERS.len()];
+        Curve::points(marker, group, own.into_iter()).colour(at + 1)
+    });
+    let (x, y) = (x.unit(Unit::new("m/s")).padded(0.04), y.padded(0.04));
+    Some(Chart::new("computed over measured limits, by class", x, y, curves.collect()))
+}

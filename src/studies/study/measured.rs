@@ -1,0 +1,40 @@
+//! Measured ballistic limits: the built-in table and a user's own, the classes computed from them, and the errors of the law.
+//!
+//! Does not depend on files, screens or a clock.
+
+use std::sync::LazyLock;
+
+mod class;
+mod errors;
+mod table;
+
+pub use class::{Alloy, Class, Expectation, Key, Sample, classes};
+pub use errors::{Computed, Errors, Row, WITHOUT_CLASS, errors, evaluate, leave_out};
+pub use table::{FindEntry, Measured, Measurement, read};
+
+/// The measured limits as they are written.
+const FILE: &str = include_str!("../data/limits.csv");
+
+/// The built-in table; empty if the file is wrong, which a test refuses.
+pub fn built_in() -> &'static [Measurement] {
+    static TABLE: LazyLock<Vec<Measurement>> = LazyLock::new(|| {
+        let none: FindEntry<'_> = &|_, name| Err(format!("no entry {name}"));
+        read(FILE, none).unwrap_or_default()
+    });
+    &TABLE
+}
+
+/// The built-in table with the limits that all other papers let expect.
+pub fn left_out() -> &'static [Row] {
+    static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| leave_out(built_in()));
+    &ROWS
+}
+
+/// The classes of the built-in table.
+pub fn known() -> &'static [Class] {
+    static KNOWN: LazyLock<Vec<Class>> = LazyLock::new(|| errors::classes_of(built_in()));
+    &KNOWN
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,267 @@
+//! Classes of measured limits: bias and scatter of the law, computed from a table, and the limit they let expect.
+
+use crate::model::run::envelope::thickness_ratio;
+use crate::model::scene::{Closure, ContactModel, Core, Criterion, Nose, Scene};
+use crate::numerics::larger;
+use crate::numerics::statistics::student_quantile;
+
+/// Range of densities, kg/m³, and of elastic moduli, Pa, that the classes of an alloy have measurements of.
+const LIGHT: ([f64; 2], [f64; 2]) = ([2600.0, 2900.0], [65e9, 75e9]);
+const STEEL: ([f64; 2], [f64; 2]) = ([7700.0, 7900.0], [190e9, 210e9]);
+/// Angles, deg: classes of normal impact end below the first, those of oblique impact at the second.
+const OBLIQUE_DEG: [f64; 2] = [10.0, 30.0];
+/// A pointed core breaks on a plate of this yield strength, Pa, thinner than this h/D: the law is 40 to 50 % high.
+const BREAKING: (f64, f64) = (1.25e9, 0.7);
+/// Part of the limits of a class that its band holds, on one side.
+const ONE_SIDED: f64 = 0.95;
+/// A class needs as many papers, and for its own scatter as many rows and papers.
+const PAPERS_LEAST: usize = 2;
+const OWN_SCATTER_FROM: (usize, usize) = (5, 3);
+/// Rounding of an h/D at the ends of a class.
+const ROUNDING: f64 = 1e-9;
+
+/// The alloy of a plate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Alloy {
+    /// 2600 to 2900 kg/m³ and 65 to 75 GPa.
+    Light,
+    /// 7700 to 7900 kg/m³ and 190 to 210 GPa.
+    Steel,
+}
+
+/// What the shots of a class have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Key {
+    /// Nose of the projectile.
+    pub nose: Nose,
+    /// Core of the projectile.
+    pub core: Core,
+    /// Alloy of the plate.
+    pub alloy: Alloy,
+    /// Whether the angle is 10 to 30 deg; else it is below 10 deg.
+    pub is_oblique: bool,
+}
+
+impl Key {
+    /// The class of a scene's shot; `None` where the law is used in another way than for the measurements.
+    pub fn of(scene: &Scene) -> Option<Self> {
+        let (projectile, target) = (&scene.projectile, scene.target_in_effect());
+        let is_rigid_plate = !scene.is_sprung() && !scene.is_stack();
+        let is_law = scene.contact.model == ContactModel::Hydrodynamic
+            && target.closure == Closure::Cylindrical
+            && !target.dishing
+            && target.criterion == Criterion::Passage
+            && (target.drag_coefficient - projectile.nose.drag_coefficient()).abs() < ROUNDING;
+        let is_in = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
+        let is_of = |(density, modulus)| {
+            is_in(target.density_kg_m3, density) && is_in(target.modulus_pa, modulus)
+        };
+        let alloy = [(Alloy::Light, LIGHT), (Alloy::Steel, STEEL)];
+        let alloy = alloy.into_iter().find(|it| is_of(it.1))?.0;
+        let is_pointed = projectile.nose == Nose::Pointed;
+        let breaks =
+            is_pointed && target.yield_pa >= BREAKING.0 && thickness_ratio(scene) < BREAKING.1;
+        let theta = projectile.obliquity_deg;
+        // The law of a plug is for normal impact.
+        let most_deg = if is_pointed { OBLIQUE_DEG[1] } else { 0.0 };
+        let is_known = projectile.core != Core::Deformable && theta <= most_deg;
+        (is_rigid_plate && is_law && is_known && !breaks).then_some(Self {
+            nose: projectile.nose,
+            core: projectile.core,
+            alloy,
+            is_oblique: theta >= OBLIQUE_DEG[0],
+        })
+    }
+
+    /// In words: `steel core on light alloy, oblique`. A core is pointed; oblique is 10 to 30 deg, else the angle is below 10 deg.
+    pub fn words(self) -> String {
+        let angle = if self.is_oblique { ", oblique" } else { "" };
+        let nose = match self.nose {
+            Nose::Pointed => format!("{} core", self.core.word()),
+            nose => nose.word().to_owned(),
+        };
+        let alloy = match self.alloy {
+            Alloy::Light => "light alloy",
+            Alloy::Steel => "steel",
+        };
+        format!("{nose} on {alloy}{angle}")
+    }
+}
+
+/// A measured limit beside that of the law.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// Its class.
+    pub key: Key,
+    /// Publication.
+    pub paper: String,
+    /// ln(law/measured).
+    pub error: f64,
+    /// h/D.
+    pub thickness: f64,
+    /// Angle, deg.
+    pub angle_deg: f64,
+}
+
+/// A class with its statistics.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Class {
+    /// What its shots have in common.
+    pub key: Key,
+    /// Rows.
+    pub measurements: usize,
+    /// Papers.
+    pub papers: usize,
+    /// Mean over the papers of each paper's mean of ln(law/measured).
+    pub bias: f64,
+    /// Standard deviation of ln(law/measured) of a limit of an unseen paper.
+    pub deviation: f64,
+    /// Student factor of the band that holds 90 % of the limits.
+    pub student: f64,
+    /// Least and greatest h/D.
+    pub thickness: [f64; 2],
+    /// Least and greatest angle, deg.
+    pub angle_deg: [f64; 2],
+}
+
+/// Number, mean and sum of squared deviations of a paper's errors.
+struct Paper<'p> {
+    name: &'p str,
+    errors: Vec<f64>,
+}
+
+impl Paper<'_> {
+    fn mean(&self) -> f64 {
+        mean(&self.errors)
+    }
+
+    fn squares(&self) -> f64 {
+        squares(&self.errors)
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+fn squares(values: &[f64]) -> f64 {
+    let mean = mean(values);
+    values.iter().map(|value| (value - mean).powi(2)).sum()
+}
+
+/// The classes of samples, in the order in which they come up.
+///
+/// The variance of a class is that within its papers plus that between papers. The latter is estimated from all classes with several
+/// papers. A class of fewer than five rows or three papers has the variance within the papers of all classes.
+pub fn classes(samples: &[Sample]) -> Vec<Class> {
+    let mut groups: Vec<(Key, Vec<Paper<'_>>)> = Vec::new();
+    for sample in samples {
+        let at = groups.iter().position(|group| group.0 == sample.key).unwrap_or(groups.len());
+        if at == groups.len() {
+            groups.push((sample.key, Vec::new()));
+        }
+        let papers = &mut groups[at].1;
+        match papers.iter_mut().find(|paper| paper.name == sample.paper) {
+            Some(paper) => paper.errors.push(sample.error),
+            None => papers.push(Paper { name: &sample.paper, errors: vec![sample.error] }),
+        }
+    }
+    // Sum of squares and degrees of freedom within papers, and between the means of the papers of a class.
+    let within = |papers: &[Paper<'_>]| {
+        let rows: usize = papers.iter().map(|paper| paper.errors.len()).sum();
+        (papers.iter().map(Paper::squares).sum::<f64>(), rows - papers.len())
+    };
+    let means = |papers: &[Paper<'_>]| papers.iter().map(Paper::mean).collect::<Vec<f64>>();
+    let pooled = groups.iter().map(|group| within(&group.1)).fold((0.0, 0), add);
+    let between = groups
+        .iter()
+        .map(|group| (squares(&means(&group.1)), group.1.len() - 1))
+        .fold((0.0, 0), add);
+    let variance = |(squares, freedom): (f64, usize)| squares / larger(freedom as f64, 1.0);
+    let class = |(key, papers): &(Key, Vec<Paper<'_>>)| {
+        let own = || samples.iter().filter(|sample| sample.key == *key);
+        let rows = own().count();
+        let (rows_least, papers_least) = OWN_SCATTER_FROM;
+        let has_own = rows >= rows_least && papers.len() >= papers_least;
+        let scatter = if has_own { within(papers) } else { pooled };
+        Class {
+            key: *key,
+            measurements: rows,
+            papers: papers.len(),
+            bias: mean(&means(papers)),
+            deviation: (variance(scatter) + variance(between)).sqrt(),
+            student: student_quantile(ONE_SIDED, scatter.1.max(1)),
+            thickness: range(own().map(|sample| sample.thickness)),
+            angle_deg: range(own().map(|sample| sample.angle_deg)),
+        }
+    };
+    groups.iter().map(class).collect()
+}
+
+fn add(a: (f64, usize), b: (f64, usize)) -> (f64, usize) {
+    (a.0 + b.0, a.1 + b.1)
+}
+
+fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let ends = |[low, high]: [f64; 2], value: f64| [low.min(value), high.max(value)];
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], ends)
+}
+
+/// The correction of a law's limit that measurements let expect.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Expectation<'c> {
+    /// The class.
+    pub class: &'c Class,
+    /// Mean of ln(law/measured).
+    pub bias: f64,
+    /// Standard deviation of ln(law/measured).
+    pub deviation: f64,
+    /// Half the width of the band in ln(law/measured).
+    pub half_width: f64,
+}
+
+impl<'c> Expectation<'c> {
+    /// The expectation for a scene's shot by some classes; `None` where no class of two papers has its like. Classes are computed only
+    /// for a shot that may have one.
+    pub fn of(scene: &Scene, classes: impl FnOnce() -> &'c [Class]) -> Option<Self> {
+        let key = Key::of(scene)?;
+        Self::at(key, thickness_ratio(scene), scene.projectile.obliquity_deg, classes())
+    }
+
+    /// The expectation for a shot of a class at h/D and an angle, deg.
+    pub fn at(key: Key, thickness: f64, angle_deg: f64, classes: &'c [Class]) -> Option<Self> {
+        let class = |key: Key| {
+            classes.iter().find(|class| class.key == key && class.papers >= PAPERS_LEAST)
+        };
+        let own = class(key)?;
+        let [low, high] = own.thickness;
+        if !(low * (1.0 - ROUNDING)..=high * (1.0 + ROUNDING)).contains(&thickness) {
+            return None;
+        }
+        let of = |class: &'c Class| Self {
+            class: own,
+            bias: class.bias,
+            deviation: class.deviation,
+            half_width: class.student * class.deviation,
+        };
+        let (from, to) = (OBLIQUE_DEG[0], OBLIQUE_DEG[1]);
+        if !key.is_oblique || angle_deg >= to {
+            return (angle_deg <= larger(own.angle_deg[1], from)).then(|| of(own));
+        }
+        let normal = of(class(Key { is_oblique: false, ..key })?);
+        let (oblique, share) = (of(own), (angle_deg - from) / (to - from));
+        let between = |a: f64, b: f64| a + share * (b - a);
+        Some(Self {
+            class: own,
+            bias: between(normal.bias, oblique.bias),
+            deviation: between(normal.deviation, oblique.deviation),
+            half_width: between(normal.half_width, oblique.half_width),
+        })
+    }
+
+    /// The expected limit and the ends of its band, m/s, for a limit by the law.
+    pub fn band_m_s(&self, law_m_s: f64) -> [f64; 3] {
+        let expected = law_m_s * (-self.bias).exp();
+        [expected * (-self.half_width).exp(), expected, expected * self.half_width.exp()]
+    }
+}

@@ -1,0 +1,226 @@
+//! Errors of the law and of the expected limit, by row, by class, and for papers that are left out.
+
+use crate::model::run::envelope::thickness_ratio;
+use crate::model::scene::Scene;
+use crate::numerics::statistics::moments;
+use crate::study::context::Context;
+use crate::study::limit;
+use crate::study::measured::{Class, Key, Measured, Measurement, Sample, classes};
+use crate::study::plain_run;
+use crate::study::verdict::Verdict;
+
+/// Group of the rows that no class has.
+pub const WITHOUT_CLASS: &str = "no class: the law alone";
+
+/// A row of a table of measurements with the values computed for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// The measurement.
+    pub measurement: Measurement,
+    /// The computed values; in words, why there are none.
+    pub computed: Result<Computed, String>,
+}
+
+/// The values computed for a measured shot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Computed {
+    /// Limit by the law, and the expected one.
+    pub verdict: Verdict,
+    /// Depth, m; `None` if it was not measured or does not exist.
+    pub depth_m: Option<f64>,
+    /// Residual velocity, m/s; `None` if it was not measured or does not exist.
+    pub residual_velocity_m_s: Option<f64>,
+}
+
+impl Row {
+    /// The expected limit, else that of the law, over the measured one, less 1; `None` without either.
+    pub fn limit_error(&self) -> Option<f64> {
+        let (found, measured) = self.limits()?;
+        Some(found / measured - 1.0)
+    }
+
+    /// The expected limit, else that of the law, and the measured one, m/s.
+    fn limits(&self) -> Option<(f64, f64)> {
+        let computed = self.computed.as_ref().ok()?;
+        Some((computed.verdict.headline_m_s()?, self.measurement.measured.limit_m_s?))
+    }
+
+    /// Whether the measured limit is inside the band; `None` without a band or a measured limit.
+    pub fn is_inside(&self) -> Option<bool> {
+        let measured = self.measurement.measured.limit_m_s?;
+        let expected = self.computed.as_ref().ok()?.verdict.expected.as_ref()?;
+        Some((expected.low_m_s..=expected.high_m_s).contains(&measured))
+    }
+
+    /// The verdict; `None` for a row that cannot be computed.
+    pub fn verdict(&self) -> Option<&Verdict> {
+        self.computed.as_ref().ok().map(|computed| &computed.verdict)
+    }
+
+    /// The class in words, or that there is none.
+    pub fn group(&self) -> &str {
+        let expected = self.verdict().and_then(|verdict| verdict.expected.as_ref());
+        expected.map_or(WITHOUT_CLASS, |expected| &expected.class)
+    }
+
+    fn sample(&self) -> Option<Sample> {
+        let (scene, computed) =
+            (self.measurement.scene.as_ref().ok()?, self.computed.as_ref().ok()?);
+        let (law, measured) = (computed.verdict.limit_m_s?, self.measurement.measured.limit_m_s?);
+        Some(Sample {
+            key: Key::of(scene)?,
+            paper: self.measurement.source.clone(),
+            error: (law / measured).ln(),
+            thickness: thickness_ratio(scene),
+            angle_deg: scene.projectile.obliquity_deg,
+        })
+    }
+}
+
+/// Computes a measurement by the classes of the built-in table.
+fn computed(measurement: &Measurement) -> Result<Computed, String> {
+    let scene = measurement.scene.as_ref().map_err(String::clone)?;
+    let Measured { limit_m_s, depth_m, residual_velocity_m_s, .. } = measurement.measured;
+    // A search costs some hundred runs.
+    let law = match (limit::closed_form(scene), limit_m_s) {
+        (Some(law), _) => Some(law),
+        (None, Some(_)) => Some(limit::velocity_m_s(scene)?),
+        (None, None) => None,
+    };
+    let is_run = depth_m.or(residual_velocity_m_s).is_some();
+    let run = is_run.then(|| plain_run(scene)).flatten();
+    let depth = || run.as_ref()?.shot_depth_m();
+    let residual = || run.as_ref()?.shot_residual_m_s();
+    let computed = Computed {
+        verdict: Verdict::with_limit(scene, law),
+        depth_m: depth_m.and_then(|_| depth()),
+        residual_velocity_m_s: residual_velocity_m_s.and_then(|_| residual()),
+    };
+    if depth_m.is_some() && computed.depth_m.is_none() {
+        return Err("the computed shot has no depth: it perforates".to_owned());
+    }
+    Ok(computed)
+}
+
+/// Computes every measurement; fewer when stopped.
+pub fn evaluate(measurements: &[Measurement], context: &mut Context<'_>) -> Vec<Row> {
+    context.expect(measurements.len());
+    let row = |measurement: &Measurement| {
+        Some(Row { measurement: measurement.clone(), computed: computed(measurement) })
+    };
+    context.map_items(measurements, row, |context, _| context.goes_on())
+}
+
+/// The classes of the built-in measurements.
+pub(super) fn classes_of(measurements: &[Measurement]) -> Vec<Class> {
+    let sample = |measurement: &Measurement| {
+        let row = by_law(measurement)?;
+        row.sample()
+    };
+    classes(&measurements.iter().filter_map(sample).collect::<Vec<_>>())
+}
+
+/// A row with the law's limit in closed form, and no class.
+fn by_law(measurement: &Measurement) -> Option<Row> {
+    let law = limit::closed_form(measurement.scene.as_ref().ok()?);
+    let verdict = |scene: &Scene| Verdict::by_classes(scene, law, || &[]);
+    let computed = measurement.scene.as_ref().map(|scene| Computed {
+        verdict: verdict(scene),
+        depth_m: None,
+        residual_velocity_m_s: None,
+    });
+    Some(Row { computed: computed.map_err(String::clone), measurement: measurement.clone() })
+}
+
+/// The measurements, each with the limit that the classes of all other papers let expect: the error for an unseen paper.
+pub fn leave_out(measurements: &[Measurement]) -> Vec<Row> {
+    let mut rows: Vec<Row> = measurements.iter().filter_map(by_law).collect();
+    let samples: Vec<Option<Sample>> = rows.iter().map(Row::sample).collect();
+    let mut papers: Vec<String> = rows.iter().map(|row| row.measurement.source.clone()).collect();
+    papers.sort();
+    papers.dedup();
+    for paper in papers {
+        let others = samples.iter().flatten().filter(|sample| sample.paper != paper).cloned();
+        let classes = classes(&others.collect::<Vec<_>>());
+        for row in rows.iter_mut().filter(|row| row.measurement.source == paper) {
+            let (Ok(scene), Ok(computed)) = (&row.measurement.scene, &mut row.computed) else {
+                continue;
+            };
+            let law = computed.verdict.limit_m_s;
+            computed.verdict = Verdict::by_classes(scene, law, || &classes);
+        }
+    }
+    rows
+}
+
+/// Errors of some rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Errors {
+    /// The class in words; `None` for all rows.
+    pub group: Option<String>,
+    /// Rows with a computed and a measured limit.
+    pub rows: usize,
+    /// Papers they are from.
+    pub papers: usize,
+    /// Mean of computed over measured, less 1.
+    pub bias: f64,
+    /// Standard deviation of computed over measured; `None` for one row.
+    pub deviation: Option<f64>,
+    /// Mean absolute error, m/s.
+    pub mean_absolute_m_s: f64,
+    /// Root of the mean square error, m/s.
+    pub rms_m_s: f64,
+    /// Rows with a band.
+    pub banded: usize,
+    /// Rows inside their band.
+    pub inside: usize,
+}
+
+impl Errors {
+    /// The errors of rows; `None` without any measured limit that is computed.
+    fn of<'r>(group: Option<&str>, rows: impl Iterator<Item = &'r Row>) -> Option<Self> {
+        let rows: Vec<&Row> = rows.filter(|row| row.limits().is_some()).collect();
+        let limits: Vec<(f64, f64)> = rows.iter().filter_map(|row| row.limits()).collect();
+        let ratios: Vec<f64> =
+            limits.iter().map(|(found, measured)| found / measured - 1.0).collect();
+        let count = limits.len() as f64;
+        let mean = |of: fn(f64) -> f64| {
+            limits.iter().map(|(found, measured)| of(found - measured)).sum::<f64>() / count
+        };
+        let mut papers: Vec<&str> =
+            rows.iter().map(|row| row.measurement.source.as_str()).collect();
+        papers.sort_unstable();
+        papers.dedup();
+        let inside = rows.iter().filter_map(|row| row.is_inside());
+        (!limits.is_empty()).then(|| Self {
+            group: group.map(str::to_owned),
+            rows: limits.len(),
+            papers: papers.len(),
+            bias: ratios.iter().sum::<f64>() / count,
+            deviation: moments(&ratios).map(|(_, deviation)| deviation),
+            mean_absolute_m_s: mean(f64::abs),
+            rms_m_s: mean(|error| error * error).sqrt(),
+            banded: inside.clone().count(),
+            inside: inside.filter(|is_inside| *is_inside).count(),
+        })
+    }
+
+    /// Fraction of the rows with a band that are inside it; `None` without a band.
+    pub fn share_inside(&self) -> Option<f64> {
+        (self.banded > 0).then(|| self.inside as f64 / self.banded as f64)
+    }
+}
+
+/// The errors by class, the largest class first, then of the rows without one; last of all rows.
+pub fn errors(rows: &[Row]) -> Vec<Errors> {
+    let mut groups: Vec<&str> = rows.iter().map(Row::group).collect();
+    groups.sort_unstable();
+    groups.dedup();
+    let own =
+        |group: &&str| Errors::of(Some(group), rows.iter().filter(|row| row.group() == *group));
+    let mut list: Vec<Errors> = groups.iter().filter_map(own).collect();
+    let is_without = |it: &Errors| it.group.as_deref() == Some(WITHOUT_CLASS);
+    list.sort_by_key(|it| (is_without(it), std::cmp::Reverse(it.rows)));
+    list.extend(Errors::of(None, rows.iter()));
+    list
+}
