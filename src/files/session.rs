@@ -98,7 +98,7 @@ pub struct Search {
     pub seek: String,
     /// Its goal.
     pub goal: String,
-    /// The variables of fronts and sensitivity, and whether each is varied; none where nobody changed them.
+    /// The variables of fronts, and whether each is varied; none where nobody changed them.
     pub bounds: Vec<(String, bool)>,
     /// The objectives of a front.
     pub minimise: Option<Vec<String>>,
@@ -108,7 +108,9 @@ pub struct Search {
     pub feasible: Option<bool>,
     /// Designs that a front tries.
     pub designs: Option<usize>,
-    /// The result of sensitivity and scatter.
+    /// The result of sensitivity.
+    pub affected: String,
+    /// The result of scatter.
     pub output: String,
     /// Standard deviation of every input, percent.
     pub percent: Option<f64>,

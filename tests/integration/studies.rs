@@ -25,7 +25,7 @@ const STUDIES: [&str; 6] = [
     "limit rigid-mount --set h=3mm --set criterion=protrusion",
     "montecarlo --set gamma=2 --samples 50 --seed 3 --outputs percent_of_baseline",
     "seek --set b=20 --over gamma=1..5:5 --goal percent_of_baseline=75",
-    "sensitivity --set gamma=2 --over d=0..0.1 --over k=1e5..1e6 --output percent_of_baseline --samples 16",
+    "sensitivity --set gamma=2 --over d=0..0.1 --over k=1e5..1e6 --output percent_of_baseline",
     "compare --set gamma=2",
     "stability --set gamma=2 --map k --quick",
 ];

@@ -1,85 +1,146 @@
-//! Which variables matter: one row for each variable, and the whole as an object. SI; ranges in the result's unit.
+//! Which variables matter: a row for each variable, as a table with bars, and the whole as an object. SI.
 
 use serde_json::{Value, json};
 
-use crate::numerics::statistics::sorted_by;
+use crate::model::units::{Dimension, in_unit, significant};
 use crate::report::table::Table;
-use crate::study::monte_carlo::Estimate;
-use crate::study::sensitivity::Report;
+use crate::study::sensitivity::{Effect, POINTS, Report};
 
-/// The variables, the one that matters most first; a row is a variable's place in the report.
+/// Cells of a bar.
+pub const CELLS: usize = 8;
+
+/// Levels of a bar in ASCII, from zero to the end of the scale.
+pub const ASCII: [char; 8] = [' ', '.', ':', '-', '=', '+', '*', '#'];
+
+/// Levels of a bar in eighths of a block.
+pub const BLOCKS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+
+/// The bar of an effect: a cell for each eighth of the range, its level by the common scale; blank where there is no result.
+pub fn bar(effect: &Effect, scale: f64, levels: [char; 8]) -> String {
+    let level = |value: f64| {
+        let count = levels.len();
+        let part = value / scale * count as f64;
+        levels[(1..count).take_while(|level| part >= *level as f64).count()]
+    };
+    effect.cells(CELLS).into_iter().map(|cell| cell.map_or(' ', level)).collect()
+}
+
+/// The variables, the greatest effect first; a row is a variable's place in the report.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
-    let axis = |at: &usize| &report.axes[*at];
-    let bar = |at: &usize| report.bars[*at];
-    let first = |at: &usize| report.sobol.as_ref()?.inputs[*at].first;
-    let total = |at: &usize| report.sobol.as_ref()?.inputs[*at].total;
+    let effect = |at: &usize| &report.effects[*at];
+    let axis = move |at: &usize| &effect(at).axis;
+    let end = move |at: &usize, place: usize| effect(at).points[place];
+    let outcome = move |at: &usize, place: usize| end(at, place).map(|it| it.outcome.word());
     let unit = report.output.unit();
     Table::of(report.order())
         .field("scene", move |_| name)
         .with("output", "quantity", "", |_| report.output.name)
         .with("variable", "", "", move |at| axis(at).symbol())
         .with("key", "key", "", move |at| axis(at).variable().key)
-        .with("low", "low end", "", move |at| axis(at).ends().0)
-        .shown(move |at, value| Some(axis(at).show(value.as_f64()?, 4)))
-        .with("high", "high end", "", move |at| axis(at).ends().1)
-        .shown(move |at, value| Some(axis(at).show(value.as_f64()?, 4)))
-        .with("output_at_low", "at low", unit, move |at| bar(at).low)
-        .with("output_at_high", "at high", unit, move |at| bar(at).high)
-        .with("swing", "swing", unit, move |at| bar(at).swing())
-        .with("sobol_first", "first", "", move |at| Some(first(at)?.value))
-        .with("sobol_first_low_95", "from", "", move |at| Some(first(at)?.low_95))
-        .with("sobol_first_high_95", "to", "", move |at| Some(first(at)?.high_95))
-        .with("sobol_total", "total", "", move |at| Some(total(at)?.value))
-        .with("sobol_total_low_95", "from", "", move |at| Some(total(at)?.low_95))
-        .with("sobol_total_high_95", "to", "", move |at| Some(total(at)?.high_95))
+        .field("value", move |at| effect(at).own)
+        .field("low", move |at| axis(at).ends().0)
+        .field("high", move |at| axis(at).ends().1)
+        .with("output_at_low", "at low", unit, move |at| end(at, 0)?.result)
+        .with("outcome_at_low", "at low", "", move |at| outcome(at, 0))
+        .with("output_at_high", "at high", unit, move |at| end(at, POINTS - 1)?.result)
+        .with("outcome_at_high", "at high", "", move |at| outcome(at, POINTS - 1))
+        .with("least", "least", unit, move |at| Some(effect(at).range()?.0))
+        .with("greatest", "greatest", unit, move |at| Some(effect(at).range()?.1))
+        .with("swing", "swing", unit, move |at| effect(at).swing())
+        .field("slope", move |at| effect(at).slope)
+        .field("points", move |at| effect(at).computed())
 }
 
-/// The effect of each variable alone, the greatest first, with a column `bar` of a given number of cells at most.
-pub fn tornado(report: &Report, bar: usize) -> Table<'_, usize> {
-    let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
-    let mut table = table("", report);
-    table.rows = sorted_by(table.rows, |at| -swing(at));
-    let widest = table.rows.first().map_or(0.0, swing);
-    table.with("bar", "", "", move |at| {
-        // Without a swing there is no bar.
-        let length = swing(at).max(0.0) / widest.abs() * bar as f64;
-        "#".repeat((1..=bar).filter(|cell| length >= *cell as f64 - 0.5).count())
-    })
-}
+/// The columns of [`page`], the most important first.
+pub const COLUMNS: [&str; 5] = ["variable", "bar", "span", "slope", "range"];
 
-/// The indices in brief: half the interval of an index stands behind it.
-pub fn indices(report: &Report) -> Table<'_, usize> {
-    let index = |at: &usize| report.sobol.as_ref().map(|sobol| sobol.inputs[*at]);
-    let brief = |index: Option<Estimate>| {
-        let index = index?;
-        let half = 0.5 * (index.high_95 - index.low_95);
-        Some(format!("{:.3} +-{half:.3}", index.value))
+/// The effects as words and bars, the greatest effect first: a bar `|  ..:-=#|`, and texts.
+pub fn page(report: &Report, levels: [char; 8]) -> Table<'_, usize> {
+    let effect = |at: &usize| &report.effects[*at];
+    let scale = report.scale();
+    let span = move |at: &usize| {
+        let least_and_greatest = span(report, effect(at))?;
+        Some(format!("{least_and_greatest}{}", if effect(at).perforates() { " P" } else { "" }))
     };
     Table::of(report.order())
-        .with("variable", "", "", |at| report.axes[*at].symbol())
-        .with("sobol_first", "Sobol first", "", move |at| brief(index(at)?.first))
-        .with("sobol_total", "total", "", move |at| brief(index(at)?.total))
+        .with("variable", "", "", move |at| effect(at).axis.symbol())
+        .with("bar", "low to high", "", move |at| {
+            scale.map(|scale| format!("|{}|", bar(effect(at), scale, levels)))
+        })
+        .with("span", report.output.heading(), "", span)
+        .with("slope", "here", "", move |at| {
+            // The unit stands beside the range.
+            slope_words(report, effect(at), &Shown { unit: "", ..usual(effect(at)) })
+        })
+        .with("range", "range", "", move |at| range_words(effect(at), &usual(effect(at))))
 }
 
-/// Where points of the design have no value: whose the indices are.
-pub fn condition(report: &Report) -> Option<String> {
-    let sobol = report.sobol.as_ref().filter(|sobol| sobol.used < sobol.rows)?;
-    let (used, rows) = (sobol.used, sobol.rows);
-    Some(format!("only where it exists: Sobol's indices are of {used} of {rows} samples"))
+/// How a value of a variable is shown: a number in a unit.
+pub struct Shown<'a> {
+    /// One of the stored unit in this unit.
+    pub in_one: f64,
+    /// The unit.
+    pub unit: &'a str,
+}
+
+/// In the unit of screens.
+fn usual(effect: &Effect) -> Shown<'static> {
+    let quantity = effect.axis.variable().number().map(|number| number.quantity);
+    let unit = quantity.map_or("", Dimension::shown_unit);
+    let in_one = quantity.and_then(|quantity| in_unit(1.0, unit, quantity)).unwrap_or(1.0);
+    Shown { in_one, unit }
+}
+
+/// `0.8 to 7`.
+fn range_words(effect: &Effect, shown: &Shown<'_>) -> String {
+    let ends = effect.axis.ends();
+    let [from, to] = [ends.0, ends.1].map(|end| significant(shown.in_one * end, 4));
+    format!("{from} to {to} {}", shown.unit).trim_end().to_owned()
+}
+
+/// `4.27 to 6.49 mm`: the least and the greatest result.
+fn span(report: &Report, effect: &Effect) -> Option<String> {
+    let (least, greatest) = effect.range()?;
+    let [least, greatest] = [least, greatest].map(|value| report.output.show(value, 3));
+    // A unit that both have stands once.
+    let unit = |text: &str| text.split_once(' ').map(|(_, unit)| unit.to_owned());
+    let least = match (unit(&least), unit(&greatest)) {
+        (Some(a), Some(b)) if a == b => least.split(' ').next().unwrap_or("").to_owned(),
+        _ => least,
+    };
+    Some(format!("{least} to {greatest}"))
+}
+
+/// `+0.13 mm for +0.1`: the change of the result by a small change of the variable, a round number of a tenth of its size at most.
+pub fn slope_words(report: &Report, effect: &Effect, shown: &Shown<'_>) -> Option<String> {
+    let (slope, own) = (effect.slope?, effect.own?);
+    let (low, high) = effect.axis.ends();
+    let size = if own == 0.0 { 0.1 * (high - low).abs() } else { own.abs() };
+    let step = 10f64.powf((shown.in_one * size).log10().floor() - 1.0);
+    let by = slope * step / shown.in_one;
+    let sign = if by < 0.0 { "-" } else { "+" };
+    let by = report.output.show(by.abs(), 2);
+    let step = format!("{} {}", significant(step, 1), shown.unit);
+    Some(format!("{sign}{by} for +{}", step.trim_end()))
+}
+
+/// An effect in words: `gamma 0.8 to 7: depth 4.27 to 6.49 mm; here +0.13 mm for +0.1`.
+pub fn words(report: &Report, effect: &Effect, of: &str, shown: &Shown<'_>) -> String {
+    let range = format!("{} {}", effect.axis.symbol(), range_words(effect, shown));
+    let Some(span) = span(report, effect) else { return format!("{range}: {of} has no value") };
+    let through = if effect.perforates() { ", perforates" } else { "" };
+    let here = slope_words(report, effect, shown);
+    let here = here.map_or_else(String::new, |here| format!("; here {here}"));
+    format!("{range}: {of} {span}{through}{here}")
 }
 
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
-    let sobol = report.sobol.as_ref();
     json!({
         "scene": name,
         "output": report.output.name,
-        "output_of_scene": report.own,
-        "seed": report.seed,
-        "samples": report.samples,
-        "samples_used": sobol.map(|sobol| sobol.used),
-        "mean": sobol.map(|sobol| sobol.mean),
-        "variance": sobol.map(|sobol| sobol.variance),
+        "output_of_scene": report.own.and_then(|own| own.result),
+        "scale": report.scale(),
         "variables": table(name, report).objects(|key| !["scene", "output"].contains(&key)),
     })
 }

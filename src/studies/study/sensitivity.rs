@@ -1,195 +1,359 @@
-//! Which variables matter: one at a time (tornado), and Sobol's first and total indices, both over the same bounds and for one result.
+//! Which variables matter: one result over the range of each variable, the others as in the scene.
 //!
-//! Inputs are uniform, or uniform in their logarithm, between their bounds, and independent. A point without a value (perforated,
-//! say, where a depth is requested) is omitted and counted. Must not know files, screens or a clock.
+//! Points come coarse first: the ends of every range, then 3, 5, 9 and 17 points, so that a study that is stopped compares all
+//! variables. Does not depend on files, screens or a clock.
 
 use std::fmt;
-use std::ops::RangeInclusive;
 
+use crate::model::run::Outcome;
 use crate::model::run::envelope::Check;
 use crate::model::scene::Scene;
-use crate::numerics::statistics::sorted_by;
+use crate::model::variables::{self, Allowed, Variable};
+use crate::numerics::statistics::{quantile, sorted_by};
+use crate::numerics::{larger, smaller};
 use crate::study::context::Context;
-use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
 use crate::study::option;
-use crate::study::quantities::{Quantity, usual_of};
-use crate::study::sweep::usual::{or_usual, thesis_axes};
+use crate::study::outcome::PointOutcome;
+use crate::study::quantities::{Quantity, named};
+use crate::study::sweep::usual::{or_usual, thesis_ends};
 use crate::study::sweep::{Axis, Plan, Point, Spacing, SweepError};
 use crate::study::validity;
-use indices::{Sobol, sobol};
 
-pub mod indices;
+/// The variables of the study where none are named: those that the thesis designs with, then those that it is given.
+pub const VARIABLES: [&str; 14] =
+    ["gamma", "d", "k", "n", "b", "m", "x_stop", "v_i", "m_p", "R", "h", "rho", "S_y", "C_d"];
 
-/// A function of points of the unit cube, many at once; NaN where it has no value, `None` when it was stopped.
-pub type Function<'a> = &'a mut dyn FnMut(&[Vec<f64>]) -> Option<Vec<f64>>;
+/// The result of the study where none is named.
+pub const OUTPUT: &str = "final_penetration_m";
 
-/// Samples for Sobol's indices, and how many are taken where nothing is said.
-pub const SAMPLES: RangeInclusive<usize> = 16..=1 << 20;
-const SAMPLES_USUAL: usize = 1024;
+/// Number of points along the range of a variable.
+pub const POINTS: usize = 17;
 
-/// What is to be known.
-#[derive(Clone, Debug, PartialEq)]
+/// Places of the points of each round; each round halves the distance between points.
+const ROUNDS: [&[usize]; 5] =
+    [&[0, 16], &[8], &[4, 12], &[2, 6, 10, 14], &[1, 3, 5, 7, 9, 11, 13, 15]];
+
+/// Rounds before the slopes: 5 points show the shape of a row.
+const ROUNDS_BEFORE_SLOPES: usize = 3;
+
+/// Least number of points that a row is interpolated from.
+const INTERPOLATED_LEAST: usize = 5;
+
+/// Ends of the range of a variable that Table 9.2 does not have, relative to its value in the scene.
+const QUARTER_TO_FOUR: (f64, f64) = (0.25, 4.0);
+
+/// Step of a difference quotient, relative to the variable: truncation error 1e-6, rounding of results (1e-9) over 1e-3.
+const STEP: f64 = 1e-3;
+
+/// Percentile of all results at which the common scale of the rows ends.
+const SCALE_PERCENTILE: f64 = 0.95;
+
+/// A request for the study.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Request {
-    /// The variables and their bounds; empty: those of [`usual_axes`].
+    /// The variables and their ranges; empty: those of [`usual_axes`].
     pub over: Vec<Axis>,
-    /// The result; `None`: [`usual_of`] the scene.
+    /// The result; `None`: [`OUTPUT`].
     pub output: Option<&'static Quantity>,
-    /// Base samples for Sobol's indices, a power of two.
-    pub samples: usize,
-    /// Seed: the same gives the same digits.
-    pub seed: u64,
-}
-
-impl Default for Request {
-    fn default() -> Self {
-        Self { over: Vec::new(), output: None, samples: SAMPLES_USUAL, seed: 1 }
-    }
 }
 
 /// The command's name and options.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let over: String = self.over.iter().map(|it| option("over", Some(it))).collect();
-        let (output, usual) = (option("output", self.output.map(|it| it.name)), Self::default());
-        let samples = option("samples", Some(self.samples).filter(|it| *it != usual.samples));
-        let seed = option("seed", Some(self.seed).filter(|it| *it != usual.seed));
-        write!(f, "sensitivity{over}{output}{samples}{seed}")
+        let output = option("output", self.output.map(|it| it.name));
+        write!(f, "sensitivity{over}{output}")
     }
 }
 
-/// One bar of the tornado: the result with one variable at its bounds, the others as in the scene.
+/// The result at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bar {
-    /// With the variable at its first bound.
-    pub low: Option<f64>,
-    /// At its last.
-    pub high: Option<f64>,
+pub struct Value {
+    /// Outcome of the shot.
+    pub outcome: PointOutcome,
+    /// The result; of a perforation, the depth at which the nose is clear of the rear face. `None` where it does not exist.
+    pub result: Option<f64>,
 }
 
-impl Bar {
-    /// How far apart they are.
-    pub fn swing(self) -> Option<f64> {
-        Some((self.high? - self.low?).abs())
+impl Value {
+    fn of(point: &Point) -> Self {
+        let result = point.values.first().copied().flatten();
+        Self { outcome: point.outcome, result: result.filter(|value| value.is_finite()) }
     }
 }
 
-/// All that was found.
+/// The effect of one variable on the result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effect {
+    /// The variable and its range.
+    pub axis: Axis,
+    /// Value of the variable in the scene, in the stored unit.
+    pub own: Option<f64>,
+    /// Results at [`POINTS`] places, even on the scale of the axis; `None` where not computed.
+    pub points: [Option<Value>; POINTS],
+    /// Derivative of the result with respect to the variable at its value in the scene.
+    pub slope: Option<f64>,
+}
+
+impl Effect {
+    /// Number of points computed.
+    pub fn computed(&self) -> usize {
+        self.points.iter().flatten().count()
+    }
+
+    /// Results that exist, from the low end to the high end.
+    pub fn results(&self) -> impl Iterator<Item = f64> {
+        self.points.iter().flatten().filter_map(|it| it.result)
+    }
+
+    /// The least and the greatest result; `None` without any.
+    pub fn range(&self) -> Option<(f64, f64)> {
+        let least = self.results().reduce(smaller)?;
+        Some((least, self.results().reduce(larger)?))
+    }
+
+    /// Difference between the greatest and the least result.
+    pub fn swing(&self) -> Option<f64> {
+        self.range().map(|(least, greatest)| greatest - least)
+    }
+
+    /// Whether a shot of the row perforates.
+    pub fn perforates(&self) -> bool {
+        let perforated = PointOutcome::Ended(Outcome::Perforated);
+        self.points.iter().flatten().any(|it| it.outcome == perforated)
+    }
+
+    /// Results in the middle of equal parts of the range, linear between points. A row of fewer than five points has results
+    /// only in the parts that contain a point.
+    pub fn cells(&self, count: usize) -> Vec<Option<f64>> {
+        let place = |at: usize| at as f64 / (POINTS - 1) as f64;
+        let known: Vec<(f64, Option<f64>)> = (0..POINTS)
+            .filter_map(|at| Some((place(at), self.points[at].as_ref()?.result)))
+            .collect();
+        let of = |cell: usize| {
+            let (from, to) = (cell as f64 / count as f64, (cell + 1) as f64 / count as f64);
+            if known.len() < INTERPOLATED_LEAST {
+                let is_in = |share: f64| share >= from && (share < to || cell + 1 == count);
+                return known.iter().find(|point| is_in(point.0)).and_then(|point| point.1);
+            }
+            let middle = 0.5 * (from + to);
+            let after = known.partition_point(|point| point.0 < middle);
+            let (above, high) = *known.get(after)?;
+            if above <= middle {
+                return high;
+            }
+            let (below, low) = known[after.checked_sub(1)?];
+            let (low, high) = low.zip(high)?;
+            Some(low + (middle - below) / (above - below) * (high - low))
+        };
+        (0..count).map(of).collect()
+    }
+
+    /// The part of the range that contains the scene's value; `None` outside the range.
+    pub fn own_cell(&self, count: usize) -> Option<usize> {
+        let share = self.axis.share(self.own?)?;
+        (1..=count)
+            .find(|cell| share * (count as f64) < *cell as f64)
+            .or(Some(count))
+            .map(|it| it - 1)
+    }
+}
+
+/// The effects of all variables, as far as they were computed.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// The variables and their bounds.
-    pub axes: Vec<Axis>,
     /// The result.
     pub output: &'static Quantity,
-    /// Seed of the samples.
-    pub seed: u64,
-    /// Base samples.
-    pub samples: usize,
     /// The result of the scene itself.
-    pub own: Option<f64>,
-    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
+    pub own: Option<Value>,
+    /// The effects, in the order of the request.
+    pub effects: Vec<Effect>,
+    /// Whether every point was computed.
+    pub is_complete: bool,
+    /// Checks of the model's validity that fail at an end of a range and not for the scene itself, each with its warning.
     pub outside_at_ends: Vec<(Check, String)>,
-    /// The tornado, variable by variable.
-    pub bars: Vec<Bar>,
-    /// Sobol's indices; `None` when stopped.
-    pub sobol: Option<Sobol>,
 }
 
 impl Report {
-    /// Whether neither the scene nor any end of a variable nor any sample has the result.
+    /// Whether no point has the result.
     pub fn is_empty(&self) -> bool {
-        self.own.is_none()
-            && self.bars.iter().all(|bar| bar.swing().is_none())
-            && self.sobol.as_ref().is_none_or(|sobol| sobol.used == 0)
+        self.effects.iter().all(|effect| effect.results().next().is_none())
     }
 
-    /// The variables by Sobol's total index, the greatest first; by the tornado where there is none.
+    /// Places of the effects, the greatest difference first.
     pub fn order(&self) -> Vec<usize> {
-        let weight = |at: usize| {
-            let total = self.sobol.as_ref().and_then(|sobol| sobol.inputs[at].total);
-            total.map(|index| index.value).or_else(|| self.bars[at].swing()).unwrap_or(0.0)
+        let swing = |at: usize| self.effects[at].swing().unwrap_or(-1.0);
+        sorted_by((0..self.effects.len()).collect(), |at| -swing(*at))
+    }
+
+    /// The upper end of the common scale of all rows, which begins at zero: the 95th percentile of all results.
+    pub fn scale(&self) -> Option<f64> {
+        let sizes = self.effects.iter().flat_map(Effect::results).map(f64::abs);
+        let sorted = sorted_by(sizes.collect::<Vec<f64>>(), |size| *size);
+        (!sorted.is_empty()).then(|| quantile(&sorted, SCALE_PERCENTILE)).filter(|top| *top > 0.0)
+    }
+
+    /// The effect of a variable, by its symbol.
+    pub fn effect(&self, symbol: &str) -> Option<&Effect> {
+        self.effects.iter().find(|effect| effect.axis.symbol() == symbol)
+    }
+
+    /// The least number of points that a row has.
+    pub fn points_least(&self) -> usize {
+        self.effects.iter().map(Effect::computed).min().unwrap_or(0)
+    }
+}
+
+/// The range of a variable: that of Table 9.2, else a quarter to four times its value, even in the logarithm. `None` where the
+/// scene ignores the variable, or a range does not exist.
+pub fn range(scene: &Scene, variable: &Variable) -> Option<Axis> {
+    let number = variable.number()?;
+    let own = (number.get)(scene)?;
+    if !variables::is_used(variable, scene) || variables::overrules_size(variable, scene) {
+        return None;
+    }
+    let axis = if let Some(ends) = thesis_ends(scene, variable) {
+        Axis::new(variable.symbol, ends, 2, Spacing::Linear)
+    } else {
+        let high = match number.allowed {
+            Allowed::Between(_, most) => smaller(QUARTER_TO_FOUR.1 * own, most),
+            _ => QUARTER_TO_FOUR.1 * own,
         };
-        sorted_by((0..self.axes.len()).collect(), |at| -weight(*at))
-    }
+        Axis::new(variable.symbol, (QUARTER_TO_FOUR.0 * own, high), 2, Spacing::Log)
+    };
+    let axis = axis.ok()?;
+    Plan::for_designs(scene, vec![axis.clone()], &[OUTPUT]).is_ok().then_some(axis)
 }
 
-/// Half the range of an input that scatters, relative: two of its standard deviations.
-pub const SCATTER: f64 = 2.0 * USUAL_DEVIATION;
-
-/// What varies where nothing is named: the variables of Table 9.2 over its ranges, and within [`SCATTER`] whatever else a Monte Carlo
-/// study scatters, as long as no values of theirs exclude each other.
-pub fn usual_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
-    let mut axes = thesis_axes(scene)?;
-    for tolerance in usual_tolerances(scene, USUAL_DEVIATION) {
-        let Distribution(_, (median, _)) = tolerance.distribution;
-        let ends = (median * (1.0 - SCATTER), median * (1.0 + SCATTER));
-        let Ok(axis) = Axis::new(tolerance.symbol(), ends, 2, Spacing::Linear) else { continue };
-        axes.push(axis);
-        if axes.len() > indices::INPUTS_MAX
-            || Plan::for_designs(scene, axes.clone(), &[] as &[&str]).is_err()
-        {
-            axes.pop();
-        }
-    }
-    Ok(axes)
+/// The ranges of [`VARIABLES`] that the scene uses.
+pub fn usual_axes(scene: &Scene) -> Vec<Axis> {
+    let named = VARIABLES.iter().filter_map(|symbol| variables::find(symbol).ok());
+    named.filter_map(|variable| range(scene, variable)).collect()
 }
 
-/// Find out.
+/// Computes the effects, with the checks at the ends of the ranges.
 ///
 /// # Errors
-/// A [`SweepError`] when bounds or result are bad, or there are more than [`indices::INPUTS_MAX`] variables: then nothing has run.
+/// A [`SweepError`] when variables or result are bad: then nothing has run.
 pub fn run(
     scene: &Scene,
     request: &Request,
     context: &mut Context<'_, Report>,
 ) -> Result<Report, SweepError> {
-    let axes = or_usual(&request.over, || usual_axes(scene))?;
-    if axes.len() > indices::INPUTS_MAX {
-        return Err(SweepError::too_many_axes(axes.len(), indices::INPUTS_MAX));
-    }
-    let output = request.output.map_or_else(|| usual_of(scene), |it| it.name);
-    let space = Plan::for_designs(scene, axes, &[output])?;
-    let axes = space.axes().to_vec();
-    let output = space.outputs()[0];
+    let mut report = compute(scene, request, context)?;
+    let axes: Vec<Axis> = report.effects.iter().map(|effect| effect.axis.clone()).collect();
+    report.outside_at_ends = validity::new_at_ends(scene, &axes);
+    Ok(report)
+}
+
+/// Computes the effects alone.
+///
+/// # Errors
+/// As [`run`].
+pub fn compute(
+    scene: &Scene,
+    request: &Request,
+    context: &mut Context<'_, Report>,
+) -> Result<Report, SweepError> {
+    let axes = or_usual(&request.over, || Ok(usual_axes(scene)))?;
+    let output = request.output.map_or_else(|| named(OUTPUT), Ok)?;
     output.check_exists(scene)?;
-    let inputs = axes.len();
-    let own = space.design_of(scene);
-    context.expect(1 + 2 * inputs + request.samples * (inputs + 2));
-    // The result for each design, NaN where it has none; `None` when stopped.
-    let mut values = |designs: &[Vec<f64>]| {
-        let found = space.evaluate(designs, context);
-        let value = |found: &Point| found.values[0].unwrap_or(f64::NAN);
-        (!context.is_stopped()).then(|| found.iter().map(value).collect::<Vec<_>>())
-    };
-    let at_own = values(std::slice::from_ref(&own));
-    let mut ends = Vec::new();
     for (at, axis) in axes.iter().enumerate() {
-        for end in [axis.ends().0, axis.ends().1] {
-            let mut design = own.clone();
-            design[at] = end;
-            ends.push(design);
+        if axes[..at].iter().any(|other| other.symbol() == axis.symbol()) {
+            return Err(SweepError(format!(
+                "axis {}: it is given twice; give each variable one range",
+                axis.symbol()
+            )));
         }
     }
-    let ends = values(&ends).unwrap_or_else(|| vec![f64::NAN; 2 * inputs]);
-    let known = |value: f64| value.is_finite().then_some(value);
-    let bars = ends.chunks(2).map(|pair| Bar { low: known(pair[0]), high: known(pair[1]) });
-    let mut function = |points: &[Vec<f64>]| {
-        let place = |point: &Vec<f64>| {
-            axes.iter().zip(point).map(|(axis, share)| axis.at_share(*share)).collect()
-        };
-        let designs: Vec<Vec<f64>> = points.iter().map(place).collect();
-        values(&designs)
+    let plan = |axis: &Axis| Plan::for_designs(scene, vec![axis.clone()], &[output.name]);
+    let plans: Vec<Plan> = axes.iter().map(plan).collect::<Result<_, _>>()?;
+    let effect = |axis: Axis| {
+        let own = axis.get(scene);
+        Effect { axis, own, points: [None; POINTS], slope: None }
     };
-    let sobol = sobol(inputs, request.samples, request.seed, &mut function);
-    Ok(Report {
-        own: at_own.and_then(|values| known(values[0])),
-        bars: bars.collect(),
-        sobol,
-        output,
-        seed: request.seed,
-        samples: request.samples,
-        outside_at_ends: validity::new_at_ends(scene, &axes),
-        axes,
-    })
+    let effects: Vec<Effect> = axes.into_iter().map(effect).collect();
+    let mut report =
+        Report { output, own: None, effects, is_complete: false, outside_at_ends: Vec::new() };
+    context.expect(1 + plans.len() * (POINTS + 2));
+    if let Some(plan) = plans.first() {
+        let own = plan.evaluate_all(&[plan.design_of(scene)], context);
+        report.own = own.first().map(Value::of);
+    }
+    for (number, round) in ROUNDS.iter().enumerate() {
+        if number == ROUNDS_BEFORE_SLOPES && !slopes(scene, &plans, &mut report, context) {
+            return Ok(report);
+        }
+        for (plan, effect) in plans.iter().zip(&mut report.effects) {
+            let designs: Vec<Vec<f64>> =
+                round.iter().map(|at| vec![value_at(&effect.axis, *at)]).collect();
+            let found = plan.evaluate_all(&designs, context);
+            for (at, point) in round.iter().zip(&found) {
+                effect.points[*at] = Some(Value::of(point));
+            }
+            if context.is_stopped() {
+                return Ok(report);
+            }
+        }
+        report.is_complete = number + 1 == ROUNDS.len();
+        if !context.show(&report) {
+            break;
+        }
+    }
+    Ok(report)
+}
+
+/// The value of a variable at a place of its range.
+fn value_at(axis: &Axis, at: usize) -> f64 {
+    let (low, high) = axis.ends();
+    match at {
+        0 => low,
+        _ if at + 1 == POINTS => high,
+        _ => axis.at_share(at as f64 / (POINTS - 1) as f64),
+    }
+}
+
+/// Computes the slopes at the scene; gives whether the study goes on.
+fn slopes(
+    scene: &Scene,
+    plans: &[Plan],
+    report: &mut Report,
+    context: &mut Context<'_, Report>,
+) -> bool {
+    let own_result = report.own.and_then(|own| own.result);
+    for (plan, effect) in plans.iter().zip(&mut report.effects) {
+        let Some(own) = effect.own else { continue };
+        let (low, high) = effect.axis.ends();
+        let size = if own == 0.0 { (high - low).abs() } else { own.abs() };
+        let step = STEP * size;
+        let is_allowed = |value: f64| {
+            let mut other = scene.clone();
+            effect.axis.set(&mut other, value);
+            variables::validate(&other).is_ok()
+        };
+        // At the end of what is allowed all points lie on one side.
+        let (is_below, is_above) = (is_allowed(own - step), is_allowed(own + step));
+        let places = match (is_below, is_above) {
+            (true, true) => [own - step, own + step],
+            (false, true) => [own + step, own + 2.0 * step],
+            (true, false) => [own - step, own - 2.0 * step],
+            (false, false) => continue,
+        };
+        let found = plan.evaluate_all(&places.map(|value| vec![value]), context);
+        let value = |at: usize| found.get(at).and_then(|point| Value::of(point).result);
+        effect.slope =
+            value(0).zip(value(1)).zip(own_result).map(|((first, second), own)| {
+                match (is_below, is_above) {
+                    (true, true) => (second - first) / (2.0 * step),
+                    (false, _) => (4.0 * first - second - 3.0 * own) / (2.0 * step),
+                    (true, false) => (3.0 * own - 4.0 * first + second) / (2.0 * step),
+                }
+            });
+        if context.is_stopped() {
+            return false;
+        }
+    }
+    true
 }
 
 #[cfg(test)]

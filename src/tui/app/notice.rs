@@ -45,16 +45,38 @@ pub(crate) fn old(whose: &str) -> String {
     format!("another {whose}'s results: press <run>")
 }
 
-/// The checks of the model's validity that fail there.
-pub(crate) fn outside(checks: impl Iterator<Item = Check>, place: &str) -> Option<StatusPart> {
+/// Labels of checks, each once.
+fn labels(checks: impl Iterator<Item = Check>) -> Vec<&'static str> {
     let mut labels: Vec<&str> = Vec::new();
     for label in checks.map(Check::label) {
         if !labels.contains(&label) {
             labels.push(label);
         }
     }
+    labels
+}
+
+/// The checks of the model's validity that fail there.
+pub(crate) fn outside(checks: impl Iterator<Item = Check>, place: &str) -> Option<StatusPart> {
+    let labels = labels(checks);
     let text = format!("! validity{place}: {}", labels.join(", "));
     (!labels.is_empty()).then_some((Severity::Warning, text))
+}
+
+/// Labels of checks at the ends of axes that are named one by one.
+const AT_ENDS_NAMED: usize = 3;
+
+/// The checks of the model's validity that fail at the ends of axes: many fail at those of wide ranges, and the Log tab has all.
+pub(crate) fn outside_at_ends(checks: impl Iterator<Item = Check>) -> Option<StatusPart> {
+    let labels = labels(checks);
+    let text = match labels[..] {
+        [] => return None,
+        [first, ..] if labels.len() > AT_ENDS_NAMED => {
+            format!("! at the ends: {first}, {} more", labels.len() - 1)
+        }
+        _ => format!("! validity at the ends: {}", labels.join(", ")),
+    };
+    Some((Severity::Warning, text))
 }
 
 impl App {

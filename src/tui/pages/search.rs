@@ -15,7 +15,7 @@ use crate::study::search::front::SAMPLES as DESIGNS;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::Snapshot;
-use crate::tui::app::notice::outside;
+use crate::tui::app::notice::outside_at_ends;
 use crate::tui::pages::page::move_by;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
@@ -177,7 +177,7 @@ impl Page for SearchTab {
             None => part(Severity::Note, NO_RESULTS),
         };
         let ends = own.into_iter().flat_map(Answer::outside_at_ends);
-        let ends = outside(ends.map(|it| it.0), " at the ends");
+        let ends = outside_at_ends(ends.map(|it| it.0));
         let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
         let effort = own.and_then(Answer::effort).map(|runs| part(Severity::Note, runs));
         std::iter::once(first).chain(ends).chain(validity).chain(effort).collect()
@@ -314,6 +314,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
                 Arc::make_mut(&mut app.pages.search.setup).goal = (next, value);
             }
         }
+        (Row::Affected, _) => setup.affected = quantity_after(setup.affected, input)?,
         (Row::Output, _) => setup.output = quantity_after(setup.output, input)?,
         (Row::Goal, Input::Text(text)) => {
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;

@@ -62,9 +62,8 @@ fn the_requests_of_the_search_tab_are_those_of_the_commands() {
             let mut request = bench.app.search_request(page).unwrap();
             assert_eq!(request.command(), bare, "{pairs}: what nobody changed needs no option");
             match &mut request {
-                SearchRequest::Seek(_) => {}
+                SearchRequest::Seek(_) | SearchRequest::Sensitivity(_) => {}
                 SearchRequest::Front(request) => request.samples = 64,
-                SearchRequest::Sensitivity(request) => request.samples = 16,
                 SearchRequest::MonteCarlo(request) => request.samples = Some(20),
             }
             let command = request.command();

@@ -47,11 +47,10 @@ fn front(scene: &Scene, request: &front::Request) -> Report {
 fn made(scene: &Arc<Scene>, request: &SearchRequest) -> SearchAnswer {
     let mut request = request.clone();
     match &mut request {
-        SearchRequest::Seek(_) => {}
+        SearchRequest::Seek(_) | SearchRequest::Sensitivity(_) => {}
         SearchRequest::Front(request) => {
             return SearchAnswer::Front(Box::new(front(scene, request)));
         }
-        SearchRequest::Sensitivity(request) => request.samples = 256,
         SearchRequest::MonteCarlo(request) => request.samples = Some(500),
     }
     request.run(scene, 1, &|_, _| ControlFlow::Continue(())).unwrap()
@@ -305,6 +304,7 @@ fn a_result_without_any_value_says_what_to_do() {
     answer(&mut bench);
     let seek = bench.screen();
     assert!(seek.contains("nothing reaches 60 %") && seek.contains("perforated"), "{seek}");
+    Arc::make_mut(&mut bench.app.pages.search.setup).affected = "yield_margin";
     bench.keys("44");
     answer(&mut bench);
     let matters = bench.screen();

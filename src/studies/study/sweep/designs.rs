@@ -23,6 +23,21 @@ impl Plan {
         designs: &[Vec<f64>],
         context: &mut Context<'_, P>,
     ) -> Vec<Point> {
+        let mut found = self.evaluate_all(designs, context);
+        for Point { outcome, values, .. } in &mut found {
+            for (value, output) in values.iter_mut().zip(&self.outputs) {
+                value.take_if(|_| !outcome.counts(output));
+            }
+        }
+        found
+    }
+
+    /// Evaluates designs as [`Plan::evaluate`] does; values that do not count are kept.
+    pub(in crate::study) fn evaluate_all<P: ?Sized>(
+        &self,
+        designs: &[Vec<f64>],
+        context: &mut Context<'_, P>,
+    ) -> Vec<Point> {
         if context.is_stopped() {
             return Vec::new();
         }
@@ -35,13 +50,7 @@ impl Plan {
         };
         let at_once = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
         let work = Work { count: plan.points, at_once };
-        let mut found = context.map(work, worker, |context, _| context.goes_on());
-        for Point { outcome, values, .. } in &mut found {
-            for (value, output) in values.iter_mut().zip(&self.outputs) {
-                value.take_if(|_| !outcome.counts(output));
-            }
-        }
-        found
+        context.map(work, worker, |context, _| context.goes_on())
     }
 
     /// Whether designs are simulated one by one: on the plastic law, and where a measure is not known from the contact alone.

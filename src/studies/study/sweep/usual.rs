@@ -13,7 +13,7 @@ const FACE_MOST: f64 = 4.0 * FACE_LEAST;
 /// projectile of the thesis: for any other they are the ratios of plates from [`FACE_LEAST`] to 12 diameters wide.
 pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     let ranges = || {
-        let of = |it: &'static Variable| Some((it, it.number()?, it.thesis_range?));
+        let of = |it: &'static Variable| Some((it, it.number()?, thesis_ends(scene, it)?));
         VARIABLES.iter().filter_map(of)
     };
     // A spring's exponent matters where there is a spring: judged with every range at its end.
@@ -26,11 +26,14 @@ pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
             // A mass ratio that follows from the plate's face is not an input.
             variables::is_used(variable, &far) && !variables::overrules_size(variable, scene)
         })
-        .map(|(variable, _, ends)| {
-            let ends = if variable.symbol == "gamma" { mass_ratios(scene, ends) } else { ends };
-            Axis::new(variable.symbol, ends, 2, Spacing::Linear)
-        })
+        .map(|(variable, _, ends)| Axis::new(variable.symbol, ends, 2, Spacing::Linear))
         .collect()
+}
+
+/// Bounds of a variable in Table 9.2, those of the mass ratio as in [`thesis_axes`]; `None` where the table has none.
+pub(in crate::study) fn thesis_ends(scene: &Scene, variable: &Variable) -> Option<(f64, f64)> {
+    let ends = variable.thesis_range?;
+    Some(if variable.symbol == "gamma" { mass_ratios(scene, ends) } else { ends })
 }
 
 fn mass_ratios(scene: &Scene, table: (f64, f64)) -> (f64, f64) {

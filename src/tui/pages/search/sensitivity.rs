@@ -1,45 +1,49 @@
 //! Sensitivity: its setup, its request, and what was found.
 
 use crate::model::run::envelope::Check;
-use crate::report::sensitivity::{condition, indices, table, tornado};
-use crate::study::quantities::{named, usual_of};
-use crate::study::sensitivity::{Report, Request};
+use crate::report::sensitivity::{ASCII, BLOCKS, COLUMNS, page, table};
+use crate::study::quantities::named;
+use crate::study::sensitivity::{OUTPUT, Report, Request};
+use crate::study::sweep::Axis;
 use crate::study::validity;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::answer::{Answer, note, table_lines};
 use crate::tui::pages::search::state::Row;
+use crate::tui::theme::GlyphSet;
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
 
-/// The columns shown.
-const TORNADO: [&str; 4] = ["variable", "output_at_low", "output_at_high", "bar"];
-const INDICES: [&str; 3] = ["variable", "sobol_first", "sobol_total"];
-
 pub(super) const STUDY: Study = Study {
     title: "Sensitivity",
-    synonyms: "sobol tornado importance ranking",
+    synonyms: "tornado importance ranking one at a time",
     file: "sensitivity.csv",
     rows,
     request,
 };
 
-fn rows(app: &App) -> Vec<Row> {
-    let mut rows = vec![Row::Heading("Of"), Row::Output, Row::Heading("Vary")];
-    rows.extend(app.bound_rows());
-    rows
+fn rows(_app: &App) -> Vec<Row> {
+    vec![Row::Heading("Of"), Row::Affected]
 }
 
 fn request(app: &App) -> Result<SearchRequest, String> {
-    let over = app.varied()?;
-    let output = named(app.pages.search.setup.output).map_err(|error| error.to_string())?;
-    let output = Some(output).filter(|it| it.name != usual_of(&app.scene));
-    Ok(SearchRequest::Sensitivity(Request { over, output, ..Request::default() }))
+    let output = named(app.pages.search.setup.affected).map_err(|error| error.to_string())?;
+    let output = Some(output).filter(|it| it.name != OUTPUT);
+    Ok(SearchRequest::Sensitivity(Request { over: Vec::new(), output }))
+}
+
+/// Levels of bars in a set of characters: the PC set has no eighths of a block.
+pub(crate) fn levels(glyphs: GlyphSet) -> [char; 8] {
+    match glyphs {
+        GlyphSet::Braille => BLOCKS,
+        GlyphSet::Ascii | GlyphSet::Block => ASCII,
+    }
 }
 
 impl Answer for Report {
     fn readout(&self, _app: &App) -> Option<String> {
-        Some("+- is the 95 % confidence interval".to_owned())
+        let top = self.output.show(self.scale()?, 3);
+        Some(format!("bars: 0 to {top}, the 95th percentile of all runs; here: slope at the scene"))
     }
 
     fn outside_at_ends(&self) -> &[(Check, String)] {
@@ -47,28 +51,23 @@ impl Answer for Report {
     }
 
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let output = self.output;
-        let own = output.show_any(self.own, 3);
-        let mut lines = vec![note(format!("{}; the scene: {own}", output.title()))];
-        let condition = condition(self);
-        lines.extend(condition.map(|text| (text, Role::Warning)));
-        lines.push(note(String::new()));
-        lines.push(note("one variable at a time, from low to high end".to_owned()));
+        let own = self.output.show_any(self.own.and_then(|own| own.result), 3);
+        let mut lines = vec![note(format!("{}; the scene: {own}", self.output.title()))];
         if self.is_empty() {
             let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
-            return broken(vec![lines.remove(0), (app.keymap.shown(text), Role::Warning)], width);
+            lines.push((app.keymap.shown(text), Role::Warning));
+            return broken(lines, width);
         }
-        let bar = width.saturating_sub(36).clamp(4, 40);
-        lines.extend(table_lines(&tornado(self, bar), &TORNADO, width));
+        lines.push(note("one variable at a time over its range".to_owned()));
         lines.push(note(String::new()));
-        lines.extend(table_lines(&indices(self), &INDICES, width));
+        let levels = levels(app.settings.theme.glyphs);
+        lines.extend(table_lines(&page(self, levels), &COLUMNS, width));
         lines
     }
 
     fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {
-        table(name, self)
-            .with_warnings(&validity::of_axes(scene, &self.axes))
-            .with_reach(reach)
-            .csv()
+        let axes: Vec<Axis> = self.effects.iter().map(|effect| effect.axis.clone()).collect();
+        let warnings = validity::of_axes(scene, &axes);
+        table(name, self).with_warnings(&warnings).with_reach(reach).csv()
     }
 }

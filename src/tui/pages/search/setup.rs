@@ -27,7 +27,7 @@ fn short_words(bound: &Constraint) -> String {
     format!("{}{}{}", brief(bound.measure), bound.sign(), bound.measure.show(bound.bound, 4))
 }
 
-/// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, whatever else the scene uses is off.
+/// The variables that fronts can vary: those of Table 9.2 that matter are on, whatever else the scene uses is off.
 fn usual_bounds(scene: &Scene) -> Vec<Bound> {
     let thesis = thesis_axes(scene).unwrap_or_default();
     let is_there = |it: &Variable| thesis.iter().any(|axis| axis.variable().key == it.key);
@@ -43,7 +43,7 @@ fn usual_bounds(scene: &Scene) -> Vec<Bound> {
 }
 
 impl App {
-    /// The variables of fronts and sensitivity, as far as a person changed none of their bounds the usual ones.
+    /// The variables of fronts, as far as a person changed none of their bounds the usual ones.
     pub fn search_bounds(&self) -> Vec<Bound> {
         let kept = &self.pages.search.setup.bounds;
         let kept = |symbol: &str| kept.iter().find(|it| it.axis.symbol() == symbol).cloned();
@@ -124,6 +124,7 @@ impl App {
             ),
             Row::Designs => FormRow::typed("designs", setup.designs.to_string())
                 .means("designs to try; the front has at most 100 of them"),
+            Row::Affected => FormRow::quantity(setup.affected),
             Row::Output => FormRow::quantity(setup.output),
             Row::Percent => FormRow::typed("std dev", format!("{} %", significant(setup.percent, 5)))
                 .means("standard deviation of every input, lognormal"),

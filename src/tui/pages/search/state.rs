@@ -7,6 +7,7 @@ use crate::model::scene::SweepAxis;
 use crate::study::quantities;
 use crate::study::search::front::{self, Constraint, SAMPLES, USUAL};
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL};
+use crate::study::sensitivity;
 use crate::study::sweep::{Axis, COUNTS};
 use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
@@ -62,7 +63,7 @@ pub struct Setup {
     pub seek: SweepAxis,
     /// The result and its wanted value.
     pub goal: (&'static str, f64),
-    /// Variables of fronts and sensitivity; empty: those of Table 9.2.
+    /// Variables of fronts; empty: those of Table 9.2.
     pub bounds: Vec<Bound>,
     /// Which of the usual objectives count.
     pub objectives: [bool; 4],
@@ -72,7 +73,9 @@ pub struct Setup {
     pub feasible: bool,
     /// Designs that a front tries.
     pub designs: usize,
-    /// The result of sensitivity and scatter.
+    /// The result of sensitivity.
+    pub affected: &'static str,
+    /// The result of scatter.
     pub output: &'static str,
     /// Relative deviation of every input, percent.
     pub percent: f64,
@@ -91,6 +94,7 @@ impl Default for Setup {
             subject_to: front.subject_to,
             feasible: front.is_feasible,
             designs: front.samples,
+            affected: sensitivity::OUTPUT,
             output: "percent_of_baseline",
             percent: 2.0,
             samples: 10_000,
@@ -112,6 +116,7 @@ impl Setup {
             subject_to: Some(self.subject_to.iter().map(ToString::to_string).collect()),
             feasible: Some(self.feasible),
             designs: Some(self.designs),
+            affected: self.affected.to_owned(),
             output: self.output.to_owned(),
             percent: Some(self.percent),
             samples: Some(self.samples),
@@ -139,6 +144,7 @@ impl Setup {
             subject_to: bounds.unwrap_or(usual.subject_to),
             feasible: kept.feasible.unwrap_or(usual.feasible),
             designs: kept.designs.unwrap_or(usual.designs).clamp(*SAMPLES.start(), *SAMPLES.end()),
+            affected: quantities::find(&kept.affected).map_or(usual.affected, |it| it.name),
             output: quantities::find(&kept.output).map_or(usual.output, |it| it.name),
             percent: kept.percent.unwrap_or(usual.percent).clamp(1e-3, 100.0),
             samples: kept.samples.unwrap_or(usual.samples).clamp(2, 1_000_000),
@@ -162,7 +168,9 @@ pub enum Row {
     Feasible,
     /// Designs that a front tries.
     Designs,
-    /// The result of sensitivity and scatter.
+    /// The result of sensitivity.
+    Affected,
+    /// The result of scatter.
     Output,
     /// Relative deviation of the inputs.
     Percent,
