@@ -16,7 +16,7 @@ use crate::files::export::{Beside, Destination};
 use crate::model::run::envelope::OUTSIDE;
 use crate::model::scene::Scene;
 use crate::report::table::{Table, pretty};
-use crate::tui::widgets::text::{clip, wrap};
+use crate::tui::widgets::text::wrap;
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Default, Args)]
@@ -153,19 +153,19 @@ fn write(
     Ok(())
 }
 
-/// A warning in a line: of a breach of validity the first clause, which has its name and number, or the first two where the first has
-/// no number, and on which side the answer errs; of any other what fits.
+/// A warning in brief: of a breach of validity the first clause, which has its name and number, or the first two where the first has
+/// no number, and on which side the answer errs; of any other the clauses that fit in a line, or all of it. A clause is never cut: the
+/// page wraps it.
 fn brief(warning: &str) -> String {
     let room = text::width() - 4;
     let Some((lead, text)) = warning.split_once(OUTSIDE) else {
         let fits = |clause: &&str| clause.chars().count() <= room;
-        return clip(clauses(warning).filter(fits).last().unwrap_or(warning), room);
+        return clauses(warning).filter(fits).last().unwrap_or(warning).to_owned();
     };
     let (text, direction) = text.rsplit_once(" (").unwrap_or((text, ""));
     let has_number = |clause: &&str| clause.contains(|c: char| c.is_ascii_digit());
     let clause = clauses(text).find(has_number).or_else(|| clauses(text).next()).unwrap_or(text);
-    let room = room.saturating_sub(direction.chars().count() + 2);
-    format!("{} ({direction}", clip(&format!("{lead}{clause}"), room))
+    format!("{lead}{clause} ({direction}")
 }
 
 /// A text up to each end of a clause, and the whole.
@@ -208,6 +208,10 @@ mod tests {
         ] {
             assert_eq!(brief(warning), line);
         }
-        assert!(brief(&"word ".repeat(40)).chars().count() <= text::width() - 4);
+        // A clause longer than a line stays whole.
+        let long = "word ".repeat(40);
+        assert_eq!(brief(long.trim_end()), long.trim_end());
+        let breach = format!("outside validity: {long}is 8.457: explained (unconservative)");
+        assert_eq!(brief(&breach), format!("{long}is 8.457 (unconservative)"));
     }
 }
