@@ -13,7 +13,7 @@ use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _}
 use std::path::{Path, PathBuf};
 
 use rustix::event::{Timespec, poll};
-use rustix::fs::{FlockOperation, Gid, Uid, fchown, flock};
+use rustix::fs::{Gid, Uid, fchown};
 use tempfile::NamedTempFile;
 
 use crate::files::error::FileError;
@@ -129,7 +129,7 @@ const LOCK_TRIES: u32 = 1000;
 pub fn wait_for_lock(path: &Path) -> Option<File> {
     let file = OpenOptions::new().create(true).truncate(false).write(true).open(path).ok()?;
     for _ in 0..LOCK_TRIES {
-        if flock(&file, FlockOperation::NonBlockingLockExclusive).is_ok() {
+        if file.try_lock().is_ok() {
             return Some(file);
         }
         // Waits for no event at all: until the time is over.
@@ -304,7 +304,7 @@ fn hidden(target: &Path) -> io::Result<NamedTempFile> {
     for _ in 0..HIDDEN_TRIES {
         let file = made()?;
         // Where the file system has no locks nothing is removed either.
-        let _ = flock(&file, FlockOperation::LockExclusive);
+        let _ = file.as_file().lock();
         // Another program may have taken it for a stale one before it was locked.
         if file.as_file().metadata()?.nlink() > 0 {
             return Ok(file);
@@ -322,7 +322,7 @@ pub fn remove_stale(directory: &Path) {
         if is_hidden
             && entry.file_type().is_ok_and(|kind| kind.is_file())
             && let Ok(file) = File::open(&path)
-            && flock(&file, FlockOperation::NonBlockingLockExclusive).is_ok()
+            && file.try_lock().is_ok()
         {
             let _ = fs::remove_file(path);
         }
@@ -537,7 +537,7 @@ mod tests {
         let path = place.path().join("session.lock");
         let first = wait_for_lock(&path);
         let second = File::open(&path).unwrap();
-        let lock = || flock(&second, FlockOperation::NonBlockingLockExclusive);
+        let lock = || second.try_lock();
         assert!(first.is_some() && lock().is_err());
         drop(first);
         assert!(lock().is_ok());

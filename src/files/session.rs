@@ -22,10 +22,6 @@ const RECENT_MAX: usize = 10;
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
 pub(super) const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
 
-/// Edits that can be undone after a restart, and the bytes that their scenes may take.
-pub const UNDO_MAX: usize = 20;
-const UNDO_BYTES_MAX: usize = 1 << 16;
-
 /// The open state of the workbench.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Session {
@@ -41,19 +37,6 @@ pub struct Session {
     pub setup: Setup,
     /// Scene files opened or saved, newest first.
     pub recent: Vec<PathBuf>,
-    /// The last edits that can be undone, oldest first.
-    pub undo: Vec<UndoStep>,
-}
-
-/// An edit of the scene that can be undone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct UndoStep {
-    /// What it did: `gamma 1 -> 1.25`.
-    pub label: String,
-    /// The scene before it.
-    pub scene: Scene,
-    /// Name or path of the preset which that came from.
-    pub preset: String,
 }
 
 /// How the workbench was set, as far as a person chose it.
@@ -151,8 +134,6 @@ struct SessionFile {
     setup: Setup,
     #[serde(default)]
     pin: Vec<PinRow>,
-    #[serde(default)]
-    undo: Vec<UndoRow>,
 }
 
 /// What a key has, where that means something: it costs nothing else where it does not.
@@ -165,13 +146,6 @@ fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
 #[derive(Serialize, Deserialize)]
 struct PinRow {
     name: String,
-    scene: String,
-}
-
-#[derive(Serialize, Deserialize)]
-struct UndoRow {
-    label: String,
-    preset: String,
     scene: String,
 }
 
@@ -265,23 +239,8 @@ fn body(path: &Path, session: &Session) -> Result<String, FileError> {
             .iter()
             .map(|(name, scene)| PinRow { name: name.clone(), scene: write::fresh(scene) })
             .collect(),
-        undo: undo_rows(&session.undo),
     };
     toml::to_string_pretty(&file).map_err(|error| FileError::target(path, &error.to_string()))
-}
-
-/// The newest steps that have room, oldest first.
-fn undo_rows(steps: &[UndoStep]) -> Vec<UndoRow> {
-    let mut room = UNDO_BYTES_MAX;
-    let mut rows = Vec::new();
-    for UndoStep { label, scene, preset } in steps.iter().rev() {
-        let scene = write::fresh(scene);
-        let Some(left) = room.checked_sub(scene.len()) else { break };
-        room = left;
-        rows.push(UndoRow { label: label.clone(), preset: preset.clone(), scene });
-    }
-    rows.reverse();
-    rows
 }
 
 /// Load the last session, if there is one. A file that is damaged is backed up with the ending `.broken`, and what can be read
@@ -335,17 +294,6 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
             Err(error) => problems.push(error.to_string()),
         }
     }
-    let mut undo = Vec::new();
-    for UndoRow { label, preset, scene } in file.undo {
-        match read::scene(&scene, &label) {
-            Ok(scene) => undo.push(UndoStep { label, scene, preset }),
-            Err(error) => {
-                // What was before it cannot be reached.
-                undo.clear();
-                problems.push(error.to_string());
-            }
-        }
-    }
     match read::scene(&file.scene, "scene") {
         Ok(scene) => {
             let session = Session {
@@ -355,7 +303,6 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
                 view: file.view,
                 setup: file.setup,
                 recent: file.recent.into_iter().map(PathBuf::from).collect(),
-                undo,
             };
             (Some(session), problems)
         }
@@ -382,9 +329,6 @@ mod tests {
         session.setup.search =
             Some(Search { goal: "stroke_m=0.6".to_owned(), ..Search::default() });
         note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
-        let scene = Scene { title: "before".to_owned(), ..Scene::default() };
-        let (label, preset) = ("gamma 1 -> 2".to_owned(), "cocked".to_owned());
-        session.undo.push(UndoStep { label, scene, preset });
         session
     }
 
@@ -506,8 +450,8 @@ mod tests {
     #[test]
     fn a_damaged_pin_does_not_cost_the_scene() {
         let (_place, path, text) = saved();
-        // The pin's own scene is the last one before those of edits.
-        let at = text[..text.find("[[undo]]").unwrap()].rfind("mass_kg").unwrap();
+        // The pin's own scene is the last one.
+        let at = text.rfind("mass_kg").unwrap();
         fs::write(&path, format!("{}mass_lb{}", &text[..at], &text[at + 7..])).unwrap();
         let loaded = load(&path);
         let session = loaded.session.unwrap();

@@ -9,9 +9,8 @@ use crate::files::config;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Known, Session, UNDO_MAX, UndoStep, View};
+use crate::files::session::{self, Known, Session, View};
 use crate::model::scene::Scene;
-use crate::tui::app::history::{Edit, History, Snapshot};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::app::{App, Settings, edit};
@@ -54,7 +53,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         (None, Some(last)) => {
             let base = base_named(last.preset.as_deref(), &last.scene, paths);
             let mut app = App::new(base, theme, directory);
-            restore(&mut app, last, options.glyphs, paths);
+            restore(&mut app, last, options.glyphs);
             app
         }
         (None, None) => App::new(baseline(), theme, directory),
@@ -169,7 +168,6 @@ pub(super) fn session(app: &App) -> Session {
         view,
         setup: app.setups(),
         recent: app.files.recent.clone(),
-        undo: undo_steps(app),
     }
 }
 
@@ -213,36 +211,6 @@ impl App {
         self.tell(format!("{label} (<undo> undoes)"));
         edit::opened(self, before, label);
     }
-}
-
-/// The last edits of the scene that can be undone, oldest first.
-fn undo_steps(app: &App) -> Vec<UndoStep> {
-    let edits = app.history.edits[..app.history.done].iter().rev();
-    let of_scene = edits.filter(|edit| edit.states.0.scene != edit.states.1.scene);
-    let step = |edit: &Edit| UndoStep {
-        label: edit.label.clone(),
-        scene: (*edit.states.0.scene).clone(),
-        preset: kept_name(app, &edit.states.0.base),
-    };
-    let mut steps: Vec<UndoStep> = of_scene.take(UNDO_MAX).map(step).collect();
-    steps.reverse();
-    steps
-}
-
-/// The edits that can be undone, from the scenes before them.
-fn undoable(app: &App, steps: Vec<UndoStep>, paths: Option<&Paths>) -> History {
-    let mut after = app.snapshot();
-    let mut edits = Vec::new();
-    for UndoStep { label, scene, preset } in steps.into_iter().rev() {
-        let is_same = preset == kept_name(app, &after.base);
-        let base =
-            if is_same { after.base.clone() } else { base_named(Some(&preset), &scene, paths) };
-        let before = Snapshot { scene: Arc::new(scene), base, ..after.clone() };
-        edits.push(Edit { label, states: Box::new((before.clone(), after)), stepping: None });
-        after = before;
-    }
-    edits.reverse();
-    History { done: edits.len(), edits }
 }
 
 /// The name of what the scene came from. A path is kept whole: the next start may be in another directory, where a file of the
@@ -296,7 +264,7 @@ fn scene_of_session(last: &Session, base: &Base) -> Scene {
 }
 
 /// Take over what the session has, and say so.
-fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option<&Paths>) {
+fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     app.scene = Arc::new(scene_of_session(&last, &app.base));
     app.pins = pins_of(app, last.pins);
     let View { glyphs: set, colours } = last.view;
@@ -309,7 +277,6 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>, paths: Option
         app.settings.theme.depth = depth;
     }
     app.restore_setups(last.setup);
-    app.history = undoable(app, last.undo, paths);
     let modified = if app.is_modified() { ", modified" } else { "" };
     let pins = counted_pins(app.pins.len());
     let name = &app.base.name;
@@ -401,7 +368,7 @@ mod tests {
         let bounds: Vec<&str> = search.bounds.iter().map(|it| &*it.0).collect();
         assert!(bounds.contains(&"gamma=1..5:2") && bounds.contains(&"k=0..7.5e6:2"), "{search:?}");
         let mut again = state();
-        restore(&mut again, kept.clone(), None, None);
+        restore(&mut again, kept.clone(), None);
         assert_eq!(again.scene, app.scene);
         assert_eq!(again.settings.theme, app.settings.theme);
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
@@ -413,28 +380,8 @@ mod tests {
         assert!(text.contains("modified, 1 pinned run"), "{text}");
         // What the command line requests goes before what the session has.
         let mut fixed = state();
-        restore(&mut fixed, kept, Some(GlyphSet::Ascii), None);
+        restore(&mut fixed, kept, Some(GlyphSet::Ascii));
         assert_eq!(fixed.settings.theme.glyphs, state().settings.theme.glyphs);
-    }
-
-    /// Three edits, one of them another preset: after a restart each is undone, and done again.
-    #[test]
-    fn edits_are_undone_after_a_restart() {
-        let mut app = state();
-        press(&mut app, "l");
-        let cocked = base_of(preset::resolve("cocked", None).unwrap());
-        edit::load(&mut app, cocked.clone(), Picture::default());
-        press(&mut app, "l");
-        let mut again = App::new(cocked, app.settings.theme, PathBuf::new());
-        restore(&mut again, session(&app), None, None);
-        let steps: [fn(&mut App); 5] = [edit::undo, edit::undo, edit::undo, edit::undo, edit::redo];
-        for step in steps {
-            assert_eq!((&again.scene, &again.base), (&app.scene, &app.base));
-            step(&mut app);
-            step(&mut again);
-        }
-        assert_eq!(app.history.done, 1);
-        assert_eq!((&again.scene, &again.base), (&app.scene, &app.base));
     }
 
     #[test]
