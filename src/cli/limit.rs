@@ -11,7 +11,7 @@ use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging};
 use crate::cli::{CliError, draw};
 use crate::model::units::velocity;
-use crate::report::limit::{self, remarks, residual, taken_to_hold};
+use crate::report::limit::{self, meaning, remarks, residual, taken_to_hold};
 use crate::report::svg::Picture;
 use crate::study::limit::{COMMAND, Limit, Report, find};
 use crate::tui::theme::Theme;
@@ -56,7 +56,7 @@ fn page(name: &str, report: &Report) -> String {
         page.push_str(&draw::chart(&chart, chart_size((WIDTH, HEIGHT)), Theme::PLAIN));
     }
     page.push('\n');
-    for remark in remarks(report).into_iter().chain(taken_to_hold(report)) {
+    for remark in remarks(report).into_iter().chain(taken_to_hold(report)).chain(meaning(report)) {
         page += &hanging(&format!("{:LABEL$}", remark.about), &remark.text, LABEL);
     }
     page
@@ -64,10 +64,15 @@ fn page(name: &str, report: &Report) -> String {
 
 fn head(page: &mut String, report: &Report) {
     let own = report.scene.projectile.velocity_m_s;
+    *page += &hanging("verdict         ", &limit::answer(report), LABEL);
+    let expected = report.verdict().expected;
+    if let Some(expected) = &expected {
+        *page += &hanging("expected limit  ", &expected.words(), LABEL);
+    }
+    let label = if expected.is_some() { "law alone       " } else { "limit velocity  " };
     match report.limit {
         Limit::Found { velocity_m_s, basis, .. } => {
-            let _ =
-                writeln!(page, "limit velocity  {}, {}", velocity(velocity_m_s, 6), basis.words());
+            let _ = writeln!(page, "{label}{}, {}", velocity(velocity_m_s, 6), basis.words());
         }
         Limit::Never | Limit::Always | Limit::Unknown => {
             let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
@@ -75,10 +80,8 @@ fn head(page: &mut String, report: &Report) {
     }
     *page += &hanging("criterion       ", report.scene.target.criterion.label(), LABEL);
     if let Some(margin) = report.margin() {
-        let side = if margin < 0.0 { "which perforates" } else { "which is stopped" };
         let (percent, own) = (100.0 * margin, velocity(own, 6));
-        let _ =
-            writeln!(page, "margin          {percent:+.1} % relative to the scene's {own}: {side}");
+        let _ = writeln!(page, "margin          {percent:+.1} % relative to the scene's {own}");
     }
     page.push('\n');
 }

@@ -11,9 +11,12 @@ use crate::cli::study::{Random, StudyArguments};
 use crate::cli::text::width;
 use crate::model::scene::Scene;
 use crate::report::monte_carlo::{self, perforation, table};
+use crate::report::verdict::sentence;
 use crate::study::context::Reach;
 use crate::study::monte_carlo::{LIMIT, Report, Request, Tolerance, run as study};
 use crate::study::quantities::{Quantity, named};
+use crate::study::sweep::PointOutcome;
+use crate::study::verdict::Verdict;
 
 #[derive(Debug, Args)]
 #[command(
@@ -96,8 +99,14 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let report = report?;
     let name = preset.name.as_str();
     let warnings = monte_carlo::warnings(&preset.scene, &report);
-    let (page, object) =
-        (page(name, &report, extent.reach), monte_carlo::json(name, &report, extent.reach));
+    let verdict = Verdict::of(&preset.scene);
+    let by_law = report.nominal.and_then(|outcome| match outcome {
+        PointOutcome::Ended(outcome) => Some(outcome),
+        PointOutcome::Failed(_) => None,
+    });
+    let answer = sentence(&preset.scene, &verdict, by_law);
+    let page = page(name, &report, (&answer, extent.reach));
+    let object = monte_carlo::json(name, &report, &verdict, extent.reach);
     let source = (&preset.scene, request.to_string());
     arguments.study.deliver(extent, source, &warnings, page, object, table(name, &report))?;
     let failed = Some(report.outcomes.failed).filter(|failed| *failed > 0);
@@ -105,9 +114,10 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     Ok(extent.exit_code_after(failed))
 }
 
-fn page(name: &str, report: &Report, reach: Reach) -> String {
+fn page(name: &str, report: &Report, (answer, reach): (&str, Reach)) -> String {
     let early = if reach.is_complete() { "" } else { ", stopped early" };
-    let mut page = format!("{name}: {} samples, seed {}{early}\n\n", report.samples, report.seed);
+    let mut page =
+        format!("{name}: {} samples, seed {}{early}\n{answer}\n\n", report.samples, report.seed);
     for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
         let again = match redrawn {
             0 => String::new(),

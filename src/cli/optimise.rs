@@ -24,8 +24,9 @@ const LISTED: usize = 16;
 #[derive(Debug, Args)]
 #[command(after_help = "QUANTITY is any quantity: `cmra explain` lists all. \
     Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised.\n\
-    Only feasible designs count (`--no-feasibility` switches this off): the run of one has no warning that the answer errs on the \
-    unsafe side, such as an interface, a spring or a stop that does not carry its load, or a plate's face below 3 diameters.\n\
+    Only feasible designs count (`--no-feasibility` switches this off): the shot is slower than the band of the limit where such shots were \
+    measured, its own run is not perforated, and the run has no warning that the answer errs on the unsafe side, such as an interface, a spring \
+    or a stop that does not carry its load, or a plate's face below 3 diameters.\n\
     Designs are sampled by Sobol's sequence, first everywhere, then in shrinking boxes around the best. The same request gives the \
     same digits.\n\
     Exit status 1 when no design satisfies every constraint.")]

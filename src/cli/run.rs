@@ -29,6 +29,7 @@ use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
 use crate::report::run::{self as report, NamedRun};
 use crate::report::svg::Picture;
+use crate::report::verdict;
 use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 
@@ -224,7 +225,7 @@ fn summary(name: &str, run: &Run, table: &TableArguments) -> String {
         }
         page.push_str("\nelement 1 in full:\n");
     }
-    let _ = writeln!(page, "{}\n", sentence(run));
+    let _ = writeln!(page, "{}\n{}\n", sentence(run), verdict::of_run(run));
     for line in results(run) {
         let _ = writeln!(page, "{line}");
     }

@@ -11,10 +11,12 @@ use crate::model::variables::{VARIABLES, Variable, is_used};
 use crate::report::document::Document;
 use crate::report::figures::run::selected;
 use crate::report::figures::sweeps::picture;
-use crate::report::limit::{remarks, residual, taken_to_hold};
+use crate::report::limit::{answer, meaning, remarks, residual, taken_to_hold};
+use crate::report::measured;
 use crate::report::run::page::{of_first, sentence};
 use crate::report::svg::Picture;
 use crate::study::limit;
+use crate::study::measured::{Errors, errors, left_out};
 use crate::study::quantities::{Quantity, of_runs};
 use crate::study::stack;
 use crate::study::sweep::grid::Grid;
@@ -41,6 +43,7 @@ pub fn html(
     let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
     let mut page = Document::new(&title);
     page.paragraph(&run.stack.as_ref().map_or_else(|| sentence(run), |it| it.sentence()));
+    page.paragraph(&answer(limit));
     // Warnings have a section of their own.
     for line in scene.notes.lines().filter(|line| !library::is_warning(line)) {
         page.paragraph(line);
@@ -58,6 +61,7 @@ pub fn html(
         charts.into_iter().map(Picture::Chart).for_each(|chart| page.picture(&chart));
     }
     ballistic_limit(&mut page, limit);
+    measured_limits(&mut page);
     if let Some(grid) = sweep {
         own_sweep(&mut page, grid);
     }
@@ -117,15 +121,19 @@ fn results(page: &mut Document, run: &Run) {
 /// The ballistic limit with its curve.
 fn ballistic_limit(page: &mut Document, report: &limit::Report) {
     let mut lines = Vec::new();
+    lines.push(format!("verdict: {}", answer(report)));
+    let expected = report.verdict().expected;
+    lines.extend(expected.as_ref().map(|expected| format!("expected: {}", expected.words())));
+    let law = if expected.is_some() { "law alone: " } else { "" };
     match report.limit.velocity_m_s() {
-        Some(velocity) => lines.push(units::velocity(velocity, DIGITS)),
+        Some(velocity) => lines.push(format!("{law}{}", units::velocity(velocity, DIGITS))),
         None => lines.extend(report.limit.absence()),
     }
     lines.push(format!("criterion: {}", report.scene.target.criterion.label()));
     if let Some(margin) = report.margin() {
         lines.push(format!("{:+.1} % over the scene's own velocity", 100.0 * margin));
     }
-    let remarks = remarks(report).into_iter().chain(taken_to_hold(report));
+    let remarks = remarks(report).into_iter().chain(taken_to_hold(report)).chain(meaning(report));
     lines.extend(remarks.map(|remark| format!("{}: {}", remark.about, remark.text)));
     let warnings = report.at_limit.as_ref().map(envelope::warnings).unwrap_or_default();
     let known: Vec<&str> = library::warnings(&report.scene).collect();
@@ -134,6 +142,31 @@ fn ballistic_limit(page: &mut Document, report: &limit::Report) {
     page.heading("Ballistic limit");
     page.list(&lines);
     if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s) {
+        page.picture(&Picture::Chart(chart));
+    }
+}
+
+/// The errors of expected limits, of papers that are left out, with their picture.
+fn measured_limits(page: &mut Document) {
+    let rows = left_out();
+    let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
+    let row = |it: &Errors| {
+        let inside = it.share_inside().map_or_else(String::new, percent);
+        [
+            it.group.clone().unwrap_or_else(|| "all".to_owned()),
+            format!("{} of {}", it.rows, it.papers),
+            percent(it.bias),
+            it.deviation.map_or_else(String::new, percent),
+            inside.trim_start_matches('+').to_owned(),
+        ]
+    };
+    page.heading("Measured limits");
+    page.paragraph(
+        "Limits of rigid plates that are expected from all other papers, over measured ones. No measured limit of a moving plate is public.",
+    );
+    let heads = ["class", "rows of papers", "bias", "standard deviation", "inside the band"];
+    page.table(heads, errors(rows).iter().map(row));
+    if let Some(chart) = measured::picture(rows) {
         page.picture(&Picture::Chart(chart));
     }
 }

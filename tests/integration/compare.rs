@@ -98,7 +98,7 @@ fn oblique_limits_come_with_a_caution() {
 fn candidates_are_rows_and_bad_options_are_refused() {
     let table = output(&["--csv", "-", "--set", "v_i=400"]);
     let lines: Vec<&str> = table.lines().collect();
-    assert!(lines[0].starts_with("scene,candidate,outcome,governed_by,mass_efficiency,"));
+    assert!(lines[0].starts_with("scene,candidate,outcome,verdict,governed_by,mass_efficiency,"));
     let words: Vec<&str> = lines[1..].iter().filter_map(|line| line.split(',').nth(1)).collect();
     assert_eq!(words, ["scene", "rigid mount", "free plate", "solid plate"]);
     // Perforated: no depth.
@@ -190,7 +190,7 @@ fn a_plate_that_nothing_stops_has_no_mass_efficiency() {
     assert_eq!((lines.len(), lines.iter().filter(empty).count()), (4, 2), "{csv}");
     let found = json(&["--set", "k=0"]);
     assert!(found["mass_efficiency"].is_null(), "{found}");
-    assert_eq!(found["verdict"], "not met: nothing stops plate and projectile");
+    assert_eq!(found["conclusion"], "not met: nothing stops plate and projectile");
 }
 
 /// Slow shots are stopped by plates thinner than the model's range: the page says so.
@@ -218,7 +218,7 @@ fn a_mechanism_that_does_not_move_makes_no_difference() {
     for velocity in ["v_i=11", "v_i=15", "v_i=20"] {
         let crush = ["--set", "spring=crush", "--set", "F_crush=50kN", "--set", "m_spring=1e-9"];
         let set = [&crush[..], &["--set", "gamma=6.31", "--set", velocity]].concat();
-        assert_eq!(json(&set)["verdict"], "the mechanism makes no difference to a solid plate");
+        assert_eq!(json(&set)["conclusion"], "the mechanism makes no difference to a solid plate");
     }
 }
 

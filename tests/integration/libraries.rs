@@ -76,7 +76,7 @@ fn a_drag_of_ones_own_leaves_the_closure_by_thickness() {
         let axis = ["--over", "C_d=0.212,0.3", "--outputs", "limit_velocity_m_s", "--csv", "-"];
         let rigid = ["--set", "mount=rigid"];
         let swept = says("sweep", &[&with(&[h])[..], &rigid, &axis].concat(), 0).0;
-        let first = swept.lines().nth(1).and_then(|row| row.split(',').nth(2)).unwrap();
+        let first = swept.lines().nth(1).and_then(|row| row.split(',').nth(3)).unwrap();
         let first: f64 = first.parse().unwrap();
         assert!((first / f64::from_bits(stated) - 1.0).abs() < 1e-9, "{swept}");
     }
@@ -168,7 +168,7 @@ fn each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {
     let of_sweep: Vec<f64> = swept
         .lines()
         .skip(1)
-        .map(|line| line.split(',').nth(2).unwrap().parse().unwrap())
+        .map(|line| line.split(',').nth(3).unwrap().parse().unwrap())
         .collect();
     let alone: Vec<f64> = ["h=3mm", "h=5mm", "h=8mm"]
         .map(|h| {

@@ -94,3 +94,5 @@ mod units;
 mod validation;
 #[cfg(test)]
 mod values;
+#[cfg(test)]
+mod verdict;

@@ -37,7 +37,7 @@ fn a_front_is_that_of_the_scenes_law_whatever_the_threads() {
     assert!(plastic.contains("interface plastic: a front of"), "{plastic}");
     let (csv, _) = out(&[&asked[..], &["--csv", "-"]].concat(), 0);
     assert!(csv.starts_with(
-        "scene,interface,gamma,k,d,final_penetration_m,stroke_m,outcome,plastic,warnings\n"
+        "scene,interface,gamma,k,d,final_penetration_m,stroke_m,outcome,verdict,plastic,warnings\n"
     ));
     // A row of a front runs to the same numbers.
     let row: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();

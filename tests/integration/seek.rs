@@ -115,7 +115,8 @@ fn an_unreachable_goal_exits_1_and_names_the_nearest_value() {
     }
     let (csv, _) = out(&[&arguments[..], &["--csv", "-"]].concat(), 1);
     assert!(csv.starts_with(
-        "scene,kind,variable,key,at,until,output,target,value,outcome,interface,plastic,warnings\n"
+        "scene,kind,variable,key,at,until,output,target,value,outcome,interface,plastic,verdict,\
+         expected_limit_m_s,expected_low_m_s,expected_high_m_s,class,measurements,papers,warnings\n"
     ));
     assert!(csv.contains("thesis-baseline,nearest,k,mechanism.spring.coefficient,0,"), "{csv}");
 }

@@ -164,10 +164,10 @@ fn a_perforated_point_keeps_its_row_and_says_so() {
         "rigid-mount --over v_i=230..240:2 --outputs percent_of_baseline,residual_velocity_m_s --csv -",
     );
     let rows = rows(&done.out);
-    assert_eq!(rows[1][..2], ["230", "arrested"]);
-    assert!((rows[1][2].parse::<f64>().unwrap() - 100.0).abs() < 1e-9 && rows[1][3].is_empty());
-    assert_eq!(rows[2][1..3], ["perforated", ""]);
-    assert!(rows[2][3].parse::<f64>().unwrap() > 0.0);
+    assert_eq!(rows[1][..3], ["230", "arrested", "not-measured"]);
+    assert!((rows[1][3].parse::<f64>().unwrap() - 100.0).abs() < 1e-9 && rows[1][4].is_empty());
+    assert_eq!(rows[2][1..4], ["perforated", "not-measured", ""]);
+    assert!(rows[2][4].parse::<f64>().unwrap() > 0.0);
 }
 
 #[test]

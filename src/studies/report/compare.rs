@@ -12,6 +12,7 @@ use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
+use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Hardware, Report, Sized, THINNEST_M, Verdict};
 use crate::study::limit::RANGE_M_S;
@@ -22,12 +23,16 @@ const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plat
 /// The limit of plate and spring together.
 const SURVIVES: &str = "if spring must survive";
 /// The lines of a page, by their keys.
-const LINES: [&str; 18] = [
+const LINES: [&str; 22] = [
     "candidate",
     "mass_efficiency",
     "limit_velocity_m_s",
+    "expected_limit_m_s",
+    "expected_low_m_s",
+    "expected_high_m_s",
     "limit_if_spring_survives_m_s",
     "outcome",
+    "verdict",
     "areal_mass_kg_m2",
     "stroke_m",
     "stroke_at_limit_m",
@@ -51,11 +56,12 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         (!Mechanism::of(&it.run.scene).is_absent()).then_some(it.run.ledger.initial_spring_j)
     };
     let at_limit = |name| move |it: &&Entry| find(name)?.value(it.at_limit.as_ref()?);
-    Table::of(&report.entries)
+    let table = Table::of(&report.entries)
         .field("scene", move |_| name)
         .with("candidate", "", "", |it| it.candidate.word())
         .with("outcome", "at the design velocity", "", |it| it.run.shot_outcome().word())
         .shown(|it, word| Some(word.as_str()?.to_owned() + if it.is_held { "" } else { "*" }))
+        .with("verdict", "verdict", "", |it| it.shot.decision.word())
         .field("governed_by", |it| governed_by(it))
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
         .shown(|it, value| {
@@ -82,12 +88,16 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .with("max_plate_displacement_m", "back-face travel", "m", own("max_plate_displacement_m"))
         .with("thickness_m", "thickness", "m", |it| it.run.scene.target.thickness_m)
         .with("residual_velocity_m_s", "residual velocity", "m/s", own("residual_velocity_m_s"))
-        .with("penetration_m", "depth", "m", |it| it.depth_m())
+        .with("penetration_m", "depth", "m", |it| it.depth_m());
+    expected_columns(table, |it| it.shot.expected.as_ref())
 }
 
 /// The candidates beside each other, a figure on each line, as on a page of this width.
 pub fn beside(report: &Report, width: usize) -> String {
-    let mut page = table("", report).turned(&LINES, width);
+    let has_class = report.entries.iter().any(|entry| entry.shot.expected.is_some());
+    let lines: Vec<&str> =
+        LINES.into_iter().filter(|key| has_class || !key.starts_with("expected_")).collect();
+    let mut page = table("", report).turned(&lines, width);
     if report.entries.iter().any(|entry| !entry.is_held) {
         page.push_str(
             "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio\n",
@@ -123,11 +133,11 @@ pub fn json(name: &str, report: &Report) -> Value {
         (candidate.word().replace(' ', "_"), entry)
     });
     let own = report.of(Candidate::Scene);
-    json!({
+    let mut object = json!({
         "scene": name,
         "interface": report.scene.interface.law.word(),
         "design_velocity_m_s": report.scene.projectile.velocity_m_s,
-        "verdict": report.verdict().words(),
+        "conclusion": report.verdict().words(),
         "pays": report.verdict().pays(),
         "mass_efficiency": own.filter(|it| it.is_held).and_then(Entry::mass_efficiency),
         "mass_not_counted": report.uncounted,
@@ -140,7 +150,11 @@ pub fn json(name: &str, report: &Report) -> Value {
         "penetration_over_solid": report.depth_over_solid(),
         "caution": report.caution(),
         "candidates": candidates.collect::<Object<_, _>>(),
-    })
+    });
+    for (key, value) in own.iter().flat_map(|own| verdict::object(&own.shot)) {
+        object[key] = value;
+    }
+    object
 }
 
 /// The points of a map that were computed, the second variable running fastest.

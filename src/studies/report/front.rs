@@ -4,15 +4,17 @@ use serde_json::{Value, json};
 
 use crate::model::library;
 use crate::model::run::Outcome;
-use crate::model::units::significant;
+use crate::model::units::{significant, velocity};
 use crate::report::table::Table;
 use crate::study::context::Reach;
 use crate::study::search::front::{Lack, Report};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
+use crate::study::verdict::Verdict;
 
 /// The constraint that is kept unless a search is without it.
-pub const FEASIBLE: &str = "feasible: no warning that the answer errs on the unsafe side";
+pub const FEASIBLE: &str =
+    "feasible: the shot is stopped, and no warning that the answer errs on the unsafe side";
 
 /// Warnings about the rows: those of a single best design; of a front how many designs are outside validity.
 pub fn warnings(front: &Report) -> Vec<String> {
@@ -54,7 +56,14 @@ pub fn lacks(front: &Report) -> Vec<String> {
         let (counts, all) = (validity::counted(&front.infeasible), front.runs);
         format!("infeasible, of {all} runs: {counts}")
     });
-    front.lacks.iter().map(say).chain(infeasible).collect()
+    let unstopped = (front.unstopped > 0).then(|| {
+        let v = velocity(v, 4);
+        format!(
+            "{} of {} runs are not known to stop {v}: a thicker plate, or a slower v_i",
+            front.unstopped, front.runs
+        )
+    });
+    front.lacks.iter().map(say).chain(infeasible).chain(unstopped).collect()
 }
 
 /// The designs of a front.
@@ -75,16 +84,20 @@ pub fn table<'c>(name: &'c str, front: &'c Report) -> Table<'c, usize> {
     // Where the interface holds there is nothing to say.
     let first = front.request.objectives[0].measure;
     let plastic = move |row: &usize| Some(of(row).plastic?.words(first));
-    let table = table.field("outcome", move |row| of(row).outcome.word());
+    let verdict = move |row: &usize| Verdict::of(&front.scene(of(row))).decision.word();
+    let table = table
+        .with("outcome", "outcome", "", move |row| of(row).outcome.word())
+        .with("verdict", "verdict", "", verdict);
     table.with("plastic", "on a plastic interface", "", plastic)
 }
 
-/// The columns that a page has of a front: numbers, and the plastic interface where a fused one does not hold.
+/// The columns that a page has of a front: numbers, outcome and verdict, and the plastic interface where a fused one does not hold.
 pub fn page_keys(front: &Report) -> Vec<&'static str> {
     let axes = front.request.over.iter().map(Axis::symbol);
     let measures = front.request.measures().into_iter().map(|it| it.name);
     let has_plastic = front.designs.iter().any(|design| design.plastic.is_some());
-    axes.chain(measures).chain(has_plastic.then_some("plastic")).collect()
+    let ends = ["outcome", "verdict"].into_iter().chain(has_plastic.then_some("plastic"));
+    axes.chain(measures).chain(ends).collect()
 }
 
 /// Everything, as one object; null for what does not exist.

@@ -9,15 +9,17 @@ use crate::model::units::{engineering, fixed_significant, significant, velocity}
 use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit};
 use crate::report::table::Table;
+use crate::report::verdict;
 use crate::study::limit::residual_law::ResidualLaw;
 use crate::study::limit::{Closures, Limit, RANGE_M_S, Report, Shot};
 use crate::study::quantities::find;
-use crate::study::validation::KnownError;
 use crate::study::validity;
 
 const LAW_POINTS: usize = 400;
 /// The scene's velocity is in view up to a given number of limits.
 const OWN_IN_VIEW: f64 = 4.0;
+/// Limits of a second and a third hit over the first.
+const REPEATED: &str = "second and third hit at one place: about 0.59 and 0.46 of the first limit (finite elements, Qiang 2022; no measurement)";
 /// Residual velocity just above the limit, as a part of the impact velocity, from which on the plate's own motion explains it.
 const CARRIED: f64 = 0.2;
 
@@ -46,7 +48,6 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         );
         remarks.push(Remark::caution("interface", text));
     }
-    remarks.extend(measured(report).map(|text| Remark::caution("measured", text)));
     if let Some(closure) = report.scene.closure_by_thickness() {
         let text = format!("{}, by the plate's thickness", closure.word());
         remarks.push(Remark::new("strength rule", text));
@@ -124,20 +125,26 @@ pub fn warnings(report: &Report) -> Vec<String> {
     at_limit.unwrap_or_else(|| validity::of_scene(&report.scene))
 }
 
-/// What measurements of shots of this kind let expect, in place of the computed limit; `None` where there are none.
-fn measured(report: &Report) -> Option<String> {
-    let KnownError { class, points, error } = KnownError::of(&report.scene)?;
-    let (low, high) = error.band_m_s(report.limit.velocity_m_s()?);
-    let expected = if error.spread > 0.0 {
-        format!("{} to {}", fixed_significant(low, 4), velocity(high, 4))
-    } else {
-        format!("about {}", velocity(low, 4))
+/// What a limit means, and what becomes of it after a hit.
+pub fn meaning(report: &Report) -> Vec<Remark> {
+    let is_found = report.limit.velocity_m_s().is_some();
+    let remarks = [Remark::new("meaning", verdict::V50), Remark::new("repeated hits", REPEATED)];
+    remarks.into_iter().filter(|_| is_found).collect()
+}
+
+/// The verdict on the scene's shot in a sentence.
+pub fn answer(report: &Report) -> String {
+    let own_m_s = report.scene.projectile.velocity_m_s;
+    let by_law = match report.limit {
+        Limit::Found { stopped_at_m_s: Some(_), velocity_m_s, .. } if own_m_s >= velocity_m_s => {
+            None
+        }
+        Limit::Found { velocity_m_s, .. } if own_m_s < velocity_m_s => Some(Outcome::Arrested),
+        Limit::Found { .. } | Limit::Always => Some(Outcome::Perforated),
+        Limit::Never => Some(Outcome::Arrested),
+        Limit::Unknown => None,
     };
-    let bias = 100.0 * error.bias;
-    Some(format!(
-        "{expected} is to be expected: {class}, of which {points} measured limits are on average {bias:+.1} % off (computed over \
-         measured; cmra validate)"
-    ))
+    verdict::sentence(&report.scene, &report.verdict(), by_law)
 }
 
 /// The limits by each closure.
@@ -187,18 +194,12 @@ pub fn json(name: &str, report: &Report) -> Value {
             "cylindrical_no_dishing_m_s": closures.cylindrical_m_s,
         })
     });
-    let known = KnownError::of(&report.scene).map(|known| {
-        let band = report.limit.velocity_m_s().map(|limit| known.error.band_m_s(limit));
-        json!({
-            "class": known.class, "measurements": known.points,
-            "bias": known.error.bias, "spread": known.error.spread,
-            "low_m_s": band.map(|it| it.0), "high_m_s": band.map(|it| it.1),
-        })
-    });
     let own = ["impact_velocity_m_s", "outcome", "residual_velocity_m_s"];
-    json!({
-        "scene": name,
-        "limit_velocity_m_s": report.limit.velocity_m_s(),
+    let mut object = json!({ "scene": name });
+    for (key, value) in verdict::object(&report.verdict()) {
+        object[key] = value;
+    }
+    let rest = json!({
         "interface": report.scene.interface.law.word(),
         "criterion": report.scene.target.criterion.word(),
         "basis": basis,
@@ -216,11 +217,14 @@ pub fn json(name: &str, report: &Report) -> Value {
         "closure": report.scene.closure().word(),
         "closures": closures,
         "jump_m_s": report.jump_m_s.map(|(thin, thick)| [thin, thick]),
-        "model_error": known,
         "recht_ipson": report.recht_ipson,
         "lambert_jonas": report.lambert_jonas,
         "shots": shots(name, report).objects(|key| own.contains(&key)),
-    })
+    });
+    if let (Some(object), Value::Object(rest)) = (object.as_object_mut(), rest) {
+        object.extend(rest);
+    }
+    object
 }
 
 /// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.

@@ -5,11 +5,12 @@ use serde_json::{Map, Value, json};
 use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report::table::Table;
+use crate::report::verdict;
 use crate::study::context::Reach;
 use crate::study::limit::RANGE_M_S;
-use crate::study::monte_carlo::{Distribution, Estimate, LIMIT, Report, Summary};
-use crate::study::validation::ModelError;
+use crate::study::monte_carlo::{Distribution, Estimate, LIMIT, ModelError, Report, Summary};
 use crate::study::validity;
+use crate::study::verdict::Verdict;
 
 const DIGITS: usize = 4;
 
@@ -122,7 +123,7 @@ pub fn perforation(report: &Report) -> Option<String> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
+pub fn json(name: &str, report: &Report, verdict: &Verdict, reach: Reach) -> Value {
     let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
         let Distribution(kind, (first, second)) = tolerance.distribution;
         json!({
@@ -147,7 +148,7 @@ pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
     let perforation = report.perforated.map(|Estimate { value, low_95, high_95 }| {
         json!({ "probability": value, "low_95": low_95, "high_95": high_95 })
     });
-    json!({
+    let mut object = json!({
         "scene": name,
         "inputs": inputs.collect::<Vec<_>>(),
         "seed": report.seed,
@@ -157,5 +158,9 @@ pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
         "outcomes": outcomes.collect::<Map<_, _>>(),
         "perforation": perforation,
         "outputs": outputs.collect::<Vec<_>>(),
-    })
+    });
+    for (key, value) in verdict::object(verdict) {
+        object[key] = value;
+    }
+    object
 }

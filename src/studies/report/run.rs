@@ -11,7 +11,9 @@ use crate::model::scene::{Scene, Stack};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::report::table::{Table, pretty};
+use crate::report::verdict;
 use crate::study::quantities::{Quantity, Trait, find, of_runs};
+use crate::study::verdict::Verdict;
 
 pub mod page;
 
@@ -165,6 +167,9 @@ pub fn json(name: &str, run: &Run) -> String {
         "complete": run.is_decided(),
     });
     let mut object = with_results(object, run);
+    for (key, value) in verdict::object(&Verdict::of(scene)) {
+        object[key] = value;
+    }
     let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());
     object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
     object["penetration_at_most_m"] = run.penetration_at_most_m.into();

@@ -7,6 +7,7 @@ use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report::Remark;
 use crate::report::table::Table;
+use crate::report::verdict::expected_columns;
 use crate::study::context::Reach;
 use crate::study::search::seek::{Kind, Report, SamplePoint, SeekResult};
 use crate::study::sweep::{PointOutcome, Spacing};
@@ -31,7 +32,8 @@ pub fn solution(report: &Report, solution: &SeekResult, checked: &Checked) -> St
     let reached = report.measure.show(solution.place.value, 6);
     let plastic = checked.plastic.map(|it| format!("; {}", it.words(report.measure)));
     let plastic = plastic.unwrap_or_default();
-    format!("{} = {at}: {reached}, {outcome}{plastic}", axis.symbol())
+    let verdict = checked.verdict.decision.word();
+    format!("{} = {at}: {reached}, {outcome}{plastic}; verdict: {verdict}", axis.symbol())
 }
 
 /// Further remarks: that there is no solution, jumps over the goal, and where there is no value.
@@ -81,11 +83,15 @@ pub fn remarks(report: &Report, reach: Reach) -> Vec<Remark> {
 
 /// The lines of the answer.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult> {
+    let verdict = |line: &SeekResult| {
+        let at = report.solutions().position(|it| it == line)?;
+        Some(&report.checked.get(at)?.verdict)
+    };
     let plastic = |line: &SeekResult| {
         let at = report.solutions().position(|it| it == line)?;
         Some(report.checked.get(at)?.plastic?.words(report.measure))
     };
-    Table::of(&report.lines)
+    let table = Table::of(&report.lines)
         .field("scene", move |_| name)
         .field("kind", |line| line.kind.word())
         .field("variable", |_| report.axis.symbol())
@@ -98,15 +104,17 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult>
         .field("outcome", |line| line.outcome.map(PointOutcome::word))
         .field("interface", |_| report.law.word())
         .field("plastic", move |line| plastic(line))
+        .field("verdict", move |line| Some(verdict(line)?.decision.word()));
+    expected_columns(table, move |line| verdict(line)?.expected.as_ref())
 }
 
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
-    let own = ["kind", "at", "until", "value", "outcome", "plastic"];
+    let fixed = ["scene", "variable", "key", "output", "target", "interface"];
     let list = |kind: Kind| {
         let mut table = table(name, report);
         table.rows.retain(|line| line.kind == kind);
-        table.objects(|key| own.contains(&key))
+        table.objects(|key| !fixed.contains(&key))
     };
     let place = |place: SamplePoint| json!({ "at": place.at, "value": place.value });
     let (low, high) = report.axis.ends();

@@ -3,16 +3,20 @@
 //! Axis values first, then what was requested; an empty field (JSON: null) where a quantity does not exist; `error` last, which
 //! says why a point failed. No column has the time a point took: files of the same sweep are equal.
 
+use std::rc::Rc;
+
 use serde_json::{Value, json};
 
 use crate::model::run::{Run, envelope};
 use crate::model::scene::{Scene, Sweep};
 use crate::model::variables;
 use crate::report::table::{Table, pretty};
+use crate::report::verdict;
 use crate::study::context::Reach;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Evaluator, Plan, Point, Shard, Spacing};
 use crate::study::validity;
+use crate::study::verdict::Verdict;
 
 /// Which columns stand after the axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,6 +107,10 @@ impl Sheet<'_> {
                 .field("interface", move |_| word("interface.law"));
         }
         table = table.field("outcome", move |row| found[*row].outcome.word());
+        let verdicts = points.iter().map(|index| Verdict::of(&self.plan.scene(*index)));
+        let verdicts: Rc<[Verdict]> = verdicts.collect();
+        let words = Rc::clone(&verdicts);
+        table = table.field("verdict", move |row| words[*row].decision.word());
         if is_all {
             table = table.field("end", move |row| Some(run(row)?.end.words()));
         }
@@ -111,6 +119,19 @@ impl Sheet<'_> {
             table = table.field(output.name, value);
         }
         if is_all {
+            let keys = [
+                "limit_velocity_m_s",
+                "expected_limit_m_s",
+                "expected_low_m_s",
+                "expected_high_m_s",
+                "class",
+                "measurements",
+                "papers",
+            ];
+            for key in keys {
+                let verdicts = Rc::clone(&verdicts);
+                table = table.field(key, move |row| verdict::object(&verdicts[*row])[key].clone());
+            }
             table = table
                 .field("method", move |row| Some(run(row)?.cost.method))
                 .field("omitted", move |row| Some(run(row)?.omitted.join("; ")))

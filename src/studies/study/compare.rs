@@ -28,6 +28,7 @@ use crate::model::variables::{self, VariableError};
 use crate::study::context::Context;
 use crate::study::limit::Limit;
 use crate::study::sweep::Axis;
+use crate::study::verdict::{Decision, Verdict as ShotVerdict};
 
 mod hardware;
 mod judge;
@@ -80,6 +81,8 @@ pub struct Entry {
     pub sized: Result<Sized, Absence>,
     /// A shot just below the limit velocity, where there is one.
     pub at_limit: Option<Run>,
+    /// The verdict on the shot at the design velocity.
+    pub shot: ShotVerdict,
 }
 
 impl Entry {
@@ -187,6 +190,9 @@ impl Report {
         let Some(own) = self.of(Candidate::Scene) else { return Verdict::Unknown };
         let not_met = |why: &str| Verdict::NotMet(why.to_owned());
         let is_below_design = |it: f64| it < self.scene.projectile.velocity_m_s;
+        if matches!(own.shot.decision, Decision::Open | Decision::Perforates) {
+            return not_met("the design shot is not below the band of measured limits");
+        }
         match own.run.shot_outcome() {
             Outcome::Perforated => return not_met("the design shot perforates the plate as built"),
             _ if !own.is_held => return not_met("nothing stops plate and projectile"),

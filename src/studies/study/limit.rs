@@ -11,6 +11,7 @@ use crate::model::scene::Scene;
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::context::{Context, to_its_end};
+use crate::study::verdict::Verdict;
 use residual_law::ResidualLaw;
 use search::{BESIDE, ShotRunner};
 
@@ -160,10 +161,15 @@ pub struct Report {
 }
 
 impl Report {
-    /// How far the limit lies above the scene's own velocity, relative to that: negative where the shot perforates.
+    /// How far the expected limit, else the law's, lies above the scene's own velocity, relative to that.
     pub fn margin(&self) -> Option<f64> {
-        let velocity = self.limit.velocity_m_s()?;
+        let velocity = self.verdict().headline_m_s()?;
         Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
+    }
+
+    /// The verdict on the scene's own shot.
+    pub fn verdict(&self) -> Verdict {
+        Verdict::with_limit(&self.scene, self.limit.velocity_m_s())
     }
 
     /// A slower shot that is not decided, m/s.

@@ -13,11 +13,12 @@ use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
+use crate::study::limit;
 use crate::study::option;
 use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities::{self, Needs, Quantity, find};
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
-use crate::study::validation::{KnownError, ModelError};
+use crate::study::verdict::Verdict;
 pub use tolerance::{Distribution, Kind, Tolerance};
 
 mod tolerance;
@@ -28,10 +29,26 @@ pub const SAMPLES_MAX: usize = 10_000_000;
 const BATCH: usize = 2048;
 /// Draws of one sample before it is given up.
 const DRAWS_MAX: usize = 10_000;
-/// The quantity that the error of the model is in.
-pub const LIMIT: &str = "limit_velocity_m_s";
+pub use crate::study::quantities::LIMIT;
 /// Relative deviation if none is given.
 pub const USUAL_DEVIATION: f64 = 0.02;
+
+/// Error of the law in limit velocities.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ModelError {
+    /// Law over measurement, less 1: negative where limits come out low; > -1.
+    pub bias: f64,
+    /// Standard deviation of the logarithm of law over measurement, >= 0.
+    pub spread: f64,
+}
+
+impl ModelError {
+    /// The correction factor of a computed limit, drawn.
+    fn factor(self, random: &mut Random) -> f64 {
+        let spread = if self.spread > 0.0 { (self.spread * random.normal()).exp() } else { 1.0 };
+        spread / (1.0 + self.bias)
+    }
+}
 
 /// What is to be sampled.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,7 +118,11 @@ impl Request {
 
     /// The error of the model.
     fn model(&self, scene: &Scene) -> ModelError {
-        let known = KnownError::of(scene).map(|known| known.error).unwrap_or_default();
+        let known = Verdict::of(scene).expected;
+        let known = known.map_or_else(ModelError::default, |it| ModelError {
+            bias: it.bias,
+            spread: it.deviation,
+        });
         ModelError {
             bias: self.model_bias.unwrap_or(known.bias),
             spread: self.model_spread.unwrap_or(known.spread),
@@ -240,7 +261,8 @@ pub fn run(
     let mut sample = || sample(&tolerances, &mut drawn_scene, &mut random, &mut redrawn);
     let mut report = Report { tolerances: tolerances.clone(), seed, model, ..Report::default() };
     let limit = space.outputs().iter().position(|it| it.name == LIMIT);
-    let limit = limit.filter(|_| model != ModelError::default());
+    let has_error = model != ModelError::default();
+    let limit = limit.filter(|_| has_error);
     let (mut errors, mut corrected) = (Random::new(!seed), Vec::new());
     let own = space.design_of(scene);
     context.expect(wanted);
@@ -253,10 +275,16 @@ pub fn run(
         drawn += designs.len();
         let found = space.evaluate(&designs, context);
         report.samples += found.len();
-        for found in found {
-            report.outcomes.add(found.outcome);
+        for (design, found) in designs.iter().zip(found) {
             let factor = model.factor(&mut errors);
-            corrected.extend(limit.and_then(|at| Some(factor * found.values[at]?)));
+            let limit_m_s = limit.and_then(|at| Some(factor * found.values[at]?));
+            corrected.extend(limit_m_s);
+            let outcome = has_error.then(|| {
+                let scene = space.scene_of(design);
+                let by_law = || Some(factor * limit::closed_form(&scene)?);
+                by_limit(found.outcome, scene.projectile.velocity_m_s, limit_m_s.or_else(by_law))
+            });
+            report.outcomes.add(outcome.unwrap_or(found.outcome));
             for (list, value) in values.iter_mut().zip(found.values) {
                 list.extend(value);
             }
@@ -277,6 +305,18 @@ pub fn run(
         report.summaries.insert(at, Summary { has_model_error: true, ..summary });
     }
     Ok(report)
+}
+
+/// The outcome of a sample whose limit is known with the error of the law, m/s: the same draw decides both.
+fn by_limit(outcome: PointOutcome, v_m_s: f64, limit_m_s: Option<f64>) -> PointOutcome {
+    let (PointOutcome::Ended(ended), Some(limit_m_s)) = (outcome, limit_m_s) else {
+        return outcome;
+    };
+    PointOutcome::Ended(match ended {
+        _ if v_m_s > limit_m_s => Outcome::Perforated,
+        Outcome::Perforated => Outcome::Arrested,
+        stopped => stopped,
+    })
 }
 
 /// Where the samples are evaluated.

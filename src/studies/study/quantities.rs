@@ -12,6 +12,8 @@ use crate::model::units::{self, Bare, Dimension, engineering};
 use crate::study::error::SweepError;
 use crate::study::first_contact::FirstContact;
 use crate::study::load::{impulse_n_s, peak_n};
+use crate::study::measured::Key;
+use crate::study::verdict::Expected;
 
 mod mount;
 mod names;
@@ -68,6 +70,10 @@ pub enum Trait {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study) enum Search {
     Limit,
+    /// A velocity of the limit that measurements let expect.
+    Expected(fn(&Expected) -> f64),
+    /// The lower end of that limit's band, else the law's limit.
+    DesignLimit,
     LimitIfSpringSurvives,
     MassEfficiency,
 }
@@ -178,10 +184,15 @@ use Trait::{
 
 /// Why there is no displacement, and no percentage.
 const UNSTOPPED: &str = "nothing stops the plate";
+const NOT_MEASURED: &str = "not measured";
 const NO_BASELINE: &str = "no baseline depth";
 
 /// The greatest ratio that is reported: it stands for infinity, the ratio to a strength of zero.
 const GRIPLESS: f64 = 1e6;
+
+/// Name of the ballistic limit by the law, and of the limit that a search takes in its place.
+pub const LIMIT: &str = "limit_velocity_m_s";
+const DESIGN_LIMIT: &str = "design_limit_m_s";
 
 /// Every quantity, in the order of files.
 #[rustfmt::skip]
@@ -239,8 +250,12 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("face_over_diameter", Number, "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", Number, "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", Number, "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
-    quantity("limit_velocity_m_s", Velocity, "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Search(Search::Limit)).short("limit").is(&[OfStack]),
+    quantity(LIMIT, Velocity, "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Search(Search::Limit)).short("limit").is(&[OfStack]),
     quantity("limit_if_spring_survives_m_s", Velocity, "least impact velocity that perforates or that the spring does not survive, by its known mass and the range of its law: as in `compare`", Source::Search(Search::LimitIfSpringSurvives)).short("spring survives"),
+    quantity("expected_limit_m_s", Velocity, "ballistic limit that measurements of such shots let expect; none where no class was measured", Source::Search(Search::Expected(|it| it.limit_m_s))).short("expected").absent(NOT_MEASURED),
+    quantity("expected_low_m_s", Velocity, "lower end of the band that holds 90 % of such measured limits", Source::Search(Search::Expected(|it| it.low_m_s))).short("low").absent(NOT_MEASURED),
+    quantity("expected_high_m_s", Velocity, "upper end of the band that holds 90 % of such measured limits", Source::Search(Search::Expected(|it| it.high_m_s))).short("high").absent(NOT_MEASURED),
+    quantity(DESIGN_LIMIT, Velocity, "limit to design for: expected_low_m_s where such shots were measured, else limit_velocity_m_s", Source::Search(Search::DesignLimit)).short("design limit").is(&[OfStack]),
     quantity("mass_efficiency", Number, "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Search(Search::MassEfficiency)).short("efficiency"),
     quantity("steps", Number, "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).is(&[OfComputation, Whole]),
     quantity("rejected", Number, "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).is(&[OfComputation, Whole]),
@@ -365,6 +380,13 @@ impl Quantity {
             (FromContact::Scene, Source::Scene(get)) => get(scene),
             (FromContact::Scene | FromContact::No, _) => None,
         }
+    }
+
+    /// The quantity that a search for designs of a scene takes in its place: for the limit of shots that were measured the lower end of
+    /// their band.
+    pub(in crate::study) fn to_design_for(&'static self, scene: &Scene) -> &'static Self {
+        let is_limit = self.name == LIMIT && Key::of(scene).is_some();
+        is_limit.then(|| find(DESIGN_LIMIT)).flatten().unwrap_or(self)
     }
 
     /// The search that finds it, if one has to.

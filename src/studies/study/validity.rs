@@ -13,6 +13,7 @@ use crate::model::variables;
 use crate::study::quantities::{Quantity, Search, Trait};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Plan, PointOutcome};
+use crate::study::verdict::Verdict;
 
 /// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
 const STEPS_MAX: usize = 30_000;
@@ -90,7 +91,8 @@ pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, String)> {
 /// That a limit velocity is not that of the springs whose mass stands beside it; `None` where only one of both was requested, or
 /// neither the scene nor the upper ends of its axes have springs.
 pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> Option<String> {
-    let has_limit = measures.iter().any(|it| matches!(it.search(), Some(Search::Limit)));
+    let has_limit =
+        measures.iter().any(|it| matches!(it.search(), Some(Search::Limit | Search::DesignLimit)));
     let mass = measures.iter().find(|it| has_limit && it.has(Trait::CountsSprings))?.name;
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
     let is_sprung = |scene: &Scene| scene.is_sprung() && scene.mechanism.has_springs();
@@ -134,7 +136,7 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
 }
 
 /// What is to be said against a design.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Checked {
     /// What a plastic interface comes to, where the fused one of the design cannot carry its load.
     pub plastic: Option<Plastic>,
@@ -144,6 +146,8 @@ pub struct Checked {
     pub new: Vec<String>,
     /// Its warnings of checks that the scene itself fails, too.
     pub known: Vec<String>,
+    /// The verdict on its shot.
+    pub verdict: Verdict,
 }
 
 impl Checked {
@@ -166,6 +170,7 @@ impl Checked {
             fails,
             new: new.iter().map(ToString::to_string).chain(remarks).collect(),
             known: known.iter().map(ToString::to_string).collect(),
+            verdict: Verdict::of(design),
         }
     }
 }

@@ -2,7 +2,8 @@
 
 pub mod state;
 
-use crate::report::thesis;
+use crate::report::{measured as limits, thesis};
+use crate::study::measured::{errors, left_out};
 use crate::study::principles;
 use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::pages::explore;
@@ -15,7 +16,7 @@ use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::table::{NO_MATCH, filtered};
 use crate::worker::studies::Claims;
 
-pub use state::{CLAIMS, CONCEPTS, PRINCIPLES};
+pub use state::{CLAIMS, CONCEPTS, MEASURED, PRINCIPLES};
 
 /// From this width on the detail stands beside the list, else below it in at most so many rows.
 const BESIDE: u16 = 110;
@@ -33,12 +34,14 @@ const PANES: &[PaneSpec] = &[
     ] },
     PaneSpec { pane: PRINCIPLES, label: "Principles", keys: &[] },
     PaneSpec { pane: CONCEPTS, label: "Concepts", keys: &[] },
+    PaneSpec { pane: MEASURED, label: "Measurements", keys: &[] },
 ];
 
 const PAGES: &[PageSpec] = &[
     PageSpec { name: "Claims", panes: &[CLAIMS] },
     PageSpec { name: "Principles", panes: &[PRINCIPLES] },
     PageSpec { name: "Concepts", panes: &[CONCEPTS] },
+    PageSpec { name: "Measurements", panes: &[MEASURED] },
 ];
 
 #[rustfmt::skip]
@@ -46,6 +49,7 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Thesis)), "Thesis tab", "reproduce"),
     Command::new(Call::Show(CLAIMS, None), "Claims", "reproduce thesis check verdict"),
     Command::new(Call::Show(PRINCIPLES, None), "Principles", "families functions"),
+    Command::new(Call::Show(MEASURED, None), "Measured limits", "validate validation measurements class bias scatter"),
     Command::new(Call::Show(CONCEPTS, None), "Concepts", "screening matrix weights criteria ratings"),
 ];
 
@@ -110,6 +114,7 @@ impl Page for ThesisTab {
         let (file, reach, text) = match app.pane() {
             PRINCIPLES => ("principles.csv", Reach::Complete, thesis::principles().csv()),
             CONCEPTS => ("concepts.csv", Reach::Complete, thesis::concepts().csv()),
+            MEASURED => ("measured-limits.csv", Reach::Complete, limits::rows(left_out()).csv()),
             _ => {
                 // Of the claims those that are shown, as far as they are checked.
                 let shown: Vec<Row> = app.claims().into_iter().cloned().collect();
@@ -139,7 +144,8 @@ impl Page for ThesisTab {
         match app.pane() {
             CLAIMS => claims(app, body, canvas),
             PRINCIPLES => principles(app, body, canvas),
-            _ => concepts(app, body, canvas),
+            CONCEPTS => concepts(app, body, canvas),
+            _ => measured(app, body, canvas),
         }
     }
 }
@@ -328,7 +334,7 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let pane = PaneFrame::new("Ratings of the concepts, 3 is the reference (Table 7.1)")
-        .right(app.keymap.shown("<next-pane>: claims"))
+        .right(app.keymap.shown("<next-pane>: measurements"))
         .focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     // A narrow screen cuts the ends of the criteria's names.
@@ -350,6 +356,26 @@ fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     for (y, it) in (11..inner.height).zip(principles::CONCEPTS) {
         let line = format!("{}  {}", initials(it.name), it.name);
         canvas.put(inner, (0, y), &line, Role::Dim);
+    }
+}
+
+/// Measured limits beside those expected from all other papers: their picture, and the errors by class.
+fn measured(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let rows = left_out();
+    let text = limits::error_lines(&errors(rows));
+    let lines: Vec<&str> = text.lines().collect();
+    let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
+    let (above, below) = split_bottom(area, height.min(area.height / 2));
+    if let Some(mut chart) = limits::picture(rows) {
+        chart.focused = app.dialog.is_none();
+        canvas.draw(&chart, above);
+    }
+    let inner = PaneFrame::new("Errors of papers left out, by class")
+        .right(app.keymap.shown("<next-pane>: claims"))
+        .draw(below, canvas);
+    for (y, line) in (0..inner.height).zip(lines) {
+        let role = if y == 0 { Role::Dim } else { Role::Text };
+        canvas.put(inner, (0, y), line, role);
     }
 }
 

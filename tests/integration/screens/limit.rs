@@ -301,3 +301,18 @@ fn the_tab_and_the_commands_give_the_same_digits() {
         assert_eq!(asked, 2, "{name}");
     }
 }
+
+/// The fragment of `verdict.rs` on a rigid mount: the tab has the answer of the commands.
+#[test]
+fn the_headline_of_a_measured_shot_is_its_verdict() {
+    let pairs = "mount=rigid nose=fragment m_p=53.78g R=9.95mm v_i=500 h=25.7mm rho=2700 E=68.3GPa Y=276MPa UTS=310MPa closure=cylindrical";
+    let mut bench = Bench::ascii(120, 36);
+    bench.app.scene = Arc::new(cmra::model::variables::changed(Scene::default(), pairs).unwrap());
+    bench.keys("3");
+    end(&mut bench, |report| {
+        report.limit = Limit::found(452.133_810_6, LimitMethod::ClosedForm);
+    });
+    let screen = bench.screen();
+    let told = "expected 447.4 (406.1 to 493.0) m/s: 500 m/s is perforated; law 452.134 m/s";
+    assert!(screen.contains(told), "{screen}");
+}

@@ -39,6 +39,13 @@ fn the_pages() {
     assert_snapshot!("thesis_principles", bench.screen());
     bench.keys("<Tab>");
     assert_snapshot!("thesis_concepts", bench.screen());
+    bench.keys("<Tab>");
+    let screen = bench.screen();
+    for text in
+        ["computed over measured limits", "steel core on light alloy, oblique", "597     20"]
+    {
+        assert!(screen.contains(text), "{text}: {screen}");
+    }
 }
 
 #[test]

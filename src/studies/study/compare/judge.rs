@@ -11,6 +11,7 @@ use crate::study::compare::sized::{self, sized};
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, hold_spring_mass};
 use crate::study::context::{Context, to_its_end};
 use crate::study::limit::{self, BESIDE_LIMIT, Limit};
+use crate::study::verdict::Verdict;
 
 /// Relative width to which the velocity is closed in at which the hardware fails.
 const WIDTH: f64 = 1e-9;
@@ -101,6 +102,7 @@ impl Judge<'_, '_> {
             return None;
         }
         Some(Entry {
+            shot: Verdict::with_limit(&scene, perforation.velocity_m_s()),
             candidate,
             is_held: is_held(&scene),
             areal_kg_m2: built.areal_kg_m2(&scene),

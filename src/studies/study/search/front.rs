@@ -7,6 +7,7 @@ use std::ops::RangeInclusive;
 use crate::model::run::envelope::Check;
 use crate::model::run::{EndReason, Outcome};
 use crate::model::scene::Scene;
+use crate::numerics::larger;
 use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::option;
@@ -16,6 +17,7 @@ use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::usual::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity::{self, Checked, Plastic};
+use crate::study::verdict::Verdict;
 pub use constraint::Constraint;
 
 mod constraint;
@@ -60,7 +62,7 @@ pub struct Request {
     pub objectives: Vec<Objective>,
     /// The constraints.
     pub subject_to: Vec<Constraint>,
-    /// Only designs count whose run has no warning on the unsafe side.
+    /// Only designs count that stop the shot, and whose run has no warning on the unsafe side.
     pub is_feasible: bool,
     /// Designs to try.
     pub samples: usize,
@@ -167,6 +169,8 @@ pub struct Report {
     pub lacks: Vec<Lack>,
     /// Runs that were infeasible, by check.
     pub infeasible: Vec<(Check, usize)>,
+    /// Runs that were infeasible because the plate is not known to stop the shot.
+    pub unstopped: usize,
 }
 
 impl Report {
@@ -186,7 +190,13 @@ pub fn run(
     context: &mut Context<'_, Report>,
 ) -> Result<Report, SweepError> {
     let over = or_usual(&request.over, || thesis_axes(scene))?;
-    let request = Request { over, ..request.clone() };
+    let mut request = Request { over, ..request.clone() };
+    for objective in &mut request.objectives {
+        objective.measure = objective.measure.to_design_for(scene);
+    }
+    for constraint in &mut request.subject_to {
+        constraint.measure = constraint.measure.to_design_for(scene);
+    }
     let names: Vec<&str> = request.measures().iter().map(|measure| measure.name).collect();
     let plan = Plan::for_designs(scene, request.over.clone(), &names)?.limited(STEPS_MAX);
     context.expect(request.samples);
@@ -245,7 +255,9 @@ impl Search {
             let candidates: Vec<usize> = (0..judged.len()).filter(keeps).collect();
             let fails = self.infeasible(&designs, &candidates, context);
             for (at, fails) in candidates.into_iter().zip(&fails) {
-                judged[at].violation = fails.len() as f64;
+                let excess = self.excess(&designs[at], found[at].outcome);
+                self.front.unstopped += usize::from(excess > 0.0);
+                judged[at].violation = fails.len() as f64 + excess;
             }
             for (check, count) in validity::counts_of(&fails) {
                 match self.front.infeasible.iter_mut().find(|it| it.0 == check) {
@@ -255,6 +267,16 @@ impl Search {
             }
         }
         (!context.is_stopped()).then(|| judged.into_iter().zip(found).collect())
+    }
+
+    /// By how much the shot is too fast for a design, relative to the velocity that it stops; 1 for a shot that perforates in its own run.
+    fn excess(&self, design: &[f64], outcome: PointOutcome) -> f64 {
+        let is_perforated = outcome == PointOutcome::Ended(Outcome::Perforated);
+        let scene = self.plan.scene_of(design);
+        let by_band = Verdict::of(&scene).expected.map_or(0.0, |expected| {
+            larger(scene.projectile.velocity_m_s / expected.low_m_s - 1.0, 0.0)
+        });
+        by_band + if is_perforated { 1.0 } else { 0.0 }
     }
 
     /// Of some of the designs the checks that make each infeasible.

@@ -16,6 +16,7 @@ use crate::study::outcome::{Failure, PointOutcome};
 use crate::study::quantities::{Quantity, Search, Trait};
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
+use crate::study::verdict::Verdict;
 
 /// The results at a point.
 #[derive(Clone, Debug, PartialEq)]
@@ -143,6 +144,14 @@ impl<'p> Evaluator<'p> {
 fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
     match output.search() {
         Some(Search::Limit) => limit::velocity_m_s(&run.scene),
+        Some(Search::Expected(get)) => {
+            let expected = Verdict::of(&run.scene).expected;
+            expected.map(|it| get(&it)).ok_or_else(|| output.absence.to_owned())
+        }
+        Some(Search::DesignLimit) => match Verdict::of(&run.scene).expected {
+            Some(expected) => Ok(expected.low_m_s),
+            None => limit::velocity_m_s(&run.scene),
+        },
         Some(Search::LimitIfSpringSurvives) => compare::limit_if_spring_survives_m_s(&run.scene),
         Some(Search::MassEfficiency) => {
             let found = compare::mass_efficiency(&run.scene, Hardware::default(), WIDTH);

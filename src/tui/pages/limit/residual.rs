@@ -6,6 +6,7 @@ use crate::report::limit::{remarks, residual, taken_to_hold};
 use crate::report::monte_carlo::{perforation, v50};
 use crate::study::limit::Limit;
 use crate::study::monte_carlo;
+use crate::study::verdict::Verdict;
 use crate::tui::chart::Emphasis;
 use crate::tui::pages::limit::state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 use crate::tui::pages::page::prelude::*;
@@ -96,14 +97,27 @@ impl App {
             return Some(fitting([report.limit.absence()? + of], width));
         };
         let own_m_s = self.limit_shot_m_s();
-        let (margin, own) = (velocity_m_s / own_m_s - 1.0, significant(own_m_s, 4));
+        let mut scene = Scene::clone(&report.scene);
+        scene.projectile.velocity_m_s = own_m_s;
+        let verdict = Verdict::with_limit(&scene, Some(velocity_m_s));
+        let own = significant(own_m_s, 4);
+        let law = format!("{} m/s{of}", fixed_significant(velocity_m_s, 6));
+        if let Some(expected) = &verdict.expected {
+            let digits = |value: f64| fixed_significant(value, 4);
+            let [low, limit, high] =
+                [expected.low_m_s, expected.limit_m_s, expected.high_m_s].map(digits);
+            let bare = format!("expected {limit} ({low} to {high}) m/s{of}");
+            let answer = format!("{bare}: {own} m/s {}", verdict.decision.words());
+            return Some(fitting([format!("{answer}; law {law}"), answer, bare], width));
+        }
+        let margin = velocity_m_s / own_m_s - 1.0;
         // Where a faster shot is stopped again, being beyond the limit tells nothing.
         let ends = match (margin < 0.0, stopped_at_m_s) {
-            (false, _) => format!(": {own} m/s is stopped"),
-            (true, None) => format!(": {own} m/s perforates"),
-            (true, Some(_)) => format!(" at {own} m/s"),
+            (false, _) => format!(": {own} m/s is stopped by the law, not measured"),
+            (true, None) => format!(": {own} m/s perforates by the law, not measured"),
+            (true, Some(_)) => format!(" at {own} m/s, not measured"),
         };
-        let limit = format!("v_bl {} m/s{of}", fixed_significant(velocity_m_s, 6));
+        let limit = format!("v_bl {law}");
         let is_conditional = margin >= 0.0 && taken_to_hold(report).is_some();
         let condition = if is_conditional { " if the mechanism holds" } else { "" };
         let bare = format!("{limit}, margin {:+.1} %", 100.0 * margin);

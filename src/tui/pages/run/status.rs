@@ -3,6 +3,7 @@
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::units::in_unit;
 use crate::report::series::Channel;
+use crate::study::verdict::{Decision, Verdict};
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
 use crate::tui::pages::page::prelude::*;
@@ -79,6 +80,16 @@ impl App {
         } else if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates {
             parts.push(part(Severity::Warning, "moving after many turns and touches".to_owned()));
         }
+        let verdict = Verdict::of(&run.scene);
+        let severity = match verdict.decision {
+            Decision::Stops | Decision::NotMeasured => Severity::Note,
+            Decision::Open | Decision::Perforates => Severity::Warning,
+        };
+        // Most scenes move: the Limit tab says that nothing measures them.
+        let is_measured = verdict.expected.is_some();
+        parts.extend(
+            is_measured.then(|| part(severity, format!("measured: {}", verdict.decision.words()))),
+        );
         parts.extend(demand(run).map(|text| part(Severity::Warning, text)));
         parts.extend(self.validity_part());
         parts
