@@ -83,8 +83,9 @@ impl ContactEnd {
             (self.penetration_m, other.penetration_m),
             (self.plate_displacement_m, other.plate_displacement_m),
         ];
-        let apart =
-            pairs.map(|(own, other)| if own == other { 0.0 } else { (own / other - 1.0).abs() });
+        let apart = pairs.map(|(own, other)| {
+            if own.to_bits() == other.to_bits() { 0.0 } else { (own / other - 1.0).abs() }
+        });
         apart.into_iter().fold(0.0, larger)
     }
 }
