@@ -571,6 +571,9 @@ fn the_first_steps_at_every_size() {
         }
 
         terminal.send("p9.8\r");
+        terminal.wait_for("[2:Explore]");
+        // What is only looked at has little time: all of it is asked for.
+        terminal.send("r");
         let figure = terminal.wait_for("faint: the ");
         assert!(figure.contains("[2:Explore]") && figure.contains("gamma"), "{figure}");
 

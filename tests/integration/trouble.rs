@@ -125,7 +125,7 @@ fn a_table_whose_name_is_taken_goes_by_another_one() {
     let mut terminal = started(Start::default());
     fs::write(terminal.file("taken.csv"), "mine").unwrap();
     // The Limit tab has a table of shots.
-    terminal.send("3");
+    terminal.send("3r");
     terminal.wait_for("v_bl");
     terminal.send("e\x15taken.csv\r");
     terminal.wait_for("o overwrite");
