@@ -167,9 +167,8 @@ impl<'a> Books<'a> {
         let is_pressed = from.stop_force_n != 0.0 || to.stop_force_n != 0.0;
         let is_damped = from.damper_force_n != 0.0 || to.damper_force_n != 0.0;
         let contact = match from.mode {
-            Mode::Penetrating => Some(&mut next.target_j),
             Mode::Withdrawing | Mode::Closing if self.has_friction => Some(&mut next.interface_j),
-            Mode::Withdrawing | Mode::Closing => Some(&mut next.target_j),
+            Mode::Penetrating | Mode::Withdrawing | Mode::Closing => Some(&mut next.target_j),
             Mode::Fused | Mode::FreeFlight | Mode::Perforated => None,
         };
         // What has a place of its own is integrated; the last place takes the remainder, so that the sum stays exact.

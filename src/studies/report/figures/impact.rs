@@ -12,6 +12,7 @@ use crate::model::stack;
 use crate::model::units::{engineering, significant};
 use crate::numerics::{larger, smaller};
 use crate::report::series::state_at;
+use crate::report::steps::{decade, power};
 
 /// Greatest length of a projectile that is drawn whole, in tip radii.
 const WHOLE: f64 = 10.0;
@@ -135,7 +136,7 @@ pub fn projectile_length_m(run: &Run) -> f64 {
 
 /// The greatest of 1, 2, 5, 10, 20, ... and their inverses up to a number.
 fn round_below(value: f64) -> f64 {
-    let decade = 10_f64.powi(value.log10().floor() as i32);
+    let decade = power(decade(value));
     [5.0, 2.0].into_iter().map(|digit| digit * decade).find(|it| *it <= value).unwrap_or(decade)
 }
 
@@ -187,11 +188,8 @@ impl<'a> Stage<'a> {
         // What the width leaves is room for the mechanism; without one, half of it stands before the projectile.
         let needed_m = across_m + thick_m + magnified * travel_m;
         let is_held = !scene.is_sprung();
-        let over_m = if is_held || !has_mechanism {
-            larger(width * dot_m - needed_m - room_m, 0.0)
-        } else {
-            0.0
-        };
+        let spare_m = larger(width * dot_m - needed_m - room_m, 0.0);
+        let over_m = if is_held || !has_mechanism { spare_m } else { 0.0 };
         let left_m = magnified * low_m - across_m - dot_m - 0.5 * over_m;
         let mount_m = if is_held {
             Some(thick_m)
@@ -341,8 +339,7 @@ impl<'a> Stage<'a> {
 
     /// The plug before the nose of a projectile that has driven one out.
     fn plug(&self, shapes: &mut Picture, state: &Sample, front_m: f64, tip_m: f64) {
-        let has_plug = |kind: EventKind| kind.words().contains("plug");
-        let event = self.run.events.iter().find(|event| has_plug(event.kind));
+        let event = self.run.events.iter().find(|event| event.kind == EventKind::Plug);
         if !event.is_some_and(|event| event.t_s <= state.t_s) {
             return;
         }

@@ -8,6 +8,7 @@ use std::time::Duration;
 use crate::model::run::{Run, Sample};
 use crate::model::units::{Prefix, engineering};
 use crate::numerics::larger;
+use crate::report::chart::scale::whole_below;
 use crate::report::energies::Energies;
 use crate::report::figures::impact::{Stage, mode_words};
 use crate::report::series::state_at;
@@ -201,7 +202,8 @@ fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> V
     let bar = if glyphs == GlyphSet::Ascii { "#" } else { "█" };
     let line = |(index, row): (usize, &&[(&str, f64)])| {
         let part = |(name, value_j): &(&str, f64)| {
-            let cells = ((value_j / whole_j).clamp(0.0, 1.0) * room as f64).round() as usize;
+            let cells = ((value_j / whole_j).clamp(0.0, 1.0) * room as f64).round();
+            let cells = whole_below(cells, room).unwrap_or(room);
             let gap = if cells > 0 { " " } else { "" };
             format!("{name} {}{gap}{}", bar.repeat(cells), number(*value_j))
         };

@@ -3,6 +3,7 @@
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
+use crate::report::chart::scale::whole_below;
 use crate::report::figures::impact::{COILS, Dots, Part, Picture, Place, Shape, Stage};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 use crate::tui::widgets::Canvas;
@@ -345,14 +346,10 @@ impl Grid {
 
 /// The first dot whose middle is at or behind a place, up to one behind the last.
 fn dot(place: f64, count: usize) -> usize {
-    let up = place.ceil();
-    if up.is_nan() || up <= 0.0 {
-        return 0;
-    }
-    (0..=count).nth(if up >= count as f64 { count } else { up as usize }).unwrap_or(count)
+    if place <= 0.0 { 0 } else { whole_below(place.ceil(), count).unwrap_or(count) }
 }
 
 /// The dot that a place is in; `None` outside the picture.
 fn whole(place: f64, count: usize) -> Option<usize> {
-    (place >= 0.0 && place < count as f64).then(|| place as usize)
+    whole_below(place, count)
 }
