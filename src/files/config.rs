@@ -13,12 +13,33 @@ use crate::files::read;
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
     /// Choose the characters of the charts: `auto`, `ascii`, `block` or `braille`.
+    #[serde(deserialize_with = "characters")]
     pub characters: Option<String>,
     /// The colours: `none`, `sixteen`, `256` or `full`.
+    #[serde(deserialize_with = "colours")]
     pub colours: Option<String>,
     /// Keys by the names of actions: `undo = "U"` or `undo = ["u", "U"]`; help shows the first one.
     #[serde(deserialize_with = "lists")]
     pub keys: BTreeMap<String, Vec<String>>,
+}
+
+/// One of the sets of characters, whose names are checked where they are used.
+fn characters<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Error> {
+    word(file, "write characters = \"auto\", \"ascii\", \"block\" or \"braille\", above all tables")
+}
+
+/// One of the numbers of colours.
+fn colours<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Error> {
+    word(file, "write colours = \"none\", \"sixteen\", \"256\" or \"full\", above all tables")
+}
+
+fn word<'de, D: Deserializer<'de>>(file: D, cure: &str) -> Result<Option<String>, D::Error> {
+    match toml::Value::deserialize(file)? {
+        toml::Value::String(word) => Ok(Some(word)),
+        // 256 without quotes.
+        toml::Value::Integer(number) => Ok(Some(number.to_string())),
+        _ => Err(serde::de::Error::custom(cure)),
+    }
 }
 
 /// One key or several by each name.
@@ -56,6 +77,21 @@ pub fn load(path: &Path) -> Result<Config, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A table in the place of a word, or a number without quotes.
+    #[test]
+    fn a_word_of_another_kind_gets_the_values() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("config.toml");
+        let read = |text: &str| {
+            std::fs::write(&path, text).unwrap();
+            load(&path)
+        };
+        let refused = read("[colours]\nundo = \"U\"\n").unwrap_err();
+        assert!(refused.contains("\"none\", \"sixteen\", \"256\" or \"full\""), "{refused}");
+        assert!(read("characters = true\n").unwrap_err().contains("\"braille\""));
+        assert_eq!(read("colours = 256\n").unwrap().colours.as_deref(), Some("256"));
+    }
 
     #[test]
     fn a_configuration_is_read_and_missing_keys_are_empty() {

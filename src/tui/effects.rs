@@ -246,7 +246,8 @@ fn written(written: Result<Vec<PathBuf>, FileError>) -> ExportOutcome {
 }
 
 fn export(to: &Destination, content: &Content) -> ExportOutcome {
-    let written = atomic::ordinary(&to.path).and_then(|()| {
+    let ready = atomic::ordinary(&to.path).and_then(|()| atomic::make_folder_of(&to.path));
+    let written = ready.and_then(|()| {
         to.write(content.text().as_bytes(), &content.scenes(), content.is_complete())
     });
     self::written(written)

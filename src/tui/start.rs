@@ -105,7 +105,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     if let Some(word) = &config.colours {
         match ColourDepth::named(word) {
             Some(depth) => app.settings.theme.depth = depth,
-            None => refused.push(format!("colours = \"{word}\": use none, sixteen or 256")),
+            None => refused.push(format!("colours = \"{word}\": use none, sixteen, 256 or full")),
         }
     }
     for text in refused {

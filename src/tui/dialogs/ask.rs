@@ -53,7 +53,8 @@ pub(super) fn export(app: &mut App) -> Option<Box<dyn Dialog>> {
         Some(Content::Page(table)) => (table.title, table.file),
         Some(_) => ("Export the runs to CSV", format!("{}.csv", app.base_stem())),
     };
-    let text = TextField::new(file);
+    // What is typed replaces the whole name, as it does in every field.
+    let text = TextField::selected(file);
     Some(Box::new(Ask { purpose: Purpose::Export(title), text, question: false }))
 }
 

@@ -188,8 +188,10 @@ fn leave(app: &mut App, action: Action) {
         app.jobs.asked = Some(action);
         return app.say(Severity::Warning, question);
     }
-    app.jobs.asked = None;
-    if !jobs.is_empty() {
+    // Pressed twice it quits, also while what it cancelled is still ending.
+    let insists = action == Action::Cancel && app.jobs.asked == Some(action);
+    app.jobs.asked = (action == Action::Cancel).then_some(action);
+    if !jobs.is_empty() && !insists {
         // What a person stops waits for the key that runs it again, also where it was begun by looking.
         let stopped = app.jobs.studies.iter_mut().filter(|running| jobs.contains(&running.id));
         stopped.for_each(|running| running.is_look = false);

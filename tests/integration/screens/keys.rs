@@ -476,7 +476,7 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
 fn export_asks_for_the_file_of_all_runs() {
     let mut bench = bench();
     bench.keys(" jl");
-    bench.press("e<BS><BS><BS><BS>-x.csv<Enter>");
+    bench.press("e<Right><BS><BS><BS><BS>-x.csv<Enter>");
     let request = bench.effects.iter().find_map(|effect| match effect {
         Effect::Files(FileTask::Export(to, Content::Runs(request))) => {
             Some((to.clone(), request.clone()))
@@ -574,6 +574,19 @@ fn leaving_keeps_the_session() {
     bench.press("<C-c>");
     assert!(bench.effects.is_empty(), "Ctrl-C at rest asks first");
     assert!(bench.message().contains("Ctrl-c again quits"), "{}", bench.message());
+    bench.press("<C-c>");
+    assert!(matches!(bench.effects.last(), Some(Effect::Quit)));
+}
+
+/// As help says: once cancels every job, twice quits, whether or not a job has ended by then.
+#[test]
+fn the_key_that_cancels_quits_when_pressed_twice() {
+    let mut bench = bench();
+    bench.press("jjl");
+    bench.effects.clear();
+    bench.press("<C-c>");
+    assert!(bench.has_cancelled());
+    assert!(!bench.effects.iter().any(|one| matches!(one, Effect::Quit)));
     bench.press("<C-c>");
     assert!(matches!(bench.effects.last(), Some(Effect::Quit)));
 }
