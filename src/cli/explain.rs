@@ -50,8 +50,78 @@ fn pages(name: &str) -> Result<Vec<String>, CliError> {
     if !found.is_empty() {
         return Ok(found);
     }
+    let on_screen = SCREEN.iter().filter(|(words, _)| words.contains(&name));
+    let choices = VARIABLES.iter().filter(|it| it.words().contains(&name)).map(variable_page);
+    let words: Vec<String> = on_screen
+        .map(|(_, about)| hanging(&format!("{name}: "), about, 2))
+        .chain(choices)
+        .collect();
+    if !words.is_empty() {
+        return Ok(words);
+    }
     quantities::named(name).map(|it| vec![quantity_page(it)]).map_err(|_not_titled| unknown())
 }
+
+/// Words and signs of screens and pages that are neither variables nor quantities nor warnings.
+const SCREEN: &[(&[&str], &str)] = &[
+    (
+        &["plastic"],
+        "depth, and in brackets percent, of the same shot if the interface between projectile and plate can yield; set interface=plastic",
+    ),
+    (&["travel"], "greatest plate displacement (max_plate_displacement_m)"),
+    (&["depth"], "final penetration into the plate (final_penetration_m)"),
+    (&["%"], "depth in percent of that of the same plate on a rigid mount (percent_of_baseline)"),
+    (&["peak"], "greatest contact force (peak_contact_force_n)"),
+    (&["mount"], "greatest force of spring, damper and stop on the mount (peak_mount_force_n)"),
+    (
+        &["v_bl", "limit"],
+        "ballistic limit: the least velocity that perforates the plate (limit_velocity_m_s)",
+    ),
+    (
+        &["margin"],
+        "how far this shot's velocity is below the ballistic limit, in percent of the shot's velocity; a shot with a negative margin perforates",
+    ),
+    (
+        &["validity"],
+        "the range in which the model was compared with experiments; a check that fails is named, with the side on which the answer errs",
+    ),
+    (
+        &["conservative"],
+        "outside the validity, on the safe side: the model says more depth, force or displacement than there is",
+    ),
+    (
+        &["unconservative"],
+        "outside the validity, on the unsafe side: the model says less depth, force or displacement than there is",
+    ),
+    (&["error"], "estimated error of the depth, relative to the depth, from a second computation"),
+    (
+        &["omitted"],
+        "parts of the model that do nothing in this scene and are not computed: they change no digit",
+    ),
+    (
+        &["A"],
+        "contact area of the nose, up to pi R^2: A S_y is the greatest load that the interface bears",
+    ),
+    (&["D"], "diameter of the projectile, 2 R: h/D compares the thickness of the plate with it"),
+    (
+        &["arrested", "stick"],
+        "outcome: the projectile comes to rest relative to the plate within it",
+    ),
+    (&["perforated"], "outcome: the projectile leaves the plate through its rear face"),
+    (
+        &["separated"],
+        "outcome: the plate moves away from the projectile, which no longer touches it",
+    ),
+    (&["moving"], "outcome: undecided at the horizon, which is the end of the computed time"),
+    (
+        &["knee"],
+        "design of a front beyond which an objective gains little for what the others lose",
+    ),
+    (
+        &["feasible"],
+        "a design without a warning on the unsafe side (interface, spring, stop, face)",
+    ),
+];
 
 fn variable_page(variable: &Variable) -> String {
     let mut page = format!("{}: {}\n", variable.symbol, variable.meaning);
@@ -142,4 +212,49 @@ fn list() -> String {
     page += &Check::WORDS.join(", ");
     page.push_str("\n\n`cmra explain NAME` explains one.\n");
     page
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The words of the first screen, of its table, its status row and the pages of results, and every word of a choice.
+    #[test]
+    fn every_word_of_a_screen_is_explained() {
+        let words = [
+            "plastic",
+            "travel",
+            "v_bl",
+            "margin",
+            "validity",
+            "conservative",
+            "unconservative",
+            "fused",
+            "error",
+            "A",
+            "D",
+            "depth",
+            "peak",
+            "mount",
+            "omitted",
+            "%",
+            "arrested",
+            "perforated",
+            "separated",
+            "moving",
+            "stroke",
+            "interface",
+            "h/D",
+            "spring mass",
+            "rebound",
+            "knee",
+            "feasible",
+        ];
+        let choices = VARIABLES.iter().flat_map(|it| it.words().iter().copied());
+        for word in words.into_iter().chain(choices) {
+            let found = pages(word).unwrap_or_else(|error| panic!("{word}: {error}"));
+            assert!(found.iter().all(|page| page.len() > 20), "{word}: {found:?}");
+        }
+        assert!(pages("nonsense").is_err());
+    }
 }

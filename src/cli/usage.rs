@@ -2,10 +2,12 @@
 
 use std::ffi::OsString;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error};
 
 use crate::files::clean;
 use crate::files::error::did_you_mean;
+use crate::model::variables;
 
 /// The line of an error; `None` for help and version, which are results.
 pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Option<String> {
@@ -20,6 +22,17 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
         && let Some(hint) = did_you_mean(first, &commands)
     {
         return Some(format!("`{first}` is not a subcommand: {hint} `cmra --help` lists them"));
+    }
+    // `run cocked gamma=2`
+    if error.kind() == ErrorKind::UnknownArgument
+        && let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidArg)
+        && let Some((name, _)) = word.split_once('=')
+        && variables::find(name).is_ok()
+    {
+        let word = clean::shell_word(word);
+        return Some(format!(
+            "unexpected argument '{word}': to change a variable write `--set {word}`"
+        ));
     }
     // A line end within an argument is none of the text.
     let words = written.iter().filter_map(|word| word.to_str());

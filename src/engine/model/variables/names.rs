@@ -34,12 +34,19 @@ pub fn nearest(name: &str) -> String {
     let lower = name.to_lowercase();
     let meant = VARIABLES.iter().filter(|it| is_meant(it, &lower)).map(|it| (0, it.symbol));
     let distance = |candidate: &str| strsim::osa_distance(&lower, &candidate.to_lowercase());
-    let spelled = VARIABLES.iter().flat_map(|it| {
+    let names: Vec<String> = VARIABLES.iter().map(Variable::name).collect();
+    let spelled = VARIABLES.iter().zip(&names).flat_map(|(it, own)| {
         let by_key = distance(it.key).min(distance(field(it)) + 1);
-        [(distance(it.symbol), it.symbol), (by_key, it.key)]
+        // A word of the screen, such as `damping` for b, leads to the symbol.
+        let words = it.label.split(' ').chain([it.label]).filter(|word| word.len() > 3);
+        let by_label = words.map(|word| distance(word) + 1).min().unwrap_or(usize::MAX);
+        let by_symbol = distance(it.symbol).min(by_label);
+        let own_names = std::iter::once(own.as_str()).chain(it.aliases.iter().copied());
+        own_names.map(|own| (distance(own), own)).chain([(by_symbol, it.symbol), (by_key, it.key)])
     });
+    let spelled: Vec<(usize, &str)> = spelled.collect();
     close(name, meant.collect())
-        .or_else(|| close(name, spelled.collect()))
+        .or_else(|| close(name, spelled))
         .unwrap_or_else(|| format!("the usual ones are {USUAL}; `cmra explain` lists all"))
 }
 
@@ -61,6 +68,8 @@ pub fn close(name: &str, mut candidates: Vec<(usize, &str)>) -> Option<String> {
     const SHOWN_MAX: usize = 4;
     let limit = (name.chars().count() / 3).max(1);
     candidates.sort_by_key(|(distance, _)| *distance);
+    let mut seen = std::collections::BTreeSet::new();
+    candidates.retain(|(_, candidate)| seen.insert(*candidate));
     let close = candidates.iter().take_while(|(distance, _)| *distance <= limit).take(SHOWN_MAX);
     let close: Vec<String> = close.map(|(_, candidate)| format!("`{candidate}`")).collect();
     (!close.is_empty()).then(|| format!("did you mean {}?", close.join(" or ")))
@@ -85,6 +94,40 @@ mod tests {
         {
             let hint = nearest(name);
             assert!(hint.starts_with(&format!("did you mean {meant}")), "{name}: {hint}");
+        }
+    }
+
+    /// Names as people misspell them, long ones and those of the screen among them.
+    #[test]
+    fn a_misspelled_name_leads_to_its_variable() {
+        for (name, symbol) in [
+            ("stifness", "k"),
+            ("thicknes", "h"),
+            ("velocty", "v_i"),
+            ("dampng", "b"),
+            ("cockng", "d"),
+            ("densty", "rho"),
+            ("mas_ratio", "gamma"),
+            ("flow_strengt", "S_y"),
+            ("stop_postion", "x_stop"),
+            ("projectile.velocity_ms", "v_i"),
+        ] {
+            let hint = nearest(name);
+            let mut offered = hint.split('`').skip(1).step_by(2);
+            assert!(
+                offered.any(|it| find(it).is_ok_and(|it| it.symbol == symbol)),
+                "{name}: {hint}"
+            );
+        }
+        // Every name without its middle letter leads back to its variable.
+        for variable in VARIABLES.iter().filter(|it| it.name().len() > 5) {
+            let mut misspelled = variable.name();
+            misspelled.remove(misspelled.len() / 2);
+            let hint = nearest(&misspelled);
+            let mut offered = hint.split('`').skip(1).step_by(2);
+            let is_there = find(&misspelled).is_ok()
+                || offered.any(|it| find(it).is_ok_and(|it| it.key == variable.key));
+            assert!(is_there, "{misspelled} of {}: {hint}", variable.symbol);
         }
     }
 
