@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let report = report?;
     let name = preset.name.as_str();
     let warnings = validity::of_scene(&scene);
-    let (page, object) = (page(name, &report), tables::json(name, &report));
+    let (page, object) = (page(&preset.heading, &report), tables::json(name, &report));
     let (source, rows) = ((&*scene, request.to_string()), tables::table(name, &report));
     arguments.study.deliver(extent, source, &warnings, page, object, rows)?;
     Ok(extent.exit_code(true))
@@ -88,7 +88,7 @@ impl CompareArguments {
         let map = map?;
         let name = preset.name.as_str();
         let warnings = validity::of_axes(map.scene(), axes);
-        let page = map_page(name, &map) + &self.study.table.warnings(&warnings);
+        let page = map_page(&preset.heading, &map) + &self.study.table.warnings(&warnings);
         if !self.pictures.is_stdout() {
             let source = (&self.study.scene.changes, &preset.scene, request.to_string());
             let rows = tables::map_table(name, &map);

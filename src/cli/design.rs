@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     let preset = arguments.scene.load()?;
     variables::validate(&preset.scene)?;
     let found = formulas(&preset.scene, arguments.c_t);
-    let mut page = format!("{}: by formulas alone\n\n", preset.name);
+    let mut page = format!("{}: by formulas alone\n\n", preset.heading);
     for (name, value, unit, source) in &found {
         let shown = engineering(*value, unit, 4);
         let _ = writeln!(page, "{shown:>14}  {name} ({source})");

@@ -35,7 +35,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let warnings = limit::warnings(&report);
     if !pictures.is_stdout() {
-        let (page, object) = (page(name, &report), limit::json(name, &report));
+        let (page, object) = (page(&preset.heading, &report), limit::json(name, &report));
         let (source, rows) = ((&*report.scene, COMMAND.to_owned()), limit::shots(name, &report));
         study.deliver(extent, source, &warnings, page, object, rows)?;
     }

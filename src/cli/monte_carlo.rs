@@ -105,7 +105,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
         PointOutcome::Failed(_) => None,
     });
     let answer = sentence(&preset.scene, &verdict, by_law);
-    let page = page(name, &report, (&answer, extent.reach));
+    let page = page(&preset.heading, &report, (&answer, extent.reach));
     let object = monte_carlo::json(name, &report, &verdict, extent.reach);
     let source = (&preset.scene, request.to_string());
     arguments.study.deliver(extent, source, &warnings, page, object, table(name, &report))?;

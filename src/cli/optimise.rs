@@ -94,7 +94,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let front = front?;
     let name = preset.name.as_str();
     let (page, object) =
-        (page(name, &front, extent.reach), front::json(name, &front, extent.reach));
+        (page(&preset.heading, &front, extent.reach), front::json(name, &front, extent.reach));
     let warnings = front::warnings(&front);
     let source = (&preset.scene, request.to_string());
     arguments.study.deliver(extent, source, &warnings, page, object, front::table(name, &front))?;

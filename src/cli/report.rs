@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         output::note("interrupted: no report was written");
         return Ok(ExitCode::FAILURE);
     }
-    let text = html((&preset.name, &scene), &run, &limit, sweep.as_ref());
+    let text = html((&preset.heading, &scene), &run, &limit, sweep.as_ref());
     if is_stdout {
         output::print(&text)?;
     } else {

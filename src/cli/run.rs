@@ -112,7 +112,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if arguments.compare.is_some() {
         return compare_models(arguments);
     }
-    let Preset { name, scene, .. } = arguments.scene.load()?;
+    let Preset { name, heading, scene, .. } = arguments.scene.load()?;
     let scene = Arc::new(scene);
     let run = Arc::new(match arguments.dt {
         None => compute(&scene)?,
@@ -149,7 +149,12 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         output::print(&report::json(&name, &run))?;
     } else {
         output::print(&arguments.scene.changes.changed())?;
-        print_readable(&name, &run, arguments.plain.then_some(arguments.glyphs), &arguments.table)?;
+        print_readable(
+            &heading,
+            &run,
+            arguments.plain.then_some(arguments.glyphs),
+            &arguments.table,
+        )?;
     }
     Ok(exit_code(&run))
 }
@@ -217,7 +222,11 @@ fn drawn(run: &Run, glyphs: Glyphs) -> String {
 
 fn summary(name: &str, run: &Run, table: &TableArguments) -> String {
     let title = clean::line(&run.scene.title);
-    let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
+    let title = if title.is_empty() || title == name {
+        name.to_owned()
+    } else {
+        format!("{name}: {title}")
+    };
     let mut page = title + "\n";
     if let Some(stack) = &run.stack {
         for line in stack::table(run, stack) {
@@ -275,7 +284,7 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     ];
     let mut page = format!(
         "{}: the interaction models of Table 8.1\n\n{}\n",
-        preset.name,
+        preset.heading,
         report::comparison(rows).page(&keys, width())
     );
     for ((name, _), remark) in runs.iter().zip(remarks) {

@@ -62,6 +62,10 @@ impl SceneArguments {
         };
         self.changes.apply(&mut preset.scene)?;
         self.changes.say_unused(&preset.scene);
+        if let Some(heading) = self.changes.heading(&preset.name) {
+            preset.heading.clone_from(&heading);
+            preset.scene.title = heading;
+        }
         Ok(preset)
     }
 
@@ -150,6 +154,22 @@ impl Changes {
             (Library::Absorbers, &self.absorber),
         ];
         named.into_iter().filter_map(|(library, name)| Some((library, name.as_deref()?)))
+    }
+
+    /// What the changes make of a scene of this name: `threat fsp-22, material aa6061-t651, from thesis-baseline: 2 changes`; `None`
+    /// without a change.
+    fn heading(&self, name: &str) -> Option<String> {
+        let entries = self.entries().map(|(library, name)| format!("{} {name}", library.word()));
+        let entries: Vec<String> = entries.collect();
+        let set = match self.set.len() {
+            0 if entries.is_empty() => return None,
+            0 => String::new(),
+            1 => ": 1 change".to_owned(),
+            count => format!(": {count} changes"),
+        };
+        let subject =
+            if entries.is_empty() { "a scene of your own".to_owned() } else { entries.join(", ") };
+        Some(clean::line(&format!("{subject}, from {name}{set}")).into_owned())
     }
 
     /// Lines for the head of a page that repeat what was changed; empty where nothing was.
@@ -253,6 +273,7 @@ pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {
     };
     // Every page, table and message has it.
     preset.name = clean::line(&preset.name).into_owned();
+    preset.heading.clone_from(&preset.name);
     Ok(preset)
 }
 

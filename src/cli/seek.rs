@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let warnings = seek::warnings(&preset.scene, &report);
     let (page, object) =
-        (page(name, &report, extent.reach), seek::json(name, &report, extent.reach));
+        (page(&preset.heading, &report, extent.reach), seek::json(name, &report, extent.reach));
     let source = (&preset.scene, request.to_string());
     arguments.study.deliver(extent, source, &warnings, page, object, seek::table(name, &report))?;
     Ok(extent.exit_code(report.solutions().next().is_some()))

@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         Some(GlyphSet::Block | GlyphSet::Braille) => BLOCKS,
         Some(GlyphSet::Ascii) | None => ASCII,
     };
-    let page = page(name, &report, levels, arguments.over.is_empty());
+    let page = page(&preset.heading, &report, levels, arguments.over.is_empty());
     let (source, object) = ((&preset.scene, request.to_string()), sensitivity::json(name, &report));
     arguments.study.deliver(extent, source, &warnings, page, object, table(name, &report))?;
     Ok(extent.exit_code(!report.is_empty()))

@@ -78,7 +78,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
         arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
     let warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
-    let (page, object) = (map_page(&map, name), tables::map_json(name, &map));
+    let (page, object) = (map_page(&map, &preset.heading), tables::map_json(name, &map));
     let (source, rows) = ((&preset.scene, wanted.to_string()), tables::map_table(name, &map));
     arguments.study.deliver(extent, source, &warnings, page, object, rows)?;
     Ok(extent.exit_code(true))

@@ -163,7 +163,7 @@ impl Job<'_> {
         let plural = if threads == 1 { "" } else { "s" };
         let how = format!("in {took} on {threads} thread{plural}");
         let missing = self.missing(ended).map_or_else(String::new, |it| it + "\n\n");
-        missing + &page::text(&self.preset.name, self.plan, (ended, &how), kept)
+        missing + &page::text(&self.preset.heading, self.plan, (ended, &how), kept)
     }
 
     /// Computes all points, and writes their rows where they are to go.

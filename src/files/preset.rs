@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files::atomic::{self, Existing};
 use crate::files::bundled::{self, BUNDLED, Bundled};
+use crate::files::clean;
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::inputs;
 use crate::files::paths::Paths;
@@ -23,6 +24,8 @@ use crate::model::variables;
 pub struct Preset {
     /// Name or path to load it by.
     pub name: String,
+    /// What its pages are headed by: its name, or how it was made from it.
+    pub heading: String,
     /// Where it comes from.
     pub origin: Origin,
     /// The scene.
@@ -120,6 +123,7 @@ pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, F
     Ok(Preset {
         scene: read::scene(&text, &file).map_err(FileError::Scene)?,
         comment: head_comment(&text),
+        heading: name.clone(),
         name,
         origin,
         text,
@@ -242,6 +246,15 @@ fn hint(name: &str, paths: Option<&Paths>) -> String {
     let list = "`cmra presets` lists the presets";
     if name.is_empty() {
         return format!("the name is empty; {list}");
+    }
+    // `run gamma=2`
+    if let Some((variable, _)) = name.split_once('=')
+        && variables::find(variable.trim()).is_ok()
+    {
+        return format!(
+            "to change a variable of the scene write `--set {}`",
+            clean::shell_word(name)
+        );
     }
     match did_you_mean(name.trim_end_matches(".toml"), &names) {
         Some(hint) => format!("{hint} ({list})"),

@@ -40,7 +40,11 @@ pub fn html(
     sweep: Option<&Grid>,
 ) -> String {
     let title = clean::line(&scene.title);
-    let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
+    let title = if title.is_empty() || title == name {
+        name.to_owned()
+    } else {
+        format!("{name}: {title}")
+    };
     let mut page = Document::new(&title);
     page.paragraph(&run.stack.as_ref().map_or_else(|| sentence(run), |it| it.sentence()));
     page.paragraph(&answer(limit));

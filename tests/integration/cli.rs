@@ -724,3 +724,45 @@ fn a_name_is_no_formula_in_a_table() {
     let table = in_folder(place.path(), "sweep =1+1.toml --over gamma=1..2:2 --csv -");
     assert!(table.out.contains("'=1+1.toml") && !table.out.contains(",=1"), "{}", table.out);
 }
+
+/// The head of a page says what the scene is: a changed one is not the preset that it began with.
+#[test]
+fn a_changed_scene_is_headed_by_what_it_is() {
+    let place = tempfile::tempdir().unwrap();
+    let head = |words: &str| {
+        let done = in_folder(place.path(), words);
+        assert_eq!(done.code, 0, "{words}: {}", done.err);
+        done.out
+            .lines()
+            .find(|line| line.contains("from ") || line.contains(':'))
+            .map(str::to_owned)
+    };
+    let own = "a scene of your own, from thesis-baseline: 2 changes";
+    for command in
+        ["run", "limit", "compare", "design", "seek --over k=1e4..1e6:5 --goal stroke_m=0.05"]
+    {
+        let done = in_folder(place.path(), &format!("{command} --set gamma=2 --set v_i=90"));
+        assert!(done.out.contains(own), "{command}: {}", done.out);
+        assert!(!done.out.contains("Baseline of chapter 9"), "{command}: {}", done.out);
+    }
+    assert_eq!(head("run").as_deref(), Some("thesis-baseline: Baseline of chapter 9"));
+    let threat =
+        in_folder(place.path(), "run --threat fsp-22 --material aa6061-t651 --set gamma=2");
+    let made = "threat fsp-22, material aa6061-t651, from thesis-baseline: 1 change";
+    assert!(threat.out.contains(made), "{}", threat.out);
+    // The exported scene has that title, too.
+    assert_eq!(in_folder(place.path(), "run --set gamma=2 --csv a.csv").code, 0);
+    let scene = fs::read_to_string(place.path().join("a.toml")).unwrap();
+    assert!(scene.contains("a scene of your own, from thesis-baseline: 1 change"), "{scene}");
+}
+
+/// A change of a variable that stands in the place of a scene or behind it.
+#[test]
+fn a_change_without_its_option_is_named() {
+    let place = tempfile::tempdir().unwrap();
+    for words in ["run gamma=2", "run cocked gamma=2", "gamma=2", "limit thesis-baseline gamma=2"] {
+        let done = in_folder(place.path(), words);
+        assert_eq!(done.code, 2, "{words}: {}", done.err);
+        assert!(done.err.contains("`--set gamma=2`"), "{words}: {}", done.err);
+    }
+}
