@@ -6,10 +6,10 @@
 //! v² = (S/c) (exp(2 c V/mu) - 1) with V the volume of the whole passage. Time is one quadrature. A free plate is moved as far as the
 //! momentum of both bodies asks.
 //!
-//! A nose that shears out a plug opens a hole of the volume V ahead of it and arrives with u_1, keeps `m_p/(m_p + m_k)` of that when it
-//! picks up the plug, and perforates if mu_2/2 times the square of what is left exceeds the work W of shearing, mu_2 the reduced mass of
-//! `m_p + m_k` and `m_2 - m_k`. So the limit has u_1² = 2 W (m_p + m_k)²/(mu_2 m_p²), and v² = u_1² exp(x) + (S/c)(exp(x) - 1) with
-//! x = 2 c V/mu. Shearing is u' = -(pi `D_p` tau/mu_2)(`h_p` - s): hyperbolic functions of the time.
+//! A nose that shears out a plug opens a hole of the volume V ahead of it and arrives with `u_1`, keeps `m_p/(m_p + m_k)` of that when it
+//! picks up the plug, and perforates if `mu_2/2` times the square of what is left exceeds the work W of shearing, `mu_2` the reduced mass of
+//! `m_p + m_k` and `m_2 - m_k`. So the limit has `u_1`² = 2 W `(m_p + m_k)²/(mu_2 m_p²)`, and v² = `u_1`² exp(x) + (S/c)(exp(x) - 1) with
+//! x = 2 c V/mu. Shearing is u' = -(pi `D_p` `tau/mu_2`)(`h_p` - s): hyperbolic functions of the time.
 
 use crate::model::contact::{AreaPiece, Geometry};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
@@ -41,7 +41,7 @@ pub struct Passage<'a> {
 #[derive(Clone, Copy, Debug)]
 struct Shearing {
     plug: Plug,
-    /// 1/mu_2, 1/kg.
+    /// `1/mu_2`, 1/kg.
     mobility_per_kg: f64,
     /// Part of the relative velocity that is left when the plug is picked up.
     kept: f64,
@@ -307,7 +307,7 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
     let geometry = Geometry::of(scene);
     let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
     let arrest_m = passage.arrest_m();
-    let end_m = arrest_m.unwrap_or(passage.through_m());
+    let end_m = arrest_m.unwrap_or_else(|| passage.through_m());
     let end_s = passage.time_s(arrest_m);
     let left_m_s = passage.left_m_s().unwrap_or(0.0);
     let (v, w) = (passage.velocity_m_s, scene.plate_velocity_m_s());

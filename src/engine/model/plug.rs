@@ -5,7 +5,7 @@
 //! Technology* 2023; Mendeley Data, doi 10.17632/4f92y6jzzh.2, CC BY 4.0); each says so.
 //!
 //! The force over the slip s is `F = pi D_p tau (h_p - s)` with tau = `sigma_1`/3^(1/2), up to the slip at which the work per sheared area
-//! has reached `w h_p`. So the work is W = pi D_p h_p² w and the slip ends at s_f = h_p (1 - (1 - 2 w/tau)^(1/2)). Ductile shearing through
+//! has reached `w h_p`. So the work is W = `pi D_p h_p² w` and the slip ends at `s_f = h_p (1 - (1 - 2 w/tau)^(1/2))`. Ductile shearing through
 //! the whole thickness is w = tau/2. Adiabatic shear ends it at a work that hardly depends on the strength.
 
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
@@ -20,8 +20,8 @@ const THICKNESS: f64 = 1.35;
 const FRAGMENT_AREA: f64 = 2.0;
 /// Diameter of the plug of a fragment on steel over the fragment's own; fitted.
 const ON_STEEL: f64 = SQRT_2;
-/// Work of adiabatic shear of light alloys and of steel, over the square of the plug's thickness and its circumference, Pa; fitted. Over nine
-/// aluminium alloys of 310 to 552 MPa it was 88 to 128 MPa.
+/// Work w of adiabatic shear of light alloys and of steel, Pa; fitted. Over nine
+/// aluminium alloys of 310e6 to 552e6 Pa it was 88e6 to 128e6 Pa.
 const ADIABATIC_LIGHT_PA: f64 = 95e6;
 const ADIABATIC_STEEL_PA: f64 = 250e6;
 

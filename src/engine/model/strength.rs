@@ -38,7 +38,7 @@ pub fn flow_stress_pa(yield_pa: f64, modulus_pa: f64, exponent: f64) -> f64 {
 /// Pressure S that opens a cylindrical cavity from nothing in an incompressible metal, Pa; E > 3^(1/2) Y.
 ///
 /// Matter at the radius r around a cavity of radius a has the strain t/3^(1/2) with exp(-t) = 1 - a²/r². Equilibrium is
-/// d sigma_r = (2/3^(1/2)) sigma dr/r and -2 dr/r = dt/(exp(t) - 1). The elastic region outside carries Y/3^(1/2) and begins at
+/// `d sigma_r` = (2/3^(1/2)) sigma dr/r and -2 dr/r = dt/(exp(t) - 1). The elastic region outside carries Y/3^(1/2) and begins at
 /// a²/r² = 3^(1/2) Y/E. So S = Y/3^(1/2) [1 + (E/(3^(1/2) Y))^n I] with I the integral of t^n/(exp(t) - 1) from -ln(1 - 3^(1/2) Y/E)
 /// on. For n = 0 it is ln(E/(3^(1/2) Y)).
 pub fn hole_growth_pa(yield_pa: f64, modulus_pa: f64, exponent: f64) -> f64 {

@@ -475,7 +475,7 @@ fn strength_pa(scene: &Scene) -> f64 {
 }
 
 /// The pressure on a cylindrical cavity: equilibrium summed over thin rings of the plastic region, by the middle of each. The ring between
-/// the radii r and r + dr has the strain ln(r/r_0)/(3/4)^(1/2), r_0² = r² - a², and adds 2/3^(1/2) sigma dr/r to the elastic Y/3^(1/2).
+/// the radii r and r + dr has the strain `ln(r/r_0)/(3/4)^(1/2)`, `r_0² = r² - a²`, and adds 2/3^(1/2) sigma dr/r to the elastic Y/3^(1/2).
 fn cylindrical_pa(y: f64, u: f64, e: f64) -> f64 {
     // The exponent by bisection of Considere's tensile strength.
     let (mut low, mut high) = (std::f64::consts::E * y / e, 2.0);

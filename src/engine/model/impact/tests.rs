@@ -275,7 +275,7 @@ fn valid_a_plug_is_sheared_as_by_equal_steps_of_both_bodies() {
         let hole = |u: f64| area * (s + 0.5 * rho * u * u);
         let [t, q, x, plate, left] = by_equal_steps([m_p, m_2, k, b], (hole, plug), v);
         let near = |found: f64, expected: f64| {
-            assert!(is_near(found, expected, 1e-8), "{pairs}: {found} {expected}")
+            assert!(is_near(found, expected, 1e-8), "{pairs}: {found} {expected}");
         };
         assert_eq!(run.outcome == crate::model::run::Outcome::Perforated, through, "{pairs}");
         if through {

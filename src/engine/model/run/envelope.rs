@@ -44,6 +44,8 @@ const VELOCITIES_M_S: (f64, f64) = (50.0, 1000.0);
 /// model may be used.
 pub const OBLIQUE_LOW: [(f64, f64); 3] = [(15.0, 3.6), (30.0, 8.6), (45.0, 16.1)];
 const OBLIQUE_UP_TO: f64 = 20.0;
+/// What is known about limits of a nose that shears out a plug at an angle.
+const PLUG_AT_AN_ANGLE: &str = "no limit of a nose that shears out a plug is measured at an angle";
 /// The end of a steel coil that moves faster than this, m/s, sends a wave through its wire that takes it beyond its strength.
 const COIL_END_M_S: f64 = 20.0;
 /// The moving part of the springs' own mass over the plate's that may be omitted.
@@ -134,7 +136,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     let mut add = |check, direction, degree, text| {
         found.push(Breach { check, direction, degree, text });
     };
-    let Projectile { nose, core, mass_kg, obliquity_deg: theta, .. } = scene.projectile;
+    let Projectile { nose, mass_kg, obliquity_deg: theta, .. } = scene.projectile;
     let (density, yield_pa) = (scene.target.density_kg_m3, equivalent_yield_pa(scene));
     if density < METAL_KG_M3 && yield_pa < METAL_PA {
         let text = format!(
@@ -144,23 +146,11 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
         );
         add(Check::Material, Unknown, METAL_KG_M3 / density, text);
     }
-    let closure = scene.closure();
-    let is_made_for = nose == Nose::Hemispherical || closure == Closure::Cylindrical;
-    if !is_made_for && scene.contact.model == ContactModel::Hydrodynamic {
-        let text = format!(
-            "nose is {}: its law is measured with closure = cylindrical, and closure = {} is in effect; set closure=cylindrical with Y, \
-             UTS and E",
-            nose.word(),
-            closure.word()
-        );
-        add(Check::Nose, Unknown, 1.0, text);
-    }
-    if core == Core::Deformable {
-        let text = "core is deformable: the law takes the projectile as rigid, which penetrates more than one that deforms";
-        add(Check::Nose, Conservative, 1.0, text.to_owned());
+    for (direction, text) in of_nose(scene) {
+        add(Check::Nose, direction, 1.0, text);
     }
     let pressure = nose_pressure_ratio(scene);
-    if pressure > RIGID_UP_TO {
+    if pressure > RIGID_UP_TO && !is_measured_nose(scene) {
         let text = format!(
             "nose pressure S + c v^2 is {} times 2 GPa; that is the strength of hardened steel, and above {RIGID_UP_TO} the \
              projectile may deform or break",
@@ -198,16 +188,13 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     }
     if theta > 0.0 {
         let ricochet = ricochet(scene).map_or_else(String::new, |text| format!("; {text}"));
-        let lead = format!("theta = {} deg: ", significant(theta, 4));
         let (direction, error) = if nose.shears() {
-            (
-                Unknown,
-                "no limit of a nose that shears out a plug is measured at an angle".to_owned(),
-            )
+            (Unknown, PLUG_AT_AN_ANGLE.to_owned())
         } else {
             (Conservative, oblique_error(theta))
         };
-        add(Check::Obliquity, direction, theta, lead + &error + &ricochet);
+        let text = format!("theta = {} deg: {error}{ricochet}", significant(theta, 4));
+        add(Check::Obliquity, direction, theta, text);
     }
     if has_fused_stop(scene) {
         let text = "rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
@@ -215,6 +202,31 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
         add(Check::Stop, Unconservative, 1.0, text.to_owned());
     }
     found
+}
+
+/// Whether the law in effect is measured with the nose, which is no hemisphere, however much it deforms.
+fn is_measured_nose(scene: &Scene) -> bool {
+    let is_round = scene.projectile.nose == Nose::Hemispherical;
+    !is_round && scene.closure() == Closure::Cylindrical
+}
+
+/// What nose and core mean for the law.
+fn of_nose(scene: &Scene) -> Vec<(Direction, String)> {
+    let Projectile { nose, core, .. } = scene.projectile;
+    let is_foreign = nose != Nose::Hemispherical && !is_measured_nose(scene);
+    let foreign = is_foreign && scene.contact.model == ContactModel::Hydrodynamic;
+    let foreign = foreign.then(|| {
+        let text = format!(
+            "nose is {}: its law is measured with closure = cylindrical, and closure = {} is in effect; set closure=cylindrical with Y, \
+             UTS and E",
+            nose.word(),
+            scene.closure().word()
+        );
+        (Unknown, text)
+    });
+    let text = "core is deformable: the law takes the projectile as rigid, which penetrates more than one that deforms";
+    let deforms = (core == Core::Deformable).then(|| (Conservative, text.to_owned()));
+    foreign.into_iter().chain(deforms).collect()
 }
 
 fn thickness(scene: &Scene) -> Option<Breach> {

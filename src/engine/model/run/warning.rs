@@ -63,6 +63,16 @@ fn times(ratio: f64, strength: &str, unbounded: &str) -> String {
     format!("is {} times its strength {strength}", significant(ratio, 4))
 }
 
+/// Why the plate does not harden.
+fn no_hardening(tensile_pa: Option<f64>, yield_pa: f64) -> String {
+    let mega = |pa: f64| significant(1e-6 * pa, 4);
+    let why = tensile_pa.map_or_else(
+        || "UTS is not given".to_owned(),
+        |pa| format!("UTS = {} MPa is not above Y = {} MPa", mega(pa), mega(yield_pa)),
+    );
+    format!("{why}: the plate is taken not to harden (n = 0)")
+}
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let pull = |ratio| times(ratio, "g A S_y", "has no grip (g = 0) to hold it");
@@ -123,14 +133,7 @@ impl fmt::Display for Warning {
                 significant(required_m, 4),
                 significant(limit_m, 4)
             ),
-            Self::NoHardening { tensile_pa, yield_pa } => {
-                let mega = |pa: f64| significant(1e-6 * pa, 4);
-                let why = tensile_pa.map_or_else(
-                    || "UTS is not given".to_owned(),
-                    |tensile_pa| format!("UTS = {} MPa is not above Y = {} MPa", mega(tensile_pa), mega(yield_pa)),
-                );
-                format!("{why}: the plate is taken not to harden (n = 0)")
-            }
+            Self::NoHardening { tensile_pa, yield_pa } => no_hardening(tensile_pa, yield_pa),
             Self::PlugStopped => "depth and forces are indicative: the plug law picks the plug up at any speed, though a slow shot \
                                   shears nothing"
                 .to_owned(),

@@ -78,16 +78,13 @@ fn check_closure(scene: &Scene) -> Result<(), VariableError> {
             )
         })
     };
-    match closure {
-        Closure::Given => {}
-        Closure::Cavity => is_stiff(yield_pa, "Y (target.yield_pa)")?,
-        Closure::Cylindrical => is_stiff(3f64.sqrt() * yield_pa, "3^(1/2) Y (target.yield_pa)")?,
-        Closure::DoubleYield | Closure::ByThickness if scene.projectile.nose.shears() => {
-            is_stiff(3f64.sqrt() * yield_pa, "3^(1/2) Y (target.yield_pa)")?;
-        }
-        Closure::DoubleYield | Closure::ByThickness => {}
+    let shears = scene.projectile.nose.shears() && resists(scene);
+    if closure == Closure::Cylindrical || shears && closure != Closure::Given {
+        is_stiff(3f64.sqrt() * yield_pa, "3^(1/2) Y (target.yield_pa)")?;
+    } else if is_cavity {
+        is_stiff(yield_pa, "Y (target.yield_pa)")?;
     }
-    if scene.projectile.nose.shears() && resists(scene) { check_plug(scene) } else { Ok(()) }
+    if shears { check_plug(scene) } else { Ok(()) }
 }
 
 /// A nose that shears out a plug needs the strength of the metal, a metal with a plug law, and a plate that is heavier than its plug.
