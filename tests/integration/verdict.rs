@@ -51,7 +51,7 @@ fn answer(object: &Value) -> (String, [Option<f64>; 3]) {
     )
 }
 
-/// Independent: law, classes and bands in Python with SciPy, from the same file of measurements. The ball deforms, and nothing measures the
+/// Independent: law, classes and bands in Python with `SciPy`, from the same file of measurements. The ball deforms, and nothing measures the
 /// baseline's hemisphere.
 const BANDS: [[f64; 3]; 3] = [
     [406.111_420_5, 447.429_107_1, 492.950_446_0],

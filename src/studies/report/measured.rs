@@ -84,18 +84,19 @@ pub fn error_lines(list: &[Errors]) -> String {
         let [mean, rms] = [it.mean_absolute_m_s, it.rms_m_s].map(|it| format!("{it:.1}"));
         let (class, bias) = (it.group.as_deref().unwrap_or("all"), percent(it.bias));
         let (rows, papers) = (it.rows, it.papers);
-        format!("{rows:>4}{papers:>7}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} {class}\n")
+        format!("{rows:>4}{papers:>5}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} {class}\n")
     };
     let [rows, papers, bias, scatter, mean, rms, inside] =
-        ["rows", "papers", "bias", "scatter", "mean", "RMS", "inside"];
+        ["rows", "from", "bias", "sd", "mean", "RMS", "inside"];
     let head =
-        format!("{rows:>4}{papers:>7}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} class\n");
+        format!("{rows:>4}{papers:>5}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} class\n");
     list.iter().map(line).fold(head, |page, line| page + &line)
 }
 
 /// What the columns of these lines mean.
-pub const ERRORS_MEAN: &str = "bias and scatter: mean and standard deviation of computed over measured, less 1; mean: mean absolute error, m/s; \
-     RMS: root mean square error, m/s; inside: part of the limits inside their 90 % band. Positive bias is unconservative.";
+pub const ERRORS_MEAN: &str = "from: number of papers; bias and sd: mean and standard deviation of computed over measured, less 1; mean: mean \
+     absolute error, m/s; RMS: root mean square error, m/s; inside: part of the limits inside their 90 % band. Positive bias is \
+     unconservative.";
 
 /// Everything, as one object.
 pub fn json(list: &[Row]) -> Value {
@@ -127,7 +128,7 @@ pub fn picture(list: &[Row]) -> Option<Chart<'static>> {
         let own = list.iter().filter(|row| row.group() == group).filter_map(points);
         let own: Vec<(f64, f64)> = own.collect();
         let marker = MARKERS[at % MARKERS.len()];
-        Curve::points(marker, group, own.into_iter()).colour(at + 1)
+        Curve::points(marker, group, own).colour(at + 1)
     });
     let (x, y) = (x.unit(Unit::new("m/s")).padded(0.04), y.padded(0.04));
     Some(Chart::new("computed over measured limits, by class", x, y, curves.collect()))

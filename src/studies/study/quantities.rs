@@ -384,7 +384,7 @@ impl Quantity {
 
     /// The quantity that a search for designs of a scene takes in its place: for the limit of shots that were measured the lower end of
     /// their band.
-    pub(in crate::study) fn to_design_for(&'static self, scene: &Scene) -> &'static Self {
+    pub(in crate::study) fn design_quantity(&'static self, scene: &Scene) -> &'static Self {
         let is_limit = self.name == LIMIT && Key::of(scene).is_some();
         is_limit.then(|| find(DESIGN_LIMIT)).flatten().unwrap_or(self)
     }

@@ -41,8 +41,7 @@ fn the_pages() {
     assert_snapshot!("thesis_concepts", bench.screen());
     bench.keys("<Tab>");
     let screen = bench.screen();
-    for text in
-        ["computed over measured limits", "steel core on light alloy, oblique", "597     20"]
+    for text in ["computed over measured limits", "steel core on light alloy, oblique", "597   20"]
     {
         assert!(screen.contains(text), "{text}: {screen}");
     }

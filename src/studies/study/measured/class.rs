@@ -23,9 +23,9 @@ const ROUNDING: f64 = 1e-9;
 /// The alloy of a plate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Alloy {
-    /// 2600 to 2900 kg/m³ and 65 to 75 GPa.
+    /// 2600 to 2900 kg/m³, with an elastic modulus of 65e9 to 75e9 Pa.
     Light,
-    /// 7700 to 7900 kg/m³ and 190 to 210 GPa.
+    /// 7700 to 7900 kg/m³, with an elastic modulus of 190e9 to 210e9 Pa.
     Steel,
 }
 

@@ -125,9 +125,9 @@ impl Heading {
             return Err(format!("`{text}` takes no unit: write `{name}`"));
         };
         let parsed = units::parse(&format!("1 {unit}"), quantity, Bare::Stored);
-        parsed
-            .map(|_| heading)
-            .map_err(|_| format!("`{unit}` is no unit of `{text}`: use {}", quantity.accepted()))
+        parsed.map(|_| heading).map_err(|_problem| {
+            format!("`{unit}` is no unit of `{text}`: use {}", quantity.accepted())
+        })
     }
 
     /// Dimension of the numbers below it; `None` for words.
@@ -177,7 +177,7 @@ fn column(name: &str) -> Result<Column, String> {
         "note" => return Ok(Column::Note),
         _ => {}
     }
-    variables::find(name).map(Column::Variable).map_err(|_| {
+    variables::find(name).map(Column::Variable).map_err(|_problem| {
         let others = MEASURED.iter().map(|it| it.0).chain(OTHERS);
         let near = others.map(|other| (strsim::osa_distance(name, other), other)).collect();
         variables::close(name, near).unwrap_or_else(|| {
@@ -272,12 +272,12 @@ impl Table<'_> {
         }
         if measured == Measured::default() {
             let names = MEASURED.map(|it| it.0).join(", ");
-            scene = scene.and(Err(format!("nothing is measured: fill in one of {names}")));
+            scene = scene.and_then(|_| Err(format!("nothing is measured: fill in one of {names}")));
         }
         let needs_velocity = measured.depth_m.or(measured.residual_velocity_m_s).is_some();
         if needs_velocity && given.is_ok_and(|given| !given.gives(VELOCITY)) {
             let text = "v_i is not given: a depth and a residual velocity need the impact velocity";
-            scene = scene.and(Err(text.to_owned()));
+            scene = scene.and_then(|_| Err(text.to_owned()));
         }
         let text = |is_chosen: fn(&Column) -> bool| {
             let mut cells = self.cells(row);

@@ -34,7 +34,7 @@ fn every_row_of_the_built_in_table_can_be_computed() {
     }
 }
 
-/// Independent: law, hardening, integral and statistics in Python with SciPy (Brent, QUADPACK, `stats.t`), from the same file.
+/// Independent: law, hardening, integral and statistics in Python with `SciPy` (Brent, QUADPACK, `stats.t`), from the same file.
 #[test]
 fn valid_classes_of_the_built_in_table() {
     let expected = [

@@ -192,10 +192,10 @@ pub fn run(
     let over = or_usual(&request.over, || thesis_axes(scene))?;
     let mut request = Request { over, ..request.clone() };
     for objective in &mut request.objectives {
-        objective.measure = objective.measure.to_design_for(scene);
+        objective.measure = objective.measure.design_quantity(scene);
     }
     for constraint in &mut request.subject_to {
-        constraint.measure = constraint.measure.to_design_for(scene);
+        constraint.measure = constraint.measure.design_quantity(scene);
     }
     let names: Vec<&str> = request.measures().iter().map(|measure| measure.name).collect();
     let plan = Plan::for_designs(scene, request.over.clone(), &names)?.limited(STEPS_MAX);

@@ -162,7 +162,7 @@ pub fn run(
     context: &mut Context<'_, Report>,
 ) -> Result<Report, SweepError> {
     let Request { over: axis, goal } = request;
-    let goal = Goal { measure: goal.measure.to_design_for(scene), ..*goal };
+    let goal = Goal { measure: goal.measure.design_quantity(scene), ..*goal };
     let space = Plan::for_designs(scene, vec![axis.clone()], &[goal.measure.name])?;
     goal.measure.check_exists(scene)?;
     let scan = usize::try_from(axis.count()).unwrap_or(usize::MAX);
