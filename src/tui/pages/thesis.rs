@@ -301,6 +301,9 @@ fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
+/// Rows that the picture of measured limits has at least, frame included.
+const CHART_LEAST: u16 = 8;
+
 /// A letter for each function of Table 5.1; the title explains them.
 const FUNCTIONS: [(char, &str); 4] = [
     ('O', "armor plate orientation"),
@@ -365,7 +368,7 @@ fn measured(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let text = limits::error_lines(&errors(rows));
     let lines: Vec<&str> = text.lines().collect();
     let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
-    let (above, below) = split_bottom(area, height.min(area.height / 2));
+    let (above, below) = split_bottom(area, height.min(area.height.saturating_sub(CHART_LEAST)));
     if let Some(mut chart) = limits::picture(rows) {
         chart.focused = app.dialog.is_none();
         canvas.draw(&chart, above);

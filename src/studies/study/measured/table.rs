@@ -1,7 +1,7 @@
 //! Measurements as a CSV table: one shot a row, its inputs as `--set` takes them, and what was measured.
 
 use crate::model::library::{Entry, Library};
-use crate::model::scene::{Closure, Mount, Scene};
+use crate::model::scene::{Closure, Core, Mount, Scene};
 use crate::model::units::{self, Bare, Dimension};
 use crate::model::variables::{self, Kind, Value, Variable};
 use crate::study::csv::Csv;
@@ -18,6 +18,23 @@ const STRENGTH: &str = "target.flow_strength_pa";
 const YIELD: &str = "target.yield_pa";
 const MODULUS: &str = "target.modulus_pa";
 const VELOCITY: &str = "projectile.velocity_m_s";
+const NOSE: &str = "projectile.nose";
+const CORE: &str = "projectile.core";
+
+/// Words that tables of measurements have for noses and cores: the variable, the word, and the choice that it means.
+const SYNONYMS: [(&str, &str, &str); 9] = [
+    (NOSE, "ogive", "pointed"),
+    (NOSE, "conical", "pointed"),
+    (NOSE, "ball", "pointed"),
+    (NOSE, "rod", "blunt"),
+    (NOSE, "sphere", "hemispherical"),
+    (CORE, "lead", "deformable"),
+    (CORE, "tungsten", "deformable"),
+    (CORE, "rod", "deformable"),
+    (CORE, "deforming", "deformable"),
+];
+/// Projectiles among them that deform, whatever their core.
+const DEFORM: [&str; 2] = ["ball", "rod"];
 
 /// Measured quantities of a shot; `None` for those that were not measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -330,15 +347,26 @@ impl Table<'_> {
                     Value::Number(heading.number(&self.csv.with_points(cell), number.quantity)?)
                 }
                 _ => variable
-                    .parse(&scene, cell, Bare::Stored)
+                    .parse(&scene, choice(variable.key, cell), Bare::Stored)
                     .map_err(|problem| problem.to_string())?,
             };
             variable.set(&mut scene, value).map_err(|problem| problem.to_string())?;
+        }
+        let is_nose =
+            |heading: &Heading| matches!(heading.column, Column::Variable(it) if it.key == NOSE);
+        if self.cells(row).any(|(heading, cell)| is_nose(heading) && DEFORM.contains(&cell)) {
+            scene.projectile.core = Core::Deformable;
         }
         given.complete(&mut scene)?;
         variables::validate(&scene).map_err(|problem| problem.to_string())?;
         Ok(scene)
     }
+}
+
+/// The choice of a variable that a word means.
+fn choice<'c>(key: &str, cell: &'c str) -> &'c str {
+    let known = SYNONYMS.iter().find(|it| it.0 == key && it.1 == cell);
+    known.map_or(cell, |it| it.2)
 }
 
 /// The inputs that a row gives.

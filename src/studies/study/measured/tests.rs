@@ -245,6 +245,24 @@ fn rows_are_read_with_the_units_of_their_headings() {
     }
 }
 
+/// Tables of measurements name bullets and rods: they deform, so that no class has them.
+#[test]
+fn words_of_other_tables_are_understood() {
+    let rest = "3.1242,5.3,25.4,2700,68.3,276,310,0,rigid,cylindrical,,580,mine";
+    for (words, nose, core) in [
+        ("ogive,steel", Nose::Pointed, Core::Steel),
+        ("ball,lead", Nose::Pointed, Core::Deformable),
+        ("ball,", Nose::Pointed, Core::Deformable),
+        ("rod,tungsten", Nose::Blunt, Core::Deformable),
+        ("fragment,", Nose::Fragment, Core::Steel),
+    ] {
+        let rows = read_one(&format!("{HEAD}\n{words},{rest}\n")).unwrap();
+        let scene = rows[0].scene.as_ref().unwrap();
+        assert_eq!((scene.projectile.nose, scene.projectile.core), (nose, core), "{words}");
+        assert_eq!(Key::of(scene).is_none(), core == Core::Deformable);
+    }
+}
+
 #[test]
 fn what_is_wrong_with_a_table_is_one_line_with_the_remedy() {
     for (text, told) in [
