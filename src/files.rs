@@ -23,6 +23,7 @@ mod inputs;
 mod read_stack;
 mod read_sweep;
 pub mod read_table;
+pub mod read_traces;
 mod reader;
 
 pub use crate::report::clean;

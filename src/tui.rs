@@ -42,12 +42,15 @@ use std::io::{self, Write};
 
 use crate::files::paths::Paths;
 use crate::files::preset::Preset;
+use crate::report::traces::Traces;
 use shell::{Ending, Shell};
 
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// The scene to open; `None`: the last session, or the thesis baseline.
     pub scene: Option<Preset>,
+    /// Traces to draw beside the runs.
+    pub with: Option<Traces>,
     /// Leave the last session alone: start from the scene, or from the baseline.
     pub fresh: bool,
     /// The characters of charts; `None`: what the terminal can show.

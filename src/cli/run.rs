@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Instant;
@@ -19,6 +20,7 @@ use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
 use crate::files::export::scenes;
 use crate::files::preset::Preset;
+use crate::files::read_traces::traces;
 use crate::model::run::envelope::warnings;
 use crate::model::run::{EVERY_ROWS_MAX, Run};
 use crate::model::scene::{ContactModel, Scene};
@@ -29,6 +31,7 @@ use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
 use crate::report::run::{self as report, NamedRun};
 use crate::report::svg::Picture;
+use crate::report::traces::Traces;
 use crate::report::verdict;
 use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -47,6 +50,10 @@ pub(super) struct RunArguments {
     /// Write the rows of --csv at equal time steps, for example 1us, instead of at the solver's own steps
     #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare", value_parser = above_zero(Dimension::Time, "1us"))]
     dt: Option<f64>,
+    /// Compare with measured traces or another program's histories: a CSV file with a column of time and any of penetration, plate
+    /// displacement, plate or projectile velocity, contact or mount force, acceleration
+    #[arg(long, value_name = "FILE.csv", conflicts_with = "compare")]
+    with: Option<PathBuf>,
     /// Print charts as plain text below the summary
     #[arg(long, conflicts_with = "json")]
     plain: bool,
@@ -113,6 +120,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         return compare_models(arguments);
     }
     let Preset { name, heading, scene, .. } = arguments.scene.load()?;
+    let with = arguments.with.as_deref().map(traces).transpose()?;
+    let with = with.as_ref();
     let scene = Arc::new(scene);
     let run = Arc::new(match arguments.dt {
         None => compute(&scene)?,
@@ -136,7 +145,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         );
         output::note_written(&written?);
     }
-    let drawn = || selected(&run).into_iter().map(Picture::Chart).collect();
+    let drawn = || selected(&run, with).into_iter().map(Picture::Chart).collect();
     arguments.pictures.write(
         &arguments.table,
         Extent::of_runs(std::iter::once(&*run)).reach,
@@ -146,29 +155,28 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         return Ok(exit_code(&run));
     }
     if arguments.table.json {
-        output::print(&report::json(&name, &run))?;
+        output::print(&report::json(&name, &run, with))?;
     } else {
         output::print(&arguments.scene.changes.changed())?;
-        print_readable(
-            &heading,
-            &run,
-            arguments.plain.then_some(arguments.glyphs),
-            &arguments.table,
-        )?;
+        let charts = arguments.plain.then_some(arguments.glyphs);
+        print_readable((&heading, &run, with), charts, &arguments.table)?;
     }
     Ok(exit_code(&run))
 }
 
-/// The summary, with charts of these characters below it where they are wanted.
+/// The summary, the differences from traces, and charts of these characters below it where they are wanted.
 pub(super) fn print_readable(
-    name: &str,
-    run: &Run,
+    (name, run, with): (&str, &Run, Option<&Traces>),
     charts: Option<Glyphs>,
     table: &TableArguments,
 ) -> Result<(), CliError> {
     let mut text = summary(name, run, table);
+    if let Some(traces) = with {
+        text.push('\n');
+        text += &traces.page(run, width());
+    }
     if let Some(glyphs) = charts {
-        text.push_str(&drawn(run, glyphs));
+        text.push_str(&drawn(run, with, glyphs));
     }
     output::print(&fitted(&text))
 }
@@ -210,11 +218,11 @@ impl Glyphs {
 
 /// The charts of a run and of its mechanism, each under the other: the contact first, since it is over in a fraction of a
 /// millisecond. Event lines carry the letters of the list of events in the summary.
-fn drawn(run: &Run, glyphs: Glyphs) -> String {
+fn drawn(run: &Run, with: Option<&Traces>, glyphs: Glyphs) -> String {
     // Letters and punctuation work everywhere.
     let glyphs = glyphs.chosen().unwrap_or(GlyphSet::Ascii);
     let theme = Theme { glyphs, depth: ColourDepth::None };
-    let charts = response(run).into_iter().chain(mechanism(run));
+    let charts = response(run, with).into_iter().chain(mechanism(run));
     charts.fold(String::new(), |text, chart| {
         text + "\n" + &draw::chart(&chart, chart_size(SIZE), theme)
     })

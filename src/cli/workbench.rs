@@ -2,6 +2,7 @@
 
 use std::ffi::{OsStr, OsString};
 use std::io::{self, IsTerminal as _};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -13,12 +14,17 @@ use crate::cli::{CliError, Glyphs, commands, output, scene};
 use crate::files::bundled;
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::preset::Preset;
+use crate::files::read_traces::traces;
+use crate::report::traces::Traces;
 use crate::tui;
 
 #[derive(Debug, Args)]
 pub(super) struct WorkbenchArguments {
     /// A preset's name or the path of a TOML file; without one the last session is restored
     scene: Option<OsString>,
+    /// Compare with measured traces or another program's histories: see `cmra run --help`
+    #[arg(long, value_name = "FILE.csv")]
+    with: Option<PathBuf>,
     /// Start on the baseline instead of the last session
     #[arg(long, conflicts_with = "scene")]
     fresh: bool,
@@ -30,13 +36,15 @@ pub(super) struct WorkbenchArguments {
 /// Open the workbench; without a terminal print what `cmra run --plain` prints.
 pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.as_deref().map(scene_or_command).transpose()?;
+    let with = arguments.with.as_deref().map(traces).transpose()?;
     // Both ends have to be a terminal that can move its cursor.
     let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
     if is_dumb || !io::stdin().is_terminal() || !io::stdout().is_terminal() {
-        return print_plain(preset, arguments.glyphs);
+        return print_plain(preset, with.as_ref(), arguments.glyphs);
     }
     let status = tui::run(tui::Options {
         scene: preset,
+        with,
         fresh: arguments.fresh,
         glyphs: arguments.glyphs.chosen(),
     })
@@ -59,12 +67,16 @@ fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     })
 }
 
-fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliError> {
+fn print_plain(
+    preset: Option<Preset>,
+    with: Option<&Traces>,
+    glyphs: Glyphs,
+) -> Result<ExitCode, CliError> {
     let preset = preset.map_or_else(|| scene::named(bundled::BASELINE.as_ref()), Ok)?;
     output::note(
         "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
     );
     let run = compute(&Arc::new(preset.scene))?;
-    print_readable(&preset.name, &run, Some(glyphs), &TableArguments::default())?;
+    print_readable((&preset.name, &run, with), Some(glyphs), &TableArguments::default())?;
     Ok(ExitCode::SUCCESS)
 }

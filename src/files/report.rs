@@ -59,7 +59,7 @@ pub fn html(
     }
     inputs(&mut page, scene);
     results(&mut page, run);
-    let charts = selected(run);
+    let charts = selected(run, None);
     if !charts.is_empty() {
         page.heading(&format!("Charts{}", of_first(run)));
         charts.into_iter().map(Picture::Chart).for_each(|chart| page.picture(&chart));

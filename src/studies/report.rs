@@ -25,6 +25,7 @@ pub mod svg;
 pub mod sweep;
 pub mod table;
 pub mod thesis;
+pub mod traces;
 pub mod validation;
 pub mod verdict;
 

@@ -26,6 +26,7 @@ const OPENED: &[(Action, Open)] = &[
     }),
     (Action::Save, |app| Some(ask::save(app))),
     (Action::Export, ask::export),
+    (Action::Beside, |app| Some(ask::beside(app))),
 ];
 
 /// Open the dialog of an action; false where it has none here.

@@ -19,6 +19,7 @@ use crate::files::export::Destination;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
+use crate::files::read_traces;
 use crate::files::recent;
 use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
@@ -203,6 +204,10 @@ impl FileQueue {
                 EffectReport::Exported(to.path.clone(), export(&to, &content))
             }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
+            Task::Traces(path) => {
+                let read = read_traces::traces(&path).map(Arc::new);
+                EffectReport::Traces(path, read.map_err(|error| error.to_string()))
+            }
             Task::Load(path) => EffectReport::Loaded(
                 preset::from_file(&path)
                     .map(|found| (found.name, Box::new(found.scene)))

@@ -10,6 +10,7 @@ use crossterm::event::KeyEvent;
 use crate::files::export::{self, Beside, Destination};
 use crate::model::scene::Scene;
 use crate::report::run::{self, NamedRun};
+use crate::report::traces::Traces;
 use crate::study::context::Reach;
 use crate::tui::prelude::*;
 use crate::tui::preset::PresetEntry;
@@ -47,6 +48,8 @@ pub enum EffectReport {
     Presets(Vec<PresetEntry>),
     /// A scene file was read.
     Loaded(Result<(String, Box<Scene>), String>),
+    /// The traces of a file were read, or why not.
+    Traces(PathBuf, Result<Arc<Traces>, String>),
     /// Something a person should know of.
     Said(Severity, String),
     /// The session cannot be kept any more, and why; or it can again.
@@ -113,6 +116,8 @@ pub enum FileTask {
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
+    /// Read traces to draw beside the runs.
+    Traces(PathBuf),
 }
 
 /// The content of a file to write.

@@ -59,6 +59,7 @@ static GENERAL: &[Command] = &[
     named(Action::Presets, "Presets", "load open threats materials absorbers scenes file"),
     named(Action::Save, "Save the scene", "preset write store"),
     named(Action::Export, "Export", "csv svg write file table picture chart"),
+    named(Action::Beside, "Open a measured trace", "compare csv overlay experiment finite elements history beside with"),
     named(Action::Copy, "Copy", "clipboard osc 52"),
     named(Action::Run, "Run again", "recompute calculate compute"),
     named(Action::Undo, "Undo", "take back"),

@@ -17,7 +17,7 @@ use crate::tui::app::{App, Settings, edit};
 use crate::tui::keymap::Keymap;
 use crate::tui::pages::explore::state::{Picture, sweep_of};
 use crate::tui::pages::search::state::Setup;
-use crate::tui::pages::thesis;
+use crate::tui::pages::{run, thesis};
 use crate::tui::preset::{Base, PresetEntry};
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
@@ -58,6 +58,9 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         }
         (None, None) => App::new(baseline(), theme, directory),
     };
+    if let Some(traces) = options.with {
+        run::lay_beside(&mut app, Arc::new(traces));
+    }
     app.files.recent = recent;
     if let Some(path) = opened {
         app.note_recent(&path);
@@ -313,7 +316,7 @@ mod tests {
     use crate::tui::update;
     use crate::worker::studies::Asked;
 
-    const FRESH: Options = Options { scene: None, fresh: true, glyphs: None };
+    const FRESH: Options = Options { scene: None, with: None, fresh: true, glyphs: None };
 
     fn state() -> App {
         App::new(baseline(), Theme::detect(environment), PathBuf::new())

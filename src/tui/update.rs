@@ -14,7 +14,7 @@ use crate::tui::app::{Typing, edit, jobs};
 use crate::tui::keymap::Key;
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
-use crate::tui::pages::run::impact;
+use crate::tui::pages::run::{self, impact};
 use crate::tui::prelude::*;
 use crate::tui::preset::Base;
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
@@ -39,6 +39,8 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     if is_edited || app.picture() != before.1 {
         pages::of(app.tab).edited(app);
     }
+    let run = app.shown.as_ref().map(|shown| &shown.run);
+    app.pages.run.differences.follow(run, app.pages.run.beside.as_ref());
     keep_listed(app);
     std::mem::take(&mut app.effects)
 }
@@ -344,9 +346,11 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
             edit::load(app, base, picture);
         }
         EffectReport::Loaded(Err(text)) => app.refuse(text),
+        EffectReport::Traces(_, Ok(traces)) => run::lay_beside(app, traces),
+        EffectReport::Traces(_, Err(why)) if !is_heard => app.refuse(why),
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
-        EffectReport::Saved(..) | EffectReport::Exported(..) => {}
+        EffectReport::Saved(..) | EffectReport::Exported(..) | EffectReport::Traces(..) => {}
     }
 }
 

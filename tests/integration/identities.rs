@@ -100,7 +100,7 @@ const SAID: [(&str, &str); 9] = [
 
 /// What is wrong with a run, if anything.
 fn faults(run: &Run) -> Vec<String> {
-    let object: Json = serde_json::from_str(&json("random", run)).unwrap();
+    let object: Json = serde_json::from_str(&json("random", run, None)).unwrap();
     let key = |name: &str| object[name].as_f64();
     let mut faults = Vec::new();
     let lower: Vec<&str> =

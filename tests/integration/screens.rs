@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod bench;
+mod beside;
 mod cases;
 mod changed;
 mod charts;

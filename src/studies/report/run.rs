@@ -11,6 +11,7 @@ use crate::model::scene::{Scene, Stack};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::report::table::{Table, pretty};
+use crate::report::traces::Traces;
 use crate::report::verdict;
 use crate::study::quantities::{Quantity, Trait, find, of_runs};
 use crate::study::verdict::Verdict;
@@ -152,8 +153,8 @@ fn with_results(mut object: Value, run: &Run) -> Value {
     object
 }
 
-/// A run of a scene of this name as one object with its keys in the order a reader expects.
-pub fn json(name: &str, run: &Run) -> String {
+/// A run of a scene of this name as one object with its keys in the order a reader expects; `with` has its differences from traces.
+pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     let scene = &run.scene;
     let object = json!({
         "scene": name,
@@ -190,9 +191,9 @@ pub fn json(name: &str, run: &Run) -> String {
     object["run_time_s"] = run.cost.took_s.into();
     object["omitted"] = run.omitted.clone().into();
     object["warnings"] = warnings(run).into();
-    let beside =
+    let plastic =
         |run: &Arc<Run>| with_results(json!({ "outcome": run.shot_outcome().word() }), run);
-    object["plastic"] = run.plastic.as_ref().map(beside).into();
+    object["plastic"] = run.plastic.as_ref().map(plastic).into();
     let energy = ENERGY.iter().map(|(key, _, get)| ((*key).to_owned(), get(&run.ledger).into()));
     object["energy_j"] = Value::Object(energy.collect());
     let event = |it: &Event| json!({ "time_s": it.t_s, "event": it.kind.words() });
@@ -201,6 +202,9 @@ pub fn json(name: &str, run: &Run) -> String {
     object["version"] = env!("CARGO_PKG_VERSION").into();
     if let Some(stack) = &run.stack {
         object["stack"] = stack_of(run, stack);
+    }
+    if let Some(traces) = beside {
+        object["with"] = traces.json(run);
     }
     pretty(&object)
 }

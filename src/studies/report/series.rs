@@ -15,6 +15,8 @@ const TIMES: f64 = 4_096.0;
 pub enum Source {
     /// Samples, over time.
     Time(fn(&Sample) -> f64),
+    /// Samples of a scene, over time.
+    SceneTime(fn(&Scene, &Sample) -> f64),
     /// Samples, over the plate's displacement.
     Displacement(fn(&Sample) -> f64),
     /// The law of the mechanism, over the plate's displacement.
@@ -49,10 +51,17 @@ enumeration! {
     DamperForce { title: "Damper force", symbol: "F_damper", unit: "N", source: Source::Time(|it| it.damper_force_n) }
     /// Projectile displacement since first contact.
     ProjectileDisplacement { title: "Projectile displacement", symbol: "s", unit: "m", source: Source::Time(|it| it.projectile_displacement_m) }
+    /// Force on the mount over time.
+    MountForceOverTime { title: "Mount force", symbol: "F_mount", unit: "N", source: Source::Time(mount_force_n) }
+    /// Acceleration of the projectile along its axis, negative while it is slowed down.
+    Acceleration {
+        title: "Projectile acceleration", symbol: "a", unit: "m/s2",
+        source: Source::SceneTime(|scene, it| -it.contact_force_n / scene.projectile.mass_kg)
+    }
     /// Force on the mount.
     MountForce {
         title: "Mount force over displacement", symbol: "F(x)", unit: "N",
-        source: Source::Displacement(|it| it.spring_force_n + it.damper_force_n + it.stop_force_n)
+        source: Source::Displacement(mount_force_n)
     }
     /// Stiffness of springs and elastic stop.
     Stiffness { title: "Stiffness over displacement", symbol: "dF/dx", unit: "N/m", source: Source::Law(Law::stiffness) }
@@ -60,18 +69,23 @@ enumeration! {
     Stress { title: "Stress over yield strength", symbol: "stress/yield", unit: "", source: Source::Law(Law::stress) }
 }
 
+fn mount_force_n(sample: &Sample) -> f64 {
+    sample.spring_force_n + sample.damper_force_n + sample.stop_force_n
+}
+
 impl Channel {
     /// Whether it is drawn over time, not over the plate's displacement.
     pub fn is_over_time(self) -> bool {
-        matches!(self.source(), Source::Time(_))
+        matches!(self.source(), Source::Time(_) | Source::SceneTime(_))
     }
 
     /// What to draw of samples of a run, SI. There is a gap while the projectile is out of the plate. The
     /// law of the mechanism is drawn over all displacements.
     pub fn points(self, run: &Run, samples: &[Sample]) -> Vec<(f64, f64)> {
         match self.source() {
-            Source::Time(get) => {
-                let value = |it| if self.exists_in(it) { get(it) } else { f64::NAN };
+            Source::Time(_) | Source::SceneTime(_) => {
+                let value =
+                    |it| if self.exists_in(it) { self.of(&run.scene, it) } else { f64::NAN };
                 samples.iter().map(|sample| (sample.t_s, value(sample))).collect()
             }
             Source::Displacement(get) => {
@@ -88,9 +102,10 @@ impl Channel {
         self != Self::Penetration || !is_out
     }
 
-    /// The value in a sample, SI; NaN of a quantity that samples do not have.
-    pub fn of(self, sample: &Sample) -> f64 {
+    /// The value in a sample of a scene, SI; NaN of a quantity that samples do not have.
+    pub fn of(self, scene: &Scene, sample: &Sample) -> f64 {
         match self.source() {
+            Source::SceneTime(get) => get(scene, sample),
             Source::Time(get) | Source::Displacement(get) => get(sample),
             Source::Law(_) => f64::NAN,
         }
@@ -105,9 +120,9 @@ impl Channel {
         let after = run.series.partition_point(|sample| sample.t_s <= t_s);
         let before = run.series.get(after.checked_sub(1)?).filter(|it| self.exists_in(it))?;
         let Some(next) = run.series.get(after) else {
-            return (t_s <= before.t_s).then(|| self.of(before));
+            return (t_s <= before.t_s).then(|| self.of(&run.scene, before));
         };
-        let (low, high) = (self.of(before), self.of(next));
+        let (low, high) = (self.of(&run.scene, before), self.of(&run.scene, next));
         let width = next.t_s - before.t_s;
         let share = if width > 0.0 { (t_s - before.t_s) / width } else { 0.0 };
         Some(low + share * (high - low))
@@ -120,7 +135,7 @@ impl Channel {
         let (there, absent) = match self {
             Self::SpringForce => (is_sprung, "no spring"),
             Self::DamperForce => (!mechanism.damper.is_absent(), "no damper"),
-            Self::MountForce => {
+            Self::MountForce | Self::MountForceOverTime => {
                 (!mechanism.is_absent() || mechanism.stop.is_some(), "no mechanism")
             }
             Self::Stiffness => (is_sprung || mechanism.elastic_stop().is_some(), "no spring"),

@@ -25,7 +25,13 @@ enum Purpose {
     Save,
     /// The export of what a page shows, its table or its runs as CSV or its charts as SVG; with the title of the dialog.
     Export(&'static str),
+    /// Reading the traces to draw beside the runs; no text: none.
+    Beside,
 }
+
+/// What a file of traces has.
+const BESIDE: &str = "a CSV file: a column of time (s, ms, us) and any of penetration, plate displacement, plate or projectile velocity, \
+                      contact or mount force, acceleration, with units in the headings; no name: none";
 
 /// A dialog that asks for a text.
 #[derive(Debug)]
@@ -58,12 +64,19 @@ pub(super) fn export(app: &mut App) -> Option<Box<dyn Dialog>> {
     Some(Box::new(Ask { purpose: Purpose::Export(title), text, question: false }))
 }
 
+/// Ask for the file of the traces to draw beside the runs.
+pub(super) fn beside(app: &App) -> Box<dyn Dialog> {
+    let text = app.pages.run.beside.as_ref().map_or_else(String::new, |traces| traces.name.clone());
+    Box::new(Ask { purpose: Purpose::Beside, text: TextField::selected(text), question: false })
+}
+
 impl Dialog for Ask {
     fn footer(&self) -> &'static str {
         match self.purpose {
             _ if self.question => "o overwrite  <back> back",
             Purpose::Save => "<enter> save  <back> do not save",
             Purpose::Export(_) => "<enter> write  <back> close",
+            Purpose::Beside => "<enter> open  <back> close",
         }
     }
 
@@ -75,6 +88,9 @@ impl Dialog for Ask {
             (Some(Action::Enter), false) => {
                 self.text.all_selected = false;
                 self.accept(app, false);
+                if matches!(self.purpose, Purpose::Beside) && self.value().is_empty() {
+                    return Outcome::Closes;
+                }
             }
             (_, true) if matches!(key.code, KeyCode::Char('y' | 'o')) => self.accept(app, true),
             (Some(Action::Enter), true) => {}
@@ -96,6 +112,13 @@ impl Dialog for Ask {
     /// It has ended: the dialog closes, or what stands in the way stands in it.
     fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
         let outcome = match (self.purpose, report) {
+            (Purpose::Beside, EffectReport::Traces(path, read))
+                if directory.join(self.value()) == *path =>
+            {
+                let Err(why) = read else { return Some(Outcome::Closes) };
+                self.text.error = Some(why.clone());
+                return Some(Outcome::Stays);
+            }
             (Purpose::Save, EffectReport::Saved(name, outcome)) if self.value() == name => outcome,
             (Purpose::Export(_), EffectReport::Exported(path, outcome))
                 if directory.join(self.value()) == *path =>
@@ -119,6 +142,7 @@ impl Dialog for Ask {
         let (title, label) = match self.purpose {
             Purpose::Save => ("Save the scene", "name  "),
             Purpose::Export(title) => (title, "file  "),
+            Purpose::Beside => ("Open a measured trace", "file  "),
         };
         let inner = frame(screen, (76, 9), PaneFrame::new(title), canvas);
         let start = canvas.put(inner, (0, 1), label, Role::Title);
@@ -150,6 +174,11 @@ impl Ask {
         let task = match self.purpose {
             Purpose::Save => self.saving(app, overwrite),
             Purpose::Export(_) => self.exporting(app, overwrite).map(Some),
+            Purpose::Beside if self.value().is_empty() => {
+                app.pages.run.beside = None;
+                Ok(None)
+            }
+            Purpose::Beside => self.path(app, "trace.csv").map(|path| Some(FileTask::Traces(path))),
         };
         match task {
             Ok(task) => app.effects.extend(task.map(Effect::Files)),
@@ -214,10 +243,13 @@ impl Ask {
             (app.keymap.shown(&format!("error: {error}")), Role::Error)
         } else {
             let what = match self.purpose {
-                Purpose::Save => "",
+                Purpose::Save | Purpose::Beside => "",
                 Purpose::Export(_) if is_svg(&path) => "\nthe charts on the screen, as SVG",
                 Purpose::Export(_) => "\na name that ends in .svg writes the charts on the screen",
             };
+            if matches!(self.purpose, Purpose::Beside) {
+                return wrapped(BESIDE, width, Role::Dim).collect();
+            }
             let preset = "kept with your own presets; a path (./my.toml) writes a file".to_owned();
             (if is_name { preset } else { format!("to {}{what}", path.display()) }, Role::Dim)
         };

@@ -8,6 +8,8 @@ pub mod state;
 mod status;
 
 use crate::model::variables::Kind;
+use crate::report::series::Channel;
+use crate::report::traces::{MARK, Traces};
 use crate::tui::pages::page::open_field;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::axis::FIELD_DIGITS;
@@ -190,6 +192,26 @@ impl Page for RunTab {
             render(app, area, app.has_focus(*pane), canvas);
         }
     }
+}
+
+/// Draw traces beside the runs: quantities without a chart take the place of the last ones.
+pub(crate) fn lay_beside(app: &mut App, traces: Arc<Traces>) {
+    let charts = &mut app.pages.run.charts;
+    let mut place = charts.quantities.len();
+    for channel in Channel::ALL {
+        if traces.of(channel).next().is_none() || charts.quantities.contains(&channel) {
+            continue;
+        }
+        let is_free = |at: &usize| traces.of(charts.quantities[*at]).next().is_none();
+        let Some(at) = (0..place).rev().find(is_free) else { break };
+        charts.quantities[at] = channel;
+        place = at;
+    }
+    let (count, name) = (traces.traces.len(), traces.name.clone());
+    app.pages.run.beside = Some(traces);
+    app.tab = Tab::Run;
+    let what = if count == 1 { "trace" } else { "traces" };
+    app.tell(format!("{count} {what} of {name}, marked {MARK}: titles have the greatest difference; <beside> changes or removes"));
 }
 
 /// Whether the row that has the keys is a variable with a list of words.

@@ -1,10 +1,12 @@
 //! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
 
 use crate::model::run::{CONTACT_WINDOW, Mode, Run};
+use crate::model::units::engineering;
 use crate::numerics::{larger, smaller};
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::law::Law;
 use crate::report::series::Channel;
+use crate::report::traces::Traces;
 
 /// The quantity drawn over time.
 const QUANTITIES: [Channel; 3] =
@@ -37,33 +39,49 @@ pub fn contact_window_s(run: &Run) -> f64 {
 
 /// Penetration, displacement and force over time: during the contact, which is over in a fraction of a millisecond, then over
 /// the whole response, where there is more of it.
-pub fn response(run: &Run) -> Vec<Chart<'static>> {
+pub fn response(run: &Run, beside: Option<&Traces>) -> Vec<Chart<'static>> {
     let Some(end_s) = run.series.last().map(|row| row.t_s) else {
         return Vec::new();
     };
     let window_s = smaller(contact_window_s(run), end_s);
-    let mut charts = over_time(run, "contact", window_s);
+    let mut charts = over_time(run, beside, ("contact", window_s));
     if end_s > 2.0 * window_s {
-        charts.extend(over_time(run, "whole response", end_s));
+        charts.extend(over_time(run, beside, ("whole response", end_s)));
     }
     charts
 }
 
-fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart<'static>> {
+fn over_time(
+    run: &Run,
+    beside: Option<&Traces>,
+    (window, end_s): (&str, f64),
+) -> Vec<Chart<'static>> {
     let chart = |quantity: &Channel| {
         let points = quantity.points(run, &run.series);
         let name = format!("{} {}", quantity.title().to_lowercase(), quantity.symbol());
-        let shown = points.iter().filter(|point| point.0 <= end_s).map(|point| point.1);
+        let measured = beside.map_or_else(Vec::new, |traces| traces.curves(*quantity, end_s));
+        let all = points.iter().chain(measured.iter().flat_map(|curve| curve.points.iter()));
+        let shown = all.filter(|point| point.0 <= end_s).map(|point| point.1);
         // A chart of one value would be a line along its own frame.
         let values = Axis::over("", quantity.unit(), Scale::Linear, shown)?;
         let y = Axis { label: name.clone().into(), ..values.with_zero().padded(0.05) };
         let x = Axis::over("t", "s", Scale::Linear, [0.0, end_s])?;
-        let title = format!("{name}, {window}");
-        let curve = Curve::new('*', "", points);
+        let difference = beside.and_then(|traces| traces.greatest(*quantity, run));
+        let difference = difference.map_or_else(String::new, |most| {
+            format!(", greatest difference {}", engineering(most, quantity.unit(), 3))
+        });
+        let title = format!("{name}, {window}{difference}");
+        let label = if measured.is_empty() { "" } else { "computed" };
+        let curves = std::iter::once(Curve::new('*', label, points)).chain(measured).collect();
         let marks = event_marks(run, (0.0, end_s)).collect();
-        Some(Chart { marks, ..Chart::new(title, x, y, vec![curve]) })
+        Some(Chart { marks, ..Chart::new(title, x, y, curves) })
     };
-    if end_s > 0.0 { QUANTITIES.iter().filter_map(chart).collect() } else { Vec::new() }
+    // What was measured beside the usual quantities.
+    let other = |channel: &Channel| {
+        !QUANTITIES.contains(channel) && beside.is_some_and(|it| it.of(*channel).next().is_some())
+    };
+    let quantities = QUANTITIES.iter().chain(Channel::ALL.iter().filter(|it| other(it)));
+    if end_s > 0.0 { quantities.filter_map(chart).collect() } else { Vec::new() }
 }
 
 /// Force, stiffness and stress of the mechanism over the plate's displacement, with what the run used of it; nothing without a
@@ -90,12 +108,13 @@ pub fn mechanism(run: &Run) -> Vec<Chart<'static>> {
 }
 
 /// The pictures of a file: contact, the plate's whole way, the mechanism.
-pub fn selected(run: &Run) -> Vec<Chart<'static>> {
-    let mut charts = response(run);
-    if charts.len() > QUANTITIES.len() {
+pub fn selected(run: &Run, beside: Option<&Traces>) -> Vec<Chart<'static>> {
+    let mut charts = response(run, beside);
+    let count = charts.len() / 2;
+    if charts.len() > count.max(QUANTITIES.len()) && count >= QUANTITIES.len() {
         // Displacement matters over the whole response, the others during the contact.
-        let displacement = charts.swap_remove(QUANTITIES.len() + 1);
-        charts.truncate(QUANTITIES.len());
+        let displacement = charts.swap_remove(count + 1);
+        charts.truncate(count);
         charts[1] = displacement;
     }
     charts.extend(mechanism(run));

@@ -1,6 +1,10 @@
 //! What the Run tab keeps.
 
+use std::sync::Arc;
+
+use crate::model::run::Run;
 use crate::report::series::Channel;
+use crate::report::traces::Traces;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::pages::run::editor::Editor;
 
@@ -12,10 +16,45 @@ pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 pub struct RunPage {
     pub editor: Editor,
     pub charts: Charts,
+    /// Traces drawn beside the runs.
+    pub beside: Option<Arc<Traces>>,
+    /// Differences of the current run from these traces.
+    pub differences: Differences,
     /// The row selected in the table of runs: 0 is the current run.
     pub selected: usize,
     /// The pane that has the keys fills the body.
     pub is_full: bool,
+}
+
+/// The greatest differences of a run from traces, by quantity: computed once for each pair.
+#[derive(Clone, Debug, Default)]
+pub struct Differences {
+    pair: Option<(Arc<Run>, Arc<Traces>)>,
+    greatest: Vec<(Channel, f64)>,
+}
+
+impl Differences {
+    /// The greatest difference of a quantity; `None` without a trace of it.
+    pub fn of(&self, channel: Channel) -> Option<f64> {
+        self.greatest.iter().find(|one| one.0 == channel).map(|one| one.1)
+    }
+
+    /// Computes the differences where run or traces are others than before.
+    pub(crate) fn follow(&mut self, run: Option<&Arc<Run>>, traces: Option<&Arc<Traces>>) {
+        let Some((run, traces)) = run.zip(traces) else {
+            *self = Self::default();
+            return;
+        };
+        let is_same = |pair: &(Arc<Run>, Arc<Traces>)| {
+            Arc::ptr_eq(&pair.0, run) && Arc::ptr_eq(&pair.1, traces)
+        };
+        if self.pair.as_ref().is_some_and(is_same) {
+            return;
+        }
+        let greatest = |channel| Some((channel, traces.greatest(channel, run)?));
+        self.greatest = Channel::ALL.into_iter().filter_map(greatest).collect();
+        self.pair = Some((Arc::clone(run), Arc::clone(traces)));
+    }
 }
 
 /// Which part of the time is shown.

@@ -43,7 +43,10 @@ pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
             vec![if quantity.is_over_time() { title } else { name }]
         }
     };
-    let changed = changed(app, quantity, run);
+    let beside = app.pages.run.differences.of(quantity);
+    let beside =
+        beside.map(|most| format!("greatest difference {}", engineering(most, quantity.unit())));
+    let changed = beside.or_else(|| changed(app, quantity, run));
     let with =
         changed.iter().flat_map(|text| titles.iter().map(move |title| format!("{title}, {text}")));
     fitting(with.chain(titles.iter().cloned()).collect::<Vec<_>>(), room)
@@ -51,7 +54,7 @@ pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
 
 /// The greatest magnitude of a quantity over a run.
 fn greatest(quantity: Channel, run: &Run) -> f64 {
-    let values = run.series.iter().map(|sample| quantity.of(sample).abs());
+    let values = run.series.iter().map(|sample| quantity.of(&run.scene, sample).abs());
     values.filter(|value| value.is_finite()).fold(0.0, f64::max)
 }
 
