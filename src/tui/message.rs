@@ -29,6 +29,8 @@ pub enum Message {
     Report(Report),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
+    /// No key was pressed for a while; stale when the serial number is not the newest.
+    Rest(u64),
     /// A job has been running for so long that leaving must not drop it without confirmation: its number.
     LongJob(u64),
     /// The next picture of the playing with this number is due.

@@ -31,6 +31,10 @@ pub fn start(app: &mut App) -> Vec<Effect> {
 /// Change the state by a message; gives what the outside is to do.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     let before = (Arc::clone(&app.scene), app.picture());
+    let is_by_person = matches!(
+        message,
+        Message::Key(_) | Message::Paste(_) | Message::Click(_) | Message::Wheel(..)
+    );
     take(app, message);
     let is_edited = app.scene != before.0;
     if is_edited {
@@ -41,6 +45,9 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     }
     let run = app.shown.as_ref().map(|shown| &shown.run);
     app.pages.run.differences.follow(run, app.pages.run.beside.as_ref());
+    if is_by_person || is_edited {
+        run::matters::wait(app);
+    }
     keep_listed(app);
     std::mem::take(&mut app.effects)
 }
@@ -63,6 +70,7 @@ fn take(app: &mut App, message: Message) {
             }
         }
         Message::RunDue(serial) => jobs::run_due(app, serial),
+        Message::Rest(serial) => run::matters::rested(app, serial),
         Message::LongJob(id) => app.jobs.long.push(id),
         Message::Tick(serial) => impact::tick(app, serial),
         Message::Done(report) => done(app, report),

@@ -15,7 +15,7 @@ use std::ops::{Deref, DerefMut};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Style;
+use ratatui::style::{Modifier, Style};
 use ratatui::text::Line;
 use ratatui::widgets::Widget;
 use text::columns;
@@ -110,6 +110,15 @@ impl<'a> Canvas<'a> {
         self.selected = Some((row.x, row.y));
         let style = self.theme.style(Role::Selection);
         self.buffer.set_style(row.intersection(self.buffer.area), style);
+    }
+
+    /// Invert a cell of a row, on a selected row too.
+    pub(crate) fn invert(&mut self, row: Rect, column: u16) {
+        let at = (row.x + column, row.y);
+        let is_inside = row.contains(at.into()) && self.buffer.area.contains(at.into());
+        if let Some(cell) = self.buffer.cell_mut(at).filter(|_| is_inside) {
+            cell.modifier.toggle(Modifier::REVERSED);
+        }
     }
 
     /// Draw a chart or a map, and tell where everything lies.

@@ -16,6 +16,7 @@ mod keys;
 mod libraries;
 mod limit;
 mod lists;
+mod matters;
 mod models;
 mod panes;
 mod pointer;

@@ -168,8 +168,6 @@ pub struct Report {
     pub own: Option<Value>,
     /// The effects, in the order of the request.
     pub effects: Vec<Effect>,
-    /// Whether every point was computed.
-    pub is_complete: bool,
     /// Checks of the model's validity that fail at an end of a range and not for the scene itself, each with its warning.
     pub outside_at_ends: Vec<(Check, String)>,
 }
@@ -242,7 +240,9 @@ pub fn run(
 ) -> Result<Report, SweepError> {
     let mut report = compute(scene, request, context)?;
     let axes: Vec<Axis> = report.effects.iter().map(|effect| effect.axis.clone()).collect();
-    report.outside_at_ends = validity::new_at_ends(scene, &axes);
+    if !context.is_stopped() {
+        report.outside_at_ends = validity::new_at_ends(scene, &axes);
+    }
     Ok(report)
 }
 
@@ -273,8 +273,7 @@ pub fn compute(
         Effect { axis, own, points: [None; POINTS], slope: None }
     };
     let effects: Vec<Effect> = axes.into_iter().map(effect).collect();
-    let mut report =
-        Report { output, own: None, effects, is_complete: false, outside_at_ends: Vec::new() };
+    let mut report = Report { output, own: None, effects, outside_at_ends: Vec::new() };
     context.expect(1 + plans.len() * (POINTS + 2));
     if let Some(plan) = plans.first() {
         let own = plan.evaluate_all(&[plan.design_of(scene)], context);
@@ -295,7 +294,6 @@ pub fn compute(
                 return Ok(report);
             }
         }
-        report.is_complete = number + 1 == ROUNDS.len();
         if !context.show(&report) {
             break;
         }

@@ -233,7 +233,10 @@ pub(crate) fn note(text: Option<String>) -> Option<(Severity, String)> {
 pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     let current = app.jobs.current.as_ref().map(|job| job.id);
     let runs = current.into_iter().chain(app.pins.iter().filter_map(|pin| pin.job));
-    let studies = app.jobs.studies.iter().map(|running| (running.tab, running.id));
+    // The bars of what matters are computed at rest: any key ends that.
+    let is_rest = |running: &&Running| running.tab == Tab::Run && running.is_look;
+    let studies = app.jobs.studies.iter().filter(move |running| !is_rest(running));
+    let studies = studies.map(|running| (running.tab, running.id));
     runs.map(|id| (Tab::Run, id)).chain(studies)
 }
 

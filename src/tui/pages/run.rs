@@ -3,6 +3,7 @@
 pub mod charts;
 pub mod editor;
 pub(crate) mod impact;
+pub(crate) mod matters;
 pub mod runs;
 pub mod state;
 mod status;
@@ -26,9 +27,10 @@ const PANES: &[PaneSpec] = &[
         key(A::Right, "step", "change the value by a step (<far-left> <far-right> ten steps)"),
         key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
+        key(A::View, "bars", "bars of what matters: depth, travel, force; then words again"),
         key(A::Presets, "presets", "load a preset, a threat, a material or an absorber"),
-        key(A::Export, "export", "export this run and the pinned ones"),
         key(A::Window, "chart", "contact or whole in the selected chart; <full-pane> enlarges it"),
+        key(A::Export, "export", "export this run and the pinned ones"),
         key(A::FullPane, "", "show the selected chart alone, or all of them again"),
         key(A::Down, "", "move to another variable; below the last one More unfolds"),
         key(A::Find, "find", "find a variable by symbol or word"),
@@ -57,6 +59,7 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Run)), "Run tab", "variables charts curves impact simulation"),
     Command::new(Call::In(VARIABLES, A::Find), "Find a variable", "filter search"),
     Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
+    Command::new(Call::In(VARIABLES, A::View), "What matters", "sensitivity bars importance effect of each variable"),
     Command::new(Call::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield stiffness"),
     Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
     Command::new(Call::In(CHARTS, A::Play), "Play the impact", "drawing animation animate movie scene picture time"),
@@ -72,6 +75,7 @@ impl Page for RunTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (action, app.pane()) {
+            (Action::Run, VARIABLES) if matters::fill(app, action) => {}
             (Action::Run, _) => jobs::rerun(app, action),
             (Action::Enter, CHARTS) => return self.act(app, Action::FullPane),
             (Action::FullPane, pane) => {
@@ -86,6 +90,7 @@ impl Page for RunTab {
             (Action::Mark, RUNS) if app.pages.run.selected > 0 => runs::unpin(app),
             (Action::Mark, _) => runs::pin_scene(app),
             (Action::Enter, RUNS) => runs::load(app),
+            (Action::View, VARIABLES) => matters::next(app),
             (Action::Enter, VARIABLES) => open(app),
             (Action::Reset, VARIABLES) => edit::reset(app),
             (_, VARIABLES) => match step_of(action) {
@@ -107,7 +112,7 @@ impl Page for RunTab {
             CHARTS => note(Some(charts::draw::event_words(app, app.pages.run.charts.selected))),
             RUNS => note(runs::difference(app)),
             VARIABLES if app.pages.run.editor.shows(&app.scene) => {
-                note(Some(app.variable_words(room)))
+                note(Some(app.matters_words().unwrap_or_else(|| app.variable_words(room))))
             }
             _ => None,
         }
@@ -115,6 +120,10 @@ impl Page for RunTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         app.run_status()
+    }
+
+    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
+        matters::report(app, running, news);
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -251,7 +260,8 @@ fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     }
     let (upper, runs) = split_bottom(body, 1 + runs::rows_shown(app, body));
     let width = match body.width {
-        0..NARROW => 24,
+        0..NARROW if app.pages.run.matters.output.is_none() => 24,
+        0..NARROW => 31,
         NARROW..WIDE => 31,
         WIDE..ROOMY => 38,
         ROOMY.. => 42,

@@ -41,6 +41,7 @@ pub(crate) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
     };
     split_left(body, width)
 }
+pub(crate) use sensitivity::levels;
 pub use state::{RESULTS, SETUP};
 
 #[rustfmt::skip]

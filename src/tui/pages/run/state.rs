@@ -7,6 +7,7 @@ use crate::report::series::Channel;
 use crate::report::traces::Traces;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::pages::run::editor::Editor;
+use crate::tui::pages::run::matters::Matters;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
@@ -16,6 +17,8 @@ pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 pub struct RunPage {
     pub editor: Editor,
     pub charts: Charts,
+    /// Bars of what matters, in the place of words.
+    pub matters: Matters,
     /// Traces drawn beside the runs.
     pub beside: Option<Arc<Traces>>,
     /// Differences of the current run from these traces.

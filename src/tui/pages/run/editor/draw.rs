@@ -3,6 +3,7 @@
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES, is_listed};
 use crate::report::chart::{Below, Frame};
+use crate::report::sensitivity::CELLS;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{
     ANALYSIS, DESIGN, Editor, EditorRow, is_main, short_label, shown_in, shown_value,
@@ -37,6 +38,9 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let first = selected.unwrap_or(0).saturating_sub(height * 2 / 3);
     let first = first.min(rows.len().saturating_sub(height));
     let title = match (editor.filter.is_empty(), first) {
+        (true, _) if app.pages.run.matters.output.is_some() => {
+            app.matters_title().unwrap_or_default()
+        }
         (true, 0) => "Design variables".to_owned(),
         (true, _) => "Variables".to_owned(),
         (false, _) => filtered("Variables", &editor.filter),
@@ -117,13 +121,21 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
         canvas.put(line, (0, 0), ">", Role::Title);
         return open_field(app.pages.run.editor.unit(index), field, line, canvas);
     }
+    let bar = app.matters_bar(variable);
+    let bar_from = LABEL.max(end + 1);
+    let width = u16::try_from(CELLS).unwrap_or(u16::MAX);
+    let end = if bar.is_some() { bar_from + width } else { end };
     // A blank at the right end, so that the frame is not taken for a part of the unit.
     let room = line.width.saturating_sub(end + 2 + if warned { 2 } else { 0 });
     let text = value_text(app, index, usize::from(room));
     let start = line.width.saturating_sub(columns(&text) + 1).max(end + 1);
     let flag = if warned { start.saturating_sub(2) } else { start };
     let from = LABEL.max(end + 1);
-    let mut labels = [Some(variable.label), short_label(variable)].into_iter().flatten();
+    if let Some(bar) = &bar {
+        canvas.put(line, (bar_from, 0), &bar.text, role);
+    }
+    let labels = [Some(variable.label), short_label(variable)].into_iter().flatten();
+    let mut labels = labels.filter(|_| bar.is_none());
     if let Some(label) =
         labels.find(|label| from + columns(label) < flag && *label != variable.symbol)
     {
@@ -136,6 +148,9 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
     if selected {
         canvas.put(line, (0, 0), ">", Role::Title);
         canvas.paint_row(line);
+    }
+    if let Some(own) = bar.and_then(|bar| u16::try_from(bar.own?).ok()) {
+        canvas.invert(line, bar_from + own);
     }
 }
 

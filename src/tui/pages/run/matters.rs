@@ -1,0 +1,177 @@
+//! What matters: the effect of every variable on one result of the scene, as bars beside the variables.
+
+use std::time::Duration;
+
+use crate::model::units::in_unit;
+use crate::model::variables::Variable;
+use crate::report::sensitivity::{CELLS, Shown, bar, words};
+use crate::study::quantities::find;
+use crate::study::sensitivity::{OUTPUT, POINTS, Report, Request};
+use crate::tui::app::running::Kept;
+use crate::tui::message::Message;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::levels;
+use crate::worker::studies::{SearchAnswer, SearchRequest};
+
+/// The results that bars show in turn, each with a word.
+const OUTPUTS: [(&str, &str); 3] =
+    [(OUTPUT, "depth"), ("max_plate_displacement_m", "travel"), ("peak_contact_force_n", "force")];
+
+/// Time without a key after which the bars are computed.
+const REST: Duration = Duration::from_millis(300);
+
+/// What the bars show, and what has been computed.
+#[derive(Clone, Debug, Default)]
+pub struct Matters {
+    /// The result shown, by its place in the list; `None`: words stand in the place of bars.
+    pub output: Option<usize>,
+    /// The newest report, whole or as far as it is.
+    pub kept: Kept<SearchAnswer>,
+    /// Counts keys: an older rest is out of date.
+    pub serial: u64,
+}
+
+/// A bar beside a variable.
+pub(crate) struct Bar {
+    pub text: String,
+    /// The cell of the scene's value.
+    pub own: Option<usize>,
+}
+
+impl Matters {
+    fn request(&self) -> Option<Request> {
+        let (name, _) = OUTPUTS[self.output?];
+        Some(Request { over: Vec::new(), output: find(name).filter(|_| name != OUTPUT) })
+    }
+
+    /// The report of the result shown.
+    fn report(&self) -> Option<&Report> {
+        let request = SearchRequest::Sensitivity(self.request()?);
+        let is_asked = **SearchRequest::of(self.kept.asked.as_ref()?)? == request;
+        match &**self.kept.found.as_ref()? {
+            SearchAnswer::Sensitivity(report) if is_asked => Some(report),
+            _ => None,
+        }
+    }
+
+    /// Whether looking computes no more of the report of a scene: it is complete, or its time was used up.
+    fn is_settled(&self, scene: &Scene) -> bool {
+        let kept = &self.kept;
+        let has_looked = kept.took.is_some_and(|took| kept.is_over() || took >= jobs::LOOK);
+        self.report().is_some() && *kept.scene == *scene && has_looked
+    }
+}
+
+/// The next result, or words again.
+pub(crate) fn next(app: &mut App) {
+    let matters = &mut app.pages.run.matters;
+    matters.output = match matters.output {
+        None => Some(0),
+        Some(at) => Some(at + 1).filter(|at| *at < OUTPUTS.len()),
+    };
+    match matters.output {
+        None => app.tell("words again; <view> shows what matters"),
+        Some(at) => {
+            app.tell(format!(
+                "what matters: {} over the range of each variable; <view> shows the next result",
+                OUTPUTS[at].1
+            ));
+            look(app);
+        }
+    }
+}
+
+fn look(app: &mut App) {
+    let Some(request) = app.pages.run.matters.request() else { return };
+    let request = SearchRequest::Sensitivity(request);
+    let is_it = |running: &Running| {
+        let is_asked = SearchRequest::of(&running.asked).is_some_and(|asked| **asked == request);
+        running.tab == Tab::Run && is_asked && *running.scene == *app.scene
+    };
+    let is_coming = app.jobs.studies.iter().any(is_it);
+    if app.tab == Tab::Run && !is_coming && !app.pages.run.matters.is_settled(&app.scene) {
+        jobs::look(app, jobs::LOOK, request);
+    }
+}
+
+/// A key has been pressed: the rest before the bars are computed begins again.
+pub(crate) fn wait(app: &mut App) {
+    let matters = &mut app.pages.run.matters;
+    if matters.output.is_none() || app.tab != Tab::Run || matters.is_settled(&app.scene) {
+        return;
+    }
+    matters.serial += 1;
+    let serial = matters.serial;
+    app.request(Effect::After(REST, Message::Rest(serial)));
+}
+
+/// The rest is over: the bars are computed, unless the run of the scene still goes on.
+pub(crate) fn rested(app: &mut App, serial: u64) {
+    if serial != app.pages.run.matters.serial {
+        return;
+    }
+    if app.jobs.current.is_some() { wait(app) } else { look(app) }
+}
+
+/// Computes what a look did not reach; returns `false` where nothing is missing.
+pub(crate) fn fill(app: &mut App, action: Action) -> bool {
+    let matters = &app.pages.run.matters;
+    let is_partial = matters.report().is_some_and(|report| report.points_least() < POINTS);
+    let is_of_scene = *matters.kept.scene == *app.scene;
+    let Some(request) = matters.request().filter(|_| is_partial && is_of_scene) else {
+        return false;
+    };
+    jobs::study(app, action, SearchRequest::Sensitivity(request));
+    true
+}
+
+/// Keeps what a report of the study brings.
+pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
+    if SearchRequest::of(&running.asked).is_some() {
+        app.pages.run.matters.kept.keep(running, news);
+    }
+}
+
+impl App {
+    /// The result of the bars, and its scale; `None` where words are shown.
+    pub(crate) fn matters_title(&self) -> Option<String> {
+        let (_, word) = OUTPUTS[self.pages.run.matters.output?];
+        let mut word = word.to_owned();
+        word[..1].make_ascii_uppercase();
+        let report = self.pages.run.matters.report();
+        let scale = report.and_then(|report| Some(report.output.show(report.scale()?, 3)));
+        Some(scale.map_or_else(|| format!("{word} by range"), |top| format!("{word}, 0 to {top}")))
+    }
+
+    /// The bar beside a variable, where bars are shown: empty of a variable that the scene ignores.
+    pub(crate) fn matters_bar(&self, variable: &Variable) -> Option<Bar> {
+        let matters = &self.pages.run.matters;
+        matters.output?;
+        let drawn = || {
+            let report = matters.report()?;
+            let effect = report.effect(variable.symbol)?;
+            let levels = levels(self.settings.theme.glyphs);
+            let own = effect.own_cell(CELLS).filter(|_| *matters.kept.scene == *self.scene);
+            Some(Bar { text: bar(effect, report.scale()?, levels), own })
+        };
+        Some(drawn().unwrap_or(Bar { text: String::new(), own: None }))
+    }
+
+    /// The effect of the selected variable in words; `None` where nothing of it is known.
+    pub(crate) fn matters_words(&self) -> Option<String> {
+        let matters = &self.pages.run.matters;
+        let (_, word) = OUTPUTS[matters.output?];
+        let report = matters.report().filter(|_| *matters.kept.scene == *self.scene)?;
+        let editor = &self.pages.run.editor;
+        let (variable, unit) = (editor.variable(), editor.unit(editor.selected));
+        let effect = report.effect(variable.symbol)?;
+        let in_one = in_unit(1.0, unit, variable.number()?.quantity).unwrap_or(1.0);
+        let text = words(report, effect, word, &Shown { in_one, unit });
+        let computed = effect.computed();
+        Some(if computed < POINTS {
+            format!("{text} ({computed} of {POINTS} points; <run> computes all)")
+        } else {
+            text
+        })
+    }
+}
