@@ -267,3 +267,28 @@ pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
         ..Chart::new("residual velocity", x, y, curves.collect())
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::variables::changed_free_plate;
+    use crate::study::context::{Context, to_its_end};
+    use crate::study::limit;
+
+    /// Of a free plate half of the limit, 347.708 m/s, by its closed form; the second by two independent integrations at `v_bl (1 + 1e-9)`.
+    #[test]
+    fn valid_the_residual_velocity_just_above_the_limit_is_that_of_its_shot() {
+        for (pairs, said) in
+            [("gamma=1", Some("173.9 m/s")), ("k=1e5", Some("137.2 m/s")), ("k=1e6", None)]
+        {
+            let scene = Arc::new(changed_free_plate(pairs).unwrap());
+            let report = limit::find(&scene, &mut Context::new(1, &mut to_its_end)).unwrap();
+            let words: Vec<_> = remarks(&report).into_iter().map(|it| it.text).collect();
+            let note = words.iter().find(|it| it.contains("Just above the limit"));
+            assert_eq!(note.is_some(), said.is_some(), "{pairs}: {words:?}");
+            assert!(said.is_none_or(|said| note.unwrap().contains(said)), "{note:?}");
+        }
+    }
+}

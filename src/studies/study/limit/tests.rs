@@ -123,21 +123,14 @@ fn valid_the_stroke_at_the_limit_is_that_of_the_last_shot_that_is_stopped() {
 /// one in Taylor series.
 #[test]
 fn valid_the_residual_velocity_at_the_limit_is_not_that_of_a_faster_shot() {
-    for (pairs, limit_m_s, residual_m_s, said) in [
-        ("gamma=1", 347.708_052, 173.854, Some("173.9 m/s")),
-        ("k=1e5", 344.328, 137.17, Some("137.2 m/s")),
-        ("k=1e6", 318.276, 21.59, None),
-    ] {
+    for (pairs, limit_m_s, residual_m_s) in
+        [("gamma=1", 347.708_052, 173.854), ("k=1e5", 344.328, 137.17), ("k=1e6", 318.276, 21.59)]
+    {
         let report = found(pairs);
         let limit = report.limit.velocity_m_s().unwrap();
         let residual = report.residual_at_limit_m_s.unwrap();
         assert!((limit / limit_m_s - 1.0).abs() < 2e-6, "{pairs}: {limit}");
         assert!((residual - residual_m_s).abs() < 1e-2, "{pairs}: {residual}");
-        let words: Vec<_> =
-            crate::report::limit::remarks(&report).into_iter().map(|it| it.text).collect();
-        let note = words.iter().find(|it| it.contains("Just above the limit"));
-        assert_eq!(note.is_some(), said.is_some(), "{pairs}: {words:?}");
-        assert!(said.is_none_or(|said| note.unwrap().contains(said)), "{note:?}");
     }
     // A plate that can yield throws the shot back.
     let rebounds = found("k=1e5 interface=plastic");
