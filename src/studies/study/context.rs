@@ -262,7 +262,7 @@ mod tests {
         context.expect(4);
         let ask = |inner: &mut Context<'_>| {
             inner.count(7);
-            inner.threads.now() == 2 && inner.goes_on()
+            inner.threads.count() == 2 && inner.goes_on()
         };
         assert!(context.uncounted(ask));
         context.count(2);

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Sender};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, ScopedJoinHandle};
 use std::time::Duration;
 
@@ -17,14 +17,13 @@ const OUT: u64 = 8;
 /// Time between two calls of `take` while no result is ready.
 const ASKED_EVERY: Duration = Duration::from_millis(20);
 
-/// Time between two checks of a paused thread whether it may go on.
-const PAUSE: Duration = Duration::from_millis(5);
-
 /// The cores that studies running at once have in common.
 #[derive(Debug)]
 pub struct SharedCores {
     cores: usize,
-    users: AtomicUsize,
+    users: Mutex<usize>,
+    /// Wakes the threads that wait for a greater share, or for the end of their work.
+    changed: Condvar,
 }
 
 /// A user of the cores; stops counting when it is dropped.
@@ -34,24 +33,38 @@ pub struct CoreUser(Arc<SharedCores>);
 impl SharedCores {
     /// Cores without a user.
     pub fn new(cores: usize) -> Arc<Self> {
-        Arc::new(Self { cores, users: AtomicUsize::new(0) })
+        Arc::new(Self { cores, users: Mutex::new(0), changed: Condvar::new() })
     }
 
     /// Counts one more user.
     pub fn enter(self: &Arc<Self>) -> CoreUser {
-        self.users.fetch_add(1, Ordering::Relaxed);
+        *self.lock() += 1;
         CoreUser(Arc::clone(self))
     }
 
-    /// Threads of each user at present, >= 1.
-    fn share(&self) -> usize {
-        (self.cores / self.users.load(Ordering::Relaxed).max(1)).max(1)
+    /// Number of users.
+    fn lock(&self) -> MutexGuard<'_, usize> {
+        // No code that can panic runs under this lock, so a poisoned one is still sound.
+        self.users.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Threads of each of a number of users, >= 1.
+    fn share(&self, users: usize) -> usize {
+        (self.cores / users.max(1)).max(1)
+    }
+
+    /// Blocks a thread, counted from zero, while its user's share does not include it and the work is not over.
+    fn wait(&self, index: usize, is_over: &AtomicBool) {
+        let surplus =
+            |users: &mut usize| index >= self.share(*users) && !is_over.load(Ordering::Relaxed);
+        drop(self.changed.wait_while(self.lock(), surplus));
     }
 }
 
 impl Drop for CoreUser {
     fn drop(&mut self) {
-        self.0.users.fetch_sub(1, Ordering::Relaxed);
+        *self.0.lock() -= 1;
+        self.0.changed.notify_all();
     }
 }
 
@@ -74,9 +87,28 @@ impl Threads {
         Self { count: self.count.min(count), ..self }
     }
 
-    /// Threads that may work at present.
-    pub(crate) fn now(&self) -> usize {
-        self.cores.as_ref().map_or(self.count, |cores| cores.share().min(self.count))
+    /// Threads at most.
+    #[cfg(test)]
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Blocks a surplus thread, counted from zero; the first always works.
+    fn wait(&self, index: usize, is_over: &AtomicBool) {
+        if let Some(cores) = &self.cores {
+            cores.wait(index, is_over);
+        }
+    }
+
+    /// Says that the work is over, and wakes the threads that wait.
+    fn end(&self, is_over: &AtomicBool) {
+        // Set under the lock: a thread that has just found the work unfinished waits already.
+        let users = self.cores.as_ref().map(|cores| cores.lock());
+        is_over.store(true, Ordering::Relaxed);
+        drop(users);
+        if let Some(cores) = &self.cores {
+            cores.changed.notify_all();
+        }
     }
 }
 
@@ -86,12 +118,12 @@ impl From<usize> for Threads {
     }
 }
 
-/// Sets a flag when it is dropped, also by a panic.
-struct SetOnDrop<'a>(&'a AtomicBool);
+/// Ends the work when it is dropped, also by a panic.
+struct EndOnDrop<'a>(&'a Threads, &'a AtomicBool);
 
-impl Drop for SetOnDrop<'_> {
+impl Drop for EndOnDrop<'_> {
     fn drop(&mut self) {
-        self.0.store(true, Ordering::Relaxed);
+        self.0.end(self.1);
     }
 }
 
@@ -118,9 +150,9 @@ pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Does work on a number of threads, >= 1: fewer where other studies share the cores. Each gets a worker of its own from `worker`, and `take` is given every result in the
-/// order of the points. It is also called regularly (`None`) while no result is ready, so that a study can be cancelled during a long
-/// piece. `Break` ends the work; running pieces are dropped.
+/// Does work on a number of threads, >= 1: fewer where other studies share the cores. Each gets a worker of its own from `worker`, and
+/// `take` is given every result in the order of the points. It is also called regularly (`None`) while no result is ready, so that a
+/// study can be cancelled during a long piece. `Break` ends the work; running pieces are dropped.
 pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
     allowed: &Threads,
     work: Work,
@@ -128,21 +160,18 @@ pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
     mut take: impl FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let count = work.count.div_ceil(work.at_once);
-    let threads = u64::try_from(allowed.count.max(1)).unwrap_or(1).min(count);
-    let out = OUT * threads;
+    let threads = allowed.count.max(1).min(usize::try_from(count).unwrap_or(usize::MAX));
+    let out = OUT * threads as u64;
     let is_over = AtomicBool::new(false);
     let (hand_out, next) = mpsc::channel();
     for number in 0..count.min(out) {
         let _ = hand_out.send(number);
     }
     let next = Mutex::new(next);
-    let serve = |index: u64, done: Sender<(u64, T)>| {
+    let serve = |index: usize, done: Sender<(u64, T)>| {
         let mut make = worker();
         loop {
-            // The first thread always works.
-            while index > 0 && index >= allowed.now() as u64 && !is_over.load(Ordering::Relaxed) {
-                thread::sleep(PAUSE);
-            }
+            allowed.wait(index, &is_over);
             let number = next.lock().unwrap_or_else(PoisonError::into_inner).recv();
             let Ok(number) = number else { return };
             if done.send((number, make(work.piece(number)))).is_err() {
@@ -154,7 +183,7 @@ pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
         let (done, told) = mpsc::channel();
         // Closed with this scope, also when a panic ends it: that ends the threads.
         let hand_out = hand_out;
-        let _over = SetOnDrop(&is_over);
+        let _over = EndOnDrop(allowed, &is_over);
         let start = |index| {
             let (serve, done) = (&serve, done.clone());
             thread::Builder::new().spawn_scoped(scope, move || serve(index, done)).ok()
@@ -222,10 +251,10 @@ mod tests {
         let mut users = Vec::new();
         for expected in [4, 2, 1, 1, 1] {
             users.push(cores.enter());
-            assert_eq!(threads.now(), expected, "{} users", users.len());
+            assert_eq!(cores.share(*cores.lock()), expected, "{} users", users.len());
         }
         users.truncate(1);
-        assert_eq!((threads.now(), threads.clone().at_most(3).now()), (4, 3));
+        assert_eq!((cores.share(*cores.lock()), threads.clone().at_most(3).count), (4, 3));
         // A paused thread does not keep the work from ending.
         users.push(cores.enter());
         users.push(cores.enter());
@@ -236,5 +265,34 @@ mod tests {
             ControlFlow::Continue(())
         });
         assert!(ended.is_continue() && pieces == 100);
+    }
+
+    #[test]
+    fn a_surplus_thread_goes_on_when_another_study_ends() {
+        let cores = SharedCores::new(2);
+        let threads = Threads::shared(2, &cores);
+        let _own = cores.enter();
+        let mut other = Some(cores.enter());
+        let is_over = AtomicBool::new(false);
+        thread::scope(|scope| {
+            let (done, told) = mpsc::channel();
+            let (threads, is_over) = (&threads, &is_over);
+            let waits = |index: usize| {
+                let done = done.clone();
+                scope.spawn(move || {
+                    threads.wait(index, is_over);
+                    let _ = done.send(index);
+                });
+            };
+            waits(0);
+            assert_eq!(told.recv(), Ok(0), "the first thread always works");
+            waits(1);
+            assert_eq!(told.try_recv(), Err(mpsc::TryRecvError::Empty));
+            other.take();
+            assert_eq!(told.recv(), Ok(1));
+            waits(2);
+            threads.end(is_over);
+            assert_eq!(told.recv(), Ok(2));
+        });
     }
 }
