@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let warnings = validity::of_scene(&scene);
     let (page, object) = (page(&preset.heading, &report), tables::json(name, &report));
     let (source, rows) = ((&*scene, request.to_string()), tables::table(name, &report));
-    arguments.study.deliver(extent, source, &warnings, page, object, rows)?;
+    arguments.study.deliver(extent, source, &warnings, (page, object), rows)?;
     Ok(extent.exit_code(true))
 }
 

@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     if !pictures.is_stdout() {
         let (page, object) = (page(&preset.heading, &report), limit::json(name, &report));
         let (source, rows) = ((&*report.scene, COMMAND.to_owned()), limit::shots(name, &report));
-        study.deliver(extent, source, &warnings, page, object, rows)?;
+        study.deliver(extent, source, &warnings, (page, object), rows)?;
     }
     let chart = || residual(&report, report.scene.projectile.velocity_m_s).map(Picture::Chart);
     pictures.write(&study.table, extent.reach, || chart().into_iter().collect())?;

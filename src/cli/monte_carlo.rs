@@ -108,7 +108,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let page = page(&preset.heading, &report, (&answer, extent.reach));
     let object = monte_carlo::json(name, &report, &verdict, extent.reach);
     let source = (&preset.scene, request.to_string());
-    arguments.study.deliver(extent, source, &warnings, page, object, table(name, &report))?;
+    arguments.study.deliver(extent, source, &warnings, (page, object), table(name, &report))?;
     let failed = Some(report.outcomes.failed).filter(|failed| *failed > 0);
     let failed = failed.map(|failed| format!("{failed} samples failed and are not counted"));
     Ok(extent.exit_code_after(failed))

@@ -97,7 +97,13 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
         (page(&preset.heading, &front, extent.reach), front::json(name, &front, extent.reach));
     let warnings = front::warnings(&front);
     let source = (&preset.scene, request.to_string());
-    arguments.study.deliver(extent, source, &warnings, page, object, front::table(name, &front))?;
+    arguments.study.deliver(
+        extent,
+        source,
+        &warnings,
+        (page, object),
+        front::table(name, &front),
+    )?;
     Ok(extent.exit_code(!front.designs.is_empty()))
 }
 

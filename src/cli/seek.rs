@@ -51,7 +51,13 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let (page, object) =
         (page(&preset.heading, &report, extent.reach), seek::json(name, &report, extent.reach));
     let source = (&preset.scene, request.to_string());
-    arguments.study.deliver(extent, source, &warnings, page, object, seek::table(name, &report))?;
+    arguments.study.deliver(
+        extent,
+        source,
+        &warnings,
+        (page, object),
+        seek::table(name, &report),
+    )?;
     Ok(extent.exit_code(report.solutions().next().is_some()))
 }
 

@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     };
     let page = page(&preset.heading, &report, levels, arguments.over.is_empty());
     let (source, object) = ((&preset.scene, request.to_string()), sensitivity::json(name, &report));
-    arguments.study.deliver(extent, source, &warnings, page, object, table(name, &report))?;
+    arguments.study.deliver(extent, source, &warnings, (page, object), table(name, &report))?;
     Ok(extent.exit_code(!report.is_empty()))
 }
 

@@ -80,7 +80,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
     let (page, object) = (map_page(&map, &preset.heading), tables::map_json(name, &map));
     let (source, rows) = ((&preset.scene, wanted.to_string()), tables::map_table(name, &map));
-    arguments.study.deliver(extent, source, &warnings, page, object, rows)?;
+    arguments.study.deliver(extent, source, &warnings, (page, object), rows)?;
     Ok(extent.exit_code(true))
 }
 

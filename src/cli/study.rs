@@ -48,8 +48,7 @@ impl StudyArguments {
         extent: Extent,
         (scene, command): (&Scene, String),
         warnings: &[String],
-        page: String,
-        mut object: Value,
+        (page, mut object): (String, Value),
         rows: Table<'_, R>,
     ) -> Result<(), CliError> {
         object["warnings"] = warnings.into();

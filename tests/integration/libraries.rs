@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::support::{cmra, says};
 
 /// Limit of a fragment of 13.4 g and 12.6 mm on 12 mm of 6061-T651, from W and the masses in another program, m/s.
-const FRAGMENT_M_S: f64 = 324.329217;
+const FRAGMENT_M_S: f64 = 324.329_217;
 
 fn limit_m_s(arguments: &[&str]) -> f64 {
     let arguments = [&["--json", "--set", "mount=rigid"], arguments].concat();

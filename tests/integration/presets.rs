@@ -225,9 +225,8 @@ const GIVEN: [(&str, &[&str]); 12] = [
 /// Unit of a number in a text, and its size in the unit of results.
 fn size_of(unit: &str) -> Option<f64> {
     Some(match unit {
-        "mm" => 1e-3,
+        "mm" | "ms" => 1e-3,
         "us" => 1e-6,
-        "ms" => 1e-3,
         "kN" => 1e3,
         "m/s" | "%" | "J" | "" => 1.0,
         _ => return None,
@@ -251,7 +250,10 @@ fn all_results(scene: &Arc<Scene>) -> Vec<f64> {
     let plates = [&run, &first].into_iter().chain(behind.iter().map(|run| &**run));
     let results =
         plates.flat_map(|run| quantities::QUANTITIES.iter().filter_map(|it| it.value(run)));
-    let at_events = run.series.iter().filter(|row| run.events.iter().any(|it| it.t_s == row.t_s));
+    let at_events = run
+        .series
+        .iter()
+        .filter(|row| run.events.iter().any(|it| it.t_s.total_cmp(&row.t_s).is_eq()));
     let of_row = |row: &Sample| [row.plate_displacement_m, row.plate_velocity_m_s];
     // The row before an event as well: a stop changes the velocity at once.
     let hits = run.events.iter().map(|it| run.series.partition_point(|row| row.t_s < it.t_s));
@@ -298,9 +300,9 @@ fn numbers_in_the_texts_of_presets_are_those_of_runs() {
                 continue;
             }
             // In a list of numbers the last one has the unit.
-            let units =
+            let mut units =
                 words[at + 1..].iter().map(|it| it.trim_end_matches([',', '.', ':', ';', ')']));
-            let size = units.filter_map(|unit| size_of(unit)).next().unwrap_or(1.0);
+            let size = units.find_map(size_of).unwrap_or(1.0);
             let sizes = [size, 1.0];
             let is_result = |size: f64| results.iter().any(|result| is_said(number, size, *result));
             if !sizes.into_iter().any(is_result) {

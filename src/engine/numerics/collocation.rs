@@ -214,7 +214,8 @@ impl<L: Acceleration<D>, const D: usize, const S: usize> StageEquations<'_, L, D
         mut stages: Stages<D, S>,
         evaluations: &mut usize,
     ) -> Option<Stages<D, S>> {
-        if !(self.contraction_rate() <= SLOW_FIXED_POINT) {
+        let contracts = self.contraction_rate() <= SLOW_FIXED_POINT;
+        if !contracts {
             return None;
         }
         let mut before = f64::INFINITY;

@@ -76,12 +76,11 @@ pub(crate) fn show_in_unit_of(app: &mut App, index: usize, text: &str, before: S
         return;
     }
     let is_edited = (&after.scene, &after.search) != (&before.scene, &before.search);
-    match app.history.edits.last_mut().filter(|_| is_edited) {
-        Some(edit) => edit.states.1 = after,
-        None => {
-            let (symbol, unit) = (VARIABLES[index].symbol, app.pages.run.editor.unit(index));
-            note(app, before, format!("{symbol} in {unit}"), None);
-        }
+    if let Some(edit) = app.history.edits.last_mut().filter(|_| is_edited) {
+        edit.states.1 = after;
+    } else {
+        let (symbol, unit) = (VARIABLES[index].symbol, app.pages.run.editor.unit(index));
+        note(app, before, format!("{symbol} in {unit}"), None);
     }
 }
 

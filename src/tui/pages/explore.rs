@@ -235,19 +235,16 @@ fn compute(app: &mut App, by: Option<Action>) {
             let sweep = PictureSweep { picture: app.picture(), plan: Arc::new(plan) };
             app.pages.explore.printed = None;
             let printed = app.printed_plan().map(|plan| PrintedSweep(Arc::new(plan)));
-            match by {
-                Some(action) => {
-                    jobs::study(app, action, sweep);
-                    // Of a long sweep that a question keeps, its other curves stay, too.
-                    if let Some(printed) = printed.filter(|_| app.jobs.asked.is_none()) {
-                        jobs::study(app, action, printed);
-                    }
+            if let Some(action) = by {
+                jobs::study(app, action, sweep);
+                // Of a long sweep that a question keeps, its other curves stay, too.
+                if let Some(printed) = printed.filter(|_| app.jobs.asked.is_none()) {
+                    jobs::study(app, action, printed);
                 }
-                None => {
-                    jobs::look(app, jobs::LOOK / (1 + u32::from(printed.is_some())), sweep);
-                    if let Some(printed) = printed {
-                        jobs::look(app, jobs::LOOK / 2, printed);
-                    }
+            } else {
+                jobs::look(app, jobs::LOOK / (1 + u32::from(printed.is_some())), sweep);
+                if let Some(printed) = printed {
+                    jobs::look(app, jobs::LOOK / 2, printed);
                 }
             }
         }

@@ -255,7 +255,7 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
         b'~' if first == 27 => spelled(field(2, 0)?, None, modifiers),
         b'~' => numbered(first).map(|code| with(code, modifiers)),
         // The text of the key where it is given, else the character of the key with Shift.
-        b'u' => spelled(first, field(2, 0).or(field(0, 1)), modifiers),
+        b'u' => spelled(first, field(2, 0).or_else(|| field(0, 1)), modifiers),
         b'n' => (fields == [[0]]).then_some(Input::Arrived),
         b'Z' => Some(key(KeyCode::BackTab)),
         // With other numbers it is the place of the cursor.

@@ -17,9 +17,9 @@ impl App {
     pub(crate) fn compared_runs(&self) -> Table<'_, Compared<'_>> {
         let absent = |runs: bool| if runs { "running" } else { "no result" };
         let now = self.shown.as_ref().map(|shown| &*shown.run);
-        let now = now.ok_or(absent(self.jobs.current.is_some()));
+        let now = now.ok_or_else(|| absent(self.jobs.current.is_some()));
         let pins = self.pins.iter().map(move |pin| {
-            (pin.name.clone(), pin.run.as_deref().ok_or(absent(pin.job.is_some())))
+            (pin.name.clone(), pin.run.as_deref().ok_or_else(|| absent(pin.job.is_some())))
         });
         comparison(std::iter::once((self.name_of(&self.scene), now)).chain(pins))
     }
