@@ -408,3 +408,33 @@ proptest! {
         prop_assert!(run.peak_contact_force_n.is_some_and(f64::is_finite));
     }
 }
+
+/// A blow that gives back nothing takes `M w²/2` of all that moves, also at first contact: of the plate alone, and of bodies that become
+/// one there.
+#[test]
+fn valid_a_stop_that_is_struck_at_first_contact_takes_its_energy() {
+    for (pairs, mass_kg, speed) in [
+        ("x_stop=0 w_0=10 e=0", 0.0295, 10.0),
+        ("x_stop=0 model=initial-velocity e=0", 0.059, 50.0),
+    ] {
+        let found = run(pairs);
+        let taken_j = 0.5 * mass_kg * speed * speed;
+        assert!((found.ledger.stop_j / taken_j - 1.0).abs() < 1e-12, "{pairs}");
+        assert!(found.ledger.residual().abs() < 1e-12, "{:e}", found.ledger.residual());
+        let hit = found.events.iter().find(|event| event.kind == EventKind::StopHit).unwrap();
+        assert_eq!(hit.t_s.to_bits(), 0, "{pairs}");
+        // One that gives back half of the speed is struck again by the plate that the contact pushes.
+        let bounced = run(&pairs.replace("e=0", "e=0.5"));
+        assert!(bounced.ledger.stop_j >= 0.75 * taken_j, "{pairs}");
+        assert!(bounced.ledger.residual().abs() < 1e-12, "{:e}", bounced.ledger.residual());
+    }
+}
+
+/// A damper that acts at once works in the moment in which a steep spring is left, too.
+#[test]
+fn the_first_moment_of_a_steep_spring_books_its_work() {
+    for damping in ["1e4", "1e6", "1e9"] {
+        let found = run(&format!("model=lumped b_2={damping} n=0.3"));
+        assert!(found.ledger.residual().abs() < 1e-9, "{damping}: {:e}", found.ledger.residual());
+    }
+}

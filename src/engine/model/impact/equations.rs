@@ -220,6 +220,16 @@ impl Setup {
         is_at_zero && self.spring.is_steep_at_zero() && self.law != Law::AtOnce
     }
 
+    /// Whether the plate is at its stop, or beyond it, at first contact.
+    pub(super) fn starts_on_stop(&self) -> bool {
+        !self.still && self.start_m >= self.stop_at_m
+    }
+
+    /// Where a rigid stop ends the plate's way, m; infinite where there is none.
+    pub(super) fn rigid_stop_m(&self) -> f64 {
+        if self.restitution.is_some() { self.stop_at_m } else { f64::INFINITY }
+    }
+
     /// Kinetic energy of both at first contact, J.
     pub(super) fn initial_j(&self) -> f64 {
         self.initial_kinetic_j.into_iter().sum()

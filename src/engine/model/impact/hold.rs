@@ -6,8 +6,9 @@ use crate::model::impact::equations::{Equations, Setup, State};
 use crate::model::impact::modes::Hold;
 use crate::numerics::{larger, smaller};
 
-/// Length of the first moments in which the contact's force is taken to grow with the time, in passages of a tip radius or, where it is
-/// shorter, the time in which the contact stops the projectile: they change the velocities by about the square of this.
+/// Length of the first moments in which the contact's force is taken to grow with the time or to last, in passages of a tip radius or, where
+/// it is shorter, the time in which the contact stops the projectile, or its damper slows both: what they leave out of the velocities is
+/// about the square of this.
 const FIRST_MOMENT: f64 = 1e-6;
 /// How many times farther its inertia alone must let a plate move that is to follow the balance of a law: the square of the oscillations
 /// about that, in radians, which leave a part of one over it.
@@ -36,15 +37,19 @@ impl Setup {
 
 impl Equations<'_> {
     fn first_moment_s(&self) -> f64 {
-        let Setup { velocity_m_s, projectile_kg, .. } = *self.setup;
-        let slope_n_m = self.contact_slopes(0.0, velocity_m_s).0;
-        FIRST_MOMENT * smaller(self.setup.passage_s(), (projectile_kg / slope_n_m.abs()).sqrt())
+        let Setup { velocity_m_s, projectile_kg, plate_kg, cos, .. } = *self.setup;
+        let (slope_n_m, slope_n_s_m) = self.contact_slopes(0.0, velocity_m_s);
+        let by_place_s = smaller(self.setup.passage_s(), (projectile_kg / slope_n_m.abs()).sqrt());
+        let slipping_kg = 1.0 / (1.0 / projectile_kg + cos * cos / plate_kg);
+        FIRST_MOMENT * smaller(by_place_s, slipping_kg / slope_n_s_m.abs())
     }
 
     /// The first moments of a contact with an uncocked plate whose spring is steep at zero, by the balance of forces: the
     /// plate yields to the contact's, which grows with the time unless a damper makes it begin at once, as far as its inertia, its
     /// spring or its damper lets it, whichever holds it most.
-    pub(super) fn after_first_moment(&self) -> State {
+    ///
+    /// Returns the state and the work in the contact and of the damper up to then, J.
+    pub(super) fn after_first_moment(&self) -> (State, [f64; 2]) {
         let t_s = self.first_moment_s();
         let setup = self.setup;
         let v = setup.velocity_m_s;
@@ -64,13 +69,19 @@ impl Equations<'_> {
             .fold(by_inertia, |least, other| if other.0 < least.0 { other } else { least });
         let w_m_s = power * x_m / t_s;
         let lost_m_s = force_n * t_s / ((grows + 1.0) * setup.projectile_kg);
-        State {
+        // The velocity of the plate is a power of the time.
+        let damper_power = (setup.damper.exponent + 1.0) * (power - 1.0) + 1.0;
+        let damper_j = setup.damper.force(w_m_s) * w_m_s * t_s / damper_power;
+        let plate_j = 0.5 * setup.plate_kg * w_m_s * w_m_s + setup.spring.energy(x_m) + damper_j;
+        let contact_j = setup.projectile_kg * lost_m_s * (v - 0.5 * lost_m_s) - plate_j;
+        let state = State {
             q_m: moment.q_m - setup.cos * x_m,
             u_m_s: v - lost_m_s - setup.cos * w_m_s,
             x_m,
             w_m_s,
             ..moment
-        }
+        };
+        (state, [contact_j, damper_j])
     }
 
     /// The displacement up to which a steep spring holds the plate at first, m, if it does: inertia alone would let the plate move much

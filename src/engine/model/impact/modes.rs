@@ -143,9 +143,10 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
     if let Some(held_m) = (Equations { setup, mode: &mode }).holds_at_first() {
         (mode.hold, mode.held_m) = (Hold::Spring, held_m);
     }
-    if !setup.still && setup.start_m >= setup.stop_at_m && setup.start_m_s >= 0.0 {
+    // A plate that moves strikes its stop: an event of the loop, which books its work.
+    if setup.starts_on_stop() && state.w_m_s == 0.0 {
         reach_stop(setup, &mut mode, &mut state);
-        mode.w_side = if state.w_m_s < 0.0 { -1.0 } else { 1.0 };
+        mode.w_side = 1.0;
     }
     (mode, state)
 }

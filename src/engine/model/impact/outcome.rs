@@ -55,7 +55,7 @@ impl Equations<'_> {
     /// How far forward the plate goes at most from a state with this energy, m from the spring's zero.
     pub(super) fn reach_m(&self, state: &State, energy_j: f64) -> f64 {
         let by_spring = self.mode.elastic.reach(self.displacement_m(state.x_m), energy_j, 1.0);
-        if self.stops_rigidly() { smaller(by_spring, self.setup.stop_at_m) } else { by_spring }
+        smaller(by_spring, self.setup.rigid_stop_m())
     }
 
     /// Whether the plate comes to its rigid stop with this energy.
@@ -262,8 +262,8 @@ impl Equations<'_> {
         let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
         // What is driven on comes at least to where nothing drives it, however slowly, or to its stop; its energy there is known to
         // rounding only.
-        let end_m = if self.stops_rigidly() { setup.stop_at_m } else { f64::INFINITY };
-        let far_m = larger(smaller(mode.elastic.rest_ahead(x_m), end_m), so_far_m);
+        let end_m = smaller(mode.elastic.rest_ahead(x_m), setup.rigid_stop_m());
+        let far_m = larger(end_m, so_far_m);
         if self.creeps(state) || self.is_at_rest(state) {
             return Some(far_m);
         }

@@ -83,6 +83,17 @@ impl Record {
         self.row(equations, state);
     }
 
+    /// Notes the work in the contact and of the damper in the moment in which a steep law is left, J.
+    pub(super) fn first_moment(&mut self, setup: &Setup, [contact_j, damper_j]: [f64; 2]) {
+        *self.in_hole_j(setup) += contact_j;
+        self.work.damper_j += damper_j;
+    }
+
+    /// The work in the hole, or of the rim of a plug.
+    fn in_hole_j(&mut self, setup: &Setup) -> &mut f64 {
+        if setup.shears() { &mut self.work.shear_j } else { &mut self.work.penetration_j }
+    }
+
     /// Notes the force on the mount at a state.
     fn note_mount(&mut self, equations: &Equations<'_>, state: &State) {
         self.loads.mount_n = larger(equations.mount_n(state).abs(), self.loads.mount_n);
@@ -103,7 +114,8 @@ impl Record {
         for state in &path.looks {
             let held_m = || equations.balanced(state).0;
             let x_m = if is_held { held_m() } else { equations.displacement_m(state.x_m) };
-            self.note_displacement(x_m, state.t_s);
+            // The step that ends at a rigid stop may end a rounding beyond it.
+            self.note_displacement(smaller(x_m, equations.setup.rigid_stop_m()), state.t_s);
         }
     }
 
@@ -127,16 +139,13 @@ impl Record {
             return;
         }
         let span_s = path.end().t_s - path.looks[0].t_s;
-        let work = &mut self.work;
-        let shears = equations.setup.shears();
-        let in_hole_j = if shears { &mut work.shear_j } else { &mut work.penetration_j };
         for &(at, weight) in GAUSS_10.iter() {
             let state = path.at(0.5 + 0.5 * at);
             let State { u_m_s, x_m, w_m_s, .. } = state;
             let part_s = 0.5 * weight * span_s;
-            *in_hole_j += part_s * equations.contact_n(&state) * u_m_s;
-            work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
-            work.stop_j += part_s * equations.pressed_stop_n(x_m, w_m_s) * w_m_s;
+            *self.in_hole_j(equations.setup) += part_s * equations.contact_n(&state) * u_m_s;
+            self.work.damper_j += part_s * equations.damper_n(w_m_s) * w_m_s;
+            self.work.stop_j += part_s * equations.pressed_stop_n(x_m, w_m_s) * w_m_s;
         }
     }
 

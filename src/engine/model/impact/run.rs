@@ -92,8 +92,13 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         record.begin(&Equations { setup, mode }, state);
         // A law that is infinitely steep where the plate begins is left by the balance of forces.
         if setup.starts_steep() && mode.hold == Hold::Free {
-            *state = Equations { setup, mode }.after_first_moment();
+            let (after, works_j) = Equations { setup, mode }.after_first_moment();
+            *state = after;
             self.h_s = state.t_s;
+            record.first_moment(setup, works_j);
+        }
+        if setup.starts_on_stop() && state.w_m_s > 0.0 {
+            self.react(Event::StopReached, self.course.state);
         }
     }
 
