@@ -410,6 +410,51 @@ mod tests {
         }
     }
 
+    /// Oblique shots into plates thinner than the slender shot is long, where the peak lies beside a corner of the area law. The closed form
+    /// of the force over the travel is searched on a grid, dense at the corners, and about its greatest value.
+    #[test]
+    fn valid_the_peak_of_an_oblique_slender_shot_is_that_of_its_closed_form() {
+        let mut random = crate::numerics::random::Random::new(5);
+        let mut beside = 0;
+        for _ in 0..60 {
+            let between = |from: f64, to: f64, part: f64| from + (to - from) * part;
+            let mut next = |from: f64, to: f64| between(from, to, random.unit());
+            let (mass_kg, angle_deg) = (10f64.powf(next(-1.0, 1.5)), next(20.0, 70.0));
+            let (thickness_mm, v) = (next(3.0, 12.0), next(50.0, 400.0));
+            let pairs =
+                format!("k=0 R=1mm m_p={mass_kg} theta={angle_deg}deg h={thickness_mm}mm v_i={v}");
+            let scene = scene_with(&pairs);
+            let geometry = Geometry::of(&scene);
+            let passage = Passage::unsprung(&scene, &geometry, true);
+            let force_n = |q_m: f64| {
+                let pressure_pa =
+                    passage.strength_pa + passage.drag_kg_m3 * passage.slip_squared_at(q_m);
+                geometry.area_m2(q_m) * pressure_pa
+            };
+            let mut peak_n = 0.0;
+            for piece in geometry.pieces() {
+                let end_m = smaller(passage.arrest_m().unwrap_or(geometry.exit_m), piece.to_m);
+                let of = |s: f64| {
+                    force_n(piece.from_m + (end_m - piece.from_m) * s.powi(3) * (4.0 - 3.0 * s))
+                };
+                let grid: Vec<f64> = (0..=200u8).map(|i| of(f64::from(i) / 200.0)).collect();
+                let best = (0..grid.len()).max_by(|a, b| grid[*a].total_cmp(&grid[*b])).unwrap();
+                let cell = |i: usize| i.min(200) as f64 / 200.0;
+                let (a, b) = (cell(best.saturating_sub(1)), cell(best + 1));
+                let at = crate::numerics::maximum::in_bracket(a, b, &of);
+                let inside_n = of(at);
+                beside += usize::from(inside_n > grid[0].max(grid[200]) && at > 0.9);
+                peak_n = larger(peak_n, larger(inside_n, grid[best]));
+                if end_m < piece.to_m {
+                    break;
+                }
+            }
+            let found_n = bare_run(&scene).peak_contact_force_n.unwrap();
+            assert!((found_n / peak_n - 1.0).abs() < 2e-12, "{pairs}: {found_n} {peak_n}");
+        }
+        assert!(beside > 10, "{beside}");
+    }
+
     const FRAGMENT_20_MM: &str =
         "nose=fragment m_p=53.78g R=9.95mm closure=cylindrical mount=rigid";
     const AA2139: &str = "h=38.7mm rho=2810 Y=414MPa UTS=462MPa E=73.1GPa";

@@ -17,8 +17,6 @@ use crate::numerics::{larger, smaller};
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
 /// differs from it by the 5/2 power of this, far below rounding, and its derivatives are singular there.
 const JOINT: f64 = 1e-5;
-/// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers iterations.
-const SLOPE_WIDTH: f64 = 1e-6;
 /// Below this obliquity in rad the window is too narrow to matter (its effect is of the order of its square).
 const NORMAL_BELOW: f64 = 1e-7;
 
@@ -174,12 +172,30 @@ impl NoseGeometry {
     /// circle on the sphere that lies on the forward hemisphere: pi within the cap, 0 where only the cylinder is crossed.
     fn partial_m2(&self, p_m: f64) -> f64 {
         let (r, sin, cos) = (self.radius_m, self.sin, self.cos);
-        let kappa = 1.0 - p_m * cos / r;
+        let (kappa, phi, chord) = self.across(p_m);
+        let circle = 1.0 - kappa * kappa;
+        let beyond = (kappa / sin).clamp(-1.0, 1.0).acos();
+        r * r * (cos * circle * phi + beyond - kappa * chord)
+    }
+
+    /// kappa, phi and (sin² - kappa²)^(1/2) of the section across sphere and cylinder.
+    fn across(&self, p_m: f64) -> (f64, f64, f64) {
+        let (sin, cos) = (self.sin, self.cos);
+        let kappa = 1.0 - p_m * cos / self.radius_m;
         let circle = 1.0 - kappa * kappa;
         let phi = (-kappa * cos / (sin * circle.sqrt())).clamp(-1.0, 1.0).acos();
-        let beyond = (kappa / sin).clamp(-1.0, 1.0).acos();
-        let chord = larger(sin * sin - kappa * kappa, 0.0).sqrt();
-        r * r * (cos * circle * phi + beyond - kappa * chord)
+        (kappa, phi, larger(sin * sin - kappa * kappa, 0.0).sqrt())
+    }
+
+    /// Derivative of the area by the depth, m: across sphere and cylinder 2 R cos (kappa cos phi + (sin² - kappa²)^(1/2)).
+    fn slope_m(&self, p_m: f64) -> f64 {
+        match self.section(p_m) {
+            Section::Partial => {
+                let (kappa, phi, chord) = self.across(p_m);
+                2.0 * self.radius_m * self.cos * (kappa * self.cos * phi + chord)
+            }
+            section => self.polynomial(section, p_m, 1.0)[1],
+        }
     }
 }
 
@@ -375,13 +391,15 @@ impl AreaLaw {
         }
     }
 
-    /// Its derivative, m; of an oblique section by a difference.
+    /// Its derivative, m.
     pub fn slope_m(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
-        if let Self::Quadratic { origin_m, a } = *self {
-            return a[1] + 2.0 * a[2] * (q_m - origin_m);
+        match *self {
+            Self::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q_m - origin_m),
+            Self::Partial { origin_m, p0, p1, exit_depth_m } => {
+                let p = p0 + p1 * (q_m - origin_m);
+                p1 * (nose.slope_m(p) - nose.slope_m(p - exit_depth_m))
+            }
         }
-        let width = SLOPE_WIDTH * nose.radius_m;
-        (self.area_m2(nose, q_m + width) - self.area_m2(nose, q_m - width)) / (2.0 * width)
     }
 }
 
@@ -408,6 +426,19 @@ mod tests {
         let points = (0..n).flat_map(|i| (0..n).map(move |j| (place(i), place(j))));
         let count = points.filter(|(xi, eta)| is_behind(*xi, *eta)).count();
         count as f64 * (2.0 * nose.radius_m / f64::from(n)).powi(2)
+    }
+
+    #[test]
+    fn valid_the_slope_of_an_oblique_area_is_a_difference_of_areas() {
+        for degrees in [5.0, 30.0, 70.0] {
+            let nose = nose(degrees);
+            for part in [0.1, 0.5, 0.99, 1.01, 1.2, 1.5, 1.9] {
+                let (p, width) = (part * nose.cap_end_m(), 1e-6 * nose.radius_m);
+                let rise = nose.area_m2(p + width) - nose.area_m2(p - width);
+                let (slope, expected) = (nose.slope_m(p), rise / (2.0 * width));
+                assert!((slope - expected).abs() < 1e-6 * nose.radius_m, "{degrees} {part}");
+            }
+        }
     }
 
     #[test]

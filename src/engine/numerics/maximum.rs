@@ -5,7 +5,9 @@ use crate::numerics::larger;
 
 /// Cells of the interval.
 const CELLS: usize = 8;
-/// Part of the interval by which the slope of the function at an end of it is seen.
+/// Part of the interval from its end at which the rate of the function shows whether it rises to a maximum inside, and that by which two
+/// places lie apart whose values show it. The end itself shows nothing: at the corner of a law that is made of pieces it may have the
+/// value of the next piece.
 const INSIDE: f64 = 1e-6;
 /// Part of the interval to which a maximum is located: the value is then right to rounding.
 const LOCATED: f64 = 1e-8;
@@ -15,9 +17,19 @@ const ROUNDS_MAX: usize = 60;
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 /// The greatest value of `f` between 0 and 1, where it has no more than one maximum in each of eight cells, at whose ends its values are
-/// given. Maxima are located only if they may exceed `known`.
-pub(crate) fn greatest(values: &[f64; CELLS + 1], known: f64, f: &dyn Fn(f64) -> f64) -> f64 {
+/// given. Maxima are located only if they may exceed `known`. `rate` has the sign of its derivative, where that is known better than by the
+/// difference of two values.
+pub(crate) fn greatest(
+    values: &[f64; CELLS + 1],
+    known: f64,
+    f: &dyn Fn(f64) -> f64,
+    rate: Option<&dyn Fn(f64) -> f64>,
+) -> f64 {
     let place = |i: usize| i as f64 / CELLS as f64;
+    let falls = |near: f64, beyond: f64| match rate {
+        Some(rate) => rate(near) * (beyond - near) < 0.0,
+        None => f(near) > f(beyond),
+    };
     let mut best = larger(values[0], values[CELLS]);
     for (i, value) in values.iter().enumerate() {
         let (before, after) = (i.saturating_sub(1), if i == CELLS { i } else { i + 1 });
@@ -26,8 +38,8 @@ pub(crate) fn greatest(values: &[f64; CELLS + 1], known: f64, f: &dyn Fn(f64) ->
             continue;
         }
         let rises_inside = match i {
-            0 => f(INSIDE) > *value,
-            CELLS => f(1.0 - INSIDE) > *value,
+            0 => falls(2.0 * INSIDE, INSIDE),
+            CELLS => falls(1.0 - 2.0 * INSIDE, 1.0 - INSIDE),
             _ => true,
         };
         if rises_inside {
@@ -87,7 +99,7 @@ mod tests {
 
     fn of(known: f64, f: impl Fn(f64) -> f64) -> f64 {
         let values = std::array::from_fn(|i| f(i as f64 / CELLS as f64));
-        greatest(&values, known, &f)
+        greatest(&values, known, &f, None)
     }
 
     fn is_near(f: impl Fn(f64) -> f64, exact: f64) -> bool {
@@ -102,11 +114,24 @@ mod tests {
         assert!(is_near(|s| 3.0 - (s - 0.99).powi(2), 3.0));
         assert!(is_near(|s| 3.0 - (s - (1.0 - 3e-5)).powi(2), 3.0));
         assert!(is_near(|s| s, 1.0) && is_near(|s| -s, 0.0));
+        // Beside an end that has the value of another piece.
+        let beside = |s: f64| 3.0 - 1e-3 * (s - (1.0 - 4e-5)).powi(2) - 1e-12;
+        assert!(is_near(|s| if s < 1.0 { beside(s) } else { 3.0 - 1.8e-12 }, 3.0 - 1e-12));
+        assert!(is_near(|s| if s > 0.0 { beside(1.0 - s) } else { 3.0 - 1.8e-12 }, 3.0 - 1e-12));
         // 1.5 at s = 1/4, 2 at s = 3/4.
         let two = |s: f64| {
             1.5 * (-200.0 * (s - 0.25f64).powi(2)).exp() + 2.0 * (-200.0 * (s - 0.75).powi(2)).exp()
         };
         assert!(is_near(two, 2.0) && is_near(|s| two(1.0 - s), 2.0));
+    }
+
+    /// By 1e-12 over the end, of which rounding leaves a step.
+    #[test]
+    fn a_maximum_that_only_the_rate_shows_is_found() {
+        let f = |s: f64| 1.0 - 1e-2 * (s - (1.0 - 1e-5)).powi(2);
+        let values = std::array::from_fn(|i| f(i as f64 / CELLS as f64));
+        let found = |rate: f64| greatest(&values, f64::NEG_INFINITY, &f, Some(&|_| rate));
+        assert_eq!((found(-1.0) > values[CELLS], found(1.0) > values[CELLS]), (true, false));
     }
 
     #[test]

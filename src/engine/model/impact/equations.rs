@@ -313,6 +313,12 @@ impl Equations<'_> {
         (slope * (strength + drag * u_m_s * u_m_s), 2.0 * area * drag * u_m_s)
     }
 
+    /// How fast it grows, N/s, but where it is prescribed.
+    pub(super) fn contact_rate_n_s(&self, state: &State) -> f64 {
+        let (by_travel, by_slip) = self.contact_slopes(state.q_m, state.u_m_s);
+        by_travel * state.u_m_s + by_slip * self.accelerations(state).0
+    }
+
     /// Force of spring, damper and elastic stop against the plate's motion forwards, N.
     pub(super) fn mechanism_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         let mode = self.mode;

@@ -31,6 +31,18 @@ impl<'a> Path<'a> {
     /// The greatest value of a function of its states, located only if it may exceed what is known.
     pub(super) fn greatest(&self, known: f64, of: impl Fn(&State) -> f64) -> f64 {
         let values = array::from_fn(|i| of(&self.looks[2 * i]));
-        maximum::greatest(&values, known, &|part| of(&self.at(part)))
+        maximum::greatest(&values, known, &|part| of(&self.at(part)), None)
+    }
+
+    /// The same of a function with a rate.
+    pub(super) fn greatest_by_rate(
+        &self,
+        known: f64,
+        of: impl Fn(&State) -> f64,
+        rate: impl Fn(&State) -> f64,
+    ) -> f64 {
+        let values = array::from_fn(|i| of(&self.looks[2 * i]));
+        let rate = |part: f64| rate(&self.at(part));
+        maximum::greatest(&values, known, &|part| of(&self.at(part)), Some(&rate))
     }
 }

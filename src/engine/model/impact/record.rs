@@ -155,7 +155,12 @@ impl Record {
         let flows = equations.setup.law == Law::Flow;
         if equations.goes_in() || (!flows && equations.is_touching()) {
             let contact_n = |state: &State| equations.contact_n(state);
-            let peak_n = path.greatest(self.peak_contact_n, contact_n);
+            let known_n = self.peak_contact_n;
+            let peak_n = if matches!(equations.setup.law, Law::History(_)) {
+                path.greatest(known_n, contact_n)
+            } else {
+                path.greatest_by_rate(known_n, contact_n, |state| equations.contact_rate_n_s(state))
+            };
             self.peak_contact_n = larger(peak_n, self.peak_contact_n);
         }
         if equations.is_touching() && !equations.setup.still {
