@@ -61,7 +61,7 @@ fn valid_a_mount_that_turns_a_mass_takes_its_part_of_the_contact_force() {
         let asked = ["--over", "gamma=1..2:2", "--outputs", "peak_mount_force_n", "--csv", "-"];
         let set = pairs.split_whitespace().flat_map(|pair| ["--set", pair]);
         let (swept, _) = says("sweep", &set.chain(asked).collect::<Vec<_>>(), 0);
-        let first = swept.lines().nth(1).unwrap().split(',').nth(2).unwrap();
+        let first = swept.lines().nth(1).unwrap().split(',').nth(3).unwrap();
         assert_near(first.parse().unwrap(), rows_n, 1e-4);
     }
 }

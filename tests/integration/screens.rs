@@ -139,7 +139,7 @@ fn dialogs() {
         ("presets", "p<Down><Down>"),
         ("save", "jls"),
         ("save_over", "s<C-u>heavy-plate<Enter>"),
-        ("export", " jle<Down><Down><Down> "),
+        ("export", " jle<Down><Down><Down>"),
     ] {
         let mut bench = Bench::ascii(80, 24);
         bench.keys(keys);

@@ -12,6 +12,7 @@ use crate::study::context::Reach;
 use crate::study::search::seek::{Kind, Report, SamplePoint, SeekResult};
 use crate::study::sweep::{PointOutcome, Spacing};
 use crate::study::validity::Checked;
+use crate::study::verdict::Decision;
 
 /// Warnings about the rows: those of the solutions, and of the library's entries.
 pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
@@ -32,8 +33,12 @@ pub fn solution(report: &Report, solution: &SeekResult, checked: &Checked) -> St
     let reached = report.measure.show(solution.place.value, 6);
     let plastic = checked.plastic.map(|it| format!("; {}", it.words(report.measure)));
     let plastic = plastic.unwrap_or_default();
-    let verdict = checked.verdict.decision.word();
-    format!("{} = {at}: {reached}, {outcome}{plastic}; verdict: {verdict}", axis.symbol())
+    // Where no such shot was measured the outcome by the law is all that is known; the table has the word.
+    let verdict = match checked.verdict.decision {
+        Decision::NotMeasured => String::new(),
+        decision => format!("; verdict: {}", decision.word()),
+    };
+    format!("{} = {at}: {reached}, {outcome}{plastic}{verdict}", axis.symbol())
 }
 
 /// Further remarks: that there is no solution, jumps over the goal, and where there is no value.

@@ -42,7 +42,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Window, "contact/whole", "show the contact, or the whole response"),
         key(A::Down, "chart", "select the chart below or above"),
         key(A::Right, "cursor", "move the cursor in time (<far-left> <far-right> ten columns)"),
-        key(A::Play, "play", "play the drawing of the impact below the enlarged chart, 4 s; any key ends it"),
+        key(A::Play, "play", "play the impact below the enlarged chart; any key ends it"),
         key(A::View, "view", "show another quantity: F(x), stiffness and stress come last"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
     ] },

@@ -137,7 +137,7 @@ fn the_comparison_over_velocity_takes_1() {
     search::answer(&mut task.bench);
     let screen = task.bench.screen();
     assert!(screen.contains("mass efficiency 0.15"), "{screen}");
-    assert!(screen.contains("scene  rigid mount"), "{screen}");
+    assert!(screen.contains("scene   rigid mount"), "{screen}");
     assert!(screen.contains("ballistic limit, m/s"), "{screen}");
     assert!(screen.contains("mass efficiency, up: gamma"), "{screen}");
     assert!(screen.contains("O line of 1"), "{screen}");

@@ -44,6 +44,9 @@ pub fn nearest(name: &str) -> String {
         let own_names = std::iter::once(own.as_str()).chain(it.aliases.iter().copied());
         own_names.map(|own| (distance(own), own)).chain([(by_symbol, it.symbol), (by_key, it.key)])
     });
+    // A scene file has keys only.
+    let is_key = name.contains('.');
+    let spelled = spelled.filter(|(_, name)| !is_key || name.contains('.'));
     let spelled: Vec<(usize, &str)> = spelled.collect();
     close(name, meant.collect())
         .or_else(|| close(name, spelled))
