@@ -100,7 +100,7 @@ const QUANTITIES: [Named; 13] = [
     named(Channel::PlateDisplacement, Kind::Length, &[TRAVEL], "x"),
     named(Channel::PlateVelocity, Kind::Velocity, &[PLATE, &["velocity", "speed"]], "w"),
     named(Channel::ProjectileVelocity, Kind::Velocity, &[&["velocity", "speed"]], "v"),
-    named(Channel::Acceleration, Kind::Acceleration, &[&["acceleration"]], "a"),
+    named(Channel::Acceleration, Kind::Acceleration, &[&["acceleration", "deceleration"]], "a"),
     named(Channel::SpringForce, Kind::Force, &[&["spring"], &["force", "load"]], "F_spring"),
     named(Channel::DamperForce, Kind::Force, &[&["damper"], &["force", "load"]], "F_damper"),
     named(
@@ -135,7 +135,7 @@ fn quantity(heading: &str) -> Option<&'static Named> {
     let lower = heading.to_lowercase();
     // The force of a stop has no curve of its own, and acceleration is that of the projectile.
     let is_other = lower.starts_with("stop")
-        || lower.contains("acceleration") && PLATE.iter().any(|word| lower.contains(word));
+        || lower.contains("celeration") && PLATE.iter().any(|word| lower.contains(word));
     let fits =
         |it: &&Named| it.words.iter().all(|group| group.iter().any(|word| lower.contains(word)));
     let by_words = QUANTITIES.iter().find(fits).filter(|_| !is_other);

@@ -25,6 +25,7 @@ pub fn start(app: &mut App) -> Vec<Effect> {
     jobs::run_now(app);
     jobs::submit_pins(app);
     app.list_presets();
+    run::follow_traces(app);
     std::mem::take(&mut app.effects)
 }
 
@@ -43,8 +44,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     if is_edited || app.picture() != before.1 {
         pages::of(app.tab).edited(app);
     }
-    let run = app.shown.as_ref().map(|shown| &shown.run);
-    app.pages.run.differences.follow(run, app.pages.run.beside.as_ref());
+    run::follow_traces(app);
     if is_by_person || is_edited {
         run::matters::wait(app);
     }

@@ -56,6 +56,20 @@ fn the_travel_of_yang_and_xi_is_off_by_3_4_mm() {
     assert_eq!(marked.len(), 3, "{page}");
 }
 
+/// The point is at 2.714 ms; the run of the baseline ends at its greatest displacement, 1.275 ms.
+#[test]
+fn a_trace_without_a_common_time_says_why() {
+    let (page, _) = says("run", &["--with", YANG_XI], 0);
+    let words = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("the run, which ends at 1.275 ms; the first row is at 2.714 ms"),
+        "{page}"
+    );
+    assert!(!page.contains("RMS difference"), "{page}");
+    let (page, _) = says("run", &["--set", "horizon=3ms", "--with", YANG_XI], 0);
+    assert!(page.contains("RMS difference"), "{page}");
+}
+
 /// The workbench without a terminal prints the same.
 #[test]
 fn the_workbench_takes_it_too_and_a_picture_has_it() {

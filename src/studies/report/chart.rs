@@ -206,6 +206,11 @@ impl<'a> Curve<'a> {
         Self { marker, label: label.into(), points: points.into(), ..Self::default() }
     }
 
+    /// The same curve without a copy of its points.
+    pub fn borrowed(&self) -> Curve<'_> {
+        Curve { label: Cow::Borrowed(&self.label), points: Cow::Borrowed(&self.points), ..*self }
+    }
+
     /// In this colour.
     pub fn colour(self, colour: usize) -> Self {
         Self { colour, ..self }

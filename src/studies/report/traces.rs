@@ -74,9 +74,11 @@ pub struct Difference {
     pub greatest_time_s: f64,
 }
 
-/// The value of a curve at a time, linear between points; at a jump the value after it. `None` outside.
-fn value_at(points: &[(f64, f64)], t_s: f64) -> Option<f64> {
-    let after = points.partition_point(|point| point.0 <= t_s);
+/// A trace and its difference from a run; `None` without a common time.
+type Row<'c> = (&'c Trace, Option<Difference>);
+
+/// The value of a curve at a time, linear between the points before and after it; at a jump the value after it. `None` outside.
+fn value_at(points: &[(f64, f64)], after: usize, t_s: f64) -> Option<f64> {
     let (before_s, low) = *points.get(after.checked_sub(1)?)?;
     let Some((next_s, high)) = points.get(after).copied() else {
         return (t_s <= before_s).then_some(low).filter(|value| value.is_finite());
@@ -95,7 +97,12 @@ impl Trace {
     /// The trace compared with a run; `None` without a common time.
     pub fn difference(&self, run: &Run) -> Option<Difference> {
         let computed = self.channel.points(run, &run.series);
-        let pair = |(t_s, value): &(f64, f64)| Some((*t_s, *value, value_at(&computed, *t_s)?));
+        // Both are in order of time: one pass, for traces may have a hundred thousand rows.
+        let mut after = 0;
+        let pair = |(t_s, value): &(f64, f64)| {
+            after += computed[after..].iter().take_while(|point| point.0 <= *t_s).count();
+            Some((*t_s, *value, value_at(&computed, after, *t_s)?))
+        };
         let pairs: Vec<(f64, f64, f64)> = self.points.iter().filter_map(pair).collect();
         let (first_s, last_s) = (pairs.first()?.0, pairs.last()?.0);
         let measured: Vec<(f64, f64)> = pairs.iter().map(|it| (it.0, it.1)).collect();
@@ -130,7 +137,7 @@ impl Trace {
     }
 
     /// The points up to a time.
-    pub fn until(&self, end_s: f64) -> &[(f64, f64)] {
+    fn until(&self, end_s: f64) -> &[(f64, f64)] {
         &self.points[..self.points.partition_point(|point| point.0 <= end_s)]
     }
 
@@ -179,8 +186,7 @@ impl Traces {
     }
 
     /// The differences of a run, a row for each trace.
-    pub fn table<'c>(&'c self, run: &Run) -> Table<'c, (&'c Trace, Option<Difference>)> {
-        type Row<'c> = (&'c Trace, Option<Difference>);
+    fn table<'c>(rows: impl IntoIterator<Item = Row<'c>>) -> Table<'c, Row<'c>> {
         let with = |table: Table<'c, Row<'c>>,
                     (key, label): (&'static str, &'static str),
                     get: fn(&Difference) -> f64,
@@ -192,7 +198,6 @@ impl Traces {
                 },
             )
         };
-        let rows = self.traces.iter().map(|trace| (trace, trace.difference(run)));
         let table = Table::of(rows)
             .with("column", "column", "", |row: &Row<'c>| row.0.heading.as_str())
             .with("quantity", "quantity", "", |row| row.0.channel.title().to_lowercase())
@@ -222,16 +227,35 @@ impl Traces {
         with(table, ("greatest_difference_time_s", "its time"), |it| it.greatest_time_s, true)
     }
 
-    /// The differences of a run on a page of a given width, below a heading.
+    fn rows(&self, run: &Run) -> impl Iterator<Item = Row<'_>> {
+        self.traces.iter().map(|trace| (trace, trace.difference(run)))
+    }
+
+    /// The differences of a run on a page of a given width, below a heading; of traces without a common time, why there are none.
     pub fn page(&self, run: &Run, width: usize) -> String {
-        let table = self.table(run);
-        let keys: Vec<&str> = table.keys().into_iter().filter(|key| *key != "unit").collect();
-        format!("beside {} (computed less measured)\n{}", self.name, table.turned(&keys, width))
+        let (compared, others): (Vec<_>, Vec<_>) = self.rows(run).partition(|row| row.1.is_some());
+        let mut text = format!("beside {} (computed less measured)\n", self.name);
+        if !compared.is_empty() {
+            let table = Self::table(compared);
+            let keys: Vec<&str> = table.keys().into_iter().filter(|key| *key != "unit").collect();
+            text += &table.turned(&keys, width);
+        }
+        let end_s = run.series.last().map_or(0.0, |row| row.t_s);
+        for (trace, _) in others {
+            text += &format!(
+                "{}: no row within the time of the run, which ends at {}; the first row is at {}: check the unit of time, or run \
+                 longer with --set horizon=TIME\n",
+                trace.heading,
+                engineering(end_s, "s", 4),
+                engineering(trace.points[0].0, "s", 4),
+            );
+        }
+        text
     }
 
     /// The differences of a run as an object.
     pub fn json(&self, run: &Run) -> Value {
-        json!({ "file": self.name, "traces": self.table(run).objects(|_| true) })
+        json!({ "file": self.name, "traces": Self::table(self.rows(run)).objects(|_| true) })
     }
 }
 
@@ -277,7 +301,8 @@ mod tests {
         let at = |index: usize| {
             let share = index as f64 / (many - 1) as f64;
             let t_s = share * end_s;
-            (t_s, value_at(&points, t_s).unwrap() - 1e-3 - 2e-3 * share)
+            let after = points.partition_point(|point| point.0 <= t_s);
+            (t_s, value_at(&points, after, t_s).unwrap() - 1e-3 - 2e-3 * share)
         };
         let found = trace(Channel::Penetration, (0..many).map(at).collect());
         let found = found.difference(&run).unwrap();
@@ -306,7 +331,8 @@ mod tests {
         let many: Vec<(f64, f64)> = (0..100_000).map(|at| (1e-8 * f64::from(at), 1.0)).collect();
         let curves = trace(Channel::Penetration, many).curves(1.0);
         assert_eq!(curves.len(), 2);
-        assert!(curves[0].points.len() <= 4 * 4096 && curves[1].is_dotted());
+        // Four of each of 4096 equal parts of the time, and the last point.
+        assert!(curves[0].points.len() <= 4 * 4_096 + 1 && curves[1].is_dotted());
         let few = trace(Channel::Penetration, vec![(0.0, 0.0), (1.0, 1.0), (2.0, 1.0)]).curves(1.5);
         assert!(few.len() == 1 && few[0].is_dotted() && few[0].points.len() == 4);
     }

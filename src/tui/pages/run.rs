@@ -223,6 +223,15 @@ pub(crate) fn lay_beside(app: &mut App, traces: Arc<Traces>) {
     app.tell(format!("{count} {what} of {name}, marked {MARK}: titles have the greatest difference; <beside> changes or removes"));
 }
 
+/// Keep what is shown of traces up to date with the run and the charts.
+pub(crate) fn follow_traces(app: &mut App) {
+    let ends = [0, 1, 2].map(|chart| (app.pages.run.charts.quantities[chart], app.end_s(chart)));
+    let page = &mut app.pages.run;
+    page.drawn.follow(page.beside.as_ref(), ends);
+    let run = app.shown.as_ref().map(|shown| &shown.run);
+    page.differences.follow(run, page.beside.as_ref());
+}
+
 /// Whether the row that has the keys is a variable with a list of words.
 pub(crate) fn lists_words(app: &App) -> bool {
     app.pane() == VARIABLES && app.pages.run.editor.shows(&app.scene) && is_list(app)
@@ -261,8 +270,7 @@ fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     let (upper, runs) = split_bottom(body, 1 + runs::rows_shown(app, body));
     let width = match body.width {
         0..NARROW if app.pages.run.matters.output.is_none() => 24,
-        0..NARROW => 31,
-        NARROW..WIDE => 31,
+        0..WIDE => 31,
         WIDE..ROOMY => 38,
         ROOMY.. => 42,
     };

@@ -50,6 +50,18 @@ fn a_file_that_is_none_says_so_in_the_dialog() {
     assert!(bench.app.pages.run.beside.is_none());
 }
 
+/// At 80 columns the words are shorter, and the chart keeps its name.
+#[test]
+fn every_title_of_a_traced_quantity_has_its_difference() {
+    let mut bench = Bench::ascii(80, 24);
+    open(&mut bench, "tests/cases/traces/baseline-scipy.csv");
+    let screen = bench.screen();
+    for name in ["- Depth ", "- Force, peak ", "- Plate "] {
+        let title = screen.lines().find_map(|line| line.split_once(name));
+        assert!(title.is_some_and(|(_, rest)| rest.contains("difference ")), "{name}: {screen}");
+    }
+}
+
 /// A quantity without a chart gets one.
 #[test]
 fn the_charts_are_those_of_the_traces() {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::run::Run;
+use crate::report::chart::Curve;
 use crate::report::series::Channel;
 use crate::report::traces::Traces;
 use crate::tui::keymap::{Pane, Tab};
@@ -23,6 +24,8 @@ pub struct RunPage {
     pub beside: Option<Arc<Traces>>,
     /// Differences of the current run from these traces.
     pub differences: Differences,
+    /// Curves of these traces in the charts.
+    pub drawn: Drawn,
     /// The row selected in the table of runs: 0 is the current run.
     pub selected: usize,
     /// The pane that has the keys fills the body.
@@ -60,6 +63,39 @@ impl Differences {
     }
 }
 
+/// What is drawn of traces: thinned once for each chart and end of its time, not for each frame.
+#[derive(Clone, Debug, Default)]
+pub struct Drawn {
+    of: Option<(Arc<Traces>, Ends)>,
+    curves: Vec<Vec<Curve<'static>>>,
+}
+
+/// Quantity of each chart, and the bits of the end of its time in s.
+type Ends = [(Channel, u64); 3];
+
+impl Drawn {
+    /// The curves of a quantity in a chart.
+    pub fn of(&self, chart: usize, channel: Channel) -> &[Curve<'static>] {
+        let is_it = self.of.as_ref().is_some_and(|of| of.1[chart].0 == channel);
+        self.curves.get(chart).filter(|_| is_it).map_or(&[], Vec::as_slice)
+    }
+
+    /// Thins the traces where they, the quantities or the ends are others than before.
+    pub(crate) fn follow(&mut self, traces: Option<&Arc<Traces>>, charts: [(Channel, f64); 3]) {
+        let Some(traces) = traces else {
+            *self = Self::default();
+            return;
+        };
+        let ends = charts.map(|(channel, end_s)| (channel, end_s.to_bits()));
+        let is_same = |of: &(Arc<Traces>, Ends)| Arc::ptr_eq(&of.0, traces) && of.1 == ends;
+        if !self.of.as_ref().is_some_and(is_same) {
+            let curves = charts.iter().map(|(channel, end_s)| traces.curves(*channel, *end_s));
+            self.curves = curves.collect();
+            self.of = Some((Arc::clone(traces), ends));
+        }
+    }
+}
+
 /// Which part of the time is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Window {
@@ -94,5 +130,31 @@ impl Default for Charts {
             is_playing: false,
             serial: 0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::traces::Trace;
+
+    #[test]
+    fn traces_are_thinned_once_for_each_window() {
+        let points = (0..100_000).map(|at| (1e-8 * f64::from(at), 1.0)).collect();
+        let channel = Channel::Penetration;
+        let trace = Trace { heading: "depth".to_owned(), channel, points };
+        let traces = Arc::new(Traces { name: "T.csv".to_owned(), traces: vec![trace] });
+        let charts = |end_s| [(channel, end_s), (Channel::ContactForce, end_s), (channel, 1.0)];
+        let mut drawn = Drawn::default();
+        drawn.follow(Some(&traces), charts(1e-4));
+        let place = |drawn: &Drawn| drawn.of(0, channel)[0].points.as_ptr();
+        let first = place(&drawn);
+        drawn.follow(Some(&traces), charts(1e-4));
+        assert_eq!(place(&drawn), first);
+        drawn.follow(Some(&traces), charts(5e-4));
+        assert!(drawn.of(0, channel)[0].points.last().is_some_and(|point| point.0 > 4e-4));
+        assert!(drawn.of(1, channel).is_empty() && drawn.of(1, Channel::ContactForce).is_empty());
+        drawn.follow(None, charts(5e-4));
+        assert!(drawn.of(0, channel).is_empty());
     }
 }

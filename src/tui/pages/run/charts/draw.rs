@@ -168,8 +168,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
             .emphasis(emphasis(view.old, view.letter.is_none()))
     });
     let curves = before.into_iter().chain(curves);
-    let beside = app.pages.run.beside.as_ref();
-    let measured = beside.map_or_else(Vec::new, |it| it.curves(quantity, app.end_s(index)));
+    let measured = app.pages.run.drawn.of(index, quantity).iter().map(Curve::borrowed);
     let curves = curves.chain(measured);
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.
@@ -303,9 +302,8 @@ fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
     let at_end = data.iter().filter_map(|curve| quantity.at(curve.view.run, end_s));
     let before = app.run_before().map(|run| before_values(quantity, run, end_s, AXIS_POINTS));
     let before = before.into_iter().flatten().map(|point| point.1);
-    let beside = app.pages.run.beside.as_ref();
-    let measured = beside.into_iter().flat_map(|it| it.of(quantity));
-    let measured = measured.flat_map(|it| it.until(end_s)).map(|point| point.1);
+    let measured = app.pages.run.drawn.of(chart, quantity).iter();
+    let measured = measured.flat_map(|curve| curve.points.iter()).map(|point| point.1);
     let values = points.map(|point| point.1).chain(at_end).chain(before).chain(measured);
     let none = || Axis::new("", ViewRange::default()).unit(Unit::new(quantity.unit()));
     let axis = Axis::over("", quantity.unit(), Scale::Linear, values).unwrap_or_else(none);

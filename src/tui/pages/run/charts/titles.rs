@@ -44,11 +44,12 @@ pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
         }
     };
     let beside = app.pages.run.differences.of(quantity);
-    let beside =
-        beside.map(|most| format!("greatest difference {}", engineering(most, quantity.unit())));
-    let changed = beside.or_else(|| changed(app, quantity, run));
+    let added = match beside.map(|most| engineering(most, quantity.unit())) {
+        Some(most) => vec![format!("greatest difference {most}"), format!("difference {most}")],
+        None => changed(app, quantity, run).into_iter().collect(),
+    };
     let with =
-        changed.iter().flat_map(|text| titles.iter().map(move |title| format!("{title}, {text}")));
+        titles.iter().flat_map(|title| added.iter().map(move |text| format!("{title}, {text}")));
     fitting(with.chain(titles.iter().cloned()).collect::<Vec<_>>(), room)
 }
 
