@@ -7,9 +7,9 @@ use crate::model::variables::Variable;
 use crate::report::sensitivity::{CELLS, Shown, bar, words};
 use crate::study::quantities::find;
 use crate::study::sensitivity::{OUTPUT, POINTS, Report, Request};
-use crate::tui::app::running::Kept;
 use crate::tui::message::Message;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::state::Matters;
 use crate::tui::pages::search::levels;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 
@@ -19,17 +19,6 @@ const OUTPUTS: [(&str, &str); 3] =
 
 /// Time without a key after which the bars are computed.
 const REST: Duration = Duration::from_millis(300);
-
-/// What the bars show, and what has been computed.
-#[derive(Clone, Debug, Default)]
-pub struct Matters {
-    /// The result shown, by its place in the list; `None`: words stand in the place of bars.
-    pub output: Option<usize>,
-    /// The newest report, whole or as far as it is.
-    pub kept: Kept<SearchAnswer>,
-    /// Counts keys: an older rest is out of date.
-    pub serial: u64,
-}
 
 /// A bar beside a variable.
 pub(crate) struct Bar {

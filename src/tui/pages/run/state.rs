@@ -6,9 +6,10 @@ use crate::model::run::Run;
 use crate::report::chart::Curve;
 use crate::report::series::Channel;
 use crate::report::traces::Traces;
+use crate::tui::app::running::Kept;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::pages::run::editor::Editor;
-use crate::tui::pages::run::matters::Matters;
+use crate::worker::studies::SearchAnswer;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
@@ -30,6 +31,17 @@ pub struct RunPage {
     pub selected: usize,
     /// The pane that has the keys fills the body.
     pub is_full: bool,
+}
+
+/// What the bars of what matters show, and what has been computed.
+#[derive(Clone, Debug, Default)]
+pub struct Matters {
+    /// The result shown, by its place in the list; `None`: words stand in the place of bars.
+    pub output: Option<usize>,
+    /// The newest report, whole or as far as it is.
+    pub kept: Kept<SearchAnswer>,
+    /// Counts keys: an older rest is out of date.
+    pub serial: u64,
 }
 
 /// The greatest differences of a run from traces, by quantity: computed once for each pair.
