@@ -196,11 +196,13 @@ pub fn state_at(run: &Run, t_s: f64) -> Option<Sample> {
 /// The whole time is divided into equal parts, more than a screen has columns of dots. Of each part the first, lowest, highest and
 /// last points are kept, and all of them where a gap begins or ends. The points are in the order of time, as are those given back.
 pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    let [first, .., last] = &*points else { return points };
-    if points.len() <= POINTS_MANY {
-        return points;
-    }
-    let part = |point: &(f64, f64)| ((point.0 - first.0) / (last.0 - first.0) * TIMES).floor();
+    if points.len() <= POINTS_MANY { points } else { thinned_to(&points, TIMES) }
+}
+
+/// The same, with a number of equal parts of the time.
+pub(crate) fn thinned_to(points: &[(f64, f64)], parts: f64) -> Vec<(f64, f64)> {
+    let [first, .., last] = points else { return points.to_vec() };
+    let part = |point: &(f64, f64)| ((point.0 - first.0) / (last.0 - first.0) * parts).floor();
     let mut few = Vec::new();
     for short in points.chunk_by(|a, b| part(a).total_cmp(&part(b)).is_eq()) {
         let gaps = short.iter().filter(|point| !point.1.is_finite()).count();

@@ -9,7 +9,7 @@ use crate::model::run::Run;
 use crate::model::units::engineering;
 use crate::numerics::larger;
 use crate::report::chart::Curve;
-use crate::report::series::{Channel, thinned};
+use crate::report::series::{Channel, thinned_to};
 use crate::report::table::Table;
 
 /// Mark of measured points in charts.
@@ -20,6 +20,9 @@ const COLOUR: usize = 9;
 
 /// Number of points that are drawn apart; a trace of more points is a line with some of them marked.
 const POINTS_APART: usize = 40;
+
+/// Number of equal parts of the time that a line is thinned to: three for each column of dots of 160 cells.
+const TIMES: f64 = 1_024.0;
 
 /// Number of marked points of a line.
 const MARKED: usize = 12;
@@ -147,7 +150,7 @@ impl Trace {
         if seen.len() <= POINTS_APART {
             return vec![self.marked(seen.iter().copied())];
         }
-        let line = Curve::new(MARK, "", thinned(seen.to_vec())).colour(COLOUR);
+        let line = Curve::new(MARK, "", thinned_to(seen, TIMES)).colour(COLOUR);
         // Even in time, whatever the rows are.
         let step_s = (seen[seen.len() - 1].0 - seen[0].0) / MARKED as f64;
         let at = |mark: usize| {
@@ -331,8 +334,8 @@ mod tests {
         let many: Vec<(f64, f64)> = (0..100_000).map(|at| (1e-8 * f64::from(at), 1.0)).collect();
         let curves = trace(Channel::Penetration, many).curves(1.0);
         assert_eq!(curves.len(), 2);
-        // Four of each of 4096 equal parts of the time, and the last point.
-        assert!(curves[0].points.len() <= 4 * 4_096 + 1 && curves[1].is_dotted());
+        // Four of each part of the time, and the last point.
+        assert!(curves[0].points.len() <= 4 * 1_024 + 1 && curves[1].is_dotted());
         let few = trace(Channel::Penetration, vec![(0.0, 0.0), (1.0, 1.0), (2.0, 1.0)]).curves(1.5);
         assert!(few.len() == 1 && few[0].is_dotted() && few[0].points.len() == 4);
     }
