@@ -81,9 +81,11 @@ fn a_session_from_the_first_chart_to_the_prompt() {
     assert_eq!(again.wait_exit().exit_code(), 0);
 }
 
-/// The depth in the title of its chart, mm.
+/// Returns the depth in the title of its chart, mm; a shorter title says what an edit changed.
 fn depth_mm(screen: &str) -> f64 {
-    let (_, rest) = screen.split_once("Penetration ").expect("the title of the first chart");
+    let titles = ["Penetration ", "Depth "];
+    let title = titles.iter().find_map(|title| screen.split_once(title));
+    let (_, rest) = title.expect("the title of the first chart");
     let number = rest.split_whitespace().next().expect("a number");
     number.parse().expect("a number")
 }
