@@ -111,6 +111,18 @@ impl<'a> Axis<'a> {
         ticks::ticks(Mapping::new(self.scale, shown, cells), along)
     }
 
+    /// The axis upward in rows, a little longer where that puts round numbers in the middle of rows, and its ticks.
+    /// Lines across at these values keep clear of labels of other values where they can.
+    pub fn on_rows(&self, rows: u16, lines: &[f64]) -> Option<(Mapping, Ticks)> {
+        let factor = self.unit.factor;
+        let view = self.view.on(self.scale);
+        let shown = ViewRange::new(view.lo() * factor, view.hi() * factor);
+        let lines: Vec<f64> = lines.iter().map(|line| line * factor).collect();
+        let (shown, ticks) = ticks::on_rows(self.scale, shown, rows, &lines)?;
+        let view = ViewRange::new(shown.lo() / factor, shown.hi() / factor);
+        Some((Mapping::new(self.scale, view, rows), ticks))
+    }
+
     /// Its unit in brackets, with the power of ten that its numbers leave out.
     pub fn unit_text(&self, exponent: i32) -> String {
         let unit = &self.unit.name;

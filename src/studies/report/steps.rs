@@ -3,7 +3,7 @@
 /// A step of 1, 2 or 5 times a power of ten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// 1, 2 or 5.
+    /// 1, 2 or 5; where an axis needs it, 25.
     pub mantissa: u8,
     /// Power of ten.
     pub exponent: i32,

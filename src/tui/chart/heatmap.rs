@@ -21,7 +21,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Offset, Position, Rect};
 use ratatui::style::{Color, Modifier, Style};
 
-use super::{Chart, Draw, Layout};
+use super::{Chart, Draw, Layout, Mapping};
 use crate::report::chart::levels::BANDS_MAX;
 use crate::report::map::{Cell, Map, Tone};
 use crate::tui::theme::colours::ink_on;
@@ -44,25 +44,33 @@ impl Draw for Map<'_> {
         if plot.is_empty() {
             return layout;
         }
-        draw_bands(self, plot, buffer, theme);
-        draw_contour(self, plot, buffer);
+        draw_bands(self, &layout, buffer, theme);
+        draw_contour(self, &layout, buffer);
         if let Some((point, letter)) = self.present {
-            put(buffer, place(plot, point, self.counts), letter, theme.style(Role::Title));
+            put(buffer, place(self, &layout, point), letter, theme.style(Role::Title));
         }
-        draw_cursor(self, plot, buffer);
+        draw_cursor(self, &layout, buffer);
         layout
     }
 }
 
 /// What a cell of the screen shows.
-fn shown(map: &Map<'_>, plot: Rect, at: Position) -> Cell {
+fn shown(map: &Map<'_>, layout: &Layout, at: Position) -> Cell {
+    let plot = layout.plot;
     let x = spread(at.x - plot.x, plot.width, map.counts.0);
-    map.cell(x, spread(plot.bottom() - 1 - at.y, plot.height, map.counts.1))
+    let value = layout.y.value(plot.bottom() - 1 - at.y);
+    upward(map).cell(value).map_or(Cell::Empty, |y| map.cell(x, y.into()))
 }
 
-fn draw_bands(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-    for at in plot.positions() {
-        let (symbol, style) = match (shown(map, plot, at), &map.levels) {
+/// The points of a map upward: a row beyond them shows none.
+fn upward(map: &Map<'_>) -> Mapping {
+    let count = u16::try_from(map.counts.1).unwrap_or(u16::MAX);
+    Mapping::new(map.y.scale, map.y.view, count)
+}
+
+fn draw_bands(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer, theme: Theme) {
+    for at in layout.plot.positions() {
+        let (symbol, style) = match (shown(map, layout, at), &map.levels) {
             (Cell::Value(value), Some(levels)) => {
                 swatch(levels.index(value), levels.bands(), theme)
             }
@@ -74,9 +82,10 @@ fn draw_bands(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
 }
 
 /// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
-fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
+fn draw_contour(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
+    let plot = layout.plot;
     let Some(level) = map.contour.as_ref().map(|contour| contour.0) else { return };
-    let value = |at: Position| match shown(map, plot, at) {
+    let value = |at: Position| match shown(map, layout, at) {
         Cell::Value(value) => Some(value - level),
         Cell::Mark(..) | Cell::Empty => None,
     };
@@ -96,9 +105,9 @@ fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
 }
 
 /// Its row and column, every other cell, and a cross.
-fn draw_cursor(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
-    let Some(point) = map.cursor else { return };
-    let cross = place(plot, point, map.counts);
+fn draw_cursor(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
+    let (Some(point), plot) = (map.cursor, layout.plot) else { return };
+    let cross = place(map, layout, point);
     let row = (plot.left()..plot.right()).map(|x| Position { x, ..cross });
     for at in row.filter(|at| at.x % 2 == cross.x % 2 && *at != cross) {
         over(buffer, at, '─');
@@ -117,14 +126,13 @@ fn spread(cell: u16, cells: u16, count: usize) -> usize {
 }
 
 /// The cell of a point.
-fn place(plot: Rect, (x, y): (usize, usize), counts: (usize, usize)) -> Position {
-    let along = |at: usize, count: usize, cells: u16| {
-        let last = usize::from(cells.max(1)) - 1;
-        u16::try_from(rounded(at * last, count - 1)).unwrap_or(u16::MAX)
-    };
-    let up = along(y, counts.1, plot.height);
-    let row = (plot.bottom() - 1).saturating_sub(up);
-    Position::new(plot.x + along(x, counts.0, plot.width), row)
+fn place(map: &Map<'_>, layout: &Layout, (x, y): (usize, usize)) -> Position {
+    let plot = layout.plot;
+    let last = usize::from(plot.width.max(1)) - 1;
+    let column = u16::try_from(rounded(x * last, map.counts.0 - 1)).unwrap_or(u16::MAX);
+    let value = upward(map).value(u16::try_from(y).unwrap_or(u16::MAX));
+    let up = layout.y.cell(value).unwrap_or(0);
+    Position::new(plot.x + column, (plot.bottom() - 1).saturating_sub(up))
 }
 
 fn rounded(numerator: usize, denominator: usize) -> usize {
@@ -195,18 +203,23 @@ mod tests {
 
     #[test]
     fn points_and_cells_correspond() {
-        for (cells, count) in [(2, 2), (7, 3), (41, 101), (101, 41), (60, 60), (1, 5)] {
-            let plot = Rect::new(0, 0, cells, cells);
-            for index in 0..count {
-                let at = place(plot, (index, index), (count, count));
-                if usize::from(cells) >= count {
-                    assert_eq!(spread(at.x, cells, count), index);
-                    assert_eq!(spread(cells - 1 - at.y, cells, count), index);
-                }
-            }
-            assert_eq!(spread(0, cells, count), 0);
-            if cells > 1 {
-                assert_eq!(spread(cells - 1, cells, count), count - 1);
+        for (width, height, count) in
+            [(11, 6, 2), (16, 7, 3), (101, 49, 41), (60, 60, 60), (9, 9, 5)]
+        {
+            let axis = Axis::new("x", ViewRange::new(0.8, 7.0));
+            let cell = |x: usize, y: usize| Cell::Value((x * 100 + y) as f64);
+            let levels = Levels::of([0.0, 1.0]);
+            let map = Map::new("map", (axis.clone(), axis), (count, count), levels, cell);
+            let area = Rect::new(0, 0, width + 12, height + 4);
+            let layout = map.render(area, &mut Buffer::empty(area), Theme::PLAIN);
+            for index in (0..count).filter(|_| usize::from(layout.plot.width) >= count) {
+                let at = place(&map, &layout, (index, index));
+                let Cell::Value(found) = shown(&map, &layout, at) else { panic!("{index}") };
+                assert_eq!((found / 100.0).floor(), index as f64);
+                // A point higher or lower only where rows are fewer than points, or not half a row apart.
+                let row = layout.y.value(1) - layout.y.value(0);
+                let apart = 6.2 / (count - 1) as f64;
+                assert!((found % 100.0 - index as f64).abs() * apart <= 0.5 * row + 0.5 * apart);
             }
         }
     }

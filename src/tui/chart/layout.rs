@@ -5,7 +5,10 @@ use ratatui::text::{Line, Span};
 
 use super::canvas::role;
 use crate::report::chart::ticks::{Along, Tick, Ticks};
-use crate::report::chart::{Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale};
+use crate::report::chart::{
+    Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale, ViewRange,
+};
+use crate::report::steps::{Step, decade};
 use crate::tui::theme::{PaneFrame, Theme};
 
 /// Room kept at the left for labels, so that the plot does not jump when "9" becomes "10".
@@ -54,12 +57,13 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let labels = u16::from(inner.height >= LABELS_FROM && !is_stacked);
     let height = inner.height.saturating_sub(top + axis + labels);
 
-    let y = map(&chart.y, height);
-    let along = Along::Rows(half_rows_apart(height));
-    let mut y_ticks = chart.y.ticks(height, along);
-    if is_stacked && (2..LOW).contains(&height) && chart.y.scale == Scale::Linear {
-        y_ticks = ends(chart, y);
-    }
+    let is_low = is_stacked && (2..LOW).contains(&height) && chart.y.scale == Scale::Linear;
+    let lines: Vec<f64> = chart.levels.iter().map(|level| level.at).collect();
+    let rows = if is_low { Some(low(&chart.y, height)) } else { chart.y.on_rows(height, &lines) };
+    let (y, y_ticks) = rows.unwrap_or_else(|| {
+        let along = Along::Rows(half_rows_apart(height));
+        (map(&chart.y, height), chart.y.ticks(height, along))
+    });
 
     let gutter = (y_ticks.width() + 1).max(LEAST_GUTTER).max(chart.gutter);
     let has_left = inner.width >= gutter.saturating_add(1 + LEAST_PLOT_WIDTH);
@@ -102,22 +106,43 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     }
 }
 
-/// Stacked charts with fewer rows have no room for round numbers.
-const LOW: u16 = 6;
+/// Stacked charts with fewer rows keep the greatest value in the top row.
+const LOW: u16 = 5;
+/// How far beyond the middle of the lowest row a value may lie, in rows, and how much longer than its values an axis may be.
+const IN_LOWEST: f64 = 0.45;
+const LONGEST: f64 = 1.2;
+/// Parts of the range of values to which the value of the lowest row is rounded.
+const PARTS: f64 = 20.0;
+/// Most digits of a label after its first.
+const MOST_DIGITS: i32 = 12;
 
-/// Labels at the lowest and the highest row of a low chart, and at zero where that is between them.
-fn ends(chart: &Chart<'_>, rows: Mapping) -> Ticks {
-    let tick = |cell: u16| {
-        let value = rows.value(cell) * chart.y.unit.factor;
-        let value = if value.abs() < 1e-9 * rows.view.span() { 0.0 } else { value };
-        let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-        Tick { cell, value, label: short.to_string() }
+/// The rows of a low chart: the greatest value on top, and zero in the middle of a row, or else a round number in the lowest one.
+fn low(axis: &Axis<'_>, rows: u16) -> (Mapping, Ticks) {
+    let (lo, hi) = (axis.view.lo(), axis.view.hi());
+    let top = rows.saturating_sub(1);
+    let with_zero = |below: u16| {
+        let row = hi / f64::from(top - below);
+        let is_held = (f64::from(below) + IN_LOWEST) * row >= -lo;
+        let is_short = row * f64::from(top) <= LONGEST * (hi - lo);
+        (is_held && is_short).then(|| (-f64::from(below) * row, below))
     };
-    let top = rows.cells.saturating_sub(1);
-    let zero = rows.cell(0.0).filter(|cell| (1..top).contains(cell));
-    let zero = zero.map(|cell| Tick { cell, value: 0.0, label: "0".to_owned() });
-    let labelled = [Some(tick(0)), zero, Some(tick(top))];
-    Ticks { labelled: labelled.into_iter().flatten().collect(), exponent: 0 }
+    let zero = if lo <= 0.0 && hi > 0.0 { (0..top).find_map(with_zero) } else { None };
+    let factor = axis.unit.factor;
+    let step = Step::at_least(axis.view.span() * factor / PARTS);
+    let floor = (lo * factor / step.size() + 1e-9).floor() * step.size();
+    let from = zero.map_or(floor / factor, |(from, _)| from);
+    let map = Mapping::new(axis.scale, ViewRange::new(from, hi), rows);
+    let tick = |cell: u16, value: f64, digits: i32| {
+        let digits = usize::try_from(digits.clamp(0, MOST_DIGITS)).unwrap_or(0);
+        let short: f64 = format!("{value:.digits$e}").parse().unwrap_or(value);
+        // A minus before zero goes.
+        Tick { cell, value, label: (short + 0.0).to_string() }
+    };
+    let (size, span) = (decade(hi.abs() * factor), decade(axis.view.span() * factor));
+    let whole = decade(floor.abs()) - step.exponent;
+    let lower = zero.map_or_else(|| tick(0, floor, whole), |(_, cell)| tick(cell, 0.0, 0));
+    let labelled = vec![lower, tick(top, hi * factor, 2 + size - span)];
+    (map, Ticks { labelled, exponent: 0 })
 }
 
 /// Half rows from one label to the next.

@@ -7,7 +7,7 @@ use ratatui::text::Span;
 use super::canvas::{Canvas, role, trace};
 use super::layout::Layout;
 use crate::report::chart::ticks::label_start;
-use crate::report::chart::{Chart, Curve, Emphasis, Frame, Mark, Scale};
+use crate::report::chart::{Chart, Curve, Emphasis, Frame, Mark};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 
 /// Vertical dotted line: an event.
@@ -138,34 +138,10 @@ impl Painter<'_> {
         for level in &self.chart.levels {
             let Some(cell) = self.layout.y.cell(level.at) else { continue };
             let y = self.row(cell);
-            // A label of the axis in this row may have another value: the level's own takes its place.
-            let labelled = self.layout.y_ticks.labelled.iter().any(|tick| tick.cell == cell);
-            if let (true, Some(axis)) = (labelled, self.layout.axis_left) {
-                let room = usize::from(axis - self.layout.inner.left());
-                let own = self.level_label(level.at, room);
-                let text = self.theme.style(Role::Text);
-                self.buffer.set_string(self.layout.inner.left(), y, format!("{own:>room$}"), text);
-            }
             for x in (plot.left()..plot.right()).step_by(2) {
                 self.put(x, y, LEVEL, style);
             }
         }
-    }
-
-    /// The value of a level as the axis has it, with fewer digits where there is less room; empty where none fit.
-    fn level_label(&self, value: f64, room: usize) -> String {
-        let exponent = self.layout.y_ticks.exponent;
-        let shown = value * self.chart.y.unit.factor / 10f64.powi(exponent);
-        let digits = |count: usize| {
-            let rounded = format!("{shown:.*e}", count - 1);
-            let value: f64 = rounded.parse().unwrap_or(shown);
-            if self.chart.y.scale == Scale::Log10 {
-                format!("{value:e}")
-            } else {
-                value.to_string()
-            }
-        };
-        (1..=4).rev().map(digits).find(|text| text.len() < room).unwrap_or_default()
     }
 
     /// The tags of levels, each as far right as no curve runs through it; without such a place it is omitted.

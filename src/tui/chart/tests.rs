@@ -292,22 +292,17 @@ proptest! {
 proptest! {
     /// As high as a chart of any screen from 60x16 to 200x60 can be.
     #[test]
-    fn a_chart_upward_has_two_labels_and_each_stands_at_its_value(
-        (lo, span) in (-1000.0..1000.0_f64, 1e-4..1e6_f64),
+    fn a_logarithmic_chart_upward_has_two_labels_and_each_stands_at_its_value(
+        lo in -1000.0..1000.0_f64,
+        decades in 0.01..16.0_f64,
         round in any::<bool>(),
-        decades in prop::option::of(0.01..16.0_f64),
         (width, height) in (24_u16..200, 5_u16..58),
     ) {
-        let (scale, view) = match decades {
-            Some(decades) => {
-                let top = 10_f64.powf(lo / 100.0);
-                (Scale::Log10, ViewRange::new(top / 10_f64.powf(decades), top))
-            }
-            None => (Scale::Linear, ViewRange::new(lo, lo + span)),
-        };
-        let view = if round && scale == Scale::Log10 { view.in_decades() } else { view };
+        let top = 10_f64.powf(lo / 100.0);
+        let view = ViewRange::new(top / 10_f64.powf(decades), top);
+        let view = if round { view.in_decades() } else { view };
         let x = Axis::new("", ViewRange::new(0.0, 4.0));
-        let chart = Chart::new("y", x, Axis::new("", view).scale(scale), Vec::new());
+        let chart = Chart::new("y", x, Axis::new("", view).scale(Scale::Log10), Vec::new());
         let layout = layout_of(&chart, Rect::new(0, 0, width, height));
         prop_assert!(layout.y_ticks.labelled.len() >= 2, "{:?}", layout.y_ticks);
         let cells = layout.y_ticks.labelled.windows(2);
@@ -318,6 +313,81 @@ proptest! {
             let off = (row.unwrap() - f64::from(tick.cell)).abs();
             let most = if nearest < 6 { 0.25 } else { 0.5 };
             prop_assert!(off <= most + 1e-3, "{} is {off} rows off: {:?}", tick.label, layout.y_ticks);
+        }
+    }
+}
+
+/// The labels of the left axis of a drawn chart with their rows of the text, from the top.
+fn labels(lines: &[String]) -> Vec<(usize, f64)> {
+    let label = |(row, line): (usize, &String)| {
+        let text = line.strip_prefix('|')?.split_once('+')?.0.trim();
+        Some((row, text.parse().ok()?))
+    };
+    lines.iter().enumerate().filter_map(label).collect()
+}
+
+/// Whether all these values are multiples of one step of 1, 2, 2.5 or 5 times a power of ten that is not below a least one.
+fn are_round(values: &[f64], least: f64) -> bool {
+    let power = 10_f64.powf(least.log10().floor());
+    let mut steps = [1.0, 2.0, 2.5, 5.0, 10.0].map(|mantissa| mantissa * power).into_iter();
+    let is_multiple = |value: f64, step: f64| {
+        let count = value / step;
+        (count - count.round()).abs() < 1e-6
+    };
+    steps.any(|step| {
+        step >= least * (1.0 - 1e-6) && values.iter().all(|value| is_multiple(*value, step))
+    })
+}
+
+proptest! {
+    /// Each label is drawn again as a level line of its value: the line must be in the row of the label.
+    #[test]
+    fn labels_upward_are_round_and_lie_on_their_rows(
+        lo in prop_oneof![Just(0.0), -1000.0..1000.0_f64],
+        span in (-4.0..6.0_f64).prop_map(|power| 10_f64.powf(power)),
+        padded in prop::sample::select(vec![0.0, 0.04, 0.05]),
+        rows in 2_u16..56,
+        frame in prop::sample::select(vec![
+            Frame::Boxed,
+            Frame::Stacked { begins: true, below: Below::End },
+        ]),
+    ) {
+        let view = ViewRange::new(lo, lo + span).padded(Scale::Linear, padded);
+        let x = Axis::new("", ViewRange::new(0.0, 4.0));
+        let mut chart = Chart { frame, ..Chart::new("y", x, Axis::new("", view), Vec::new()) };
+        let others = match (frame, rows) {
+            (Frame::Boxed, 2) => 3,
+            (Frame::Boxed, _) => 4,
+            (Frame::Stacked { .. }, _) => 2,
+        };
+        let (area, is_low) = (Rect::new(0, 0, 60, rows + others), frame != Frame::Boxed && rows <= 4);
+        let layout = layout_of(&chart, area);
+        prop_assert_eq!(layout.plot.height, rows);
+        let lines = chart.to_lines(area.width, area.height, Theme::PLAIN);
+        let found = labels(&lines);
+        let power = 10_f64.powi(layout.y_ticks.exponent);
+        let least = match rows { 16.. => 5, 8.. => 3, _ => 2 };
+        prop_assert!(found.len() >= least, "{} labels in {}", found.len(), lines.join("\n"));
+        let values: Vec<f64> = found.iter().map(|label| label.1 * power).collect();
+        let round = if is_low { &values[1..] } else { &values[..] };
+        let apart = if is_low { view.span() / 20.0 } else { values[0] - values[1] };
+        prop_assert!(are_round(round, apart), "{}", lines.join("\n"));
+        // The whole range is seen, and not much more.
+        let [bottom, top] = [view.lo(), view.hi()].map(|value| layout.y.position(value).unwrap());
+        prop_assert!(bottom >= -0.5 && top <= f64::from(rows) - 0.5, "{bottom} {top}");
+        prop_assert!(rows < 5 || top - bottom > 0.55 * f64::from(rows - 1), "{bottom} {top} {rows}");
+        if is_low {
+            prop_assert!(found[0].0 == 1, "the greatest value on top: {}", lines.join("\n"));
+        }
+        for (row, value) in found {
+            let cell = layout.plot.bottom() - 1 - u16::try_from(row).unwrap();
+            let off = (layout.y.value(cell) - value * power).abs();
+            // The greatest value of a low chart is rounded.
+            let most = if is_low && row == 1 { 0.01 } else { 0.01 / f64::from(rows) };
+            prop_assert!(off <= most * view.span(), "{value} is {off} from its row");
+            chart.curves = vec![Curve::new('*', "", vec![(0.0, value * power), (4.0, value * power)])];
+            let drawn = chart.to_lines(area.width, area.height, Theme::PLAIN);
+            prop_assert!(drawn[row].contains("***"), "{value}: {}", drawn.join("\n"));
         }
     }
 }

@@ -4,7 +4,7 @@
 //! all labels (a power of ten) is factored out. Rows of a terminal are coarse: a value is labelled there only where it lies near the
 //! middle of a row, and where no two round values do, the ends of the axis are.
 
-use super::scale::{Mapping, Scale};
+use super::scale::{Mapping, Scale, ViewRange};
 use crate::report::steps::{Step, decade, power};
 
 /// Blank cells between two labels next to each other: a twelfth of the axis, but at least and at most this many. Room is used for
@@ -18,6 +18,22 @@ const IN_ROW: f64 = 0.25;
 const EVEN_ROWS: u16 = 6;
 /// Most digits of the label at an end of an axis.
 const END_DIGITS: usize = 6;
+/// Labels that an axis upward has at least, from so many rows on.
+const LEAST_LABELS: [(u16, usize); 3] = [(16, 5), (8, 3), (2, 2)];
+/// How far beyond the middle of the first and the last row a value may lie, in rows: it still is in the row.
+const BEYOND: f64 = 0.45;
+/// Longest part of an axis on rows, over the range of its values.
+const MOST_SPREAD: f64 = 2.6;
+/// What a row more or less between two labels than wanted, and a step of 2.5, weigh beside the part of the axis left empty.
+const UNWANTED_ROW: f64 = 0.04;
+const UNUSUAL_STEP: f64 = 0.03;
+/// What a line across weighs that runs through the row of a label of another value, farther from its middle than this.
+const CROSSED_LABEL: f64 = 0.5;
+const BESIDE: f64 = 0.1;
+/// Decades from one label to the next on a logarithmic axis.
+const DECADES: [u8; 9] = [1, 2, 3, 5, 10, 20, 50, 100, 200];
+/// How far from the middle of their rows the labels 2 and 5 of a decade may lie, in rows: half a dot of braille.
+const NEAR: f64 = 0.125;
 /// Ticks looked at for one step; more would never fit.
 const TICKS_LOOKED_AT: usize = 512;
 
@@ -197,33 +213,134 @@ fn label(units: f64, exponent: i32) -> String {
 /// Decade ticks, with 2 and 5 between them where there is room; `None` where fewer than three would be seen: a linear axis
 /// tells more inside a decade.
 fn decades(map: Mapping, along: Along) -> Option<Ticks> {
-    let first = decade(map.view.lo());
-    let last = decade(map.view.hi());
-    let (low, high) = (map.view.lo() * (1.0 - 1e-9), map.view.hi() * (1.0 + 1e-9));
-    let list = |mantissas: &[u8], every: i32| -> Vec<Tick> {
-        let exponents = (first..=last).filter(|exponent| exponent % every == 0);
-        let all = exponents.flat_map(|exponent| mantissas.iter().map(move |it| (*it, exponent)));
-        let all = all.map(|it| (it, f64::from(it.0) * power(it.1)));
-        let seen: Vec<_> = all.filter(|(_, value)| low <= *value && *value <= high).collect();
-        let spelled = seen.iter().any(|((_, exponent), _)| !(-3..=4).contains(exponent));
-        let tick = |((mantissa, exponent), value): ((u8, i32), f64)| {
-            let plain = || label(f64::from(mantissa), exponent);
-            let label = if spelled { format!("{mantissa}e{exponent}") } else { plain() };
-            Some(Tick { cell: map.cell(value)?, value, label })
-        };
-        seen.into_iter().filter_map(tick).collect()
-    };
-    let dense = list(&[1, 2, 5], 1);
+    let dense = in_decades(map, &[1, 2, 5], 1);
     if dense.len() < 3 {
         return None;
     }
     if fits(&dense, along, map) {
         return Some(Ticks { labelled: dense, exponent: 0 });
     }
-    let decades = [1, 2, 3, 5, 10, 20, 50, 100, 200];
-    let mut found = decades.into_iter().map(|every| list(&[1], every));
+    let mut found = DECADES.into_iter().map(|every| in_decades(map, &[1], every));
     let labelled = found.find(|ticks| !ticks.is_empty() && fits(ticks, along, map))?;
     Some(Ticks { labelled, exponent: 0 })
+}
+
+/// These multiples of every so manieth power of ten, as far as they are in view.
+fn in_decades(map: Mapping, mantissas: &[u8], every: u8) -> Vec<Tick> {
+    let first = decade(map.view.lo()) - 1;
+    let last = decade(map.view.hi()) + 1;
+    let (low, high) = (map.view.lo() * (1.0 - 1e-9), map.view.hi() * (1.0 + 1e-9));
+    let exponents = (first..=last).filter(|exponent| exponent % i32::from(every) == 0);
+    let all = exponents.flat_map(|exponent| mantissas.iter().map(move |it| (*it, exponent)));
+    let all = all.map(|it| (it, f64::from(it.0) * power(it.1)));
+    let seen: Vec<_> = all.filter(|(_, value)| low <= *value && *value <= high).collect();
+    let spelled = seen.iter().any(|((_, exponent), _)| !(-3..=4).contains(exponent));
+    let tick = |((mantissa, exponent), value): ((u8, i32), f64)| {
+        let plain = || label(f64::from(mantissa), exponent);
+        let label = if spelled { format!("{mantissa}e{exponent}") } else { plain() };
+        Some(Tick { cell: map.cell(value)?, value, label })
+    };
+    seen.into_iter().filter_map(tick).collect()
+}
+
+/// An axis upward whose labels are round numbers in the middle of their rows: its range, grown so that a round step is a whole
+/// number of rows, and its ticks. Lines across at these values keep clear of labels of other values where they can. `None` for one row,
+/// and for a logarithmic axis over too little for decades.
+pub fn on_rows(
+    scale: Scale,
+    view: ViewRange,
+    rows: u16,
+    lines: &[f64],
+) -> Option<(ViewRange, Ticks)> {
+    let view = view.on(scale);
+    let (low, high) = (scale.place(view.lo()), scale.place(view.hi()));
+    let last = f64::from(rows.checked_sub(1).filter(|last| *last > 0)?);
+    let least = LEAST_LABELS.iter().find(|(from, _)| rows >= *from).map_or(2, |it| it.1);
+    let wanted = f64::from(rows_apart(rows));
+    let lowest = if rows < 8 { 1 } else { 2 };
+    let mut best: Option<(f64, ViewRange, Ticks)> = None;
+    for (step, size) in steps(scale, (high - low) / (last + 2.0 * BEYOND)) {
+        for apart in lowest..rows {
+            let row = size / f64::from(apart);
+            let (first, end) = ((low / row + BEYOND).floor(), (high / row - BEYOND).ceil());
+            let spread = row * last / (high - low);
+            let away = (f64::from(apart) - wanted).abs();
+            let odd = if step.mantissa == 25 { UNUSUAL_STEP } else { 0.0 };
+            let cost = spread + UNWANTED_ROW * away + odd;
+            let is_worse = |cost: f64| best.as_ref().is_some_and(|best| best.0 <= cost);
+            if end - first > last || spread > MOST_SPREAD || is_worse(cost) {
+                continue;
+            }
+            // Rows without values are above, or below where nothing is above zero.
+            let first = if high <= 0.0 && scale == Scale::Linear { end - last } else { first };
+            // Divided last: a row's value comes out as it is written there.
+            let value = |count: f64| scale.back(count * size / f64::from(apart));
+            let shown = ViewRange::new(value(first), value(first + last)).on(scale);
+            let map = Mapping::new(scale, shown, rows);
+            let ticks = match scale {
+                Scale::Linear => shorter(map, step, common_exponent(shown.size())),
+                Scale::Log10 => logarithmic(map, step, apart),
+            };
+            let crosses = |line: f64| {
+                let at = map.position(line).unwrap_or(-1.0);
+                let of_label = |tick: &Tick| {
+                    let off = (at - f64::from(tick.cell)).abs();
+                    BESIDE < off && off <= 0.5
+                };
+                ticks.labelled.iter().any(of_label)
+            };
+            let crossed = lines.iter().filter(|line| crosses(**line)).count();
+            let cost = cost + CROSSED_LABEL * crossed as f64;
+            if ticks.labelled.len() >= least && !is_worse(cost) {
+                best = Some((cost, shown, ticks));
+            }
+        }
+    }
+    best.map(|(_, shown, ticks)| (shown, ticks))
+}
+
+/// Round steps that are at least a row, with their lengths in the space of the scale, as many as one axis may need.
+fn steps(scale: Scale, row: f64) -> Vec<(Step, f64)> {
+    let decades = || {
+        let step = |every: u8| Step { mantissa: every, exponent: 0 };
+        DECADES.map(step).map(|step| (step, f64::from(step.mantissa))).to_vec()
+    };
+    let linear = || {
+        let first = decade(row);
+        let round = |exponent: i32| {
+            let less = exponent - 1;
+            [(1, exponent), (2, exponent), (25, less), (5, exponent)]
+                .map(|(mantissa, exponent)| Step { mantissa, exponent })
+        };
+        let all = (first..first + 4).flat_map(round);
+        all.map(|step| (step, step.size())).collect()
+    };
+    match scale {
+        Scale::Linear => linear(),
+        Scale::Log10 => decades(),
+    }
+}
+
+/// Every so manieth power of ten; of each one 2 and 5, too, where they lie in the middle of rows and have room.
+fn logarithmic(map: Mapping, every: Step, apart: u16) -> Ticks {
+    let off = |mantissa: f64| {
+        let at = mantissa.log10() * f64::from(apart);
+        (at - at.round()).abs()
+    };
+    let has_room = every.mantissa == 1 && apart >= 7;
+    let is_dense = has_room && [2.0, 5.0].into_iter().all(|mantissa| off(mantissa) <= NEAR);
+    let mantissas: &[u8] = if is_dense { &[1, 2, 5] } else { &[1] };
+    Ticks { labelled: in_decades(map, mantissas, every.mantissa), exponent: 0 }
+}
+
+/// Rows wanted from one label to the next.
+fn rows_apart(rows: u16) -> u16 {
+    match rows {
+        0..4 => 1,
+        4..12 => 2,
+        12..24 => 3,
+        24.. => 4,
+    }
 }
 
 /// Whether all labels stand clear of each other, each on a cell of its own. Of rows there are at least two, each at the middle of

@@ -149,7 +149,11 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let cursor = tab.cursor();
     let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
     let layout = canvas.draw_map(&map, area);
-    canvas.plot(&layout, |dt_s, value| Some(Target::Cell(STABILITY, found.nearest(dt_s, value)?)));
+    let (low, high) = (map.y.view.lo(), map.y.view.hi());
+    canvas.plot(&layout, |dt_s, value| {
+        // Rows reach half a point beyond the map, and more where that makes their values round.
+        Some(Target::Cell(STABILITY, found.nearest(dt_s, value.clamp(low, high))?))
+    });
 }
 
 pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
