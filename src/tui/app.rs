@@ -62,6 +62,8 @@ pub enum Typing {
     Field(TextField),
     /// The field of `/`.
     Find(TextField),
+    /// The place of the crosshair.
+    Place(TextField),
 }
 
 /// The whole state.
@@ -120,6 +122,11 @@ impl App {
     /// The open field of `/`.
     pub fn find(&self) -> Option<&TextField> {
         if let Some(Typing::Find(text)) = &self.typing { Some(text) } else { None }
+    }
+
+    /// The open field of a place.
+    pub fn place(&self) -> Option<&TextField> {
+        if let Some(Typing::Place(text)) = &self.typing { Some(text) } else { None }
     }
 
     /// Whether a dialog lies on top.

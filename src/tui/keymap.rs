@@ -173,6 +173,7 @@ pub enum Action {
     Reset,
     Window,
     Play,
+    Locate,
     ResetAll,
 }
 
@@ -409,6 +410,7 @@ pub static LISTED: &[KeyHelp] = &[
     line(&[(A::Reset, "reset", "d Del")], "reset this row"),
     line(&[(A::Window, "window", "c")], "show the contact only, or the whole response"),
     line(&[(A::Play, "play", ".")], "play the impact"),
+    line(&[(A::Locate, "locate", "=")], "type where the cursor goes"),
 ];
 
 #[cfg(test)]

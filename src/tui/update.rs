@@ -89,7 +89,7 @@ fn keys(app: &mut App, key: KeyEvent) {
 
 /// The text that is typed into where no dialog is open, if there is one.
 fn open_text(app: &mut App) -> Option<&mut TextField> {
-    let (Typing::Field(text) | Typing::Find(text)) = app.typing.as_mut()?;
+    let (Typing::Field(text) | Typing::Find(text) | Typing::Place(text)) = app.typing.as_mut()?;
     Some(text)
 }
 
@@ -118,6 +118,9 @@ fn press(app: &mut App, key: KeyEvent) {
     }
     if app.field().is_some() {
         return in_field(app, key);
+    }
+    if app.place().is_some() {
+        return in_place(app, key);
     }
     if let Some(action) = action.filter(|action| pages::spec(app.pane()).knows(*action)) {
         return act::act(app, action);
@@ -212,6 +215,29 @@ fn commit(app: &mut App) {
     } else if let Some(variable) = variable {
         let index = VARIABLES.iter().position(|it| it.key == variable.key).unwrap_or_default();
         edit::show_in_unit_of(app, index, &text, before);
+    }
+}
+
+/// A key while the place of the crosshair is typed; one that is refused stays, with the reason.
+fn in_place(app: &mut App, key: KeyEvent) {
+    match key.code {
+        KeyCode::Esc => app.typing = None,
+        KeyCode::Enter => {
+            let Some(mut field) = app.place().cloned() else { return };
+            app.typing = None;
+            let text = field.value().trim();
+            if !text.is_empty()
+                && let Err(error) = pages::of(app.tab).go_to_place(app, text)
+            {
+                field.error = Some(error);
+                app.typing = Some(Typing::Place(field));
+            }
+        }
+        _ => {
+            if let Some(text) = open_text(app) {
+                text.press(key);
+            }
+        }
     }
 }
 

@@ -69,7 +69,17 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// The keys that are of use now, as many as fit.
 fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some(field) = app.find().filter(|_| app.dialog.is_none()) {
-        return find(app, field, area, canvas);
+        let lead = format!("/ find in {}: ", pages::spec(app.pane()).label);
+        return typed(&lead, "Enter keep  Esc show all", field, area, canvas);
+    }
+    if let Some(field) = app.place().filter(|_| app.dialog.is_none()) {
+        let places = pages::of(app.tab).places(app);
+        let names: Vec<&str> = places.iter().map(|place| &*place.0).collect();
+        let lead = format!("cursor to {}: ", names.join(", "));
+        let units = places.iter().filter(|place| !place.1.is_empty());
+        let units: Vec<String> = units.map(|(name, unit)| format!("{name} in {unit}")).collect();
+        let hint = format!("{}  Enter go  Esc leave", units.join(", "));
+        return typed(&lead, hint.trim_start(), field, area, canvas);
     }
     let (entries, last) = match (&app.dialog, app.field()) {
         (Some(dialog), _) => (keys_of(app, dialog.footer()), ""),
@@ -98,10 +108,9 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_line(area, &Line::from(spans));
 }
 
-fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
-    let lead = format!("/ find in {}: ", pages::spec(app.pane()).label);
-    let start = canvas.put(area, (1, 0), &lead, Role::Key);
-    let hint = "Enter keep  Esc show all";
+/// A field in the footer between what stands before it and the keys that end it.
+fn typed(lead: &str, hint: &str, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
+    let start = canvas.put(area, (1, 0), lead, Role::Key);
     let room = area.width.saturating_sub(start + columns(hint) + 2);
     field.draw(canvas, Rect { x: area.x + start, width: room, ..area });
     let hint_at = area.width.saturating_sub(columns(hint) + 1);

@@ -7,6 +7,7 @@ pub(crate) mod input;
 pub(crate) mod layout;
 mod map;
 mod moves;
+pub(crate) mod place;
 pub(crate) mod steps;
 pub(crate) mod table;
 pub(crate) mod text;

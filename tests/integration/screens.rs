@@ -19,6 +19,7 @@ mod lists;
 mod matters;
 mod models;
 mod panes;
+mod places;
 mod pointer;
 mod search;
 mod stability;

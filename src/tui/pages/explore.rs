@@ -33,6 +33,7 @@ const PANES: &[PaneSpec] = &[
         key(A::View, "quantity", "show the next quantity"),
         key(A::Mark, "pin", "pin the design under the cursor"),
         key(A::Down, "curve", "move to another curve, or down the map"),
+        key(A::Locate, "value", "type the place of the cursor: n 0.5 k 1MN/m (<back> removes it)"),
     ] },
     PaneSpec { pane: SETUP, label: "Explore setup", keys: &[
         key(A::Enter, "type", "type a variable, an end (0.5, 7.5MN/m), a count or a quantity"),
@@ -205,6 +206,22 @@ impl Page for ExploreTab {
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.pages.explore.cursor = Some(cell);
+    }
+
+    fn places(&self, app: &App) -> Vec<(String, String)> {
+        let grid = app.pages.explore.found().filter(|_| app.pane() == RESULTS);
+        let axes = grid.into_iter().flat_map(|grid| grid.plan().axes());
+        let place = |axis: &Axis| (axis.symbol().to_owned(), app.unit_of(axis.symbol()).to_owned());
+        axes.map(place).collect()
+    }
+
+    fn go_to_place(&self, app: &mut App, text: &str) -> Result<(), String> {
+        app.pages.explore.cursor = Some(cursor::place(app, text)?);
+        Ok(())
+    }
+
+    fn remove_cursor(&self, app: &mut App) -> bool {
+        app.pane() == RESULTS && app.pages.explore.cursor.take().is_some()
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

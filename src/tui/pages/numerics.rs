@@ -5,6 +5,7 @@ pub mod stability;
 pub mod state;
 
 use crate::model::library;
+use crate::model::variables;
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
 use crate::tui::pages::page::prelude::*;
@@ -20,6 +21,7 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: STABILITY, label: "Stability", keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
+        key(A::Locate, "value", "type the place of the cursor: dt 1us k 1e6 (<back> removes it)"),
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", keys: &[
         key(A::Down, "scene", "select another scene"),
@@ -118,6 +120,26 @@ impl Page for NumericsTab {
                 table.of(app, &kept.scene, command)
             }
         })
+    }
+
+    fn places(&self, app: &App) -> Vec<(String, String)> {
+        let map = app.pages.numerics.stability.map.found.as_ref();
+        let map = map.filter(|_| app.pane() == STABILITY);
+        let place = |name: &str, unit: &str| (name.to_owned(), unit.to_owned());
+        map.map_or_else(Vec::new, |map| {
+            let symbol = map.axis.symbol();
+            let unit = variables::find(symbol).map_or("", |variable| variable.unit());
+            vec![place("dt", "s"), place(symbol, unit)]
+        })
+    }
+
+    fn go_to_place(&self, app: &mut App, text: &str) -> Result<(), String> {
+        app.pages.numerics.stability.cursor = stability::place(app, text)?;
+        Ok(())
+    }
+
+    fn remove_cursor(&self, app: &mut App) -> bool {
+        app.pane() == STABILITY && app.pages.numerics.stability.cursor.take().is_some()
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

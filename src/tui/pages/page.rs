@@ -191,6 +191,22 @@ pub(crate) trait Page: Sync {
     /// Put the crosshair of a chart of the pane on a value of its axis across.
     fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}
 
+    /// What a place of the crosshair is typed in: the names of its axes, each with the unit of a bare number; none without a
+    /// crosshair.
+    fn places(&self, _app: &App) -> Vec<(String, String)> {
+        Vec::new()
+    }
+
+    /// Put the crosshair on the place that a text says.
+    fn go_to_place(&self, _app: &mut App, _text: &str) -> Result<(), String> {
+        Ok(())
+    }
+
+    /// Remove the crosshair of the pane, or put it back where nobody has moved it; `false` where it is there.
+    fn remove_cursor(&self, _app: &mut App) -> bool {
+        false
+    }
+
     /// Draw its panes into the body of the screen.
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>);
 }

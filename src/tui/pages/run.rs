@@ -11,6 +11,7 @@ mod status;
 use crate::model::variables::Kind;
 use crate::report::series::Channel;
 use crate::report::traces::{MARK, Traces};
+use crate::tui::chart::Unit;
 use crate::tui::pages::page::open_field;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::axis::FIELD_DIGITS;
@@ -44,6 +45,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Right, "cursor", "move the cursor in time (<far-left> <far-right> ten columns)"),
         key(A::Play, "play", "play the impact below the enlarged chart; any key ends it"),
         key(A::View, "view", "show another quantity: F(x), stiffness and stress come last"),
+        key(A::Locate, "time", "type the time of the cursor: 64us (<back> removes it)"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
     ] },
     PaneSpec { pane: RUNS, label: "Runs", keys: &[
@@ -188,6 +190,23 @@ impl Page for RunTab {
     fn go_to_value(&self, app: &mut App, chart: usize, value: f64) {
         app.pages.run.charts.selected = chart;
         app.pages.run.charts.cursor_s = Some(value);
+    }
+
+    fn places(&self, app: &App) -> Vec<(String, String)> {
+        if app.pane() != CHARTS {
+            return Vec::new();
+        }
+        let unit = Unit::with_prefix(app.end_s(app.pages.run.charts.selected), "s");
+        vec![("t".to_owned(), unit.name.into_owned())]
+    }
+
+    fn go_to_place(&self, app: &mut App, text: &str) -> Result<(), String> {
+        app.pages.run.charts.cursor_s = charts::place(app, text)?;
+        Ok(())
+    }
+
+    fn remove_cursor(&self, app: &mut App) -> bool {
+        app.pane() == CHARTS && app.pages.run.charts.cursor_s.take().is_some()
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

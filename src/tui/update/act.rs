@@ -1,13 +1,14 @@
 //! One action: the page that is shown comes first, then what the action means anywhere.
 
-use crate::tui::app::{Settings, edit};
+use crate::tui::app::{Settings, Typing, edit};
 use crate::tui::dialogs;
 use crate::tui::keymap::Call;
 use crate::tui::message::Content;
-use crate::tui::pages::run::{self, CHARTS, VARIABLES, runs};
+use crate::tui::pages::run::{self, VARIABLES, runs};
 use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
 use crate::tui::update;
+use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::steps::{Input, Press};
 use crate::tui::widgets::table::NO_MATCH;
 use crate::tui::widgets::{around, cycled, rows_moved, step_of};
@@ -66,6 +67,7 @@ fn anywhere(app: &mut App, action: Action) {
     }
     match action {
         A::Tab(tab) => go_to(app, tab),
+        A::Locate => locate(app),
         A::FocusNext => focus(app, 1),
         A::FocusPrevious => focus(app, -1),
         A::Find => update::open_find(app),
@@ -83,6 +85,14 @@ fn anywhere(app: &mut App, action: Action) {
             does_nothing(app, &label);
         }
     }
+}
+
+/// Opens the field of the crosshair's place.
+fn locate(app: &mut App) {
+    if pages::of(app.tab).places(app).is_empty() {
+        return app.tell(pages::nothing_yet(app, "point at"));
+    }
+    app.typing = Some(Typing::Place(TextField::default()));
 }
 
 /// Say that a key has no meaning here.
@@ -206,7 +216,7 @@ fn leave(app: &mut App, action: Action) {
 
 /// Esc with nothing to stop: it closes what is open here, and never takes anything away.
 fn back(app: &mut App) {
-    if app.pane() == CHARTS && app.pages.run.charts.cursor_s.take().is_some() {
+    if pages::of(app.tab).remove_cursor(app) {
         return;
     }
     if app.is_full() {

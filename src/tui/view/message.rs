@@ -61,7 +61,8 @@ impl App {
 
     /// Why an open field refuses its text, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
-        let refused = self.field().and_then(|field| field.error.as_ref());
+        let typed = self.field().or_else(|| self.place());
+        let refused = typed.and_then(|field| field.error.as_ref());
         let refused = refused.map(|error| (Severity::Error, self.keymap.shown(error)));
         let notice = self.notice.as_ref().map(|notice| (notice.severity, notice.text.clone()));
         refused.or(notice)

@@ -1,10 +1,12 @@
 //! The point under the cursor of the Explore tab, as a design and in words.
 
+use crate::model::units::{self, Bare, Dimension};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::tui::pages::explore::state::{Picture, nearest, placed};
 use crate::tui::pages::page::prelude::*;
+use crate::tui::widgets::place::{self, on_axis};
 use crate::tui::widgets::text::fitting;
 use crate::worker::studies::PictureSweep;
 
@@ -78,6 +80,31 @@ impl App {
 /// The words where there is no sweep to act on yet.
 pub(crate) fn no_sweep(app: &App) -> String {
     nothing::<PictureSweep>(app, BEING_COMPUTED, None)
+}
+
+/// The grid point nearest to the place that a text says; along an axis that it does not name it stays.
+pub(super) fn place(app: &App, text: &str) -> Result<(usize, usize), String> {
+    let Some(grid) = app.pages.explore.found() else { return Err(no_sweep(app)) };
+    let axes = grid.plan().axes();
+    let names: Vec<&str> = axes.iter().map(Axis::symbol).collect();
+    let read = |at: usize, text: &str| {
+        let number = axes[at].variable().number();
+        let quantity = number.map_or(Dimension::Number, |number| number.quantity);
+        let value = units::parse(text, quantity, Bare::In(app.unit_of(names[at])))?;
+        let values = (0..axes[at].count()).map(|index| axes[at].value(index));
+        let ends = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(value), high.max(value))
+        });
+        on_axis(names[at], value, ends, |value| axes[at].show(value, 5))
+    };
+    let values = place::values(text, &names, read)?;
+    let (mut x, mut y) = app.cursor_point(grid);
+    for (at, value) in values.into_iter().enumerate() {
+        if let Some(near) = value.and_then(|value| nearest(&axes[at], value)) {
+            *(if at == 0 { &mut x } else { &mut y }) = near;
+        }
+    }
+    Ok((x, y))
 }
 
 /// An output at a point: its value, or why there is none.

@@ -1,5 +1,7 @@
 //! The Stability page: the map and the stiff scenes, what is selected in them, in words and drawn.
 
+use crate::model::units::{self, Bare, Dimension, engineering};
+use crate::model::variables;
 use crate::report;
 use crate::report::chart::spaced;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
@@ -8,6 +10,7 @@ use crate::study::stability::map::{self, Wanted};
 use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::cursor_moved;
+use crate::tui::widgets::place::{self, on_axis};
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::counted;
 use crate::worker::studies::{StabilityMap, StiffScenes};
@@ -127,6 +130,27 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         },
     }
     true
+}
+
+/// The cell nearest to the place that a text says; along an axis that it does not name it stays.
+pub(super) fn place(app: &App, text: &str) -> Result<Option<(usize, usize)>, String> {
+    let tab = &app.pages.numerics.stability;
+    let Some((map, (column, row))) = tab.map.found.as_ref().zip(tab.cursor()) else {
+        return Ok(None);
+    };
+    let symbol = map.axis.symbol();
+    let number = variables::find(symbol).ok().and_then(|variable| variable.number());
+    let quantity = number.map_or(Dimension::Number, |number| number.quantity);
+    let axes = [("dt", Dimension::Time, &map.dt_s), (symbol, quantity, &map.values)];
+    let read = |at: usize, text: &str| {
+        let (name, quantity, values) = &axes[at];
+        let value = units::parse(text, *quantity, Bare::Stored)?;
+        let ends = values.first().zip(values.last()).map_or((0.0, 0.0), |it| (*it.0, *it.1));
+        on_axis(name, value, ends, |value| engineering(value, quantity.unit(), 3))
+    };
+    let values = place::values(text, &["dt", symbol], read)?;
+    let at = |axis: usize, kept: f64| values[axis].unwrap_or(kept);
+    Ok(map.nearest(at(0, map.dt_s[column]), at(1, map.values[row])))
 }
 
 /// The request of the map that is selected.

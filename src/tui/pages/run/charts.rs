@@ -4,14 +4,17 @@ pub(crate) mod draw;
 mod titles;
 
 use crate::model::run::{Run, Sample};
+use crate::model::units::{self, Bare, Dimension, engineering};
 use crate::numerics::{larger, smaller};
 use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
 use crate::tui::app::pins::RunView;
+use crate::tui::chart::Unit;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::state::Window;
 use crate::tui::widgets::along;
+use crate::tui::widgets::place::{self, on_axis};
 
 /// The points of one run, SI.
 #[derive(Clone, Debug)]
@@ -121,6 +124,17 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         },
     }
     true
+}
+
+/// The time that a text says, s, on the axis of the selected chart.
+pub(crate) fn place(app: &App, text: &str) -> Result<Option<f64>, String> {
+    let end_s = app.end_s(app.pages.run.charts.selected);
+    let unit = Unit::with_prefix(end_s, "s").name;
+    let read = |_: usize, text: &str| {
+        let t_s = units::parse(text, Dimension::Time, Bare::In(&unit))?;
+        on_axis("t", t_s, (0.0, end_s), |t_s| engineering(t_s, "s", 4))
+    };
+    Ok(place::values(text, &["t"], read)?[0])
 }
 
 /// The selected chart shows the other part of the time.
