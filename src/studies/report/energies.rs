@@ -4,7 +4,8 @@
 //! been dissipated. Each part of it is booked where forces do work between two rows.
 
 use crate::model::mechanism::{Spring, moving_plate_kg};
-use crate::model::run::{Mode, Run, Sample};
+use crate::model::plug::Plug;
+use crate::model::run::{EventKind, Mode, Run, Sample};
 use crate::model::scene::{ContactModel, Scene, SpringKind};
 use crate::numerics::larger;
 
@@ -16,6 +17,8 @@ const AT_STOP: f64 = 1e-6;
 pub struct Energies {
     /// Kinetic energy of the projectile.
     pub projectile_j: f64,
+    /// Kinetic energy of the plug that it has sheared out of the plate.
+    pub plug_j: f64,
     /// Work of penetration.
     pub target_j: f64,
     /// Kinetic energy of the plate and of all that moves with it.
@@ -34,9 +37,9 @@ impl Energies {
     /// Energies at a time, linear between the rows of the series; those of the last row after its end. `None` without a series.
     pub fn at(run: &Run, t_s: f64) -> Option<Self> {
         let first = run.series.first()?;
-        let books = Books::of(&run.scene);
+        let books = Books::of(run);
         let mut crushed = Crushed::default();
-        let mut now = books.kept(first, &mut crushed);
+        let mut now = books.kept(first, false, &mut crushed);
         // A collision that takes no time has already happened at the first row.
         now.target_j = run.ledger.initial_j() - now.sum_j();
         for pair in run.series.windows(2) {
@@ -54,7 +57,7 @@ impl Energies {
     }
 
     /// Energies with their names, in the order of a bar.
-    pub fn parts(&self) -> [(&'static str, f64); 7] {
+    pub fn parts(&self) -> [(&'static str, f64); 8] {
         [
             ("projectile", self.projectile_j),
             ("target", self.target_j),
@@ -63,6 +66,7 @@ impl Energies {
             ("damper", self.damper_j),
             ("interface", self.interface_j),
             ("stop", self.stop_j),
+            ("plug", self.plug_j),
         ]
     }
 
@@ -75,6 +79,7 @@ impl Energies {
         let mix = |a: f64, b: f64| a + part * (b - a);
         Self {
             projectile_j: mix(self.projectile_j, next.projectile_j),
+            plug_j: mix(self.plug_j, next.plug_j),
             target_j: mix(self.target_j, next.target_j),
             plate_j: mix(self.plate_j, next.plate_j),
             spring_j: mix(self.spring_j, next.spring_j),
@@ -89,6 +94,8 @@ impl Energies {
 struct Books<'a> {
     scene: &'a Scene,
     plate_kg: f64,
+    /// The plug with the time from which it moves with the projectile, kg and s.
+    plug: Option<(f64, f64)>,
     spring: Spring,
     has_friction: bool,
 }
@@ -102,20 +109,26 @@ struct Crushed {
 }
 
 impl<'a> Books<'a> {
-    fn of(scene: &'a Scene) -> Self {
+    fn of(run: &'a Run) -> Self {
+        let scene = &*run.scene;
         let spring =
             if scene.is_sprung() { Spring::of(&scene.mechanism, 0.0) } else { Spring::NONE };
         let plate_kg = if scene.is_sprung() { moving_plate_kg(scene) } else { 0.0 };
         let has_friction = scene.contact.model == ContactModel::Hydrodynamic;
-        Self { scene, plate_kg, spring, has_friction }
+        let picked_up = run.events.iter().find(|event| event.kind == EventKind::Plug);
+        let plug = Plug::of(scene).zip(picked_up).map(|(plug, event)| (plug.mass_kg, event.t_s));
+        Self { scene, plate_kg, plug, spring, has_friction }
     }
 
-    /// Kinetic and spring energies of a row.
-    fn kept(&self, row: &Sample, crushed: &mut Crushed) -> Energies {
+    /// Kinetic and spring energies of a row; once the plug is picked up it moves with the projectile, no longer with the plate.
+    fn kept(&self, row: &Sample, is_picked_up: bool, crushed: &mut Crushed) -> Energies {
         let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
+        let plug_kg = self.plug.filter(|_| is_picked_up).map_or(0.0, |plug| plug.0);
+        let plate_kg = if self.plate_kg > 0.0 { self.plate_kg - plug_kg } else { 0.0 };
         Energies {
             projectile_j: kinetic(self.scene.projectile.mass_kg, row.projectile_velocity_m_s),
-            plate_j: kinetic(self.plate_kg, row.plate_velocity_m_s),
+            plug_j: kinetic(plug_kg, row.projectile_velocity_m_s),
+            plate_j: kinetic(plate_kg, row.plate_velocity_m_s),
             spring_j: self.spring_j(row.plate_displacement_m, crushed),
             ..Energies::default()
         }
@@ -148,9 +161,12 @@ impl<'a> Books<'a> {
         (from, to): (&Sample, &Sample),
         crushed: &mut Crushed,
     ) -> Energies {
-        let kept = self.kept(to, crushed);
+        // Of the two rows at that time the first is the one before.
+        let is_after = |(_, t_s): (f64, f64)| to.t_s > t_s || (to.t_s >= t_s && from.t_s >= t_s);
+        let kept = self.kept(to, self.plug.is_some_and(is_after), crushed);
         let mut next = Energies {
             projectile_j: kept.projectile_j,
+            plug_j: kept.plug_j,
             plate_j: kept.plate_j,
             spring_j: kept.spring_j,
             ..*now
@@ -221,6 +237,8 @@ mod tests {
             "d=0.5 k=7.5e6 gamma=0.8",
             "theta=30deg",
             "h=6.35mm v_i=300",
+            "nose=blunt closure=cylindrical Y=276MPa UTS=310MPa E=68.3GPa h=6.35mm v_i=300",
+            "nose=blunt closure=cylindrical Y=276MPa UTS=310MPa E=68.3GPa mount=rigid v_i=400",
             "x_stop=5mm e=0.5",
             "x_stop=5mm stop_kind=elastic k_stop=1e7 b_stop=100",
             "b=200 m=1",
@@ -246,9 +264,10 @@ mod tests {
             }
             let last = Energies::at(&run, end_s).unwrap();
             let ledger = &run.ledger;
+            let contact_j = ledger.penetration_j + ledger.pick_up_j + ledger.shear_j;
             for (name, value_j, expected_j) in [
-                ("projectile", last.projectile_j, ledger.projectile_j),
-                ("contact", last.target_j + last.interface_j, ledger.penetration_j),
+                ("projectile", last.projectile_j + last.plug_j, ledger.projectile_j),
+                ("contact", last.target_j + last.interface_j, contact_j),
                 ("plate", last.plate_j, ledger.plate_j + ledger.inertia_j),
                 ("spring", last.spring_j, ledger.spring_j + ledger.crush_j),
                 ("damper", last.damper_j, ledger.damper_j),

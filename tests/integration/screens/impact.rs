@@ -14,6 +14,9 @@ use cmra::tui::theme::GlyphSet;
 use cmra::tui::update::start;
 use insta::assert_snapshot;
 
+/// A cylinder on a plate of the library's 6061-T6.
+const PLUG: &str = "nose=blunt closure=cylindrical Y=276MPa UTS=310MPa E=68.3GPa h=6.35mm v_i=300";
+
 /// Scenes with the keys that lead to a telling moment.
 const SCENES: [(&str, &str, &str); 12] = [
     ("baseline", "", ""),
@@ -22,7 +25,7 @@ const SCENES: [(&str, &str, &str); 12] = [
     ("cocked", "d=0.5", ""),
     ("oblique", "theta=30deg", ""),
     ("perforated", "h=6.35mm v_i=300", "LL"),
-    ("plug", "h=6.35mm v_i=300", "LLLLL"),
+    ("plug", PLUG, "LLLL"),
     ("stop", "x_stop=5mm e=0.5", "LL"),
     ("gap in flight", "interface=plastic g=0.01 k=1e7 gamma=2", "cLLLLL"),
     ("stack", "elements=3 h_base=10mm h=3mm v_i=250", ""),

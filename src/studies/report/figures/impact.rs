@@ -6,6 +6,7 @@
 use std::f64::consts::PI;
 
 use crate::model::mechanism::Mechanism;
+use crate::model::plug::Plug;
 use crate::model::run::{EventKind, Mode, Run, Sample};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::stack;
@@ -129,9 +130,12 @@ pub type Picture = Vec<Shape>;
 pub fn projectile_length_m(run: &Run) -> f64 {
     let shot = &run.scene.projectile;
     let radius_m = shot.tip_radius_m;
+    let (all_m3, section_m2) = (shot.mass_kg / shot.density_kg_m3, PI * radius_m * radius_m);
+    if shot.nose.shears() {
+        return all_m3 / section_m2;
+    }
     let nose_m3 = 2.0 / 3.0 * PI * radius_m.powi(3);
-    let body_m3 = shot.mass_kg / shot.density_kg_m3 - nose_m3;
-    radius_m + larger(body_m3, 0.0) / (PI * radius_m * radius_m)
+    radius_m + larger(all_m3 - nose_m3, 0.0) / section_m2
 }
 
 /// The greatest of 1, 2, 5, 10, 20, ... and their inverses up to a number.
@@ -312,9 +316,11 @@ impl<'a> Stage<'a> {
         let scene = &*self.run.scene;
         let radius_m = scene.projectile.tip_radius_m;
         let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
+        let is_flat = scene.projectile.nose.shears();
         let arc = (0..=2 * ARC).map(|step| {
             let angle = PI * (f64::from(step) / f64::from(2 * ARC) - 0.5);
-            (radius_m * (angle.cos() - 1.0), radius_m * angle.sin())
+            let behind_m = if is_flat { 0.0 } else { radius_m * (1.0 - angle.cos()) };
+            (-behind_m, radius_m * angle.sin())
         });
         let length_m = larger(length_m, radius_m);
         let is_cut = self.lengths_m.0 < self.lengths_m.1;
@@ -344,9 +350,10 @@ impl<'a> Stage<'a> {
             return;
         }
         let scene = &*self.run.scene;
-        let radius_m = scene.projectile.tip_radius_m;
+        let Some(plug) = Plug::of(scene) else { return };
+        let radius_m = 0.5 * plug.diameter_m;
         let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
-        let ends = [tip_m, tip_m + self.thick_m()];
+        let ends = [tip_m, tip_m + self.thickened * plug.thickness_m];
         let corners = [(ends[0], -1.0), (ends[1], -1.0), (ends[1], 1.0), (ends[0], 1.0)];
         let place = |(u, side): (f64, f64)| {
             let v = side * radius_m;
