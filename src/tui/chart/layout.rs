@@ -141,7 +141,7 @@ fn low(axis: &Axis<'_>, rows: u16) -> (Mapping, Ticks) {
     let (size, span) = (decade(hi.abs() * factor), decade(axis.view.span() * factor));
     let whole = decade(floor.abs()) - step.exponent;
     let lower = zero.map_or_else(|| tick(0, floor, whole), |(_, cell)| tick(cell, 0.0, 0));
-    let labelled = vec![lower, tick(top, hi * factor, 2 + size - span)];
+    let labelled = vec![lower, tick(top, hi * factor, 2.max(2 + size - span))];
     (map, Ticks { labelled, exponent: 0 })
 }
 

@@ -74,6 +74,4 @@ fn the_cell_of_the_map_of_stability_is_typed() {
     let (map, at) = tab.map.found.as_ref().zip(tab.cursor).expect("a cursor on a map");
     assert!((map.dt_s[at.0] / 1e-8).ln().abs() < 0.2, "{}", map.dt_s[at.0]);
     assert!((map.values[at.1] / 1e9).ln().abs() < 0.7, "{}", map.values[at.1]);
-    bench.press("<Esc>");
-    assert_eq!(bench.app.pages.numerics.stability.cursor, None);
 }

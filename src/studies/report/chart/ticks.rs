@@ -225,7 +225,7 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     Some(Ticks { labelled, exponent: 0 })
 }
 
-/// These multiples of every so manieth power of ten, as far as they are in view.
+/// These multiples of each power of ten whose exponent is a multiple of a number, as far as they are in view.
 fn in_decades(map: Mapping, mantissas: &[u8], every: u8) -> Vec<Tick> {
     let first = decade(map.view.lo()) - 1;
     let last = decade(map.view.hi()) + 1;
@@ -321,7 +321,7 @@ fn steps(scale: Scale, row: f64) -> Vec<(Step, f64)> {
     }
 }
 
-/// Every so manieth power of ten; of each one 2 and 5, too, where they lie in the middle of rows and have room.
+/// Powers of ten a step apart; 2 and 5 times each, too, where they lie in the middle of rows and have room.
 fn logarithmic(map: Mapping, every: Step, apart: u16) -> Ticks {
     let off = |mantissa: f64| {
         let at = mantissa.log10() * f64::from(apart);

@@ -544,4 +544,28 @@ mod tests {
             }
         }
     }
+
+    /// The plug is what is left of the plate before the nose: at most 1.35 diameters, here all of it, 6.35 mm; it goes ahead of a flat nose.
+    #[test]
+    fn valid_a_plug_stands_before_a_flat_nose_and_is_as_thick_as_its_law_has_it() {
+        let alloy = "nose=blunt closure=cylindrical rho=2700 Y=276MPa UTS=310MPa E=68.3GPa";
+        for (size, thick_m) in [("h=6.35mm v_i=300", 6.35e-3), ("h=25.4mm v_i=600", 17.145e-3)] {
+            let run = run_of(&format!("mount=rigid {alloy} {size}"));
+            let event = run.events.iter().find(|event| event.kind == EventKind::Plug).unwrap();
+            let end_s = run.series.last().unwrap().t_s;
+            let state = state_at(&run, 0.5 * (event.t_s + end_s)).unwrap();
+            let stage = stage(&run, end_s);
+            let picture = stage.picture(&state);
+            let shot = corners(&picture, Part::Projectile);
+            let (plug, tip_m) = (ends(&corners(&picture, Part::Plug)), ends(&shot).1);
+            assert!(is_near(plug.0, tip_m), "{size}: {plug:?} {tip_m}");
+            let drawn_m = stage.thickened * thick_m;
+            assert!(is_near(plug.1 - plug.0, drawn_m), "{size}: {plug:?}");
+            // A flat nose: a whole side of it stands at the tip.
+            let flat = shot.iter().filter(|place| is_near(place.0, tip_m)).map(|place| place.1);
+            let (low, high) =
+                flat.fold((0.0, 0.0), |(low, high), y| (smaller(low, y), larger(high, y)));
+            assert!(is_near(high - low, 12.7e-3), "{size}: {low} {high}");
+        }
+    }
 }
