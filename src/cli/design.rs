@@ -61,14 +61,25 @@ fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let [back, forward] = design::elastic(m, v, m_2, 0.0);
     let left = 0.5 * (m + m_2) * common * common;
     let drawn = Mechanism::of(scene).spring.energy(0.0 - scene.plate.cocking_m);
-    let spring = (left + drawn) / Wire::default().specific_energy_j_kg();
+    let both = left + drawn;
+    let known = scene.mechanism.least_spring_kg(Some(both)).filter(|_| scene.is_sprung());
     let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
     let stone = design::stone_depth_m(m, v, r, rho, c_t.unwrap_or(1.0));
     let rod_m = design::rod_length_m(&scene.projectile);
     let critical_deg = design::critical_obliquity_deg(scene);
     let tate = "Tate, eq. 2.3; rho_p and Y_p are assumptions";
     let integral = "the integral of its force; k d^(n+1)/(n+1) of a power law";
-    let coil = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
+    let spring = match known {
+        Some(known_kg) => {
+            let source = "over e_spring, or what its wire takes up; stopped by the spring alone";
+            ("least mass of the spring for both", known_kg, "kg", source)
+        }
+        None => {
+            let least_kg = both / Wire::default().specific_energy_j_kg();
+            let source = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
+            ("least mass of a steel coil for both", least_kg, "kg", source)
+        }
+    };
     vec![
         ("critical obliquity", critical_deg, "deg", tate),
         ("  length of the rod", rod_m, "m", "m_p/(rho_p pi R^2)"),
@@ -78,7 +89,7 @@ fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
         ("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
         ("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
         ("energy stored by cocking", drawn, "J", integral),
-        ("least mass of a steel coil for both", spring, "kg", coil),
+        spring,
         match c_t {
             Some(_) => ("Stone's depth P", stone, "m", "eq. 2.4"),
             None => ("Stone's depth times c_t", stone, "m3/s2", "eq. 2.4; give --c-t"),
