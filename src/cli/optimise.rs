@@ -31,9 +31,13 @@ const LISTED: usize = 16;
     same digits.\n\
     Exit status 1 when no design satisfies every constraint.")]
 pub(super) struct OptimiseArguments {
-    /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2; for another projectile than that of the thesis, \
-    /// gamma of plates 3 to 12 diameters wide]
-    #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
+    /// A variable and its bounds; may be repeated.
+    #[arg(
+        long,
+        value_name = "NAME=LO..HI[:log]",
+        allow_hyphen_values = true,
+        help = "A variable and its bounds; may be repeated [default: the ranges of Table 9.2; for another projectile than that of the thesis, gamma of plates 3 to 12 diameters wide]"
+    )]
     over: Vec<String>,
     /// Quantities to minimise, separated by commas
     #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "minimize")]
