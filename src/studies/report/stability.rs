@@ -118,7 +118,7 @@ pub fn picture(found: &Map) -> map::Map<'static> {
 
 /// The title of a map: of which scheme it speaks.
 pub fn title(found: &Map) -> String {
-    format!("{}, not auto; up: {}", found.method.name(), found.axis.symbol())
+    format!("{}, not auto", found.method.name())
 }
 
 /// How a cell's shade stands out.

@@ -169,7 +169,8 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let inner = pane.draw(area, canvas);
         return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", None));
     };
-    let title = title(found) + old;
+    // Its vertical axis has no label of its own here.
+    let title = format!("{}; up: {}{old}", title(found), found.axis.symbol());
     let cursor = tab.cursor();
     let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
     let layout = canvas.draw_map(&map, area);
