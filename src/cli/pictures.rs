@@ -36,7 +36,7 @@ impl PictureArguments {
             ));
         }
         if let Some(path) = self.svg.as_ref().filter(|_| !self.is_stdout()) {
-            export::check(path, table.existing())?;
+            export::check(path, "svg", table.existing())?;
         }
         if let (Some(path), Some(to)) = (&self.svg, table.file())
             && to.has(path)

@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
             let text = format!("-o {path}: a report is .html, for example -o {example}");
             return Err(CliError::Option(text));
         }
-        export::check(path, existing)?;
+        export::check(path, "html", existing)?;
     }
     let preset = arguments.scene.load()?;
     let scene = Arc::new(preset.scene);

@@ -48,10 +48,38 @@ pub struct Beside<'a> {
     pub command: String,
 }
 
-/// Whether a file of the command line can be written: no input, its name free or to be replaced.
-pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
+/// Ends of names that promise a format, which another one under such a name would not keep.
+const FORMATS: [&str; 21] = [
+    "csv", "docx", "gif", "gz", "htm", "html", "jpeg", "jpg", "json", "md", "ods", "parquet",
+    "pdf", "png", "svg", "toml", "tsv", "xls", "xlsm", "xlsx", "zip",
+];
+
+/// Whether a file of the command line can be written in a format, `csv` for example: no input, its name free or to be replaced, and its
+/// end that of no other format.
+pub fn check(path: &Path, format: &str, existing: Existing) -> Result<(), FileError> {
     inputs::reserve(path)?;
+    check_end(path, format)?;
     atomic::check(path, existing)
+}
+
+/// Refuses a name that ends like another format than the one that is written.
+fn check_end(path: &Path, format: &str) -> Result<(), FileError> {
+    let Some(end) = path.extension().and_then(OsStr::to_str).map(str::to_lowercase) else {
+        return Ok(());
+    };
+    if end == format || !FORMATS.contains(&&*end) {
+        return Ok(());
+    }
+    let example = path.with_extension(format);
+    let name = example.file_name().unwrap_or_default().to_string_lossy();
+    let a_file = match format {
+        "csv" => "a CSV file, which spreadsheets open",
+        "svg" => "an SVG file",
+        _ => "an HTML file",
+    };
+    let problem =
+        format!("it ends like another format; name {a_file}, for example {}", clean::line(&name));
+    Err(FileError::target(path, &problem))
 }
 
 impl Destination {
@@ -63,7 +91,7 @@ impl Destination {
             inputs::reserve(&beside)?;
             check_sidecar(&self.path, &beside)?;
         }
-        check(&self.path, self.existing)?;
+        check(&self.path, "csv", self.existing)?;
         if has_beside && self.existing == Existing::Keep && fs::symlink_metadata(&beside).is_ok() {
             return Err(FileError::Exists(beside));
         }
@@ -86,6 +114,7 @@ impl Destination {
         is_complete: bool,
     ) -> Result<Vec<PathBuf>, FileError> {
         inputs::refuse(&self.path)?;
+        check_end(&self.path, "csv")?;
         if !scenes.is_empty() && self.has_beside() {
             check_sidecar(&self.path, &sidecar_path(&self.path, None))?;
         }
@@ -226,10 +255,6 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
 
 /// A sidecar may replace an older sidecar, never a scene that someone wrote or edited.
 fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
-    if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
-        let problem = "it ends like a scene file; name a CSV file, for example run.csv";
-        return Err(FileError::target(csv, problem));
-    }
     match fs::metadata(sidecar) {
         // A link to nothing is in the way, too.
         Err(_) if fs::symlink_metadata(sidecar).is_err() => return Ok(()),
