@@ -25,7 +25,7 @@ use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, OwnMass, Scene};
 use crate::model::variables::{self, VariableError};
-use crate::study::context::Context;
+use crate::study::context::{Context, Progress};
 use crate::study::limit::Limit;
 use crate::study::sweep::Axis;
 use crate::study::verdict::{Decision, Verdict as ShotVerdict};
@@ -249,17 +249,26 @@ pub fn compare(
         entries: Vec::new(),
     };
     context.expect(Candidate::ALL.len());
-    for candidate in Candidate::ALL {
-        let areal = report.entries.first().map(|entry: &Entry| entry.areal_kg_m2);
-        let Some(made) = make(scene, candidate, areal.flatten()) else { continue };
-        let hardware = if candidate == Candidate::Scene { hardware } else { Hardware::default() };
-        variables::validate(&made)?;
-        let entry = context.uncounted(|context| {
-            Judge { scene: Arc::new(made), hardware, context }.entry(candidate)
-        });
-        let Some(entry) = entry else { return Ok(report) };
-        report.entries.push(entry);
-        context.count(1);
+    // The areal mass of the scene is that of the solid plate.
+    let [own, others @ ..] = Candidate::ALL;
+    for (candidates, hardware) in [(&[own][..], hardware), (&others[..], Hardware::default())] {
+        let areal = report.entries.first().and_then(|entry: &Entry| entry.areal_kg_m2);
+        let made =
+            candidates.iter().filter_map(|it| Some((*it, Arc::new(make(scene, *it, areal)?))));
+        let made: Vec<(Candidate, Arc<Scene>)> = made.collect();
+        made.iter().try_for_each(|(_, made)| variables::validate(made))?;
+        let stop = context.stop();
+        let judge = |(candidate, made): &(Candidate, Arc<Scene>)| {
+            let watch = &mut |_: Progress, _: Option<&()>| stop.flow();
+            let context = &mut Context::new(1, watch);
+            Judge { scene: Arc::clone(made), hardware, context }.entry(*candidate)
+        };
+        let entries = context.map_items(&made, judge, |context, _| context.goes_on());
+        let is_whole = entries.len() == made.len();
+        report.entries.extend(entries);
+        if !is_whole {
+            break;
+        }
     }
     Ok(report)
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::run::envelope::{self, Check};
-use crate::model::run::{EndReason, Outcome, Run, Warning};
+use crate::model::run::{EndReason, Observer, Outcome, Run, Warning};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
@@ -47,16 +47,7 @@ impl ShotRunner<'_, '_, '_> {
         if !self.goes_on() {
             return None;
         }
-        let shot = |outcome, residual_m_s| Shot { impact_m_s, outcome, residual_m_s };
-        let aimed = aimed(self.scene, impact_m_s);
-        if aimed.closing_velocity_m_s() <= 0.0 {
-            return Some((shot(Outcome::Separated, None), ShotOutcome::Stopped));
-        }
-        // The scene has been found valid, and so is any velocity that reaches the plate.
-        let found = match decide(&aimed, &mut self.context.observer()) {
-            Some((run, verdict)) => (shot(run.shot_outcome(), run.shot_residual_m_s()), verdict),
-            None => (shot(Outcome::Moving, None), ShotOutcome::Undecided),
-        };
+        let found = shot(self.scene, impact_m_s, &mut self.context.observer());
         (!self.context.is_stopped()).then_some(found)
     }
 
@@ -240,7 +231,26 @@ impl ShotRunner<'_, '_, '_> {
             }
             Limit::Unknown => Vec::new(),
         };
-        velocities.into_iter().map_while(|velocity| Some(self.shoot(velocity)?.0)).collect()
+        let (scene, stop) = (self.scene, self.context.stop());
+        let shoot = |velocity_m_s: &f64| {
+            let (found, _) = shot(scene, *velocity_m_s, &mut |_| stop.flow());
+            (!stop.is_set()).then_some(found)
+        };
+        self.context.map_items(&velocities, shoot, |context, _| context.goes_on())
+    }
+}
+
+/// A shot at a scene at another velocity, followed until it is decided or stopped.
+fn shot(scene: &Scene, impact_m_s: f64, observer: Observer<'_>) -> (Shot, ShotOutcome) {
+    let shot = |outcome, residual_m_s| Shot { impact_m_s, outcome, residual_m_s };
+    let aimed = aimed(scene, impact_m_s);
+    if aimed.closing_velocity_m_s() <= 0.0 {
+        return (shot(Outcome::Separated, None), ShotOutcome::Stopped);
+    }
+    // The scene has been found valid, and so is any velocity that reaches the plate.
+    match decide(&aimed, observer) {
+        Some((run, verdict)) => (shot(run.shot_outcome(), run.shot_residual_m_s()), verdict),
+        None => (shot(Outcome::Moving, None), ShotOutcome::Undecided),
     }
 }
 

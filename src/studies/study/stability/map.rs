@@ -198,17 +198,20 @@ pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map
         present: (axis.get())(scene),
     };
     context.expect(rows);
-    for row in 0..rows {
-        if !context.show(&map) {
-            break;
-        }
-        context.count(1);
+    let (steps, stop) = (map.dt_s.clone(), context.stop());
+    let row = |value: &f64| {
         let mut own = scene.clone();
-        (axis.set())(&mut own, map.values[row]);
+        (axis.set())(&mut own, *value);
         let target = Target::of(&own);
-        let cells = map.cells.iter_mut().skip(row * columns).zip(&map.dt_s);
-        cells.for_each(|(seen, dt_s)| *seen = cell(&own, method, *dt_s, target.as_ref()));
-    }
+        let cell =
+            |dt_s: &f64| (!stop.is_set()).then(|| cell(&own, method, *dt_s, target.as_ref()));
+        steps.iter().map(cell).collect::<Option<Vec<Cell>>>()
+    };
+    context.map_items(&map.values.clone(), row, |context, found| {
+        let seen = found.iter().flatten();
+        map.cells.iter_mut().zip(seen).for_each(|(cell, seen)| *cell = *seen);
+        context.show(&map)
+    });
     map
 }
 
