@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
 
 use crate::tui::app::notice::StatusPart;
+use crate::tui::keymap::PaneKey;
 use crate::tui::pages::run::VARIABLES;
 use crate::tui::pages::{self, PageSpec};
 use crate::tui::prelude::*;
@@ -144,7 +145,9 @@ const LAST: &str = "<help> keys  <quit> quit";
 
 /// The keys of the pane, the most useful first, then those of every pane.
 fn from_table(app: &App) -> Vec<(String, String)> {
-    let own = pages::spec(app.pane()).keys.iter().filter(|row| !row.short.is_empty());
+    let page = pages::of(app.tab);
+    let is_shown = |row: &&PaneKey| !row.short.is_empty() && page.is_of_use(app, row.action);
+    let own = pages::spec(app.pane()).keys.iter().filter(is_shown);
     let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
     let mut entries: Vec<(String, String)> = own.filter(|entry| !entry.0.is_empty()).collect();
     for entry in keys_of(app, COMMON) {

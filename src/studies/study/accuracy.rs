@@ -293,9 +293,12 @@ impl MethodReport {
 }
 
 impl Report {
-    /// The cheapest way to an accuracy that a scene can be run by: that of `auto`.
+    /// The cheapest way to an accuracy that a scene can be run by: that of `auto`, at a tolerance that is not looser. A looser one may
+    /// happen to be as accurate here, and promises nothing of another scene, or of results that are not compared.
     pub fn usable(&self, target: f64) -> Option<Cheapest> {
-        self.methods.iter().find(|it| it.method == Method::Auto)?.cheapest(target)
+        let mut auto = self.methods.iter().find(|it| it.method == Method::Auto)?.clone();
+        auto.points.retain(|it| it.parameter.value() <= target);
+        auto.cheapest(target)
     }
 
     /// The cheapest way of all to an accuracy; the printed scheme is no way to one.

@@ -16,7 +16,7 @@ pub use state::{ACCURACY, STABILITY, STIFF_SCENES};
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: ACCURACY, label: "Accuracy", keys: &[
         key(A::Down, "method", "select another method"),
-        key(A::Enter, "use", "run the scene by this method: auto at 1e-6, or as printed"),
+        key(A::Enter, "use", "give the scene the tolerance by which auto reaches 1e-6"),
     ] },
     PaneSpec { pane: STABILITY, label: "Stability", keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
@@ -64,6 +64,10 @@ impl Page for NumericsTab {
             ACCURACY => accuracy::act(app, action),
             _ => stability::act(app, action),
         }
+    }
+
+    fn is_of_use(&self, app: &App, action: Action) -> bool {
+        (app.pane(), action) != (ACCURACY, Action::Enter) || accuracy::can_use(app)
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {

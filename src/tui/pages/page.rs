@@ -131,6 +131,11 @@ pub(crate) trait Page: Sync {
         false
     }
 
+    /// Whether an action of the focused pane's table is of use now: what is not is left out of the footer.
+    fn is_of_use(&self, _app: &App, _action: Action) -> bool {
+        true
+    }
+
     /// What stands under the cursor, or what the selected row means.
     fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
         None

@@ -185,3 +185,30 @@ fn none_is_called_the_cheapest_before_all_are_measured() {
         bench.screen()
     );
 }
+
+/// The footer offers to use what can be used; the tolerance is that of the answer above, and not looser than the error that is asked for.
+#[test]
+fn only_what_can_be_used_is_offered() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    let is_offered =
+        |bench: &mut Bench| bench.screen().lines().last().unwrap().contains("Enter use");
+    let auto = Method::ALL.iter().position(|it| *it == Method::Auto).unwrap();
+    assert_eq!(bench.app.pages.numerics.accuracy.selected_row(), auto);
+    assert!(is_offered(&mut bench), "{}", bench.screen());
+    let tolerance = bench.app.pages.numerics.accuracy.tolerance().unwrap();
+    assert!(tolerance <= 1e-6, "{tolerance}");
+    let answer = format!("by auto at tol {tolerance:.0e}");
+    assert!(bench.screen().contains(&answer), "{}", bench.screen());
+    assert!(bench.screen().contains(&format!("tol {tolerance:.0e}: error")), "{}", bench.screen());
+    for row in (0..Method::ALL.len()).filter(|row| *row != auto) {
+        bench.app.pages.numerics.accuracy.selected = Some(row);
+        assert!(!is_offered(&mut bench), "{}", bench.screen());
+        let before = bench.app.scene.clone();
+        bench.keys("<Enter>");
+        assert_eq!(bench.app.scene, before);
+        assert!(bench.message().contains("a scene is run by auto"), "{}", bench.message());
+    }
+    bench.app.pages.numerics.accuracy.selected = Some(auto);
+    bench.keys("<Enter>");
+    assert_eq!(bench.app.scene.run.tolerance.to_bits(), tolerance.to_bits());
+}

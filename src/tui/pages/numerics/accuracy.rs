@@ -1,7 +1,7 @@
 //! The Accuracy page: error against run time as a chart with a letter for each method, their table, and what it means here, in words
 //! and drawn.
 
-use crate::model::scene::{ContactModel, RunSettings};
+use crate::model::scene::RunSettings;
 use crate::model::units::engineering;
 use crate::report::accuracy::{
     self, TARGETS, advice, error_over_time, gain, printed_scheme, seconds,
@@ -127,7 +127,13 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// Set the scene to the selected method at the accuracy requested first: its tolerance, or the thesis's listing.
+/// Whether the selected method is one that a scene is run by, and its tolerance is known for this scene.
+pub(crate) fn can_use(app: &App) -> bool {
+    let tab = &app.pages.numerics.accuracy;
+    tab.usable().is_some() && !tab.report.is_old(&app.accuracy_scene())
+}
+
+/// Give the scene the tolerance by which `auto` reaches the accuracy requested first.
 fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
@@ -135,27 +141,17 @@ fn use_method(app: &mut App) {
         return app.refuse(nothing::<Measurements>(app, BEING_COMPUTED, None));
     }
     let mut scene = (*app.scene).clone();
-    let what = match method {
-        Method::ThesisPrinted => {
-            scene.contact.model = ContactModel::Appendix;
-            "the listing of the thesis (contact model appendix)".to_owned()
-        }
-        Method::Auto => {
-            let Some(tolerance) = tab.tolerance() else {
-                let text = format!("{} does not reach an error of 1e-6 here", method.name());
-                return app.refuse(text);
-            };
-            scene.run.tolerance = tolerance;
-            format!("{}: tolerance {tolerance:.0e} gives 1e-6", method.name())
-        }
-        _ => {
-            let text = format!(
-                "{} is here for comparison: a scene is run by auto, which chooses the method",
-                method.name()
-            );
-            return app.refuse(text);
-        }
+    let name = method.name();
+    if method != Method::Auto {
+        return app.refuse(format!(
+            "{name} is here for comparison: a scene is run by auto, which chooses the method"
+        ));
+    }
+    let Some(tolerance) = tab.usable() else {
+        return app.refuse(format!("{name} does not reach an error of 1e-6 here"));
     };
+    scene.run.tolerance = tolerance;
+    let what = format!("{name}: tolerance {tolerance:.0e} gives 1e-6");
     if scene == *app.scene {
         return app.tell(format!("the scene has this already: {what}"));
     }

@@ -41,25 +41,26 @@ impl Accuracy {
         Method::ALL[self.selected_row()]
     }
 
-    /// The loosest tolerance at which what a scene is run by reaches the first target.
+    /// The tolerance at which what a scene is run by reaches the first target, as the answer above the methods names it.
     pub fn tolerance(&self) -> Option<f64> {
-        let report = self.of(Method::Auto)?;
-        let good = report.measured().filter(|(_, it)| it.error() <= TARGETS[0]);
-        good.filter_map(|(parameter, _)| match parameter {
-            Parameter::Tolerance(tolerance) => Some(tolerance),
-            Parameter::Step(_) => None,
-        })
-        .max_by(f64::total_cmp)
+        Some(self.report.found.as_ref()?.usable(TARGETS[0])?.parameter.value())
+    }
+
+    /// The tolerance that the selected method gives the scene; `None` of a method that is here for comparison.
+    pub fn usable(&self) -> Option<f64> {
+        self.tolerance().filter(|_| self.method() == Method::Auto)
     }
 
     pub fn of(&self, method: Method) -> Option<&MethodReport> {
         self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
-    /// The most accurate point of the selected method.
+    /// The point of the selected method that can be used, else its most accurate one.
     pub fn example(&self) -> Option<(Parameter, &Measured)> {
-        let measured = self.of(self.method())?.measured();
-        measured.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
+        let report = self.of(self.method())?;
+        let usable = self.usable().map(Parameter::Tolerance);
+        let used = report.measured().find(|point| Some(point.0) == usable);
+        used.or_else(|| report.measured().min_by(|a, b| a.1.error().total_cmp(&b.1.error())))
     }
 }
 
