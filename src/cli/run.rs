@@ -286,7 +286,6 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         "name",
         "outcome",
         "final_penetration_m",
-        "percent_of_baseline",
         "max_plate_displacement_m",
         "peak_contact_force_n",
     ];
@@ -301,6 +300,12 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
     let source = (&arguments.scene.changes, &preset.scene, "run --compare models".to_owned());
     let extent = Extent::of_runs(runs.iter().map(|(_, run)| &**run));
-    arguments.table.deliver(extent, Some(source), &page, None, report::results(&runs))?;
+    arguments.table.deliver(
+        extent,
+        Some(source),
+        &page,
+        None,
+        report::results(&preset.name, &runs),
+    )?;
     Ok(extent.exit_code(true))
 }

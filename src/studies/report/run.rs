@@ -75,11 +75,11 @@ fn placed(samples: &[Sample], events: &[Event]) -> Vec<(usize, String)> {
     rows
 }
 
-/// The results of some runs, a row each.
-pub fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
+/// The results of some runs of a scene of this name, a row each.
+pub fn results<'r>(scene: &'r str, runs: &'r [NamedRun]) -> Table<'r, &'r NamedRun> {
     let table = Table::of(runs)
         .field("run", |it| it.0.as_str())
-        .field("scene", |it| it.1.scene.title.as_str())
+        .field("scene", move |_| scene)
         .field("outcome", |it| it.1.shot_outcome().word())
         .field("end", |it| it.1.end.words())
         .field("method", |it| it.1.cost.method)
@@ -96,15 +96,11 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
         |it: &Compared<'_>| it.1.map_or_else(|word| word, |run| run.shot_outcome().word());
     let table = Table::of(runs).with("name", "run", "", |it| it.0.clone());
     let table = table.with("outcome", "outcome", "", outcome);
-    let table =
-        column(table, "final_penetration_m", "depth mm", 1e3, |run| is_through(run).then(through));
-    let table = column(table, "percent_of_baseline", "%", 1.0, |run| {
-        Some(format!("{:.0}", run.percent_of_baseline()?))
-    });
+    let table = column(table, "final_penetration_m", "depth mm, %", 1e3, |run| Some(depth(run)));
     let table = table.with("plastic", "plastic mm", "", |it: &Compared<'_>| {
         it.1.ok()?.plastic.as_ref()?.final_penetration_m
     });
-    let table = table.shown(|it, _| Some(plastic(it.1.ok()?.plastic.as_ref()?)));
+    let table = table.shown(|it, _| Some(depth(it.1.ok()?.plastic.as_ref()?)));
     let table = column(table, "max_plate_displacement_m", "travel mm", 1e3, |_| None);
     let table = column(table, "peak_contact_force_n", "peak kN", 1e-3, |run| {
         fused_stop_hits(run).filter(|hits| *hits > 0).map(|_| "unbounded".to_owned())
@@ -131,14 +127,10 @@ fn is_through(run: &Run) -> bool {
     run.shot_outcome() == Outcome::Perforated
 }
 
-fn through() -> String {
-    "through".to_owned()
-}
-
-/// The depth by the plastic law and its part of that on a rigid mount.
-fn plastic(run: &Arc<Run>) -> String {
+/// The depth, mm, and in brackets its part of that on a rigid mount, %.
+fn depth(run: &Run) -> String {
     if is_through(run) {
-        return through();
+        return "through".to_owned();
     }
     let Some(depth_m) = run.final_penetration_m else { return "-".to_owned() };
     let percent = run.percent_of_baseline().map_or_else(String::new, |it| format!(" ({it:.0})"));

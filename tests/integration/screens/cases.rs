@@ -82,7 +82,7 @@ fn valid_the_three_numbers_of_the_baseline_stand_at_every_size() {
 
 #[test]
 fn a_perforation_ends_at_the_rear_face_and_has_no_percentage() {
-    let words = ["through, leaves at 279.9 m/s", " 31.8+", " h |", "perforated  through"];
+    let words = ["through, leaves at 279.9 m/s", " 31.8+", " h |", "perforated     through"];
     let screen = has(&[("v_i", "400")], &words);
     assert!(!screen.contains("% of rigid"), "{screen}");
     assert_snapshot!(screen);
