@@ -31,7 +31,7 @@ pub(super) struct TableArguments {
     /// Replace an existing file
     #[arg(long, requires = "files")]
     force: bool,
-    /// Print warnings in full instead of a line each
+    /// Print warnings in full instead of a line each on a terminal
     #[arg(long)]
     verbose: bool,
 }
@@ -71,11 +71,13 @@ impl TableArguments {
             return String::new();
         }
         let room = text::width() - 4;
+        // What reads a pipe cannot ask for more.
+        let is_full = self.verbose || !text::is_screen();
         let line = |warning: &String| {
-            if self.verbose { wrap(warning, room).join("\n    ") } else { brief(warning) }
+            if is_full { wrap(warning, room).join("\n    ") } else { brief(warning) }
         };
         let lines = warnings.iter().map(|warning| format!("  ! {}\n", line(warning)));
-        let how = if self.verbose {
+        let how = if is_full {
             ""
         } else {
             " (`cmra explain NAME` explains one; --verbose prints them in full)"

@@ -9,9 +9,14 @@ use crate::tui::widgets::text::wrap;
 const USUAL: usize = 80;
 const WIDTHS: (usize, usize) = (40, 120);
 
+/// Whether a person reads the page as it is printed: it does not go to a file or a pipe.
+pub(super) fn is_screen() -> bool {
+    io::stdout().is_terminal()
+}
+
 /// Columns to write for.
 pub(super) fn width() -> usize {
-    if !io::stdout().is_terminal() {
+    if !is_screen() {
         return USUAL;
     }
     let size = crossterm::terminal::size().map_or(USUAL, |size| usize::from(size.0));

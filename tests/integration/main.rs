@@ -41,6 +41,8 @@ mod optimise;
 #[cfg(test)]
 mod oracle;
 #[cfg(test)]
+mod outputs;
+#[cfg(test)]
 mod physics;
 #[cfg(test)]
 mod pictures;
