@@ -48,10 +48,10 @@ pub struct Beside<'a> {
     pub command: String,
 }
 
-/// Ends of names that promise a format, which another one under such a name would not keep.
-const FORMATS: [&str; 21] = [
-    "csv", "docx", "gif", "gz", "htm", "html", "jpeg", "jpg", "json", "md", "ods", "parquet",
-    "pdf", "png", "svg", "toml", "tsv", "xls", "xlsm", "xlsx", "zip",
+/// Ends of names that promise a format which the program neither writes under another's name nor reads.
+const FORMATS: [&str; 16] = [
+    "docx", "gif", "gz", "jpeg", "jpg", "json", "md", "ods", "parquet", "pdf", "png", "tsv", "xls",
+    "xlsm", "xlsx", "zip",
 ];
 
 /// Whether a file of the command line can be written in a format, `csv` for example: no input, its name free or to be replaced, and its
@@ -67,7 +67,9 @@ fn check_end(path: &Path, format: &str) -> Result<(), FileError> {
     let Some(end) = path.extension().and_then(OsStr::to_str).map(str::to_lowercase) else {
         return Ok(());
     };
-    if end == format || !FORMATS.contains(&&*end) {
+    // Beside a table stands its scene, whose name ends so.
+    let is_scene = format == "csv" && end == "toml";
+    if end == format || !(is_scene || FORMATS.contains(&&*end)) {
         return Ok(());
     }
     let example = path.with_extension(format);
