@@ -98,9 +98,7 @@ fn inputs(page: &mut Document, scene: &Scene) {
 
 /// The results, each with the estimate of its error.
 fn results(page: &mut Document, run: &Run) {
-    let error = |name: &str| {
-        run.error_of(name).map_or_else(|| "-".to_owned(), |error| units::scientific(error, 1))
-    };
+    let error = |name: &str| run.error_of(name).map_or_else(|| "-".to_owned(), units::below);
     let row = |column: &Quantity| {
         let value = column.show(column.value(run)?, DIGITS);
         Some([column.title(), value, error(column.name), column.name.to_owned()])

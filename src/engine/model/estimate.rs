@@ -7,9 +7,12 @@ use crate::model::mechanism::Mechanism;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::numerics::larger;
 
-/// Rounding that no second computation can see, relative.
-pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
-
+/// Rounding of a closed form, relative: a few units of the last place of each of its terms.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Least estimate from a second computation, relative. Rounding adds up over the steps of both and does not show in their difference.
+const LEAST: f64 = 1e-12;
+/// Factor on the difference from a more accurate second computation, for the errors that both have in common.
+const SHARED: f64 = 3.0;
 /// How many times its difference from the other a computation may be off that passed through another number of events: the least error of
 /// each sends it another way, and the two may have come out close to each other by chance.
 const ANOTHER_WAY: f64 = 10.0;
@@ -45,19 +48,21 @@ const ESTIMATED: [Estimated; 13] = [
     ("interface_demand_ratio", Scale::Own, |run| run.interface_demand_ratio),
 ];
 
-/// Set a run's estimates from another computation. `floor` is what neither computation can see, relative. Computations that do
-/// not end alike say nothing of each other.
-pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
+/// Sets a run's estimates from another computation of the same scene. They are infinite if the outcomes differ.
+pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
     if run.outcome != second.outcome {
         run.estimate_basis = Some(EstimateBasis::OutcomeDiffers(second.outcome));
         run.error_estimate = Some(f64::INFINITY);
         return;
     }
-    let factor = match basis {
+    let (factor, floor) = match basis {
         // First order: half the step leaves half of the error.
-        EstimateBasis::HalfStep => 2.0,
-        EstimateBasis::SecondComputation if run.cost.events != second.cost.events => ANOTHER_WAY,
-        _ => 1.0,
+        EstimateBasis::HalfStep => (2.0, ROUNDING),
+        EstimateBasis::SecondComputation if run.cost.events != second.cost.events => {
+            (ANOTHER_WAY, LEAST)
+        }
+        EstimateBasis::SecondComputation => (SHARED, LEAST),
+        EstimateBasis::ClosedForm | EstimateBasis::OutcomeDiffers(_) => (1.0, ROUNDING),
     };
     let struck = run.scene.projectile.velocity_m_s;
     // Both computations creep alike.

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::closed_form;
-use crate::model::estimate::{self, ROUNDING};
+use crate::model::estimate;
 use crate::model::run::{EndReason, EstimateBasis, Look, Observer, Run, Settings};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::variables::{self, VariableError};
@@ -34,9 +34,8 @@ mod tests;
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
 const LOCAL: f64 = 1e-2;
 const LEAST: f64 = 1e-13;
-/// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
-const LOOSER: f64 = 10.0;
-const FLOOR: f64 = 1.0 / 30.0;
+/// Step tolerance of the second computation relative to the run's: its own error is a hundredth of the difference between both.
+const TIGHTER: f64 = 1e-2;
 
 /// Simulate one impact on a valid scene.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
@@ -58,11 +57,11 @@ fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
     let (second, basis) = exact.unwrap_or_else(|| {
         let shown =
             &mut |look: &Look<'_>| observer(&Look { so_far: &|| Some(run.clone()), ..*look });
-        let stepping = Stepping::Second(LOOSER * tolerance);
+        let stepping = Stepping::Second(TIGHTER * tolerance);
         (run_by(&scene, Settings::BARE, stepping, shown), EstimateBasis::SecondComputation)
     });
     if second.end != EndReason::Cancelled {
-        estimate::set(&mut run, &second, basis, larger(ROUNDING, FLOOR * tolerance));
+        estimate::set(&mut run, &second, basis);
     }
     run
 }

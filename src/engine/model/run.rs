@@ -263,9 +263,9 @@ worded! {
 /// How an error estimate was obtained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateBasis {
-    /// Difference to a second computation of another order.
+    /// Difference from a second computation of higher order and tighter tolerance, times a safety factor.
     SecondComputation,
-    /// Difference to the closed form.
+    /// Difference from the closed form.
     ClosedForm,
     /// Unknown: the other computation ended otherwise, with this outcome.
     OutcomeDiffers(Outcome),

@@ -226,6 +226,16 @@ pub fn scientific(value: f64, places: usize) -> String {
     if value.is_finite() { format!("{value:.places$e}") } else { NO_NUMBER.to_owned() }
 }
 
+/// An upper bound of a positive number in one digit: `< 2e-10` for 1.2e-10.
+pub fn below(value: f64) -> String {
+    let nearest = scientific(value, 0);
+    let parts = nearest.split_once('e').map(|(digit, power)| (digit.parse(), power.parse()));
+    let Some((Ok(digit), Ok(power))) = parts else { return NO_NUMBER.to_owned() };
+    let is_above = nearest.parse().is_ok_and(|nearest: f64| nearest >= value);
+    let digit: f64 = if is_above { digit } else { digit + 1.0 };
+    format!("< {}", scientific(digit * 10f64.powi(power), 0))
+}
+
 /// A number as short as it can be and still read back to the same float: `1e5`, `0.0295`, `1.52e8`.
 ///
 /// Plain digits between 1e-4 and 1e5, an exponent outside.
@@ -334,6 +344,15 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_upper_bound_is_rounded_up() {
+        let cases = [(2e-10, "2e-10"), (1.2e-10, "2e-10"), (9.4e-10, "1e-9"), (1e-12, "1e-12")];
+        for (value, bound) in cases {
+            assert_eq!(below(value), format!("< {bound}"));
+        }
+        assert_eq!([0.96, 3.0, 11.0].map(below), ["< 1e0", "< 3e0", "< 2e1"].map(str::to_owned));
+    }
+
+    #[test]
     fn values_that_are_not_numbers_are_not_shown() {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let shown = [
@@ -342,9 +361,10 @@ mod tests {
                 fixed_significant(value, 4),
                 decimals(value, 2),
                 scientific(value, 1),
+                below(value),
                 engineering(value, "J", 4),
             ];
-            assert_eq!(shown, [NO_NUMBER; 6]);
+            assert_eq!(shown, [NO_NUMBER; 7]);
         }
         assert_eq!((decimals(69.1, 2), scientific(1.234e-9, 1)), ("69.10".into(), "1.2e-9".into()));
     }

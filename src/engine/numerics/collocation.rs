@@ -40,6 +40,9 @@ const AFTER_FAILURE: f64 = 0.25;
 /// Real eigenvalue of A of the nine stages is near 0.1: the filter of the error estimate damps like the method.
 const FILTER: f64 = 0.1;
 
+/// One more than the most stages of a member.
+const STAGES_MORE: usize = 12;
+
 /// Accelerations of each place at the stages.
 type Stages<const D: usize, const S: usize> = [[f64; S]; D];
 
@@ -65,6 +68,7 @@ struct Gauss<const S: usize> {
     values: [f64; S],
 }
 
+pub(crate) static ELEVEN: LazyLock<Member<11>> = LazyLock::new(Member::new);
 pub(crate) static NINE: LazyLock<Member<9>> = LazyLock::new(Member::new);
 pub(crate) static THREE: LazyLock<Member<3>> = LazyLock::new(Member::new);
 pub(crate) static SEVEN: LazyLock<Member<7>> = LazyLock::new(Member::new);
@@ -317,7 +321,7 @@ fn add<const D: usize, const S: usize>(stages: &mut Stages<D, S>, change: &Stage
 
 /// The integrals of the Legendre polynomials of degree below S, shifted to (0, 1), from 0 to theta.
 fn integrals<const S: usize>(theta: f64) -> [f64; S] {
-    let p = legendre::<10>(2.0 * theta - 1.0);
+    let p = legendre::<STAGES_MORE>(2.0 * theta - 1.0);
     array::from_fn(|k| if k == 0 { theta } else { (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64 })
 }
 
@@ -337,7 +341,7 @@ impl<const S: usize> Member<S> {
         // Radau's weights make the Legendre polynomials orthogonal on the nodes.
         let modes = nodes.map(|node| {
             let x = 2.0 * node - 1.0;
-            let p = legendre::<10>(x);
+            let p = legendre::<STAGES_MORE>(x);
             let weight = (1.0 + x) / (2.0 * order * order * p[S - 1] * p[S - 1]);
             array::from_fn(|k| (2 * k + 1) as f64 * weight * p[k])
         });

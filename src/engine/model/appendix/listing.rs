@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::appendix::{Plate, Scheme, State};
-use crate::model::estimate::{self, ROUNDING};
+use crate::model::estimate;
 use crate::model::run::{
     Arrest, AtLeast, EndReason, EstimateBasis, Event, EventKind, Look, Mode, NotModelled, Observer,
     Outcome, Run, Sample, Settings, Warning,
@@ -48,7 +48,7 @@ pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Ob
     if settings.estimate && run.end.is_complete() {
         let half = Listing { step_s: 0.5 * listing.step_s, ..listing };
         let second = compute(scene, half, false, observer);
-        estimate::set(&mut run, &second, EstimateBasis::HalfStep, ROUNDING);
+        estimate::set(&mut run, &second, EstimateBasis::HalfStep);
     }
     run.baseline_penetration_m = if scene.is_sprung() {
         let mut rigid = Scene::clone(scene);

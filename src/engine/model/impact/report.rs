@@ -21,7 +21,7 @@ use crate::numerics::larger;
 /// A plate slowed by a damper to this part of its speed has arrived, to be drawn.
 const ARRIVED_SPEED: f64 = 1e-2;
 /// Part of a load by which it may grow without being followed.
-const GROWTH: f64 = 1e-9;
+pub(super) const GROWTH: f64 = 1e-9;
 /// Part of the greatest displacement by which it counts as reached.
 const REACHED: f64 = 1e-9;
 /// Part of the energy from which on a balance that does not close is reported.

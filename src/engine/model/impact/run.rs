@@ -8,7 +8,7 @@ use crate::model::impact::modes::{self, Event, Hold};
 use crate::model::impact::moving::Moving;
 use crate::model::impact::path::Path;
 use crate::model::impact::record::{Loads, Record};
-use crate::model::impact::report::{self, Course};
+use crate::model::impact::report::{self, Course, GROWTH};
 use crate::model::run::{Cost, EndReason, Look, Observer, Run, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::locate::{Found, first_fall};
@@ -174,7 +174,13 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                 break ended;
             }
         };
-        self.course.record.loads = loads.unwrap_or(self.course.record.loads);
+        let drawn = self.course.record.loads;
+        let mut known = loads.unwrap_or(drawn);
+        // By more than rounding rows that are drawn later exceed it only through errors of their steps.
+        if drawn.mount_n > known.mount_n * (1.0 + GROWTH) {
+            known.mount_n = drawn.mount_n;
+        }
+        self.course.record.loads = known;
         ended.filter(|end| *end == EndReason::Cancelled).unwrap_or(EndReason::Decided)
     }
 

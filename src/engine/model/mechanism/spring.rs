@@ -116,6 +116,11 @@ impl Spring {
         }
     }
 
+    /// Whether the law is one analytic function for all displacements.
+    pub fn is_analytic(&self) -> bool {
+        self.knots_m().is_empty()
+    }
+
     /// Whether there is no spring at all.
     pub fn is_absent(&self) -> bool {
         self.power().is_some_and(PowerLaw::is_absent)

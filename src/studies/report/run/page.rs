@@ -287,7 +287,7 @@ pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<String> {
 fn error(run: &Run) -> Option<String> {
     let estimate = run.error_estimate?;
     let basis = match run.estimate_basis? {
-        EstimateBasis::SecondComputation => "from a second computation with fewer stages",
+        EstimateBasis::SecondComputation => "from a second, more accurate computation",
         EstimateBasis::ClosedForm => "from the closed form",
         EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
         EstimateBasis::OutcomeDiffers(other) => {
@@ -298,7 +298,7 @@ fn error(run: &Run) -> Option<String> {
         }
     };
     let of = if run.outcome == Outcome::Perforated { "exit time" } else { "depth" };
-    Some(format!("{estimate:.1e} of the {of} ({basis})"))
+    Some(format!("{} of the {of} ({basis})", units::below(estimate)))
 }
 
 /// The greatest of all results' own estimates.
@@ -306,7 +306,7 @@ fn largest_error(run: &Run) -> Option<String> {
     run.error_estimate?;
     let estimates = run.error_estimates.iter();
     let (name, error) = estimates.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(format!("{error:.1e} of all results ({})", quantities::find(name)?.title()))
+    Some(format!("{} of all results ({})", units::below(*error), quantities::find(name)?.title()))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What the Run tab says of its run: the selected variable, the crosshair, the status row.
 
 use crate::model::run::{EndReason, Outcome, Run};
-use crate::model::units::in_unit;
+use crate::model::units::{self, in_unit};
 use crate::report::series::Channel;
 use crate::study::verdict::{Decision, Verdict};
 use crate::tui::app::notice::demand;
@@ -102,7 +102,7 @@ impl App {
         let error = shown.run.error_estimate.map(|error| match error {
             f64::INFINITY => "error unknown".to_owned(),
             0.0 => "exact".to_owned(),
-            _ => format!("error {error:.0e}"),
+            _ => format!("error {}", units::below(error)),
         });
         let text = error.map_or_else(|| took.clone(), |error| format!("{error}, {took}"));
         Some(part(Severity::Note, text))
