@@ -1,6 +1,6 @@
 //! What is decided when a run ends, and what is known of the rest.
 
-use cmra::model::run::{AtLeast, EndReason, Outcome, Run};
+use cmra::model::run::{AtLeast, EndReason, Mode, Outcome, Run};
 
 use crate::support::{assert_near, run, scene};
 
@@ -55,6 +55,73 @@ fn valid_a_projectile_that_slips_in_its_hole_far_from_its_bottom_is_arrested() {
     let long = of(&format!("{pairs} run.horizon_s=0.3"));
     assert_eq!(found.final_penetration_m, long.final_penetration_m);
     assert_eq!(found.max_plate_displacement_m, long.max_plate_displacement_m);
+}
+
+/// Over the plane of mass ratio and stiffness each plastic scene has an end. A depth given as an interval holds what a longer run finds.
+#[test]
+fn valid_every_plastic_scene_of_a_surface_is_decided() {
+    let mut intervals = 0;
+    for (n, horizon) in [("1", "0.1"), ("0.5", "0.02")] {
+        for (i, j) in (0..7).flat_map(|i| (0..7).map(move |j| (i, j))) {
+            let (gamma, power) = (0.8 + 6.2 * f64::from(i) / 6.0, 4.0 + 0.5 * f64::from(j));
+            let pairs = format!("interface=plastic n={n} gamma={gamma} k={}", 10f64.powf(power));
+            let found = of(&pairs);
+            assert_eq!(found.end, EndReason::Decided, "{pairs}");
+            assert_ne!(found.outcome, Outcome::Moving, "{pairs}");
+            let Some(most_m) = found.penetration_at_most_m else { continue };
+            let least_m = found.final_penetration_m.unwrap();
+            intervals += 1;
+            let width = (most_m - least_m) / least_m;
+            assert!(found.error_estimate.unwrap() >= width, "{pairs}");
+            assert!(width < 2e-3, "{pairs}: {least_m} {most_m}");
+            let long = of(&format!("{pairs} run.horizon_s={horizon}"));
+            let long_m = long.final_penetration_m.or(long.at_least.penetration_m).unwrap();
+            assert!(long_m <= most_m * (1.0 + 1e-9), "{pairs}: {long_m} {most_m}");
+        }
+    }
+    assert!(intervals > 5, "{intervals}");
+}
+
+/// Lengths of the slips of a joined projectile in its hole, m, inwards positive.
+fn slips_m(run: &Run) -> Vec<f64> {
+    let (mut slips_m, mut from_m, mut before_m) = (Vec::new(), None, 0.0);
+    for row in &run.series {
+        match (row.mode == Mode::Fused, from_m) {
+            (false, None) => from_m = Some(before_m),
+            (true, Some(start_m)) => {
+                slips_m.push(row.penetration_m - start_m);
+                from_m = None;
+            }
+            _ => {}
+        }
+        before_m = row.penetration_m;
+    }
+    slips_m
+}
+
+/// The interval of the depth rests on it: each slip goes back, and is no longer than the one before.
+#[test]
+fn slips_in_a_plastic_hole_get_shorter() {
+    for pairs in [
+        "gamma=1.93 k=4.33e5",
+        "gamma=3.05 k=2.85e6",
+        "gamma=5.31 k=1e7",
+        "gamma=2.87 k=1e5 n=0.5",
+        "gamma=5.97 k=1e7 n=0.5",
+        "gamma=4.93 k=3.16e5 n=0.5",
+        "gamma=4 k=2e5 n=0.4 b=1",
+        "gamma=4 k=2e8 n=1.6",
+    ] {
+        let found = of(&format!("interface=plastic {pairs} run.horizon_s=0.05"));
+        let slips_m = slips_m(&found);
+        assert!(slips_m.len() > 32, "{pairs}: {}", slips_m.len());
+        // The first goes all the way into the plate. It and the next are not of the oscillation.
+        for pair in slips_m[2..].windows(2) {
+            let is_resolved = pair[1].abs() > 1e-12;
+            let is_shorter = pair[1].abs() <= pair[0].abs() && pair[0] * pair[1] < 0.0;
+            assert!(is_shorter || !is_resolved, "{pairs}: {pair:?}");
+        }
+    }
 }
 
 /// What a run leaves open lies between what it has reached and what its energy allows: there a longer run finds it.

@@ -44,12 +44,13 @@ fn a_solution_that_no_interface_holds_has_the_plastic_answer_beside_it() {
 #[test]
 fn a_final_quantity_of_an_undecided_run_is_a_value() {
     let goal = ["--over", "h=26mm..60mm", "--goal", "stroke_m=38.382mm", "--json"];
-    let goal = [&goal[..], &["--set", "interface=plastic"]].concat();
+    let undecided = ["--set", "interface=plastic", "--set", "run.horizon_s=5ms"];
+    let goal = [&goal[..], &undecided].concat();
     let found: Value = serde_json::from_str(&out(&goal, 0).0).unwrap();
     let solution = &found["solutions"][0];
     assert_eq!((&solution["outcome"], &found["interface"]), (&"moving".into(), &"plastic".into()));
     let set = format!("h={}", solution["at"]);
-    let run = ["--set", &set, "--set", "interface=plastic", "--json"];
+    let run = [&["--set", &set, "--json"], &undecided[..]].concat();
     let run: Value = serde_json::from_str(&says("run", &run, 0).0).unwrap();
     assert!((run["stroke_m"].as_f64().unwrap() - 0.038_382).abs() < 1e-9, "{run}");
     let bounds = run["lower_bounds"].as_array().unwrap();

@@ -84,7 +84,13 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
                     larger(ROUNDING * run.scene.start_m().abs(), creep_m) / value.abs()
                 }
             };
-            let off = factor * (value - other).abs();
+            let interval_m = match *name {
+                "final_penetration_m" => {
+                    run.penetration_at_most_m.map_or(0.0, |most_m| most_m - value)
+                }
+                _ => 0.0,
+            };
+            let off = larger(factor * (value - other).abs(), interval_m);
             Some((*name, relative(off, value, larger(floor, rounding))?))
         })
         .collect();

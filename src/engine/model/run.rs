@@ -81,7 +81,8 @@ pub struct Run {
     pub max_plate_displacement_m: Option<f64>,
     /// Bounds of depth and displacement where they are not final.
     pub at_least: AtLeast,
-    /// The greatest depth for which a run that ends undecided has energy left, m; `None` where it is final, or would perforate.
+    /// The greatest depth for which an undecided run has energy left, or to which further slips can deepen the hole of an arrested projectile,
+    /// m; `None` where the depth is final, or would perforate.
     pub penetration_at_most_m: Option<f64>,
     /// Projectile velocity after perforation, m/s.
     pub residual_velocity_m_s: Option<f64>,

@@ -134,6 +134,48 @@ impl Equations<'_> {
         if plastic { grip * strength_pa * geometry.swept_m3(state.q_m) } else { f64::INFINITY }
     }
 
+    /// Greatest further travel of the bottom of the hole, m, under a joined projectile that slips to and fro above it.
+    ///
+    /// Each slip is taken to be no longer than the one before, as the energy falls. Then a slip inwards that ends above the bottom is the last
+    /// to come so far; up to there the projectile leaves the bottom by one slip and returns by the next. The first return is over the present
+    /// gap. All others but the last begin with more energy than the oscillation whose greatest load friction at the bottom just holds; together
+    /// they are at most half as long as friction needs to take the energy above that, less half of the gap. The last is no longer than the gap.
+    /// On such a way the excess of the load over friction does work, and the excess of the strength over the load stops the projectile.
+    ///
+    /// `None` if the projectile is on the bottom, may be pushed deeper from rest, may come to a rigid stop, or if the hole gets weaker.
+    pub(super) fn deepens_at_most_m(&self, state: &State) -> Option<f64> {
+        let Equations { setup, mode } = self;
+        let energy_j = self.energy_j(state);
+        let gap_m = mode.deepest_m - state.q_m;
+        let slips = setup.plastic && mode.contact == Contact::Fused && gap_m > 0.0;
+        if !slips || gap_m > state.q_m || self.meets_rigid_stop(state, energy_j) {
+            return None;
+        }
+        let load_at_most_n = |energy_j: f64| {
+            let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
+            larger(pushed_n, pulled_n)
+        };
+        let load_n = load_at_most_n(energy_j);
+        let strength_at_n = |q_m: f64| setup.geometry.area_m2(q_m) * setup.strength_pa;
+        let strength_n = strength_at_n(mode.deepest_m);
+        let grip = smaller(setup.grip, 1.0);
+        let [here_n, bottom_n] = [state.q_m, mode.deepest_m].map(|q_m| grip * strength_at_n(q_m));
+        let excess_at_n = |energy_j: f64| load_at_most_n(energy_j) - bottom_n;
+        let spare_j = match (excess_at_n(0.0) < 0.0, load_n > bottom_n) {
+            (_, false) => 0.0,
+            (true, true) => energy_j - in_bracket(0.0, energy_j, excess_at_n),
+            (false, true) => energy_j,
+        };
+        let inwards_m = 0.5 * spare_j / here_n + 1.5 * gap_m;
+        let excess_n = larger(load_n - 0.5 * (here_n + bottom_n), 0.0);
+        let deepens_m = excess_n * inwards_m / (strength_n - load_n);
+        let most_m = mode.deepest_m + deepens_m;
+        let is_held = load_n < strength_n
+            && strength_at_n(most_m) >= strength_n
+            && most_m < setup.geometry.exit_m;
+        is_held.then_some(deepens_m)
+    }
+
     /// Whether a plastic interface holds whatever comes.
     fn holds_for_good(&self, state: &State) -> bool {
         if self.is_at_rest(state) {
@@ -143,9 +185,12 @@ impl Equations<'_> {
         let energy_j = self.energy_j(state);
         let strength_n = self.strength_n(state);
         let friction_j = self.pull_out_j(state);
-        // What is left can neither deepen the hole noticeably nor pull the projectile out of it.
+        // What is left can neither deepen the hole noticeably, after friction on the way to its bottom, nor pull the projectile out of it.
+        let above_m3 = setup.geometry.swept_m3(mode.deepest_m) - setup.geometry.swept_m3(state.q_m);
+        let to_bottom_j = setup.grip * setup.strength_pa * larger(above_m3, 0.0);
         let is_nothing = |energy_j: f64| {
-            energy_j < NEGLIGIBLE * mode.deepest_m * strength_n && energy_j < friction_j
+            energy_j < to_bottom_j + NEGLIGIBLE * mode.deepest_m * strength_n
+                && energy_j < friction_j
         };
         if is_nothing(energy_j) {
             return true;

@@ -27,6 +27,10 @@ const REACHED: f64 = 1e-9;
 /// Part of the energy from which on a balance that does not close is reported.
 const DRIFT: f64 = 1e-8;
 
+/// Changes of the contact after which the depth of a projectile that slips in its hole is given as an interval. What the hole may still
+/// deepen falls like one over their square.
+const CHANGES_TO_INTERVAL: usize = 64;
+
 /// What a run has come to: all that its results follow from.
 #[derive(Clone, Debug)]
 pub(super) struct Course<'a> {
@@ -37,6 +41,8 @@ pub(super) struct Course<'a> {
     pub(super) record: Record,
     /// Outcome and greatest displacement, once nothing can change them any more; infinite where nothing stops the plate.
     pub(super) decided: Option<(Outcome, f64)>,
+    /// Greatest further travel of the bottom of the hole once the outcome is decided, m; else 0.
+    pub(super) deepens_m: f64,
     /// When it ends at the latest, s; infinite without a horizon.
     pub(super) horizon_s: f64,
 }
@@ -57,9 +63,21 @@ impl Course<'_> {
             return;
         }
         let equations = self.equations();
-        let Some(outcome) = equations.outcome(&self.state) else { return };
-        let far_m = equations.farthest_m(&self.state, self.record.farthest_m);
-        self.decided = far_m.map(|far_m| (outcome, far_m));
+        let known = equations.outcome(&self.state).map(|outcome| (outcome, 0.0));
+        let Some((outcome, deepens_m)) = known.or_else(|| self.arrested_within()) else { return };
+        let Some(far_m) = equations.farthest_m(&self.state, self.record.farthest_m) else { return };
+        self.decided = Some((outcome, far_m));
+        self.deepens_m = deepens_m;
+    }
+
+    /// The arrest of a projectile that slips to and fro in its hole, and the greatest further travel of its bottom, m, once that is less than
+    /// the tolerance or the contact has changed often.
+    fn arrested_within(&self) -> Option<(Outcome, f64)> {
+        let deepens_m =
+            self.equations().deepens_at_most_m(&self.state).filter(|_| self.is_open())?;
+        let is_little = deepens_m < self.scene.run.tolerance * self.mode.deepest_m;
+        let is_long = self.record.cost.events >= CHANGES_TO_INTERVAL;
+        (is_little || is_long).then_some((Outcome::Arrested, deepens_m))
     }
 
     /// Whether what follows may load the mount, or the joined interface, more than they have been; or, if not all loads are asked for, push
@@ -155,6 +173,12 @@ impl Course<'_> {
         let swept_m3 = geometry.swept_m3(self.deepest_m()) + energy_j / self.setup.strength_pa;
         let travel_m = geometry.travel_at_volume_m(swept_m3)?;
         Some(geometry.depth_m(larger(travel_m, self.deepest_m())))
+    }
+
+    /// The greatest final depth of an arrested projectile that still slips, m; `None` if it has come to rest.
+    fn within_m(&self) -> Option<f64> {
+        let most_m = self.setup.geometry.depth_m(self.mode.deepest_m + self.deepens_m);
+        (self.deepens_m > 0.0).then_some(most_m)
     }
 
     /// The final depth of a hole that is so deep now, and may become so deep at most, m; `None` of one that is not known.
@@ -333,7 +357,7 @@ pub(super) fn gather(mut course: Course<'_>, end: EndReason) -> Run {
     let hole_m = course.setup.law.hole_m(course.deepest_m());
     let hole_m = hole_m.map(|travel_m| geometry.depth_m(travel_m));
     let penetration_at_most_m =
-        if outcome == Outcome::Moving { course.depth_at_most_m() } else { None };
+        if outcome == Outcome::Moving { course.depth_at_most_m() } else { course.within_m() };
     let final_penetration_m = course.final_m(outcome, hole_m, penetration_at_most_m);
     let max_plate_displacement_m = course.max_displacement_m();
     let is_bounded = course.decided.is_none_or(|(_, far_m)| far_m.is_finite());
@@ -398,8 +422,16 @@ mod tests {
             let mut record = Record { farthest_m: 2e-3, ..Record::default() };
             record.loads.ratios = Some([0.5, 0.25]);
             let (setup, mode) = (it.setup, it.mode.clone());
-            let course =
-                Course { scene, setup, mode, state, record, decided: None, horizon_s: 1.0 };
+            let course = Course {
+                scene,
+                setup,
+                mode,
+                state,
+                record,
+                decided: None,
+                deepens_m: 0.0,
+                horizon_s: 1.0,
+            };
             gather(course, EndReason::StepBudget)
         });
         let energy_j = |p: f64| 1.5 * std::f64::consts::PI * (0.00635 - p / 3.0) * p * p * 1.52e8;

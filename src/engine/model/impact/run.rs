@@ -68,7 +68,16 @@ pub(super) fn run<const S: usize>(
     let Settings { series: keep_series, every_s, .. } = settings;
     let record = Record { keep_series, every_s, ..Record::default() };
     let mut progress = Progress {
-        course: Course { scene, setup, mode, state, record, decided: None, horizon_s },
+        course: Course {
+            scene,
+            setup,
+            mode,
+            state,
+            record,
+            decided: None,
+            deepens_m: 0.0,
+            horizon_s,
+        },
         stepper,
         last: None,
         previous: None,
