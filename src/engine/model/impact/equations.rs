@@ -55,6 +55,8 @@ pub(super) struct Setup {
     pub(super) grip: f64,
     /// Of projectile and closing velocity at first contact the greater: what velocities are compared with.
     pub(super) velocity_m_s: f64,
+    /// What lengths are compared with: the tip radius or, of a shot too slow to come so far, the travel on which the strength stops it.
+    pub(super) length_m: f64,
     /// Displacement and velocity of the plate at first contact.
     pub(super) start_m: f64,
     pub(super) start_m_s: f64,
@@ -110,7 +112,6 @@ impl Setup {
         let start_m_s = scene.plate_velocity_m_s();
         let own = Self {
             law,
-            geometry,
             absorber: absorbs.then(|| Box::new(scene.mechanism.clone())),
             damper: mechanism.damper,
             creep_m_s: mechanism.damper.creep_m_s(velocity_m_s),
@@ -128,7 +129,13 @@ impl Setup {
             drag_kg_m3: if flows { scene.drag_kg_m3() } else { 0.0 },
             grip: scene.interface.grip,
             velocity_m_s,
+            length_m: if flows {
+                flow_length_m(scene, &geometry, velocity_m_s)
+            } else {
+                geometry.nose.radius_m
+            },
             start_m: scene.start_m(),
+            geometry,
             start_m_s,
             closing_m_s,
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
@@ -207,9 +214,9 @@ impl Setup {
         self.projectile_kg * self.cos / self.joined_kg
     }
 
-    /// Time in which the projectile goes its tip radius at first, s.
+    /// Time in which the projectile goes the length that others are compared with at first, s.
     pub(super) fn passage_s(&self) -> f64 {
-        self.geometry.nose.radius_m / self.velocity_m_s
+        self.length_m / self.velocity_m_s
     }
 
     /// Whether spring and damper are analytic, through zero as well.
@@ -244,6 +251,18 @@ impl Setup {
     pub(super) fn projectile_m_s(&self, state: &State) -> f64 {
         state.u_m_s + state.w_m_s * self.cos
     }
+}
+
+/// The least of tip radius and travel on which the strength of the first piece of the area, `a_0 + a_1 q`, takes the energy of a shot, m.
+fn flow_length_m(scene: &Scene, geometry: &Geometry, velocity_m_s: f64) -> f64 {
+    let (nose, law) = (&geometry.nose, geometry.piece(0.0).law);
+    let energy_j = 0.5 * scene.projectile.mass_kg * velocity_m_s * velocity_m_s;
+    let volume_m3 = energy_j / scene.flow_strength_pa();
+    let (area_m2, slope_m) = (law.area_m2(nose, 0.0), law.slope_m(nose, 0.0));
+    let travel_m =
+        2.0 * volume_m3 / (area_m2 + (area_m2 * area_m2 + 2.0 * slope_m * volume_m3).sqrt());
+    // Without strength there is no such travel.
+    if travel_m < nose.radius_m { travel_m } else { nose.radius_m }
 }
 
 impl Equations<'_> {
@@ -448,10 +467,11 @@ impl Equations<'_> {
         UNRESOLVED * self.setup.velocity_m_s
     }
 
-    /// What errors of travel and displacement, and of slip and the plate's velocity, are relative to at least: a thousandth of tip radius
-    /// and impact velocity; of the plate's, a thousand-millionth and a millionth of these, less than which does not move the projectile.
+    /// What errors of travel and displacement, and of slip and the plate's velocity, are relative to at least: a thousandth of the length
+    /// that others are compared with and of the impact velocity; of the plate's, a thousand-millionth and a millionth of these, less than
+    /// which does not move the projectile.
     fn least_sizes(&self) -> Point<2> {
-        let (r, v) = (self.setup.geometry.nose.radius_m, self.setup.velocity_m_s);
+        let (r, v) = (self.setup.length_m, self.setup.velocity_m_s);
         ([1e-3 * r, 1e-9 * r], [1e-3 * v, 1e-6 * v])
     }
 

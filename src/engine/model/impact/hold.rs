@@ -26,12 +26,12 @@ const APPROACH: f64 = 0.55;
 impl Setup {
     /// How far a plate may move that is taken to rest: where a steep spring holds it at first, or in all bounces to come.
     pub(super) fn held_m(&self) -> f64 {
-        HELD * self.geometry.nose.radius_m
+        HELD * self.length_m
     }
 
     /// The same once it has taken hold again, at a travel of the projectile.
     pub(super) fn returned_m(&self, q_m: f64) -> f64 {
-        RETURNED * self.tolerance * smaller(q_m, self.geometry.nose.radius_m)
+        RETURNED * self.tolerance * smaller(q_m, self.length_m)
     }
 }
 
