@@ -150,3 +150,54 @@ fn a_nose_beyond_the_rear_face_is_reported() {
     assert_near(out, found.final_penetration_m.unwrap() - 0.012, 1e-12);
     assert!(of("mount=rigid").protrusion_m().is_none());
 }
+
+/// What is still to come counts, however little energy it has of the impact's: on a damper of power 2 a plate goes like ln t, and comes to any
+/// stop; a tiny nose moves a heavy plate by `(S_y + c v²) V/v` over `(m_2 k)^(1/2)`, with V = 7/3 pi R³ through a plate as thin as it; an
+/// over-damped dent creeps on to where its own spring turns it (in 40-digit arithmetic).
+#[test]
+fn valid_a_run_ends_by_what_is_still_to_come() {
+    let near = |found: Option<f64>, expected: f64, part: f64, of: &str| {
+        let found = found.unwrap_or(f64::NAN);
+        assert!((found / expected - 1.0).abs() < part, "{of}: {found} {expected}");
+    };
+    for stop in ["", " stop_kind=elastic", " interface=plastic"] {
+        let pairs = format!("k=0 b=2000 m=2 x_stop=5mm{stop}");
+        near(of(&pairs).max_plate_displacement_m, 5e-3, 1e-12, &pairs);
+    }
+    // With m = 2.5 it comes to it at w, 1/w^(1/2) greater by b x/(2 M), and presses it by w (M/k)^(1/2).
+    let pressed = "gamma=1 k=0 b=2000 m=2.5 x_stop=5mm stop_kind=elastic k_stop=1e6";
+    let found = of(pressed);
+    let arrest = found.first_arrest.unwrap();
+    let way_m = 5e-3 - arrest.plate_displacement_m;
+    let w_m_s = (arrest.plate_velocity_m_s.powf(-0.5) + 1000.0 * way_m / 0.059).powi(-2);
+    let pressed_m = 5e-3 + w_m_s * (0.059f64 / 1e6).sqrt();
+    near(found.max_plate_displacement_m, pressed_m, 1e-9, pressed);
+    let heavy = "R=10um h=10um m_p=100 v_i=300 gamma=1 k=1e5";
+    let volume_m3 = 7.0 / 3.0 * std::f64::consts::PI * 1e-15;
+    let impulse_n_s = (1.52e8 + 0.25 * 2710.0 * 9e4) * volume_m3 / 300.0;
+    near(of(heavy).max_plate_displacement_m, impulse_n_s / 1e7f64.sqrt(), 1e-9, heavy);
+    for (pairs, dent_m) in [
+        ("k_load=1e4 b_2=1e5", 1.946_999_061_552_32e-5),
+        ("k_load=1 b_2=1e7", 1.946_999_999_999_98e-7),
+    ] {
+        let pairs = format!("model=lumped mount=rigid {pairs}");
+        near(of(&pairs).final_penetration_m, dent_m, 1e-9, &pairs);
+    }
+}
+
+/// A shot too slow to feel more than the first slope of the area and a linear spring is the same at any velocity, but for its scale.
+#[test]
+fn valid_a_slow_shot_keeps_its_digits() {
+    for more in ["", " interface=plastic"] {
+        let [slow, slower] = ["1e-9", "1e-11"].map(|v| of(&format!("k=1e9 v_i={v}{more}")));
+        assert_eq!(slow.outcome, slower.outcome, "{more}");
+        assert_near(slower.first_arrest.unwrap().t_s, slow.first_arrest.unwrap().t_s, 1e-9);
+        let values = |run: &Run| {
+            [run.final_penetration_m, run.max_plate_displacement_m, run.peak_contact_force_n]
+        };
+        for (less, more) in values(&slower).into_iter().zip(values(&slow)) {
+            assert_near(less.unwrap(), 1e-2 * more.unwrap(), 1e-9);
+        }
+        assert!(slower.ledger.residual().abs() < 1e-9, "{}", slower.ledger.residual());
+    }
+}

@@ -62,6 +62,11 @@ impl Lumped {
         0.5 * force_n * force_n / self.unload_n_m
     }
 
+    /// Returns the energy that deepens a dent by a small part of the travel that made it, J, if the damper takes nothing.
+    pub(in crate::model) fn deepens_j(&self, deepest_m: f64, part: f64) -> f64 {
+        part * self.load_n_m * deepest_m * deepest_m
+    }
+
     /// Dent on a rigid mount, m: of m q'' + b q' + k q = 0 from q = 0 at the impact velocity up to the turn.
     ///
     /// With r = b/(2 m) and w = (k/m)^(1/2) the greatest travel is v/w exp(-r t) with t = atan(s/r)/s, s = (w² - r²)^(1/2) below the

@@ -11,8 +11,6 @@ use crate::numerics::{larger, smaller};
 
 /// Part of the energy at first contact that counts as none: velocities of 1e-12 of the impact's.
 const NO_ENERGY: f64 = 1e-24;
-/// Part of it with which bodies that nothing joins are at rest: their dent was made with all of it, and takes no part of this.
-const AT_REST: f64 = 1e-9;
 /// Part of depth or displacement by which no later change counts.
 pub(super) const NEGLIGIBLE: f64 = 1e-12;
 
@@ -120,12 +118,18 @@ impl Equations<'_> {
         }
     }
 
-    /// Whether all is at rest in a contact that does not join the bodies.
+    /// Whether all is at rest in a contact that does not join the bodies: what is left can no longer deepen the dent.
     fn rests_in_contact(&self, state: &State) -> bool {
         let Law::Lumped(lumped) = self.setup.law else { return false };
+        let deepens_j = lumped.deepens_j(self.mode.deepest_m, NEGLIGIBLE);
+        !self.goes_in() && self.all_energy_j(state) < deepens_j
+    }
+
+    /// Energy of all that moves, in spring, elastic stop and contact, J.
+    fn all_energy_j(&self, state: &State) -> f64 {
+        let Law::Lumped(lumped) = self.setup.law else { return self.energy_left_j(state) };
         let gives_j = lumped.gives_back_j(self.goes_in(), self.mode.deepest_m, state.q_m);
-        let contact_j = if self.is_touching() { gives_j } else { 0.0 };
-        self.energy_left_j(state) + contact_j < AT_REST * self.setup.initial_j()
+        self.energy_left_j(state) + if self.is_touching() { gives_j } else { 0.0 }
     }
 
     /// Energy that it takes to pull the joined projectile out of its hole, J: more than there is where they are fused.
@@ -297,19 +301,40 @@ impl Equations<'_> {
         v < 0.0 && (x_m - back_m) * setup.cos < apart_m
     }
 
+    /// How far a plate that spring and elastic stop drive to a place against a damper goes beyond it at most, m. It arrives no faster than it
+    /// is, or than the damper lets the greatest force on the way drive it; from there on the damper alone, or the law ahead alone, stops it.
+    fn overshoots_at_most_m(&self, state: &State, energy_j: f64, place_m: f64) -> f64 {
+        let Equations { setup, mode } = self;
+        let x_m = self.displacement_m(state.x_m);
+        let is_driven = mode.elastic.rest_ahead(x_m) > x_m && x_m < place_m;
+        if !is_driven || setup.damper.is_absent() {
+            return f64::INFINITY;
+        }
+        let goes_back = state.w_m_s < 0.0;
+        let from_m = if goes_back { mode.elastic.reach(x_m, energy_j, -1.0) } else { x_m };
+        let drives_n = -mode.elastic.forces_between(from_m, place_m).0;
+        let arrives_m_s = larger(state.w_m_s, setup.damper.at_force(drives_n));
+        let left_j = 0.5 * self.moving_kg() * arrives_m_s * arrives_m_s;
+        let by_law_m =
+            mode.elastic.reach(place_m, mode.elastic.energy(place_m) + left_j, 1.0) - place_m;
+        smaller(by_law_m, coasting_m(setup.damper, self.moving_kg(), arrives_m_s))
+    }
+
     /// The greatest displacement, once the outcome is decided, of a plate that has been so far, m: infinite where nothing stops it, and
     /// `None` where it is still to be found.
     pub(super) fn farthest_m(&self, state: &State, so_far_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
-        if mode.hold == Hold::Mount || self.rests_in_contact(state) {
+        if mode.hold == Hold::Mount {
             return Some(so_far_m);
         }
-        let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
+        let rests = self.rests_in_contact(state);
+        let energy_j = if rests { self.all_energy_j(state) } else { self.energy_j(state) };
+        let x_m = self.displacement_m(state.x_m);
         // What is driven on comes at least to where nothing drives it, however slowly, or to its stop; its energy there is known to
         // rounding only.
         let end_m = smaller(mode.elastic.rest_ahead(x_m), setup.rigid_stop_m());
         let far_m = larger(end_m, so_far_m);
-        if self.creeps(state) || self.is_at_rest(state) {
+        if self.stands(state) {
             return Some(far_m);
         }
         if let Some(way) = self.drives_away(state)
@@ -325,11 +350,28 @@ impl Equations<'_> {
         if reach_m - far_m <= NEGLIGIBLE * stroke_m {
             return Some(far_m);
         }
+        if rests {
+            return None;
+        }
+        if self.overshoots_at_most_m(state, energy_j, far_m) <= NEGLIGIBLE * stroke_m {
+            return Some(far_m);
+        }
         let coasts = !mode.is_pressed && state.w_m_s > 0.0;
         if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
             let end_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
-            let is_free = !setup.has_stop() || end_m < setup.stop_at_m;
-            return is_free.then(|| larger(end_m, so_far_m));
+            if end_m < setup.stop_at_m || !setup.has_stop() {
+                return Some(larger(end_m, so_far_m));
+            }
+            // It comes to its stop, however slowly, and presses an elastic one by what is left of its energy at most.
+            let way_m = setup.stop_at_m - x_m;
+            let arrives_m_s = coasting_m_s(setup.damper, self.moving_kg(), (state.w_m_s, way_m));
+            let presses_m = if self.stops_rigidly() {
+                0.0
+            } else {
+                arrives_m_s * (self.moving_kg() / setup.stop_n_m).sqrt()
+            };
+            let end_m = larger(setup.stop_at_m, so_far_m);
+            return (presses_m <= NEGLIGIBLE * larger(stroke_m, way_m)).then_some(end_m);
         }
         let in_full = matches!(setup.stepping, Stepping::CollocationInFull(_));
         // Nothing but the spring turns the plate, if anything does.
@@ -349,6 +391,17 @@ fn coasting_m(damper: PowerLaw, kg: f64, w_m_s: f64) -> f64 {
         return f64::INFINITY;
     }
     kg * w_m_s.powf(power) / (damper.coefficient * power)
+}
+
+/// The velocity that a damper alone leaves a mass after a way, m/s: `w^(2-m) - (2-m) b x/M` to the power 1/(2-m), w exp(-b x/M) for m = 2.
+fn coasting_m_s(damper: PowerLaw, kg: f64, (w_m_s, way_m): (f64, f64)) -> f64 {
+    let power = 2.0 - damper.exponent;
+    // Relative to what it is now, so that powers of it neither overflow nor vanish.
+    let part = damper.coefficient * way_m / (kg * w_m_s.powf(power));
+    if power == 0.0 {
+        return w_m_s * (-part).exp();
+    }
+    w_m_s * larger(1.0 - power * part, 0.0).powf(1.0 / power)
 }
 
 #[cfg(test)]
@@ -408,9 +461,55 @@ mod tests {
         assert!(is_near(far("k=0 b=100 gamma=1").unwrap(), 0.059 * 50.0 / 100.0, 1e-14));
         assert_eq!(far("k=0"), Some(f64::INFINITY));
         assert_eq!(far("k=0 b=100 m=2"), Some(f64::INFINITY));
-        for pending in ["k=1e5 b=100", "k=1e5 x_stop=1mm", "k=0 b=100 x_stop=1mm"] {
+        assert_eq!(far("k=0 b=100 x_stop=1mm"), Some(1e-3));
+        let elastic = "k=0 b=100 x_stop=1mm stop_kind=elastic k_stop=1e6";
+        for pending in ["k=1e5 b=100", "k=1e5 x_stop=1mm", elastic] {
             assert_eq!(far(pending), None, "{pending}");
         }
+    }
+
+    /// `M w' = -b w^m` by fixed steps of Runge and Kutta over the way, `M dw/dx = -b w^(m-1)`.
+    #[test]
+    fn valid_a_coasting_plate_keeps_the_velocity_that_its_damper_leaves() {
+        for (exponent, b, w, x) in [
+            (2.0, 3.0, 7.0, 0.4),
+            (3.0, 2.0, 5.0, 1.5),
+            (1.0, 2.0, 9.0, 1.2),
+            (0.5, 4.0, 9.0, 0.5),
+            (2.5, 1.0, 4.0, 3.0),
+        ] {
+            let slope = |w: f64| -b * w.powf(exponent - 1.0) / 0.7;
+            let h = x / 2000.0;
+            let expected = (0..2000).fold(w, |w, _| {
+                let first = slope(w);
+                let second = slope(w + 0.5 * h * first);
+                let third = slope(w + 0.5 * h * second);
+                let last = slope(w + h * third);
+                w + h / 6.0 * (first + 2.0 * (second + third) + last)
+            });
+            let damper = PowerLaw { coefficient: b, exponent };
+            let found = coasting_m_s(damper, 0.7, (w, x));
+            assert!(is_near(found, expected, 1e-9), "{exponent}: {found} {expected}");
+        }
+        // What would stop earlier does not arrive.
+        let damper = PowerLaw { coefficient: 2.0, exponent: 1.0 };
+        assert_eq!(coasting_m_s(damper, 0.7, (1.0, 0.4)).to_bits(), 0);
+    }
+
+    /// 59 g on 100 kN/m from 1 mm before its zero: with 0.65 of the critical damping they go exp(-pi 0.65/(1 - 0.65²)^(1/2)) of that beyond
+    /// it; against 1 MN s/m they come to it with k x/b at most, and stop within M w/b.
+    #[test]
+    fn valid_a_plate_that_is_driven_to_its_rest_goes_no_farther_than_its_damper_lets_it() {
+        let over_m = |damping: f64| {
+            let pairs = format!("gamma=1 k=1e5 b={damping}");
+            look(&pairs, Contact::Fused, [5e-3, 0.0, -1e-3, 0.0], |it, at| {
+                it.overshoots_at_most_m(at, it.energy_j(at), 0.0)
+            })
+        };
+        let part = 100.0 / (2.0 * (0.059f64 * 1e5).sqrt());
+        let overshoot = (-std::f64::consts::PI * part / (1.0 - part * part).sqrt()).exp();
+        assert!(over_m(100.0) >= 1e-3 * overshoot && over_m(0.0).is_infinite());
+        assert!(is_near(over_m(1e6), 0.059 * (1e5 * 1e-3 / 1e6) / 1e6, 1e-12));
     }
 
     /// The energy is that of spring and stop, each half of stiffness times the square of its way.
