@@ -69,16 +69,13 @@ fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let critical_deg = design::critical_obliquity_deg(scene);
     let tate = "Tate, eq. 2.3; rho_p and Y_p are assumptions";
     let integral = "the integral of its force; k d^(n+1)/(n+1) of a power law";
-    let spring = match known {
-        Some(known_kg) => {
-            let source = "over e_spring, or what its wire takes up; stopped by the spring alone";
-            ("least mass of the spring for both", known_kg, "kg", source)
-        }
-        None => {
-            let least_kg = both / Wire::default().specific_energy_j_kg();
-            let source = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
-            ("least mass of a steel coil for both", least_kg, "kg", source)
-        }
+    let spring = if let Some(known_kg) = known {
+        let source = "over e_spring, or what its wire takes up; stopped by the spring alone";
+        ("least mass of the spring for both", known_kg, "kg", source)
+    } else {
+        let least_kg = both / Wire::default().specific_energy_j_kg();
+        let source = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
+        ("least mass of a steel coil for both", least_kg, "kg", source)
     };
     vec![
         ("critical obliquity", critical_deg, "deg", tate),

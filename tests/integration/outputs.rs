@@ -25,7 +25,7 @@ fn json(command: &str, arguments: &[&str]) -> Value {
     serde_json::from_str(&says(command, &[arguments, &["--json"]].concat(), 0).0).unwrap()
 }
 
-/// Both by the wire's 1200 MPa: that of `design` is for all of the energy after a hit at once, of which the run leaves a little in the hole.
+/// Both by the wire's 1200 `MPa`: that of `design` is for all of the energy after a hit at once, of which the run leaves a little in the hole.
 #[test]
 fn a_spring_is_sized_alike_by_formulas_and_by_the_comparison() {
     let rows = json("design", &README);
