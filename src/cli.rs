@@ -83,7 +83,7 @@ pub(crate) enum Glyphs {
     Braille,
 }
 
-/// The same as [`run()`], with the clock that decides when the progress of a long computation is shown.
+/// Runs a command line like [`run()`]; a given clock decides when the progress of a long computation is shown.
 pub fn run_by(
     clock: Clock,
     arguments: impl Iterator<Item = OsString>,

@@ -1,8 +1,8 @@
 //! The workbench: options, and the loop that everything passes through.
 //!
-//! One inbox takes what the terminal, the worker, the I/O thread and signals have to say. The loop takes a message, lets `update`
-//! change the state, does the effects, takes all else that waits, and draws once. Idle, it draws nothing and wakes four times a
-//! second to see whether the terminal is still there. What is drawn and what keys mean is not known here.
+//! The terminal, the worker, the I/O thread and signals send messages to one queue. The loop takes all waiting messages, lets `update`
+//! change the state, starts the effects, and draws once. While idle it draws nothing, and checks the terminal four times a second. It does
+//! not depend on drawing and keys.
 
 pub mod app;
 pub mod chart;

@@ -27,7 +27,7 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     output::print(&page)
 }
 
-/// What has this name, which may be written with blanks: a quantity or variable, a warning, or a variable and a warning about it.
+/// Returns the pages for a name, which may contain blanks: a quantity or variable, a warning, or both.
 fn pages(name: &str) -> Result<Vec<String>, CliError> {
     let spelled = name.replace([' ', '-'], "_");
     let quantity = quantities::find(name).or_else(|| quantities::find(&spelled));
@@ -167,7 +167,7 @@ fn quantity_page(quantity: &Quantity) -> String {
     page
 }
 
-/// Its default with the unit.
+/// Formats the default of a variable with its unit.
 fn default_of(variable: &Variable) -> String {
     let value = variable.show(&Scene::default());
     // A word in the place of a number has no unit.
@@ -175,7 +175,7 @@ fn default_of(variable: &Variable) -> String {
     format!("{value} {unit}").trim_end().to_owned()
 }
 
-/// Its name, then its meaning, without the words of the name where it begins with them.
+/// Formats name and meaning of a variable; words that both begin with appear once.
 fn name_and_meaning(variable: &Variable) -> String {
     let (name, meaning) = (variable.name(), variable.meaning);
     let rest = meaning.strip_prefix(&name.replace('_', " "));

@@ -18,7 +18,7 @@ pub(super) struct LibrariesArguments {
     library: Option<Library>,
 }
 
-/// What a library has, for help.
+/// Describes the contents of a library, for `--help`.
 fn about(library: Library) -> &'static str {
     match library {
         Library::Threats => "Projectiles and their velocities",

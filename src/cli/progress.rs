@@ -112,7 +112,7 @@ impl Extent {
         if good && is_complete { ExitCode::SUCCESS } else { ExitCode::FAILURE }
     }
 
-    /// The same after notes of what failed: 0 where there is none.
+    /// Prints failures and returns the exit code: 0 if there are none.
     pub(super) fn exit_code_after(self, failures: impl IntoIterator<Item = String>) -> ExitCode {
         let failures = failures.into_iter().inspect(|failure| output::note(failure)).count();
         self.exit_code(failures == 0)

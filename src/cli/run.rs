@@ -75,7 +75,7 @@ pub(super) fn compute(scene: &Arc<Scene>) -> Result<Run, VariableError> {
     compute_by(scene, Settings::default())
 }
 
-/// The same with the series at equal time steps.
+/// Runs the scene with the series at equal time steps.
 fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
     variables::require_hydrodynamic(scene)?;
     variables::require_single(scene)?;

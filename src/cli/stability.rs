@@ -99,7 +99,7 @@ fn battery_page(rows: &[Row], took_s: f64, width: usize, extent: Extent) -> Stri
     text
 }
 
-/// What the columns mean, a line each.
+/// Legend of the columns, a line each.
 const LEGEND: &str = "\
 ends        arrested, perforated, separated, moving (undecided), or CUT
 error       the greatest of depth, times, displacement, velocity and forces, against s stored digits, D DOP853 at 1e-13 \

@@ -14,7 +14,7 @@ use crate::study::context::Context;
 use crate::study::parallel::cores;
 use crate::study::sweep::{Axis, COUNTS};
 
-/// What every study of a scene takes.
+/// Arguments of every study of a scene.
 #[derive(Debug, Args)]
 pub(super) struct StudyArguments {
     #[command(flatten)]

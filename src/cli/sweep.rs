@@ -120,7 +120,7 @@ impl Job<'_> {
         self.shard.count(self.plan.points())
     }
 
-    /// That points are missing after an interrupt, in words; `None` where every point was computed.
+    /// Describes the points that are missing after an interrupt; `None` if every point was computed.
     fn missing(&self, ended: OutcomeCounts) -> Option<String> {
         let (done, all) = (ended.total(), self.count());
         (done < all).then(|| format!("not complete: {done} of {all} points"))

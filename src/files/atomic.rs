@@ -71,7 +71,7 @@ fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
     found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
 }
 
-/// What an old file is called while the one that it belongs to is replaced.
+/// Suffix of a backup while its file is replaced.
 const PREVIOUS: &str = ".previous";
 
 /// Give all files their names. Those after the first belong to it: the old ones step aside first, so that a program that is killed in
@@ -144,9 +144,9 @@ const PARTIAL: &str = ".partial";
 /// A table that grows piece by piece in `NAME.partial` and takes its name when it is finished. From its first piece on the file stays,
 /// however the program ends.
 pub struct Growing {
-    /// Its name as it was given.
+    /// Path as given.
     path: PathBuf,
-    /// What a link of that name points to.
+    /// Path that a link of that name points to.
     target: PathBuf,
     place: Place,
     /// Bytes of the pieces that were added whole.

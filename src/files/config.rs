@@ -42,7 +42,7 @@ fn word<'de, D: Deserializer<'de>>(file: D, cure: &str) -> Result<Option<String>
     }
 }
 
-/// One key or several by each name.
+/// Deserialises one key or a list of keys for each name.
 fn lists<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, Vec<String>>, D::Error> {
     #[derive(Deserialize)]
     #[serde(untagged, expecting = "write a key, \"U\", or several, [\"u\", \"U\"]")]

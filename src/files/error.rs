@@ -122,7 +122,7 @@ pub struct SceneErrors {
     pub more: bool,
 }
 
-/// One thing that is wrong with a scene file.
+/// Problem in a scene file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Problem {
     /// Line, from 1.

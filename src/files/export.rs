@@ -24,7 +24,7 @@ use crate::study::validity;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
-/// What stands before the checksum of the rest, at the end of its first line.
+/// Text before the checksum at the end of the first line.
 const SUM: &str = ", checksum ";
 
 /// Where a table goes.
@@ -218,7 +218,7 @@ pub fn scenes(runs: &[NamedRun]) -> Vec<Beside<'_>> {
     scenes.collect()
 }
 
-/// What came out of a run, as comment lines.
+/// Formats the outcome of a run as comment lines.
 fn outcome(run: &Run) -> String {
     let mut text = format!("# outcome: {} ({})\n", run.shot_outcome().word(), run.end.words());
     for column in of_runs() {

@@ -110,7 +110,7 @@ fn entries(
     (found, problems)
 }
 
-/// One entry; `None`, and a problem noted, where it cannot be read.
+/// Reads an entry; notes a problem and returns `None` if it is invalid.
 fn entry(
     reader: &mut Reader<'_>,
     library: Library,

@@ -67,7 +67,7 @@ pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
     points_in(&text, path).map_err(FileError::Refused)
 }
 
-/// What a heading ends in, where that must be a unit, or may be one.
+/// Returns the unit at the end of a heading, and whether it must be a unit.
 fn end(heading: &str) -> Option<(&str, bool)> {
     if let Some(inner) = heading.strip_suffix([')', ']']) {
         return inner.rsplit_once(['(', '[']).map(|(_, end)| (end.trim(), true));

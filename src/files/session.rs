@@ -55,10 +55,10 @@ pub struct View {
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Setup {
-    /// What Explore shows.
+    /// Setup of Explore.
     #[serde(deserialize_with = "readable")]
     pub explore: Option<Explore>,
-    /// What Search looks for.
+    /// Setup of Search.
     #[serde(deserialize_with = "readable")]
     pub search: Option<Search>,
 }
@@ -79,7 +79,7 @@ pub struct Explore {
 pub struct Search {
     /// The variable of goal seek with its range.
     pub seek: String,
-    /// Its goal.
+    /// Goal of the search.
     pub goal: String,
     /// The variables of fronts, and whether each is varied; none where nobody changed them.
     pub bounds: Vec<(String, bool)>,
@@ -136,7 +136,7 @@ struct SessionFile {
     pin: Vec<PinRow>,
 }
 
-/// What a key has, where that means something: it costs nothing else where it does not.
+/// Deserialises a value; `None` if it is invalid, so that the rest of the session is kept.
 fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     file: D,
 ) -> Result<Option<T>, D::Error> {
@@ -149,10 +149,10 @@ struct PinRow {
     scene: String,
 }
 
-/// What this workbench knows of the file, by which it notices another writer of it.
+/// Fingerprint of the session file, which detects other writers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Known {
-    /// What it last read or wrote there, but for the first line.
+    /// Last content read or written, without the first line.
     body: Option<String>,
     /// This workbench, as its first line names it.
     writer: String,
@@ -167,7 +167,7 @@ impl Default for Known {
     }
 }
 
-/// What a first line says before its writer.
+/// Text before the writer in the first line.
 const WRITER: &str = ", process ";
 
 /// The writer that a session's first line names, and the rest of it.
@@ -376,7 +376,7 @@ mod tests {
         assert_eq!(load(&path).session, Some(of(3.0)));
     }
 
-    /// One that works on beside another keeps the last of its scenes, and pushes no others out.
+    /// A workbench that runs beside another keeps its last scene and removes no older ones.
     #[test]
     fn two_that_work_in_turn_leave_older_scenes_where_they_are() {
         let (place, path) = place();

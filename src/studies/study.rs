@@ -48,7 +48,7 @@ pub(crate) fn run_with(scene: &Scene, settings: Settings) -> Option<Run> {
     simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).ok()
 }
 
-/// The same without its course in time and without an estimate of its error.
+/// Runs a scene without series and error estimate.
 pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {
     run_with(scene, Settings::BARE)
 }

@@ -42,7 +42,7 @@ pub struct Settings {
     pub mouse: bool,
 }
 
-/// What is known of the files outside.
+/// State of the files on disk.
 #[derive(Clone, Debug, Default)]
 pub struct Files {
     /// Where relative paths start.
@@ -55,7 +55,7 @@ pub struct Files {
     pub session_lost: bool,
 }
 
-/// What is being typed into, where no dialog is open.
+/// Input field that has the keyboard, if no dialog is open.
 #[derive(Clone, Debug)]
 pub enum Typing {
     /// The field of a row of the pane that has the keys.

@@ -35,12 +35,12 @@ pub use crate::report::chart::{
 pub use canvas::MARKERS;
 pub use layout::Layout;
 
-/// What the report describes and a terminal can show.
+/// Drawing in a terminal.
 pub trait Draw: Svg {
     /// Draws it into an area, and tells where everything lies.
     fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout;
 
-    /// It as lines of text, blanks at their ends removed: what `--plain` prints.
+    /// Draws as lines of text without trailing blanks, as `--plain` prints them.
     fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);

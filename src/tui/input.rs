@@ -1,6 +1,6 @@
 //! The input thread: what comes from the terminal becomes messages.
 //!
-//! It is never joined: the loop detects a hang-up by itself, and the end of the process ends this thread.
+//! The thread is never joined: the loop detects a hang-up itself, and the end of the process ends the thread.
 
 use std::io;
 use std::panic::{self, AssertUnwindSafe};
@@ -73,7 +73,7 @@ mod tests {
 
     use super::*;
 
-    /// What comes of packets, each so many milliseconds after the one before.
+    /// Decodes packets, each a number of milliseconds after the previous one.
     fn keys(hold: Duration, packets: &[(u64, &[u8])]) -> Vec<KeyCode> {
         let (send, inbox) = mpsc::channel();
         let mut rest: VecDeque<(Duration, &[u8])> =

@@ -15,7 +15,7 @@ enumeration! {
     pub enum Tab in TabRow {
         name: &'static str,
     }
-    /// One impact: variables, charts, runs.
+    /// Impact: variables, charts, runs.
     #[default]
     Run { name: "Run" }
     /// Curves or a map of a quantity over one variable or two.
@@ -44,7 +44,7 @@ const TAB_KEYS: &[Bound] = &[
 ];
 
 impl Tab {
-    /// Its place in the title row, from 0.
+    /// Returns the position in the title row, from 0.
     pub fn index(self) -> usize {
         self as usize
     }
@@ -104,7 +104,7 @@ impl Target {
 
 pub struct PaneSpec {
     pub pane: Pane,
-    /// Its name in help, palette and messages.
+    /// Name in help, palette and messages.
     pub label: &'static str,
     /// The meaning of keys in it, the most useful first: the order of the footer, which drops the last ones on a narrow screen.
     pub keys: &'static [PaneKey],
@@ -119,7 +119,7 @@ impl PaneSpec {
 }
 
 pub struct PaneKey {
-    /// Which: its key is that of the action.
+    /// Action whose key is shown.
     pub action: Action,
     /// A word or two for the footer: `load`; empty where it stands in help only.
     pub short: &'static str,
@@ -338,7 +338,7 @@ pub fn name(action: Action) -> &'static str {
 /// Something that can be called by name.
 pub struct Command {
     pub call: Call,
-    /// Its name, a verb first.
+    /// Name, beginning with a verb.
     pub name: &'static str,
     /// Other words it is found by.
     pub synonyms: &'static str,
@@ -377,7 +377,7 @@ pub fn bound() -> impl Iterator<Item = &'static Bound> {
     EVERYWHERE.iter().chain(LISTED).flat_map(|line| line.keys)
 }
 
-/// What means the same in all panes.
+/// Keys with the same meaning in all panes.
 #[rustfmt::skip]
 pub static EVERYWHERE: &[KeyHelp] = &[
     line(TAB_KEYS, "go to the tab; again: its next page"),
@@ -403,7 +403,7 @@ pub static EVERYWHERE: &[KeyHelp] = &[
     line(&[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 ];
 
-/// What means something in the panes that list it.
+/// Keys of the panes that list them.
 #[rustfmt::skip]
 pub static LISTED: &[KeyHelp] = &[
     line(&[(A::FullPane, "full-pane", "z")], "show this pane alone"),

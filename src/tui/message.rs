@@ -67,7 +67,7 @@ pub enum ExportOutcome {
 }
 
 impl ExportOutcome {
-    /// It in words, where nothing was written.
+    /// Describes an export that wrote nothing.
     pub(crate) fn words(&self) -> String {
         match self {
             Self::Written(_) => String::new(),
@@ -135,13 +135,13 @@ pub enum Content {
 /// The table of a page, made where it is written or copied: a long one takes a moment.
 #[derive(Clone)]
 pub struct PageTable {
-    /// What is written, for the dialog's frame.
+    /// Content of the export, for the dialog's frame.
     pub title: &'static str,
     /// The file that is proposed.
     pub file: String,
     reach: Reach,
     csv: Arc<dyn Fn(Reach) -> String + Send + Sync>,
-    /// Its scene, where it is of one.
+    /// Scene of the content, if it has one.
     scene: Option<Arc<Scene>>,
     /// The comment lines above the scene in the file beside the table.
     notes: String,
@@ -165,7 +165,7 @@ impl PageTable {
         Self { title, file, reach, csv, scene: None, notes, command }
     }
 
-    /// The same as a table of a scene, which a command makes again; the file is called by the preset, too.
+    /// Builds a table of a scene, which a command makes again; the preset is part of the file's name.
     pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: impl Into<String>) -> Self {
         let file = format!("{}-{}", app.base_stem(), self.file);
         let missing = self.reach.counted("").map(|after| format!("# not complete: {after}\n"));
@@ -173,7 +173,7 @@ impl PageTable {
         Self { file, scene: Some(Arc::clone(scene)), notes, command: command.into(), ..self }
     }
 
-    /// The same with other comment lines above the scene.
+    /// Replaces the comment lines above the scene.
     pub(crate) fn noted(self, notes: String) -> Self {
         Self { notes, ..self }
     }

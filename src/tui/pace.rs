@@ -126,7 +126,7 @@ impl Pace {
         self.owed.0 = self.owed.0.saturating_sub(1);
     }
 
-    /// What is under way will not be answered: the terminal was given away meanwhile.
+    /// Discards pending acknowledgements after the terminal was handed over.
     pub(super) fn lost(&mut self) {
         (self.under_way, self.owed) = (None, (0, None));
     }

@@ -11,7 +11,7 @@ use crate::model::variables::{self, VariableError};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Base {
     pub name: String,
-    /// It is the user's own, in the data directory.
+    /// Whether it is the user's own, in the data directory.
     pub is_mine: bool,
     pub scene: Arc<Scene>,
 }
@@ -52,7 +52,7 @@ impl PresetEntry {
         Self { name, origin: "mine", problem: Some(problem), ..Self::default() }
     }
 
-    /// It as the reference of edits.
+    /// Converts it to the reference of edits.
     pub(crate) fn base(self) -> Base {
         Base { name: self.name, is_mine: self.origin == "mine", scene: self.scene.into() }
     }

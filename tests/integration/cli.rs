@@ -12,7 +12,7 @@ use crate::support::in_folder;
 /// A directory of its own for each test, with a home inside.
 struct Place(TempDir);
 
-/// What a command left behind.
+/// Result of a command.
 struct Outcome {
     code: i32,
     out: String,

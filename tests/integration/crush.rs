@@ -40,7 +40,7 @@ fn valid_a_weak_absorber_takes_the_energy_of_the_common_velocity() {
     assert_near(run.max_plate_displacement_m.unwrap(), 73.75 / 100.0, 0.01);
 }
 
-/// What comes back is the elastic energy F^2/(2 k) alone; the rest, F (x - F/k), stays in the absorber.
+/// An absorber returns the elastic energy F^2/(2 k); it dissipates the rest, F (x - F/k).
 #[test]
 fn valid_only_the_elastic_energy_comes_back() {
     let run = crushed("run.horizon_s=0.05");

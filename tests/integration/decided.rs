@@ -1,4 +1,4 @@
-//! What is decided when a run ends, and what is known of the rest.
+//! Decided and undecided results at the end of a run.
 
 use cmra::model::run::{AtLeast, EndReason, Mode, Outcome, Run};
 
@@ -27,7 +27,7 @@ fn a_free_plate_that_leaves_its_elastic_stop_with_the_projectile_is_decided() {
     assert_eq!(found.at_least, AtLeast::default());
 }
 
-/// It creeps to zero with b/k = 20 ms: its stroke is the cocking distance.
+/// A plate that creeps to zero with b/k = 20 ms has the cocking distance as its stroke.
 #[test]
 fn valid_a_plate_that_creeps_back_against_its_damper_has_its_stroke() {
     let found = of("d=0.1 b=2000 k=1e5");
@@ -124,7 +124,7 @@ fn slips_in_a_plastic_hole_get_shorter() {
     }
 }
 
-/// What a run leaves open lies between what it has reached and what its energy allows: there a longer run finds it.
+/// An undecided depth lies between the depth reached and the bound by the energy; a longer run confirms it.
 #[test]
 fn valid_an_undecided_depth_has_a_lower_and_an_upper_bound() {
     let pairs = "interface=plastic gamma=3 k=5e6 v_i=20";

@@ -242,7 +242,7 @@ fn the_lumped_model_books_the_energy_of_its_stop() {
     assert!(found.ledger.residual().abs() < 2e-6, "{:e}", found.ledger.residual());
 }
 
-/// Its damper lets the plate go but slowly, so that the depth is little less than the closed form of a rigid mount, at any tolerance.
+/// A strong damper slows the plate, so that the depth is slightly below the closed form of a rigid mount at any tolerance.
 #[test]
 fn a_plate_that_creeps_is_decided_at_loose_tolerances_too() {
     for pairs in [

@@ -216,7 +216,7 @@ fn a_pipe_among_the_presets_is_not_waited_for() {
     assert!(error.contains("out.toml`, which is there"), "{error}");
 }
 
-/// The same on the command line, which waits for no pipe in a folder; one that the shell hands over has its other end.
+/// The command line does not wait for a named pipe in a folder; a pipe from the shell has a writer.
 #[cfg(unix)]
 #[test]
 fn a_named_pipe_is_neither_a_scene_nor_a_target() {

@@ -72,7 +72,7 @@ fn writes_until_it_is_killed() {
     }
 }
 
-/// What was found after the kills.
+/// Counts of the states found after the kills.
 #[derive(Debug, Default, PartialEq)]
 struct Found {
     /// Files that are neither of the two states.
@@ -85,7 +85,7 @@ struct Found {
     alone: usize,
 }
 
-/// Which of the states a file is in; `None`: it is not there.
+/// Returns the state that a file is in; `None` if it does not exist.
 fn state_of(path: &Path, states: &[Vec<u8>; 2], found: &mut Found) -> Option<usize> {
     let bytes = fs::read(path).ok()?;
     let state = states.iter().position(|state| *state == bytes);

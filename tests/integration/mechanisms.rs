@@ -194,7 +194,7 @@ fn rotation_is_mass() {
     assert_same(&counted, &heavy, 1e-13);
 }
 
-/// What lies beyond the first 5 mm of a column's or a table's law does not matter to a plate that turns before.
+/// A plate that turns before 5 mm does not depend on a column's or table's law beyond it.
 #[test]
 fn below_the_onset_a_column_is_a_linear_spring() {
     let column = run(scene("spring=column k_col=2e6 F_crit=20000 F_plat=100 v_i=60"));

@@ -10,7 +10,7 @@ fn out(arguments: &[&str], code: i32) -> (String, String) {
 
 const QUICK: [&str; 3] = ["--samples", "512", "--no-feasibility"];
 
-/// Of free plates no deeper than 4.568088344392 mm the heaviest has gamma = 1.
+/// The heaviest free plate with a depth of at most 4.568088344392 mm has gamma = 1.
 #[test]
 fn a_best_design_under_a_constraint_is_the_closed_form() {
     let asked = ["free-plate", "--over", "gamma=0.8..7", "--maximise", "plate_mass_kg", "--json"];

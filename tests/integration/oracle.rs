@@ -22,7 +22,7 @@ const STEP_S: f64 = 4e-8;
 const FINER: f64 = 0.1;
 /// Differences of the two step sizes that the finer is taken to be off by.
 const OFF: f64 = 5.0;
-/// What is never a disagreement, m, and relative.
+/// Absolute tolerance of a disagreement, m.
 const FLOOR_M: f64 = 3e-8;
 const FLOOR: f64 = 1e-6;
 /// A scene whose steps differ by more than this says little, m.
@@ -30,12 +30,12 @@ const BLUNT_M: f64 = 1e-6;
 /// Rows of the program's series that are compared.
 const ROWS: usize = 50;
 
-/// What one step size gives.
+/// Results for one step size.
 struct Stepped<'a> {
     /// Depth, displacement of the projectile and of the plate at each time requested, m.
     rows: Vec<[f64; 3]>,
     shot: Shot<'a>,
-    /// It came to the last of the times.
+    /// Whether the oracle reached the last time.
     arrived: bool,
 }
 
@@ -239,7 +239,7 @@ fn compare_many(
     kinds
 }
 
-/// That nothing disagrees on a scene; gives the program's run of it, unless it rattles.
+/// Asserts agreement on a scene; returns the program's run, unless it chatters.
 #[track_caller]
 fn agree(pairs: &str) -> Option<Run> {
     let (found, _, run) = compare(pairs);
@@ -322,7 +322,7 @@ fn valid_slips_before_the_greatest_displacement_do_not_hide_it() {
     assert!((far_m / shot.farthest_m - 1.0).abs() < 1e-6, "{far_m}, not {}", shot.farthest_m);
 }
 
-/// What it lets go of and meets again before that is clear of it, at a twentieth of the other tests' steps.
+/// A damped elastic stop touches the plate again before the plate is clear of it; a twentieth of the usual step size.
 #[test]
 fn valid_a_damped_elastic_stop_presses_again_a_plate_that_turns_before_it_is_clear() {
     for pairs in [

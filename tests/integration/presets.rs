@@ -69,7 +69,7 @@ fn the_baseline_is_the_default_scene() {
     assert_eq!(baseline.sweep, None);
 }
 
-/// Of Figures 9.2 to 9.12, and no other preset has a sweep. `cmra reproduce` shows the trends that section 9.3 describes.
+/// Figures 9.2 to 9.12 are the only presets with a sweep. `cmra reproduce` shows the trends that section 9.3 describes.
 #[test]
 fn every_figure_agrees_with_its_caption() {
     // Held: gamma, d, b, k, n; NaN where the figure sweeps it. Ranges of Table 9.2.
@@ -125,7 +125,7 @@ fn every_figure_agrees_with_its_caption() {
     }
 }
 
-/// What a preset must give, with where the numbers come from in a comment.
+/// Expected results of a preset; a comment states their source.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Case {

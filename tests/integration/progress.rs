@@ -51,7 +51,7 @@ fn in_own_time(words: &str, environment: &[(&str, &str)]) -> Terminal {
     })
 }
 
-/// What a command says that is interrupted as soon as it tells how far it is, in these words.
+/// Interrupts a command at its first progress message with these words, and returns its output.
 #[track_caller]
 fn interrupted(words: &str, progress: &str) -> (String, Terminal) {
     let mut terminal = in_own_time(words, &[]);
@@ -133,7 +133,7 @@ fn each_study_that_is_cut_short_says_so_on_its_page_and_in_its_file() {
     }
 }
 
-/// Of a sweep the points that are done are counted.
+/// The progress of a sweep counts its finished points.
 #[test]
 fn a_sweep_counts_its_points() {
     let arguments = ["sweep", "--over", "gamma=1..3:1000000000", "--csv", "endless.csv"];
@@ -146,7 +146,7 @@ fn a_sweep_counts_its_points() {
     assert_eq!(terminal.wait_exit().exit_code(), 1);
 }
 
-/// One run of these has millions of steps: the request to stop does not wait for its end.
+/// A run of millions of steps is cancelled before its end.
 #[test]
 fn a_search_is_stopped_within_a_run() {
     let scene = "--set k=1e9 --set n=1.5 --set interface=plastic --set run.horizon_s=1000";

@@ -43,7 +43,7 @@ pub(crate) struct Start<'a> {
     pub(crate) home: Option<tempfile::TempDir>,
     /// Whether the terminal has an alternate screen.
     pub(crate) alternate: bool,
-    /// What stands on the screen before.
+    /// Text on the screen before the start.
     pub(crate) before: &'a str,
 }
 

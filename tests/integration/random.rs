@@ -36,7 +36,7 @@ impl Random {
         if self.unit() < chance { 0.0 } else { self.log(low, high) }
     }
 
-    /// One of a list.
+    /// Draws an element of a list.
     pub(crate) fn of<T: Copy>(&mut self, list: &[T]) -> T {
         list[self.below(list.len())]
     }

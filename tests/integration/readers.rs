@@ -144,7 +144,7 @@ const TABLES: [&str; 7] = [
     "0,1e308\n1,-1e308\n2,1e308\n",
 ];
 
-/// What is accepted makes sense, is written, and comes back the same.
+/// Accepted text is valid, is written, and is read back unchanged.
 fn read_scene(text: &str) -> Result<(), String> {
     let found = read::scene(text, "x.toml").map_err(|error| error.to_string())?;
     variables::validate(&found).unwrap();
@@ -267,7 +267,7 @@ fn mutated(random: &mut Random, seed: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// What came of all inputs of a reader.
+/// Counts of a reader's results.
 #[derive(Default)]
 struct Tally {
     accepted: usize,

@@ -18,7 +18,7 @@ fn control(first: &str, numbers: &[&str], last: char) -> Vec<u8> {
     format!("\x1b[{first}{}{last}", numbers.join(";")).into_bytes()
 }
 
-/// What ends the workbench in crossterm 0.29 when its arithmetic is checked: coordinates of zero.
+/// Sequences that overflow in crossterm 0.29: coordinates of zero.
 fn known() -> Vec<Vec<u8>> {
     ["\x1b[<0;0;5M", "\x1b[<0;5;0m", "\x1b[0;1R", "\x1b[1;0R", "\x1b[32;0;0M", "\x1b[M   "]
         .map(|sequence| sequence.as_bytes().to_vec())

@@ -132,7 +132,7 @@ fn measure(run: &Run) -> Option<f64> {
     }
 }
 
-/// What is amiss with how a run ended, and in how many steps.
+/// Classifies an unexpected end of a run, by reason and number of steps.
 fn class_of_end(course: &Course) -> Option<Class> {
     match course.run.end {
         EndReason::StepBudget => Some(Class::StepBudget),
@@ -169,7 +169,7 @@ fn class_of(course: &Course) -> Option<Class> {
     }
 }
 
-/// What a change of the impact velocity by its last digits does to the result, relative.
+/// Returns the relative change of a result for a rounding-size change of the impact velocity.
 fn by_rounding(scene: &Arc<Scene>, result: f64) -> f64 {
     let changed = ROUNDED.map(|part| {
         let mut changed = Scene::clone(scene);
@@ -282,9 +282,9 @@ fn sweep(scenes: Scenes, count: u64, stride: u64) -> Vec<Shortfall> {
 /// At most one in this many inside the envelope uses up its work undecided, and says so: plates that oscillate hundreds of times within the
 /// contact through the zero of a spring or damper with a small exponent.
 const UNDECIDED_IN: u64 = 115;
-/// One scene in this many is run by default.
+/// Stride of the scenes that are run by default.
 const SAMPLE: u64 = 41;
-/// Those of the ten thousand inside that are known to fall short, in their steps. They may only become fewer.
+/// Number of the ten thousand scenes inside the envelope that fail within the sample; it may only decrease.
 const KNOWN_INSIDE: usize = 5;
 
 #[test]
@@ -321,7 +321,7 @@ fn assert_no_more_than_known(scenes: Scenes, stride: u64, known: usize) {
     assert!(undecided.len() as u64 * UNDECIDED_IN <= count, "{} of {count}", undecided.len());
 }
 
-/// What is drawn as inside the envelope is.
+/// Scenes drawn as inside the envelope are inside it.
 #[test]
 fn the_scenes_that_are_drawn_inside_the_envelope_are_inside() {
     for index in 1..=500 {

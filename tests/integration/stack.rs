@@ -143,7 +143,7 @@ fn elements_may_differ_and_are_kept() {
     assert_eq!(meets.count(), 3);
 }
 
-/// What an element leaves open is the first plate's when the file is read. Changed afterwards, that is another's.
+/// Values that an element omits are the first plate's when the file is read, whatever changes later.
 #[test]
 fn saving_another_first_plate_leaves_the_elements_as_they_are() {
     let text = "format = 1\n[target]\nthickness_m = 0.02\n[stack]\nbase_thickness_m = 0.02\n\

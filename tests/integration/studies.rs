@@ -1,5 +1,5 @@
-//! What every study's command keeps to: a table can be made again from what lies beside it, pages repeat what was changed, and
-//! nothing that was requested is ignored.
+//! Common behaviour of all studies' commands: tables can be made again from their sidecar, pages repeat the changes, and no request is
+//! ignored.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! What several tests need: where they find what they read, scenes in a few words, runs, and the program itself.
+//! Helpers of several tests: paths, scenes from text, runs, and the program itself.
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ pub(crate) fn cmra(subcommand: &str, arguments: &[&str]) -> Command {
     command
 }
 
-/// What a subcommand says on standard output and standard error when it ends with an exit status.
+/// Runs a subcommand, checks its exit status, and returns standard output and standard error.
 #[track_caller]
 pub(crate) fn says(subcommand: &str, arguments: &[&str], code: i32) -> (String, String) {
     let output = cmra(subcommand, arguments).output().unwrap();
@@ -52,14 +52,14 @@ pub(crate) fn says(subcommand: &str, arguments: &[&str], code: i32) -> (String, 
     (out, error)
 }
 
-/// What the program leaves: exit code, standard output, standard error.
+/// Result of the program: exit code, standard output, standard error.
 pub(crate) struct Done {
     pub(crate) code: i32,
     pub(crate) out: String,
     pub(crate) err: String,
 }
 
-/// What the program says in a folder, which is its home, with arguments split at blanks.
+/// Runs the program in a folder, which is its home, with arguments split at blanks.
 pub(crate) fn in_folder(place: &Path, arguments: &str) -> Done {
     let mut command = program();
     command.current_dir(place).env("HOME", place).args(arguments.split_whitespace());

@@ -367,7 +367,7 @@ fn a_signal_that_comes_twice_keeps_the_finished_rows() {
     assert!(rows(&fs::read_to_string(place.path().join("x.csv.partial")).unwrap()).len() > 10);
 }
 
-/// What a killed sweep has made can be found, and the next one leaves it alone.
+/// Rows of a killed sweep remain in a file that the next sweep does not replace.
 #[cfg(unix)]
 #[test]
 fn a_killed_sweep_leaves_its_rows_in_sight() {

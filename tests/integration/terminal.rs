@@ -90,7 +90,7 @@ fn depth_mm(screen: &str) -> f64 {
     number.parse().expect("a number")
 }
 
-/// What is drawn right of the variables, at 80 columns.
+/// Returns the part of the screen right of the variables, at 80 columns.
 fn chart(screen: &vt100::Screen) -> Vec<String> {
     screen.rows(32, 48).skip(2).take(16).collect()
 }
@@ -232,8 +232,7 @@ fn a_stop_from_outside_restores_the_terminal_and_a_continuation_comes_back() {
     });
 }
 
-/// What a shell does with a job: it gives it the terminal, and reports each stop and the end. Another one would have words and line
-/// editing of its own.
+/// Runs a job as a shell does: it hands over the terminal, and reports each stop and the end.
 #[test]
 #[ignore = "run by the tests above, in a terminal of its own"]
 #[expect(
@@ -512,7 +511,7 @@ fn keys_of_the_configuration_reach_dialogs() {
     assert_eq!(terminal.wait_exit().exit_code(), 0);
 }
 
-/// What a person does first, at the usual sizes: look, edit gamma, pin two and compare, export them, look at a figure, save, come back.
+/// A person's first steps at the usual sizes: edit gamma, pin two runs, export them, open a figure, save, return.
 #[test]
 fn the_first_steps_at_every_size() {
     const FIRST: [&str; 8] = [

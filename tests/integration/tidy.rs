@@ -29,7 +29,7 @@ const WORKBENCH: [&[&str]; 9] = [
 /// The folders of `src` that are packages of their own.
 const PACKAGES: [&str; 2] = ["engine", "studies"];
 
-/// What a part of the house must not know: words that must not appear in its code.
+/// Words that must not appear in the code of a layer.
 const MUST_NOT_KNOW: &[(&str, &[&str])] = &[
     (
         "numerics",
@@ -220,7 +220,7 @@ fn every_file_has_a_head_and_a_bounded_length() {
     assert_none(&complaints);
 }
 
-/// What looks like a key in a text of a page, where an action in brackets is meant: `<run>`, whatever its key is.
+/// Finds a key in a page's text that should be an action in brackets, such as `<run>`.
 fn key_in(text: &str) -> Option<&str> {
     const NAMED: [&str; 8] = ["Tab", "Enter", "Esc", "Space", "PgUp", "PgDn", "Home", "End"];
     const VERBS: [&str; 8] =

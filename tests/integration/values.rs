@@ -110,7 +110,7 @@ fn valid_the_tension_of_the_interface_does_not_depend_on_whether_a_series_is_kep
     assert_near(swept, tension, 1e-9);
 }
 
-/// What a crushed absorber gives back is the energy of its elastic rise, F²/(2 k).
+/// A crushed absorber returns the energy of its elastic rise, F²/(2 k).
 #[test]
 fn valid_an_absorber_stores_what_it_gives_back() {
     let found = run(scene("spring=crush F_crush=5e3 k_crush=1e7 x_crush=0.1 gamma=1"));

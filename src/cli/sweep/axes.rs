@@ -9,7 +9,7 @@ use crate::report::sweep::Columns;
 use crate::study::quantities::of_every_run;
 use crate::study::sweep::{Axis, COUNTS, Plan, USUAL_OUTPUTS};
 
-/// Which points a sweep has, and what is computed at each.
+/// Arguments for the points of a sweep and the outputs at each.
 #[derive(Debug, Args)]
 pub(super) struct PointArguments {
     /// An axis: a variable with its first and last value (SI, or with a unit), the number of points and `:log` for equal ratios,

@@ -20,7 +20,7 @@ use crate::numerics::quadrature::converged;
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
-/// One-body penetration with a reduced mass.
+/// Penetration of a single body with the reduced mass.
 #[derive(Clone, Copy, Debug)]
 pub struct Passage<'a> {
     /// Depth and area laws.
@@ -78,7 +78,7 @@ impl<'a> Passage<'a> {
         Self::unsprung(scene, geometry, false)
     }
 
-    /// The same on a plate that moves freely, or not at all; velocities are those relative to the plate.
+    /// Builds the passage for a free plate (`moves`) or a rigid one; velocities are relative to the plate.
     pub fn unsprung(scene: &Scene, geometry: &'a Geometry, moves: bool) -> Self {
         let cos = geometry.nose.cos;
         let projectile_kg = scene.projectile.mass_kg;
@@ -297,8 +297,8 @@ impl Passage<'_> {
     }
 }
 
-/// What becomes of a shot into a plate that is rigid, or that nothing but the shot moves. `None` of other plates and contact models, of a
-/// shot at an angle, whose swept volumes are integrals themselves, and of a run with a horizon.
+/// Computes the results of a shot at a rigid or free plate in closed form. Returns `None` for other plates, other contact models, oblique
+/// shots (their swept volumes are integrals) and runs with a horizon.
 pub(super) fn results(scene: &Scene) -> Option<Run> {
     let is_oblique = scene.projectile.obliquity_deg != 0.0;
     if !is_unsprung(scene) || is_oblique || scene.run.horizon_s.is_some() {
@@ -347,7 +347,7 @@ mod tests {
     use crate::model::simulate::bare_run;
     use crate::model::variables::scene_with;
 
-    /// The same closed form in 30-digit arithmetic.
+    /// Reference values: the closed form in 30-digit arithmetic.
     #[test]
     fn valid_times_of_rigid_and_free_plates() {
         let time_s = |moves: bool| {

@@ -91,7 +91,7 @@ pub enum AreaLaw {
     },
 }
 
-/// Which closed form one face's section has at a depth.
+/// Closed form of a face's section, by depth.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
     /// Not reached.

@@ -32,7 +32,7 @@ const TRIES: usize = 3;
 /// Part of the tolerance for each of the many steps of a plate that oscillates fast.
 const STEEP_PART: f64 = 0.2;
 
-/// One contact, prepared: everything that does not change during the contact.
+/// Constants of one contact.
 #[derive(Clone, Debug)]
 pub struct Contact {
     geometry: Geometry,
@@ -40,9 +40,9 @@ pub struct Contact {
     damper: PowerLaw,
     strength_pa: f64,
     drag_kg_m3: f64,
-    /// What a unit of contact force takes from the slip, 1/kg.
+    /// Deceleration of the relative velocity per unit of contact force, 1/kg.
     slip_mobility: f64,
-    /// What a unit of force gives the plate, 1/kg; zero if it cannot move.
+    /// Acceleration of the plate per unit of force, 1/kg; zero on a rigid mount.
     plate_mobility: f64,
     cos: f64,
     velocity_m_s: f64,

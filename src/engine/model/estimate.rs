@@ -17,7 +17,7 @@ const SHARED: f64 = 3.0;
 /// each sends it another way, and the two may have come out close to each other by chance.
 const ANOTHER_WAY: f64 = 10.0;
 
-/// What errors that both computations share are relative to besides a quantity's own size: rounding, and how a plate creeps.
+/// Reference size of errors that both computations share, besides the quantity's own size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Scale {
     Own,
@@ -104,7 +104,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
     run.estimate_basis = found.map(|_| basis);
 }
 
-/// What a value is off by, relative to it, which is not known better than to a floor; nothing for zero.
+/// Returns the error relative to the value, at least a floor; `None` for zero.
 fn relative(off: f64, value: f64, floor: f64) -> Option<f64> {
     Some(larger(off / value.abs(), floor)).filter(|relative| relative.is_finite())
 }

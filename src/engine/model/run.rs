@@ -59,7 +59,7 @@ pub struct Look<'a> {
 /// Called before every step; `Break` ends the run as cancelled.
 pub type Observer<'a> = &'a mut dyn FnMut(&Look<'_>) -> ControlFlow<()>;
 
-/// One computed impact.
+/// Results of one impact.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Run {
     /// The scene as it was run.
@@ -111,7 +111,7 @@ pub struct Run {
     pub mechanism: MechanismLoad,
     /// The outcome of the shot behind this plate, where the scene is a stack.
     pub stack: Option<Arc<StackRun>>,
-    /// The same shot with a plastic interface, where this one has a fused one and whoever ran it asked for both.
+    /// Results of the same shot with a plastic interface; `Some` for a fused run if both were requested.
     pub plastic: Option<Arc<Self>>,
     /// The cost of the computation.
     pub cost: Cost,
@@ -194,7 +194,7 @@ worded! {
     }
 }
 
-/// One row of the series.
+/// Row of the series.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Sample {
     /// Time since first contact, s.
@@ -233,7 +233,7 @@ impl Sample {
 pub struct Event {
     /// When, s.
     pub t_s: f64,
-    /// What.
+    /// Kind of the event.
     pub kind: EventKind,
 }
 

@@ -74,13 +74,13 @@ parts! {
 /// The sweep a scene is the base of: kept with the scene so that a figure opens from its preset.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Sweep {
-    /// One or more axes.
+    /// Axes of the sweep; at least one.
     pub axes: Vec<SweepAxis>,
     /// Names of the results to show.
     pub outputs: Vec<String>,
 }
 
-/// One axis of a sweep.
+/// Axis of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepAxis {
     /// A variable's symbol or key.
@@ -107,7 +107,7 @@ impl SweepAxis {
 /// Most further elements that a scene may list: the time of a run and of a key grows with the square of their number.
 pub const LAYERS_MAX: usize = 50;
 
-/// One element of a stack: a plate on its mechanism or mount.
+/// Element of a stack: a plate on its mechanism or mount.
 #[expect(missing_docs, reason = "each part says what it is")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {

@@ -44,8 +44,8 @@ fn check_rows(settings: &Settings) -> Result<(), VariableError> {
     }
 }
 
-/// The same shot on a plastic interface, without series and estimate: what to hold against a fused one, which carries whatever it is
-/// asked. `None` where the scene has no interface, is a stack, or is on the plastic law itself, and where the observer ends it.
+/// Runs the same shot with a plastic interface, without series and estimate, for comparison with a fused one. Returns `None` for a stack, a
+/// scene without interface or with the plastic law, and if the observer cancels.
 pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
     let is_fused = scene.interface.law == InterfaceLaw::Fused
         && scene.contact.model == ContactModel::Hydrodynamic

@@ -52,7 +52,7 @@ pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
     .concat()
 });
 
-/// One row of the table.
+/// Row of the table of variables.
 #[derive(Clone, Copy)]
 pub struct Variable {
     /// Full key as in a scene file, for example `plate.mass_ratio`.
@@ -61,7 +61,7 @@ pub struct Variable {
     pub symbol: &'static str,
     /// The noun for it, of at most sixteen letters: `mass ratio`.
     pub label: &'static str,
-    /// Its name in words where its key does not give it; else empty.
+    /// Long name if the key does not give it; else empty.
     pub own_name: &'static str,
     /// Other short words `--set` accepts.
     pub aliases: &'static [&'static str],
@@ -77,7 +77,7 @@ pub struct Variable {
     pub part: [fn(&Scene) -> bool; 2],
     /// The group of the editor it stands in.
     pub group: Group,
-    /// Its meaning, as a sentence.
+    /// Meaning, as a sentence.
     pub meaning: &'static str,
     /// Where its default comes from.
     pub source: &'static str,
@@ -112,7 +112,7 @@ worded! {
 pub enum Kind {
     /// A number.
     Number(Number),
-    /// One of a few words.
+    /// Choice between a few words.
     Choice {
         /// The words, in order.
         words: &'static [&'static str],
@@ -133,7 +133,7 @@ pub enum Kind {
 /// A numeric variable.
 #[derive(Clone, Copy)]
 pub struct Number {
-    /// Its units.
+    /// Dimension, which gives the units.
     pub quantity: Dimension,
     /// The physically possible values.
     pub allowed: Allowed,
@@ -211,7 +211,7 @@ pub enum Value {
     Number(f64),
     /// An optional number that is not there.
     Absent,
-    /// One of the words of a choice.
+    /// Word of a choice.
     Word(&'static str),
     /// A switch.
     Switch(bool),
@@ -304,7 +304,7 @@ impl Variable {
         self.number().map_or("", |number| number.quantity.unit())
     }
 
-    /// What makes it a number; `None` for a word or a switch.
+    /// Returns the numeric properties; `None` for a choice or a switch.
     pub fn number(&self) -> Option<&Number> {
         if let Kind::Number(number) = &self.kind { Some(number) } else { None }
     }

@@ -1,9 +1,9 @@
-//! One method for smooth, stiff and steep alike: Radau IIA collocation of y'' = f(y, y').
+//! Radau IIA collocation of y'' = f(y, y') for smooth, stiff and singular motions.
 //!
-//! With s stages the acceleration is a polynomial of degree s - 1 that equals f at the s nodes of a step; the order is 2 s - 1, and
-//! the method is L-stable (E. Hairer and G. Wanner, *Solving Ordinary Differential Equations II* (1996), IV.5 and IV.8). The unknowns
-//! are the stage accelerations; speeds follow by the matrix A of the method, places by A squared. A failed or inaccurate step is for
-//! the caller to take again, shorter.
+//! With s stages the acceleration is a polynomial of degree s - 1 that equals f at the s nodes of a step. The order is 2 s - 1, and the
+//! method is L-stable (E. Hairer and G. Wanner, *Solving Ordinary Differential Equations II* (1996), IV.5 and IV.8). The unknowns are the
+//! stage accelerations; velocities follow by the matrix A of the method, positions by A squared. The caller repeats a rejected step with a
+//! smaller step size.
 
 use std::array;
 use std::sync::LazyLock;
@@ -430,7 +430,7 @@ fn guess<const D: usize>(law: &impl Acceleration<D>, start: &Point<D>, h: f64) -
 /// A matrix of `D` times `D` blocks of `S`, factored by Gauss and Jordan's elimination with partial pivoting, for several right-hand
 /// sides.
 struct Factored<const D: usize, const S: usize> {
-    /// Of those on the diagonal the reciprocals.
+    /// Columns of the factors; the diagonal has the reciprocals.
     columns: [[Stages<D, S>; S]; D],
     pivots: [[usize; S]; D],
 }

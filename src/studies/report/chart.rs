@@ -22,7 +22,7 @@ pub struct Unit<'a> {
 }
 
 impl Default for Unit<'_> {
-    /// That of a pure number.
+    /// Returns the unit of a pure number.
     fn default() -> Self {
         Self::new("")
     }
@@ -46,13 +46,13 @@ impl<'a> Unit<'a> {
 #[must_use]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis<'a> {
-    /// What it measures: `t`. In a terminal the chart's title says it of the left axis.
+    /// Quantity of the axis: `t`. In a terminal the chart's title names the quantity of the left axis.
     pub label: Cow<'a, str>,
     /// The unit numbers are shown in; points, views and lines stay in the unit of the data.
     pub unit: Unit<'a>,
     /// How values are spread.
     pub scale: Scale,
-    /// Which values are shown, in the unit of the data.
+    /// Range of values shown, in the unit of the data.
     pub view: ViewRange,
 }
 
@@ -123,7 +123,7 @@ impl<'a> Axis<'a> {
         Some((Mapping::new(self.scale, view, rows), ticks))
     }
 
-    /// Its unit in brackets, with the power of ten that its numbers leave out.
+    /// Formats the unit in brackets, with the power of ten that is factored out of the labels.
     pub fn unit_text(&self, exponent: i32) -> String {
         let unit = &self.unit.name;
         match (exponent, unit.is_empty()) {
@@ -134,7 +134,7 @@ impl<'a> Axis<'a> {
         }
     }
 
-    /// Its quantity and unit.
+    /// Formats quantity and unit.
     pub fn text(&self, exponent: i32) -> String {
         self.after(&self.label, exponent)
     }
@@ -158,9 +158,9 @@ pub fn spaced(a: &str, b: &str) -> String {
 pub struct Mark<'a> {
     /// Where, in the unit of its axis.
     pub at: f64,
-    /// Its meaning; may be empty.
+    /// Meaning; may be empty.
     pub name: Cow<'a, str>,
-    /// The same in a letter or a word, for a terminal; may be empty.
+    /// Short name for a terminal, a letter or a word; may be empty.
     pub tag: Cow<'a, str>,
 }
 
@@ -181,11 +181,11 @@ impl<'a> Mark<'a> {
 /// How a curve stands among the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Emphasis {
-    /// What the others are held against: faint, at the bottom.
+    /// Reference of the other curves: faint, at the bottom.
     Faint,
-    /// Of results that a newer computation is about to replace: faint, at the bottom, `(old)` in the legend.
+    /// Results that a newer computation will replace: faint, at the bottom, `(old)` in the legend.
     Stale,
-    /// One of many, in the order given.
+    /// Curve in the order given.
     #[default]
     Normal,
     /// Drawn last, over the others.
@@ -198,11 +198,11 @@ pub enum Emphasis {
 pub struct Curve<'a> {
     /// The character it is drawn with in ASCII, and marked with otherwise. One cell wide.
     pub marker: char,
-    /// Its name in the legend; without one it is not in the legend.
+    /// Name in the legend; a curve with an empty name is omitted there.
     pub label: Cow<'a, str>,
-    /// Its points, in the units of the axes' views, in drawing order; a gap where a number is not finite.
+    /// Points in the units of the axes' views, in drawing order; a non-finite number makes a gap.
     pub points: Cow<'a, [(f64, f64)]>,
-    /// Which colour of those of curves.
+    /// Index into the colours of curves.
     pub colour: usize,
     /// How it stands among the others.
     pub emphasis: Emphasis,
@@ -256,11 +256,11 @@ pub enum Frame {
     /// A box with the title in its top line, the axis and its numbers inside.
     #[default]
     Boxed,
-    /// One of several charts in one box: whether the box begins with it, and what is below it.
+    /// Chart in a box of several.
     Stacked {
-        /// It has the top line of the box, not a line across it.
+        /// Whether the chart is the first of its box.
         begins: bool,
-        /// Its lower line.
+        /// Lower line of the chart.
         below: Below,
     },
 }
@@ -289,7 +289,7 @@ pub enum Legend {
 /// A chart. Build it with [`Chart::new`] and set the rest: `Chart { crosshair: Some(t), ..Chart::new(title, x, y, curves) }`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart<'a> {
-    /// What it shows; the unit of the left axis is appended.
+    /// Title; the unit of the left axis is appended.
     pub title: Cow<'a, str>,
     /// The horizontal axis.
     pub x: Axis<'a>,
@@ -303,7 +303,7 @@ pub struct Chart<'a> {
     pub levels: Vec<Mark<'a>>,
     /// Where the crosshair stands, in the unit of the data.
     pub crosshair: Option<f64>,
-    /// Its frame and title.
+    /// Frame and title of the chart.
     pub frame: Frame,
     /// Whether the curves are named.
     pub legend: Legend,

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 /// The replacement character.
 const REPLACEMENT: &str = "\u{fffd}";
 
-/// One line of text.
+/// Removes line ends and control characters from a text.
 pub fn line(text: &str) -> Cow<'_, str> {
     replaced(text, is_command)
 }

@@ -219,7 +219,7 @@ pub fn verdict(report: &Report) -> String {
     }
 }
 
-/// That parts are taken to have no mass, as the end of the verdict; empty where that does not make the mechanism pay.
+/// Returns the end of a verdict that depends on parts without mass; empty for other verdicts.
 fn uncounted(report: &Report) -> String {
     if report.uncounted.is_empty() || report.verdict().pays() != Some(true) {
         return String::new();
@@ -227,7 +227,7 @@ fn uncounted(report: &Report) -> String {
     format!(", without the mass of its {}", report.uncounted.join(" and "))
 }
 
-/// What the verdict rests on, a sentence each.
+/// Returns the reasons of the verdict, a sentence each.
 pub fn reasons(report: &Report) -> Vec<String> {
     let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
     let mut lines = Vec::new();

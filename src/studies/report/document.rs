@@ -33,7 +33,7 @@ impl Document {
         self.0 += &element("p", text);
     }
 
-    /// One line each.
+    /// Appends items, a line each.
     pub fn list(&mut self, items: &[String]) {
         let items: String = items.iter().map(|item| element("li", item)).collect();
         let _ = writeln!(self.0, "<ul>\n{items}</ul>");

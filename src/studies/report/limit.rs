@@ -86,7 +86,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     remarks
 }
 
-/// That the limit rests on a mechanism whose own limits it does not ask for; `None` where it does not.
+/// Warns of a limit that ignores the strength of its mechanism; `None` if there is no such mechanism.
 pub fn taken_to_hold(report: &Report) -> Option<Remark> {
     let text = "taken to hold whatever it stores; `cmra compare` gives the limit if the spring must survive";
     let is_so = report.limit.velocity_m_s().is_some() && !Mechanism::of(&report.scene).is_absent();

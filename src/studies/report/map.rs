@@ -32,7 +32,7 @@ pub enum Cell {
 /// A map. Points are spread evenly over both axes, from their lower to their upper bound.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Map<'a> {
-    /// Its content.
+    /// Title of the map.
     pub title: Cow<'a, str>,
     /// The unit of the values; empty for pure numbers.
     pub unit: &'static str,

@@ -23,7 +23,7 @@ pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
     warnings
 }
 
-/// That samples without a limit are missing in its quantiles; `None` where all have one.
+/// Notes the samples that have no limit and are missing in the quantiles; `None` if there are none.
 fn without_limit(report: &Report) -> Option<String> {
     let limits = report.summaries.iter().find(|it| it.measure.name == LIMIT)?;
     let (all, missing) = (report.samples, report.samples - limits.sorted.len());

@@ -79,8 +79,8 @@ impl Channel {
         matches!(self.source(), Source::Time(_) | Source::SceneTime(_))
     }
 
-    /// What to draw of samples of a run, SI. There is a gap while the projectile is out of the plate. The
-    /// law of the mechanism is drawn over all displacements.
+    /// Returns the points to draw for samples of a run, SI, with a gap while the projectile is out of the plate. The law of the mechanism
+    /// is drawn over all displacements.
     pub fn points(self, run: &Run, samples: &[Sample]) -> Vec<(f64, f64)> {
         match self.source() {
             Source::Time(_) | Source::SceneTime(_) => {

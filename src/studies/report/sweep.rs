@@ -18,7 +18,7 @@ use crate::study::sweep::{Axis, Evaluator, Plan, Point, Shard, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
 
-/// Which columns stand after the axes.
+/// Columns after the axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Columns {
     /// The outcome and the plan's outputs.
@@ -57,7 +57,7 @@ pub struct Sheet<'p> {
     pub plan: &'p Plan,
     /// The name of its scene.
     pub scene: &'p str,
-    /// Which columns there are.
+    /// Columns of the table.
     pub columns: Columns,
     /// Whether lines of CSV are made.
     pub has_csv: bool,

@@ -50,9 +50,9 @@ enumeration! {
     }
     /// The scene as it is.
     Scene { word: "scene" }
-    /// The same plates, held rigidly.
+    /// Plates on a rigid mount.
     Rigid { word: "rigid mount" }
-    /// The same plates without spring, damper, stop and cocking.
+    /// Plates without spring, damper, stop and cocking.
     Free { word: "free plate" }
     /// A solid plate of the scene's areal mass, held rigidly.
     Solid { word: "solid plate" }
@@ -61,7 +61,7 @@ enumeration! {
 /// The figures of one candidate; `None` where a figure does not exist.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
-    /// Which.
+    /// Candidate of the entry.
     pub candidate: Candidate,
     /// The shot at the design velocity.
     pub run: Run,
@@ -117,9 +117,9 @@ pub fn is_equal(mass_efficiency: f64) -> bool {
 /// Whether the mechanism pays.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// It stops the shot, with this mass efficiency.
+    /// Stops the shot, with this mass efficiency.
     Stops(f64),
-    /// It does not; why, in words.
+    /// Does not stop the shot, for this reason.
     NotMet(String),
     /// Unknown: the run is undecided, or a figure is missing.
     Unknown,
@@ -167,7 +167,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// One candidate's figures.
+    /// Returns the figures of a candidate.
     pub fn of(&self, candidate: Candidate) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.candidate == candidate)
     }
@@ -177,7 +177,7 @@ impl Report {
         Some(self.of(Candidate::Scene)?.depth_m()? / self.of(Candidate::Solid)?.depth_m()?)
     }
 
-    /// That the mass efficiency is not decided, or what measurements say against the limits; see [`Limit::caution`].
+    /// Warns of an undecided mass efficiency, or of limits that measurements contradict; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
         let own = self.of(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
         own.filter(|absence| absence.is_open()).map(|absence| absence.words.to_owned()).or_else(

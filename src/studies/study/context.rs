@@ -128,12 +128,12 @@ impl<'w, P: ?Sized> Context<'w, P> {
         self.stop.clone()
     }
 
-    /// That this many pieces of work are still to come, at least.
+    /// Announces a number of further pieces of work.
     pub fn expect(&mut self, more: usize) {
         self.progress.total = self.progress.total.max(self.progress.done + more);
     }
 
-    /// That this many pieces of work are done.
+    /// Counts finished pieces of work.
     pub fn count(&mut self, done: usize) {
         self.progress.done += done;
     }
@@ -143,7 +143,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
         self.look(None)
     }
 
-    /// The same, with what there is so far.
+    /// Reports progress with the partial result; returns `false` once cancelled.
     pub fn show(&mut self, part: &P) -> bool {
         self.look(Some(part))
     }
@@ -157,7 +157,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
         !self.is_stopped()
     }
 
-    /// The same as [`Context::goes_on`] where a control flow is requested.
+    /// Returns [`Context::goes_on`] as a control flow.
     pub fn flow(&mut self) -> ControlFlow<()> {
         self.goes_on();
         self.stop.flow()

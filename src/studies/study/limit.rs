@@ -50,7 +50,7 @@ enumeration! {
 /// Whether there is a limit, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
-    /// It is this.
+    /// Known limit.
     Found {
         /// The limit velocity, m/s.
         velocity_m_s: f64,
@@ -75,7 +75,7 @@ impl Limit {
         Self::Found { velocity_m_s, basis, stopped_at_m_s: None, undecided_at_m_s: None }
     }
 
-    /// The same with a slower shot that is not decided, m/s.
+    /// Adds the velocity of a slower undecided shot, m/s.
     fn above_undecided(mut self, velocity_m_s: f64) -> Self {
         if let Self::Found { undecided_at_m_s, .. } = &mut self {
             undecided_at_m_s.get_or_insert(velocity_m_s);
@@ -83,7 +83,7 @@ impl Limit {
         self
     }
 
-    /// The same with a faster shot that is stopped again, m/s, where there is one.
+    /// Adds the velocity of a faster shot that is stopped again, m/s, if any.
     fn stopped_again(mut self, velocity_m_s: Option<f64>) -> Self {
         if let Self::Found { stopped_at_m_s, .. } = &mut self {
             *stopped_at_m_s = velocity_m_s;
@@ -120,12 +120,12 @@ impl Limit {
     }
 }
 
-/// One shot of the residual-velocity curve.
+/// Shot of the residual-velocity curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shot {
     /// Impact velocity, m/s.
     pub impact_m_s: f64,
-    /// Its outcome.
+    /// Outcome of the shot.
     pub outcome: Outcome,
     /// Projectile velocity after perforation, m/s.
     pub residual_m_s: Option<f64>,
@@ -177,7 +177,7 @@ impl Report {
         if let Limit::Found { undecided_at_m_s, .. } = self.limit { undecided_at_m_s } else { None }
     }
 
-    /// That shots below the limit are not decided, in a sentence.
+    /// Describes undecided shots below the limit.
     pub fn undecided(&self) -> Option<String> {
         let velocity_m_s = self.undecided_at_m_s()?;
         Some(format!(

@@ -18,7 +18,7 @@ pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
     peak_so_far_n(run).filter(|_| run.at_least.plate_displacement_m.is_none())
 }
 
-/// The same up to the end of a run that ended before the plate's greatest displacement, N.
+/// Returns the peak force up to the end of a run that ended before the maximum plate displacement, N.
 pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;

@@ -50,7 +50,7 @@ impl ModelError {
     }
 }
 
-/// What is to be sampled.
+/// Request for a Monte Carlo study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// The inputs that scatter; empty: [`usual_tolerances`] by [`USUAL_DEVIATION`].
@@ -137,7 +137,7 @@ pub struct Estimate {
     pub value: f64,
     /// The lower end of the interval.
     pub low_95: f64,
-    /// Its upper end.
+    /// Upper end of the interval.
     pub high_95: f64,
 }
 
@@ -148,7 +148,7 @@ pub struct Summary {
     pub measure: &'static Quantity,
     /// Whether the error of the model is in its values.
     pub has_model_error: bool,
-    /// Its value for the scene itself.
+    /// Value of the unscattered scene.
     pub nominal: Option<f64>,
     /// Mean; there is one where there is a deviation.
     pub mean: Option<Estimate>,

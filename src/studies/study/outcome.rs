@@ -8,7 +8,7 @@ use crate::study::quantities::{Quantity, Trait};
 /// The outcome of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointOutcome {
-    /// That of its shot.
+    /// Outcome of the point's shot.
     Ended(Outcome),
     /// There is no result.
     Failed(Failure),

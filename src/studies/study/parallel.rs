@@ -145,7 +145,7 @@ impl Work {
     }
 }
 
-/// One thread for each core.
+/// Returns the number of cores.
 pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }

@@ -21,36 +21,36 @@ mod names;
 pub(in crate::study) use mount::turn_tells_force;
 pub use names::{find, listing, named, nearest};
 
-/// One quantity.
+/// Quantity: a result that can be swept, sought, optimised and scattered.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantity {
     /// Name in JSON, CSV and `[sweep] outputs`; with its unit at the end.
     pub name: &'static str,
     /// The kind of its values, which says in what units they may be written.
     kind: Dimension,
-    /// Its meaning, in a few words.
+    /// Meaning, in a few words.
     pub meaning: &'static str,
     source: Source,
     /// How it follows from the first contact.
     pub(in crate::study) from_contact: FromContact,
-    /// Its lower bound, if a run ended before it was final.
+    /// Lower bound for a run that ended before the value was final.
     lower_bound: Option<fn(&Run) -> Option<f64>>,
-    /// Its name in words where that is not the one in files; empty: that one.
+    /// Label if it differs from the name in files; else empty.
     title: &'static str,
     /// A word or two for narrow columns; empty: its title.
     short: &'static str,
     /// Why a shot that is stopped may be without it.
     pub(in crate::study) absence: &'static str,
-    /// What else is to be known of it.
+    /// Flags of the quantity.
     traits: &'static [Trait],
 }
 
-/// What is to be known of a quantity besides its value.
+/// Flag of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trait {
-    /// It describes a perforation; most others would mislead there.
+    /// Describes a perforation; most other quantities would mislead for perforated plates.
     OfPerforation,
-    /// It describes the computation, not the design.
+    /// Describes the computation, not the design.
     OfComputation,
     /// A stack has it, too: of the whole shot.
     OfStack,
@@ -58,11 +58,11 @@ pub enum Trait {
     Whole,
     /// A percentage.
     Percent,
-    /// It describes the hole, which is as deep as the plate where that is perforated.
+    /// Describes the hole, which is as deep as a perforated plate.
     OfHole,
-    /// It counts springs that are sized for one shot.
+    /// Includes springs that are sized for one shot.
     CountsSprings,
-    /// It takes the error estimate of a run.
+    /// Needs the error estimate of a run.
     Estimate,
 }
 
@@ -92,7 +92,7 @@ enum Source {
 /// How a quantity follows from the first contact of a shot that this decides.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study) enum FromContact {
-    /// It does not: it takes a simulation.
+    /// Needs a simulation.
     No,
     /// From its end.
     End(fn(&FirstContact) -> Option<f64>),
@@ -268,12 +268,12 @@ impl Quantity {
         self.traits.contains(&what)
     }
 
-    /// Its unit; `%` for a percentage, empty for a pure number.
+    /// Returns the unit; `%` for a percentage, empty for a pure number.
     pub fn unit(&self) -> &'static str {
         if self.has(Percent) { "%" } else { self.kind.unit() }
     }
 
-    /// Its name in words, without the unit: `max plate displacement`.
+    /// Returns the label without the unit: `max plate displacement`.
     pub fn title(&self) -> String {
         if self.title.is_empty() { self.key_words() } else { self.title.to_owned() }
     }
@@ -283,13 +283,13 @@ impl Quantity {
         self.bare().replace('_', " ")
     }
 
-    /// Its name in files without the unit: `max_plate_displacement`.
+    /// Returns the name in files without the unit: `max_plate_displacement`.
     fn bare(&self) -> &'static str {
         let end = format!("_{}", self.kind.unit().to_lowercase().replace(['/', ' '], "_"));
         self.name.strip_suffix(&end).unwrap_or(self.name)
     }
 
-    /// Its name in a word or two.
+    /// Returns the short label for a heading.
     pub fn heading(&self) -> String {
         if self.short.is_empty() { self.title() } else { self.short.to_owned() }
     }
@@ -309,7 +309,7 @@ impl Quantity {
         self.shown(value, digits, units::significant)
     }
 
-    /// The same for a table, with all of the digits: `60.00 %`.
+    /// Formats a value for a table with all digits: `60.00 %`.
     pub fn show_all_digits(&self, value: f64, digits: usize) -> String {
         self.shown(value, digits, units::fixed_significant)
     }
@@ -323,7 +323,7 @@ impl Quantity {
         }
     }
 
-    /// The same; a dash for a value that does not exist.
+    /// Formats a value; a dash for `None`.
     pub fn show_any(&self, value: Option<f64>, digits: usize) -> String {
         value.map_or_else(|| units::NO_NUMBER.to_owned(), |value| self.show(value, digits))
     }
@@ -344,13 +344,13 @@ impl Quantity {
         }
     }
 
-    /// Its lower bound, if a run ended before it was final; `None` if it is final or unknown.
+    /// Returns the lower bound if a run ended before the value was final; `None` if it is final or unknown.
     pub fn lower_bound(&self, run: &Run) -> Option<f64> {
         // The bounds of a run are those of its first plate.
         self.lower_bound?(run).filter(|bound| bound.is_finite() && run.stack.is_none())
     }
 
-    /// Its value for a run; `None` where it does not exist, never a number that is not finite.
+    /// Returns the value for a run; `None` if it does not exist. Values are finite.
     pub fn value(&self, run: &Run) -> Option<f64> {
         let own = || match self.source {
             Source::Scene(get) => get(&run.scene),
@@ -361,7 +361,7 @@ impl Quantity {
         own().filter(|value| has && value.is_finite())
     }
 
-    /// That a study of this quantity alone would find nothing: a stack has no such quantity.
+    /// Checks that the quantity exists for the scene; a stack lacks some quantities.
     pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), SweepError> {
         if self.has(OfStack) || !scene.is_stack() {
             return Ok(());
@@ -372,7 +372,7 @@ impl Quantity {
         )))
     }
 
-    /// Its value for a shot that the first contact decides.
+    /// Returns the value for a shot that the first contact decides.
     pub(in crate::study) fn of_contact(&self, answer: &FirstContact, scene: &Scene) -> Option<f64> {
         match (self.from_contact, self.source) {
             (End(get), _) => get(answer),
@@ -422,7 +422,7 @@ fn travel_margin(run: &Run) -> Option<f64> {
 const OF_STACKS: &str = "final_penetration_m";
 const OF_PLATES: &str = "percent_of_baseline";
 
-/// What a study of one quantity asks for where nothing is named.
+/// Returns the default quantity of a study.
 pub fn usual_of(scene: &Scene) -> &'static str {
     if scene.is_stack() { OF_STACKS } else { OF_PLATES }
 }

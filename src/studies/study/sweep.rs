@@ -148,8 +148,8 @@ impl Plan {
         Ok(plan)
     }
 
-    /// The same, whose runs are stopped after a given number of steps: such a point fails with its step budget used up. A search looks at
-    /// many designs; a few whose plate oscillates millions of times must not take all of its time.
+    /// Limits the steps of each run; a run beyond the limit fails. In a search, a few plates that oscillate millions of times must not take
+    /// most of the time.
     #[must_use]
     pub fn limited(self, steps: usize) -> Self {
         Self { steps_max: Some(steps), ..self }

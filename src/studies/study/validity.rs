@@ -17,7 +17,7 @@ use crate::study::verdict::Verdict;
 
 /// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
 const STEPS_MAX: usize = 30_000;
-/// The same of a run at the end of an axis: it must cost little beside the sweep itself, and usual runs take some tens of steps.
+/// Step limit of a run at the end of an axis. It must be cheap compared with the sweep; typical runs take tens of steps.
 const END_STEPS_MAX: usize = 30;
 
 /// Warnings about a scene's results, from one run.
@@ -111,7 +111,7 @@ pub fn of_plan(plan: &Plan) -> Vec<String> {
     list
 }
 
-/// What is worse at the ends of each axis than in the scene itself, or comes up there, and where it is worst.
+/// Returns the breaches that are worse at an end of an axis than in the scene itself, each at its worst end.
 fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Breach)> {
     let known = breaches(scene, own);
     let mut list: Vec<(String, Breach)> = Vec::new();
@@ -135,16 +135,16 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
     list
 }
 
-/// What is to be said against a design.
+/// Validity of a design.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// What a plastic interface comes to, where the fused one of the design cannot carry its load.
+    /// Result with a plastic interface, if the design's fused one cannot carry its load.
     pub plastic: Option<Plastic>,
     /// The checks that fail.
     pub fails: Vec<Check>,
-    /// Its warnings, but those of the entries of the libraries and of checks that the scene itself fails.
+    /// Warnings that the scene itself does not have, without those of library entries.
     pub new: Vec<String>,
-    /// Its warnings of checks that the scene itself fails, too.
+    /// Warnings that the scene itself has, too.
     pub known: Vec<String>,
     /// The verdict on its shot.
     pub verdict: Verdict,
@@ -178,7 +178,7 @@ impl Checked {
 /// A design on the plastic interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plastic {
-    /// Its outcome.
+    /// Outcome of the design's run.
     pub outcome: PointOutcome,
     /// The measure that it was found by; `None` where it does not exist.
     pub value: Option<f64>,

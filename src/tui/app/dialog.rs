@@ -9,12 +9,12 @@ use crate::tui::keymap::Call;
 use crate::tui::message::EffectReport;
 use crate::tui::prelude::*;
 
-/// What becomes of a dialog.
+/// Effect of a key on a dialog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     Stays,
     Closes,
-    /// It closes, and this is done.
+    /// Closes the dialog and runs a command.
     Calls(Call),
 }
 

@@ -20,7 +20,7 @@ enumeration! {
     Note { mark: " ", word: "note", role: Role::Text }
     /// Legal, yet worth a second look.
     Warning { mark: "!", word: "warning", role: Role::Warning }
-    /// It did not work.
+    /// Failed action.
     Error { mark: "error:", word: "error", role: Role::Error }
 }
 
@@ -86,7 +86,7 @@ impl App {
         run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run))
     }
 
-    /// The same for the status row.
+    /// Formats the validity for the status row.
     pub(crate) fn validity_part(&self) -> Option<StatusPart> {
         let found = self.breaches();
         // The status row of a run has the load of the interface already, with its number.

@@ -47,6 +47,6 @@ pub struct RunView<'a> {
     pub index: usize,
     pub name: &'a str,
     pub run: &'a Run,
-    /// It belongs to an older scene than the one on the screen.
+    /// Whether it belongs to an earlier scene than the one on the screen.
     pub old: bool,
 }

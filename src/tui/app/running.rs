@@ -21,7 +21,7 @@ pub struct Running {
     pub asked: Asked,
     /// Points done and in all, once known.
     pub points: Option<(usize, usize)>,
-    /// Of a run the simulated time reached, s, and the time gone when that was reported, once known.
+    /// Simulated time reached by a run, s, and the elapsed time at its report, once known.
     pub reached: Option<(f64, Duration)>,
 }
 
@@ -53,7 +53,7 @@ pub struct Jobs {
     pub overdue: bool,
     /// Tasks that have been running for so long that leaving asks first.
     pub long: Vec<u64>,
-    /// What the person was asked about: doing it again confirms it.
+    /// Action that waits for a confirmation; repeating it confirms.
     pub asked: Option<Action>,
     /// Why the last run gave no result.
     pub failure: Option<String>,

@@ -54,7 +54,7 @@ impl Draw for Map<'_> {
     }
 }
 
-/// What a cell of the screen shows.
+/// Returns the cell of the map that a cell of the screen shows.
 fn shown(map: &Map<'_>, layout: &Layout, at: Position) -> Cell {
     let plot = layout.plot;
     let x = spread(at.x - plot.x, plot.width, map.counts.0);
@@ -104,7 +104,7 @@ fn draw_contour(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
     }
 }
 
-/// Its row and column, every other cell, and a cross.
+/// Draws the cursor: every other cell of its row and column, and a cross.
 fn draw_cursor(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
     let (Some(point), plot) = (map.cursor, layout.plot) else { return };
     let cross = place(map, layout, point);

@@ -190,8 +190,7 @@ pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'
     Plan { layout, title, right, legend }
 }
 
-/// The same for a chart in a box of several, whose title has its number with a unit: beside it the legend and the note, as far as
-/// there is room.
+/// Lays out the title line of a chart in a box of several: title with number and unit, then legend and note if they fit.
 fn stacked<'a>(
     chart: &'a Chart<'_>,
     layout: Layout,

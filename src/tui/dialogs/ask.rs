@@ -18,7 +18,7 @@ use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{TextLine, wrapped};
 
-/// What a text is asked for.
+/// Purpose of the path.
 #[derive(Clone, Copy, Debug)]
 enum Purpose {
     /// Saving the scene: as a preset of one's own by its name, or as a file by its path.
@@ -109,7 +109,7 @@ impl Dialog for Ask {
         true
     }
 
-    /// It has ended: the dialog closes, or what stands in the way stands in it.
+    /// Handles the end of the effect: closes the dialog, or shows the obstacle.
     fn answered(&mut self, directory: &Path, report: &EffectReport) -> Option<Outcome> {
         let outcome = match (self.purpose, report) {
             (Purpose::Beside, EffectReport::Traces(path, read))
@@ -228,7 +228,7 @@ impl Ask {
         Ok(FileTask::Export(Destination { path, existing }, content))
     }
 
-    /// What stands below the field: the question, the error or a hint.
+    /// Returns the lines below the field: the question, the error or a hint.
     fn below(&self, app: &App, width: u16) -> Vec<TextLine> {
         let path = app.files.directory.join(self.value());
         let is_name = matches!(self.purpose, Purpose::Save) && !preset::is_path(self.value());
@@ -257,7 +257,7 @@ impl Ask {
     }
 }
 
-/// What the page shows as a table: of runs the current one and the pins, those with a result.
+/// Returns the table of the page; on Run, the current run and the pins that have a result.
 fn content(app: &App) -> Option<Content> {
     if !app.shows_runs() {
         return pages::of(app.tab).table(app).map(Content::Page);

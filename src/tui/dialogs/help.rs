@@ -63,7 +63,7 @@ const RUN_WORDS: &str = "%: of the depth on a rigid mount. plastic: depth (%) if
 /// Rows that the keys have at least where the words stand above them.
 const KEY_ROWS: usize = 5;
 
-/// What the words and signs of the focused pane mean; in the Run tab those of the selected variable come first.
+/// Explains the words and signs of the focused pane; on Run the selected variable comes first.
 fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
     let is_run = matches!(app.pane(), run::VARIABLES | run::CHARTS | run::RUNS);
     let words = match app.pane() {

@@ -24,7 +24,7 @@ pub(crate) struct Picker {
     pub moved: bool,
 }
 
-/// What a dialog lists.
+/// Content of a list dialog.
 pub(crate) trait List: Debug + 'static {
     /// The action that opens it, whose key closes it again.
     const OPENED_BY: Action;
@@ -35,7 +35,7 @@ pub(crate) trait List: Debug + 'static {
     /// How many rows match what was typed.
     fn count(&self, app: &App, typed: &str) -> usize;
 
-    /// What Enter does with the selected row.
+    /// Handles Enter on the selected row.
     fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome;
 
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>);

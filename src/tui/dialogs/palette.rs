@@ -1,4 +1,4 @@
-//! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym.
+//! Command palette (`:`): pages and actions, variables, presets and library entries, by name or synonym.
 
 use crate::model::variables::{VARIABLES, Variable, is_offered};
 use crate::tui::app::dialog::Outcome;
@@ -91,7 +91,7 @@ impl Item<'_> {
         }
     }
 
-    /// Its kind, in a word or two.
+    /// Returns the kind of an entry, in a word or two.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Command(_) => "action",

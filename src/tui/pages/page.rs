@@ -1,6 +1,6 @@
-//! What every page has: its panes and their keys, what it computes when it is shown, what keys do in it, and what it says.
+//! Interface of a page: panes and their keys, computation on entry, effects of keys, texts.
 
-/// What the files of the pages have in common.
+/// Common imports of the pages.
 pub(crate) mod prelude {
     pub(crate) use std::sync::Arc;
 
@@ -84,7 +84,7 @@ pub(crate) struct PageSpec {
 
 /// The constants of a tab.
 pub(crate) struct About {
-    /// Its pages, where it has several.
+    /// Subpages; empty for a single page.
     pub pages: &'static [PageSpec],
     /// All of its panes; the first one has the focus at the start.
     pub panes: &'static [PaneSpec],
@@ -136,7 +136,7 @@ pub(crate) trait Page: Sync {
         true
     }
 
-    /// What stands under the cursor, or what the selected row means.
+    /// Describes the cell under the cursor or the selected row.
     fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
         None
     }
@@ -173,7 +173,7 @@ pub(crate) trait Page: Sync {
         text().unwrap_or_default()
     }
 
-    /// What the open field reads, where that is a quantity.
+    /// Returns the quantity of the open field, if it has one.
     fn field_quantity(&self, app: &App) -> Option<FieldQuantity> {
         self.form(app)?.line()?.quantity.clone()
     }

@@ -81,7 +81,7 @@ const COMMANDS: &[Command] = &[
 
 /// A page: what it is called, what it asks for, and by which rows of the setup.
 struct Study {
-    /// Its subject, in two or three words.
+    /// Subject, in two or three words.
     title: &'static str,
     /// Other words that it is found by.
     synonyms: &'static str,
@@ -89,7 +89,7 @@ struct Study {
     file: &'static str,
     /// The rows of its setup, headings included.
     rows: fn(&App) -> Vec<Row>,
-    /// What the setup asks for, over the variables that it varies.
+    /// Builds the request of the setup.
     request: fn(&App) -> Result<SearchRequest, String>,
 }
 
@@ -102,7 +102,7 @@ impl state::Page {
         &STUDIES[self as usize]
     }
 
-    /// Its subject, in two or three words.
+    /// Returns the subject, in two or three words.
     pub fn title(self) -> &'static str {
         self.study().title
     }

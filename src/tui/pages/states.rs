@@ -1,4 +1,4 @@
-//! What the tabs keep.
+//! State of the tabs.
 
 use crate::tui::app::notice::Notice;
 use crate::tui::pages::explore::state::Sweeping;

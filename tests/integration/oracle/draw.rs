@@ -72,7 +72,7 @@ pub(crate) fn plain(random: &mut Random) -> String {
     around(random, &law)
 }
 
-/// The same with a plate that moves at first contact.
+/// Draws a scene with a plate that moves at first contact.
 pub(crate) fn moving(random: &mut Random) -> String {
     loop {
         let words =

@@ -11,7 +11,7 @@ const LOOK_S: f64 = 1e-3;
 /// A projectile that has less of its residual velocity than this part is amplified too much to compare.
 const SLOW: f64 = 0.05;
 
-/// What the steps make of one plate: the velocity behind it, if any, and the depth.
+/// Oracle's result for one plate: the residual velocity, if any, and the depth.
 struct Plate {
     left: Option<f64>,
     depth_m: f64,

@@ -106,7 +106,7 @@ fn a_stop_is_a_line_and_asks_too_much_of_a_fused_interface() {
     assert_snapshot!(has(&[("x_stop", "10mm")], &words));
 }
 
-/// Both bodies of one mass share the momentum: half the velocity.
+/// Bodies of equal mass share the momentum: half the velocity.
 #[test]
 fn valid_a_free_plate_leaves_at_the_common_velocity() {
     let screen = has(&[("k", "0")], &["leaves at 50.0 m/s, no greatest"]);
@@ -171,7 +171,7 @@ fn values_are_shown_as_they_were_typed() {
     }
 }
 
-/// What the scene does not use stands in its place and can be set; a find unfolds what is not in sight.
+/// Unused variables stay in the list and can be set; a search unfolds hidden ones.
 #[test]
 fn unused_variables_stay_in_the_list_and_more_unfolds() {
     let mut bench = shown(&[("closure", "double-yield")], (80, 24));

@@ -71,7 +71,7 @@ fn escape_leaves_the_jobs_of_other_tabs_alone() {
     assert!(bench.has_cancelled());
 }
 
-/// What is done is never more than what there is to do.
+/// Counters of finished parts never exceed their totals.
 #[test]
 fn counters_do_not_pass_their_totals() {
     let mut bench = Bench::ascii(120, 36);

@@ -1,4 +1,4 @@
-//! What keys do: messages in, state and effects out.
+//! Effects of keys: messages in, state and effects out.
 
 #![expect(clippy::float_cmp, reason = "what is typed is stored to the last bit")]
 

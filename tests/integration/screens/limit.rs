@@ -270,7 +270,7 @@ fn where_there_is_one_pane_tab_says_how_to_go_on() {
     );
 }
 
-/// What tab 3 asks of a scene is what the commands ask by themselves, and gives the same digits.
+/// Tab 3 and the commands use the same requests and give the same digits.
 #[test]
 fn the_tab_and_the_commands_give_the_same_digits() {
     for name in ["thesis-baseline", "rigid-mount", "cocked", "oblique", "thin-plate-perforation"] {

@@ -102,7 +102,7 @@ fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     true
 }
 
-/// The same, with its results selected.
+/// Opens Search with its results selected.
 pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
     bench.keys("4<Tab>");

@@ -65,7 +65,7 @@ pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16
     bench
 }
 
-/// The same on a map.
+/// Opens a map.
 pub(super) fn open_map(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = open(figure, count, glyphs, size);
     bench.app.pages.explore.picture = Picture::Surface;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use cmra::model::scene::Scene;
 use cmra::model::variables;
 
-/// One base a dimension.
+/// Bases of the Halton sequence, one for each dimension.
 const BASES: [u64; 21] =
     [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73];
 /// Multiplies and shifts the digits, so that large bases do not march in step.
@@ -54,11 +54,11 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap()
 }
 
-/// What the variables are drawn from.
+/// Ranges of the variables.
 struct Ranges {
     n: (f64, f64),
     m: (f64, f64),
-    /// Of a cocked plate, and of one that is not, up to this.
+    /// Greatest spring coefficient of a cocked plate and of an uncocked one.
     k: (f64, f64),
     b: f64,
     gamma: (f64, f64),

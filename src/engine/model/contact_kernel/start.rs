@@ -16,11 +16,11 @@ const EVEN_UNIT: f64 = 0.5;
 const GRADED_UNIT: f64 = 0.6;
 /// Time up to which a plate is expanded without its singular laws, as part of the contact's duration.
 const MOMENT_MAX: f64 = 0.1;
-/// What displacement and velocity are wrong by, relative, per change of the laws' share of the force and of the power of the
-/// displacement since first contact: the most that was found against the simulation on random scenes.
+/// Relative error of displacement and velocity, per change of the laws' fraction of the force and of the displacement's power since first
+/// contact. Greatest ratio measured against the simulation on random scenes.
 const MISSED: f64 = 0.04;
-/// What the slip is wrong by in units of (t/duration)⁴, at most, if the plate stays where it would have moved freely: the sixth part
-/// of the product of the bodies' parts of the mobility, which is a quarter at most.
+/// Greatest error of the relative velocity, in units of (t/duration)⁴, of a plate that is treated as fixed but would move freely. It is a
+/// sixth of the product of the bodies' fractions of the mobility, which is 1/4 at most.
 const HELD: f64 = 1.0 / 24.0;
 /// Part of the tolerance that the start may use up.
 const TOLERANCE_PART: f64 = 0.2;

@@ -29,14 +29,14 @@ pub(super) struct Setup {
     pub(super) geometry: Geometry,
     /// At first contact; an absorber's law changes as it is crushed.
     pub(super) spring: Spring,
-    /// What an absorber is part of, where there is one.
+    /// Mechanism that contains a crush absorber, if any.
     pub(super) absorber: Option<Box<scene::Mechanism>>,
     pub(super) damper: PowerLaw,
     /// Velocity below which a steep one is taken as linear, m/s; zero of any other.
     pub(super) creep_m_s: f64,
     /// Where the stop is, m; infinite where there is none.
     pub(super) stop_at_m: f64,
-    /// Of a rigid stop.
+    /// Coefficient of restitution of the rigid stop; `None` without one.
     pub(super) restitution: Option<f64>,
     /// Stiffness and damping of an elastic one; zero of any other.
     pub(super) stop_n_m: f64,
@@ -46,14 +46,14 @@ pub(super) struct Setup {
     pub(super) plate_kg: f64,
     /// The part of it that stands for what turns with the plate and is turned by the mount.
     pub(super) turning_kg: f64,
-    /// What moves along the plate's normal when both move together.
+    /// Mass that moves along the plate's normal when both bodies move together, kg.
     pub(super) joined_kg: f64,
     pub(super) cos: f64,
     pub(super) strength_pa: f64,
     pub(super) drag_kg_m3: f64,
     /// Strength in tension over that in compression.
     pub(super) grip: f64,
-    /// Of projectile and closing velocity at first contact the greater: what velocities are compared with.
+    /// Reference velocity, m/s: the greater of projectile and closing velocity at first contact.
     pub(super) velocity_m_s: f64,
     /// What lengths are compared with: the tip radius or, of a shot too slow to come so far, the travel on which the strength stops it.
     pub(super) length_m: f64,
@@ -96,7 +96,7 @@ pub(super) struct Equations<'a> {
 }
 
 impl Setup {
-    /// Of a valid scene, for steps to a tolerance.
+    /// Builds the parameters of a valid scene for steps to a tolerance.
     pub(super) fn of(scene: &Scene, tolerance: f64) -> Self {
         let law = Law::of(scene);
         let flows = law == Law::Flow;
@@ -323,7 +323,7 @@ impl Equations<'_> {
         self.mode.contact == Contact::Penetrating
     }
 
-    /// Its derivatives by travel and slip.
+    /// Returns the derivatives of the contact force by travel and relative velocity.
     pub(super) fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
         match self.setup.law {
             Law::Flow if self.is_touching() => {}
@@ -403,7 +403,7 @@ impl Equations<'_> {
         self.moved_by(self.contact_n(state), || self.mechanism_n(state.x_m, state.w_m_s))
     }
 
-    /// Those by forces of the contact and of the mechanism.
+    /// Returns the accelerations caused by forces of the contact and of the mechanism.
     fn moved_by(&self, contact_n: f64, mechanism_n: impl Fn() -> f64) -> (f64, f64) {
         let Setup { projectile_kg, cos, .. } = *self.setup;
         let plate = if self.plate_rests() {
@@ -439,14 +439,14 @@ impl Equations<'_> {
         Slopes { place: rows(contact.0, mechanism.0), speed: rows(contact.1, mechanism.1) }
     }
 
-    /// What they are off by through the rounding of forces, which may hold each other.
+    /// Returns the rounding errors of the accelerations, which are large if forces cancel.
     pub(super) fn rounding(&self, state: &State) -> (f64, f64) {
         let mechanism_n = || -self.mechanism_rounding_n(state.x_m, state.w_m_s);
         let (slip, plate) = self.moved_by(KNOWN * self.contact_n(state).abs(), mechanism_n);
         (slip.abs(), plate)
     }
 
-    /// What presses the plate forwards on a stop on which it rests, N: the mechanism's force at rest, and the contact's.
+    /// Returns the force that presses a resting plate on its stop, N: the mechanism's force at rest plus the contact force.
     pub(super) fn push_on_stop_n(&self, state: &State) -> f64 {
         let spring = self.mode.spring.force(self.displacement_m(state.x_m));
         self.contact_n(state) * self.setup.cos - spring
@@ -475,15 +475,15 @@ impl Equations<'_> {
         ([1e-3 * r, 1e-9 * r], [1e-3 * v, 1e-6 * v])
     }
 
-    /// The same at a state.
+    /// Returns the error scales at a state.
     pub(super) fn sizes(&self, state: &State) -> Point<2> {
         let ([q_m, x_m], [u_m_s, w_m_s]) = self.least_sizes();
         let places = [larger(state.q_m.abs(), q_m), larger(state.x_m.abs(), x_m)];
         (places, [larger(state.u_m_s.abs(), u_m_s), larger(state.w_m_s.abs(), w_m_s)])
     }
 
-    /// What the mechanism's forces, which may hold each other, are off by through rounding, N: those of spring, damper and stop, and of a
-    /// spring far from whose zero the displacement is measured.
+    /// Returns the rounding error of the mechanism's forces, N: spring, damper and stop, whose forces may cancel, and a spring whose
+    /// displacement is measured from a distant origin.
     fn mechanism_rounding_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         let (mode, at_m) = (self.mode, self.displacement_m(x_m));
         let spring_n = mode.spring.force_in(mode.stretch, at_m).abs();

@@ -1,4 +1,4 @@
-//! Which events a mode has, and the gap of each: above zero while the mode lasts, falling through zero where the event happens.
+//! Events of a mode and their event functions: positive while the mode lasts, zero at the event.
 
 use crate::model::contact_models::Law;
 use crate::model::impact::equations::{Equations, Setup, State};
@@ -23,7 +23,7 @@ pub(super) fn of(setup: &Setup, mode: &Mode) -> impl Iterator<Item = Event> {
     of_contact(setup, mode).iter().copied().chain(of_plate)
 }
 
-/// Those of the contact.
+/// Returns the events of the contact.
 fn of_contact(setup: &Setup, mode: &Mode) -> &'static [Event] {
     let is_free = mode.hold == Hold::Free;
     match (setup.law, mode.contact) {
@@ -72,8 +72,8 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
     }
 }
 
-/// What is missing until a projectile that is apart touches: travel, or, in its dent, the force of the lumped interface's damper that
-/// holds it off its spring.
+/// Event function of renewed contact: the travel that is missing. In the dent of a lumped interface it is the damper's force, which keeps
+/// the projectile off the spring.
 fn recontact(setup: &Setup, mode: &Mode, state: &State) -> f64 {
     let missing_m = setup.law.slack_m(mode.deepest_m) - state.q_m;
     let Law::Lumped(lumped) = setup.law else { return missing_m };

@@ -29,7 +29,7 @@ impl Setup {
         HELD * self.length_m
     }
 
-    /// The same once it has taken hold again, at a travel of the projectile.
+    /// Returns the displacement of a plate that is locked again, at a travel of the projectile.
     pub(super) fn returned_m(&self, q_m: f64) -> f64 {
         RETURNED * self.tolerance * smaller(q_m, self.length_m)
     }
@@ -138,7 +138,7 @@ impl Equations<'_> {
         self.contact_n(state) * self.setup.cos
     }
 
-    /// What the steep spring that holds the plate could hold besides, N.
+    /// Returns the additional force that the stiff spring could balance before the plate unlocks, N.
     pub(super) fn spare_n(&self, state: &State) -> f64 {
         self.setup.spring.force(self.mode.held_m) - self.push_n(state).abs()
     }
@@ -162,7 +162,7 @@ impl Equations<'_> {
         self.creep_slope_n_s_m(w_m_s).map_or_else(force_n, |slope_n_s_m| slope_n_s_m * w_m_s)
     }
 
-    /// Its derivative at a velocity other than zero, N s/m.
+    /// Returns the derivative of the damper's force at a non-zero velocity, N s/m.
     pub(super) fn damper_slope_n_s_m(&self, w_m_s: f64) -> f64 {
         self.creep_slope_n_s_m(w_m_s).unwrap_or_else(|| self.setup.damper.tangent(w_m_s))
     }
@@ -246,7 +246,7 @@ mod tests {
         assert!(is_near(1e6 * (x_m + w_m_s * 1e-9).powf(0.2), later_n, 1e-9));
     }
 
-    /// What is left cannot pull the projectile out of a hole that grips it; without a grip nothing keeps it there.
+    /// The remaining energy cannot pull the projectile out of a hole with a grip; without a grip it can.
     #[test]
     fn a_steep_spring_holds_joined_bodies_that_stay_so() {
         for (more, expected) in

@@ -16,7 +16,7 @@ use crate::numerics::larger;
 /// less than that part of the travel.
 const SOFT_BLOW: f64 = 1e-13;
 
-/// What holds the plate.
+/// Constraint of the plate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hold {
     /// Nothing: it moves.
@@ -29,7 +29,7 @@ pub(super) enum Hold {
     Mount,
 }
 
-/// What holds between two events.
+/// Discrete state of the hybrid system between two events.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Mode {
     pub(super) contact: Contact,
@@ -57,7 +57,7 @@ pub(super) struct Mode {
     pub(super) w_side: f64,
 }
 
-/// What ends a mode.
+/// Event that ends a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Event {
     /// The area law changes, going deeper; the last time the nose is through, or picks up the plug.
@@ -76,11 +76,11 @@ pub(super) enum Event {
     HistoryEnd,
     /// The joined interface is pushed beyond its strength.
     PushLimit,
-    /// It is pulled beyond its grip.
+    /// Tension beyond the grip.
     PullLimit,
     /// The spring's law changes, going forwards.
     KnotAhead,
-    /// It changes going back.
+    /// Knot of the spring's law at smaller displacement.
     KnotBehind,
     /// The plate turns.
     SpeedZero,
@@ -94,7 +94,7 @@ pub(super) enum Event {
     ZeroPassed,
     /// A steep spring takes hold of the plate.
     SpringHolds,
-    /// It lets the plate move noticeably.
+    /// Unlocking of the plate: the spring's displacement becomes noticeable.
     Yields,
 }
 
@@ -203,7 +203,7 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
     next
 }
 
-/// What follows an event of the contact.
+/// Applies an event of the contact.
 fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mode, &mut State)) {
     match event {
         Event::PieceEnd => {
@@ -300,7 +300,7 @@ fn pull_out(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.piece = setup.geometry.piece(state.q_m.next_down());
 }
 
-/// What follows where the slip is zero: together, unless the interface cannot carry what it must.
+/// Decides between stick and slip at zero relative velocity: the bodies stick unless the interface force exceeds a limit load.
 fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.contact = match (setup.law, mode.contact) {
         (Law::History(_), Contact::Withdrawing) => Contact::Penetrating,
@@ -433,8 +433,8 @@ mod tests {
         (after(&setup, &mode, event, &mut state), state)
     }
 
-    /// Both bodies weigh 29.5 g: joined, the interface carries half of the spring's 50 kN at 5 mm, of 15 kN that it can push and
-    /// 1.5 kN that it can pull.
+    /// Transitions of two bodies of 29.5 g. While they stick, the interface carries half of the spring's 50 kN at 5 mm; the limit loads are
+    /// 15 kN and 1.5 kN.
     #[rustfmt::skip]
     const TRANSITIONS: [(&str, Contact, Event, [f64; 4], Contact); 21] = [
         ("k=1e5", Contact::Penetrating, Event::SlipZero, [5e-3, 0.0, 0.0, 20.0], Contact::Fused),

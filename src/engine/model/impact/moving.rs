@@ -1,5 +1,4 @@
-//! What moves in a mode, as the integrator takes it: both bodies, the plate (with the projectile or without it), or the projectile
-//! in a plate that rests.
+//! Active degrees of freedom of a mode: both bodies, the plate with or without the projectile, or the projectile in a resting plate.
 
 use std::array;
 
@@ -14,12 +13,12 @@ pub(super) struct Moving<'a, const D: usize> {
 }
 
 impl<const D: usize> Moving<'_, D> {
-    /// Which of both is the first that moves.
+    /// Returns the index of the first active body.
     fn first(&self) -> usize {
         usize::from(D == 1 && !self.equations.plate_rests())
     }
 
-    /// Of something for each of both what is for the places that move.
+    /// Selects the values of the active degrees of freedom from those of both bodies.
     fn moving<T: Copy>(&self, both: [T; 2]) -> [T; D] {
         let first = self.first();
         array::from_fn(|d| both[first + d])

@@ -18,7 +18,7 @@ pub(super) const NEGLIGIBLE: f64 = 1e-12;
 /// speed of about its excess to the power 1.5, so that the drag takes this to the third power of the whole.
 const LAST_SLIPS: f64 = 2e-3;
 
-/// Of the way to the bottom of the hole, or out of it, the other half is left to the last slip.
+/// Safety factor on the remaining slip; the last slip may take the other half of the way to the bottom of the hole, or out of it.
 const SLIP_RESERVE: f64 = 2.0;
 
 impl Equations<'_> {
@@ -411,7 +411,7 @@ mod tests {
     use crate::model::impact::tests::{is_near, look};
     use crate::model::variables::scene_with;
 
-    /// Both bodies weigh 29.5 g, the interface carries half of the spring's force, 15 kN forwards and 1.5 kN backwards.
+    /// Outcomes of two bodies of 29.5 g. The interface carries half of the spring's force; the limit loads are 15 kN and 1.5 kN.
     #[rustfmt::skip]
     const OUTCOMES: [(&str, Contact, [f64; 4], Option<Outcome>); 11] = [
         ("k=1e5", Contact::Perforated, [0.1, 50.0, 0.0, 10.0], Some(Outcome::Perforated)),

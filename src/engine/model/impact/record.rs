@@ -1,4 +1,4 @@
-//! What a run leaves: rows, events, work, milestones and extremes, each from the accepted steps.
+//! Records of a run: rows, events, work, milestones and extremes of the accepted steps.
 
 use std::array;
 
@@ -21,7 +21,7 @@ const NOTED_HIT: f64 = 1e-9;
 const SAME_DEPTH: f64 = 1e-9;
 const NEAR_DEPTH: f64 = 1e-2;
 
-/// What is recorded of a run.
+/// Recorder of a run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Record {
     pub(super) keep_series: bool,
@@ -52,13 +52,13 @@ pub(super) struct Record {
 /// The greatest forces of mount and joined interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Loads {
-    /// Of spring, damper and elastic stop, N.
+    /// Sum of the forces of spring, damper and elastic stop, N.
     pub(super) mount_n: f64,
     /// Push and pull through the joined interface, over its strength in compression.
     pub(super) ratios: Option<[f64; 2]>,
     /// When a fused one was first pushed, and pulled, by more than its strength, s.
     pub(super) exceeded_s: [Option<f64>; 2],
-    /// It has no strength.
+    /// Whether the interface has no strength.
     pub(super) no_strength: bool,
 }
 

@@ -31,7 +31,7 @@ const DRIFT: f64 = 1e-8;
 /// deepen falls like one over their square.
 const CHANGES_TO_INTERVAL: usize = 64;
 
-/// What a run has come to: all that its results follow from.
+/// State of one impact, from which all results follow.
 #[derive(Clone, Debug)]
 pub(super) struct Course<'a> {
     pub(super) scene: &'a Arc<Scene>,

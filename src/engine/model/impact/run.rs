@@ -53,7 +53,7 @@ struct Progress<'a, M, const S: usize> {
     h_s: f64,
 }
 
-/// One impact, stepped through by a method. A run whose work is used up ends early, with what is known.
+/// Integrates one impact by a method. A run that exhausts its evaluation budget ends early with partial results.
 pub(super) fn run<const S: usize>(
     scene: &Arc<Scene>,
     setup: &Setup,
@@ -130,7 +130,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         }
     }
 
-    /// One step, or one event.
+    /// Advances by one step or one event.
     fn go_on(&mut self, observer: Observer<'_>) -> Option<EndReason> {
         let missed = self.missed();
         let so_far = || Some(report::gather(self.course.clone(), EndReason::Cancelled));
@@ -241,7 +241,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         }
     }
 
-    /// One step by the law of whatever moves.
+    /// Advances the active degrees of freedom by one step.
     fn advance(&mut self) -> Option<EndReason> {
         let mode = self.course.mode.clone();
         let equations = Equations { setup: self.course.setup, mode: &mode };

@@ -9,7 +9,7 @@ use crate::model::scene::Scene;
 use crate::numerics::collocation::{ELEVEN, NINE, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
 
-/// What steps of a given length are taken to be off by.
+/// Relative tolerance of event location for methods with fixed steps.
 const STEPPED: f64 = 1e-12;
 
 /// A method that the loop can step by.
@@ -18,7 +18,7 @@ pub enum Stepping {
     /// Radau IIA, the engine's own, to a tolerance: with seven stages where the mechanism's laws are analytic, else with nine. Seven take fewer
     /// instructions a step, and more steps towards a singular zero.
     Collocation(f64),
-    /// The same; the plate is followed to its turn also where its energy says how far it goes.
+    /// Collocation; the plate is integrated to its turning point even if its energy gives the maximum displacement.
     CollocationInFull(f64),
     /// The same with two stages more, for the estimate of errors. Bound by the same events both take the same steps, of which the member with
     /// as many stages has the same errors. Of the loads it follows only the push through the joined interface.
@@ -29,11 +29,11 @@ pub enum Stepping {
     Dop853(f64),
     /// The classical Runge-Kutta method with steps of this length, s; events are located.
     Rk4(f64),
-    /// The same; events are only noticed after the step in which they happened.
+    /// Classical Runge-Kutta; events are noticed after the step that contains them.
     Rk4WithoutEvents(f64),
 }
 
-/// One impact on a valid scene by a method, whatever its contact model but the listing of the Appendix.
+/// Runs one impact on a valid scene by a method; every contact model but the listing of the Appendix.
 pub(super) fn run_by(
     scene: &Arc<Scene>,
     settings: Settings,

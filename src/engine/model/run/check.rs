@@ -3,7 +3,7 @@
 use crate::model::worded::worded;
 
 worded! {
-    /// One row of the table.
+    /// Check of validity.
     pub enum Check: label {
         Thickness = "h/D",
         Material = "material",
@@ -32,7 +32,7 @@ impl Check {
         self.row().0
     }
 
-    /// What it means, on which side the answer errs, and the cure: a paragraph.
+    /// Explains the check in a paragraph: meaning, direction of the error, remedy.
     pub fn about(self) -> &'static str {
         self.row().1
     }

@@ -51,7 +51,7 @@ const COIL_END_M_S: f64 = 20.0;
 /// The moving part of the springs' own mass over the plate's that may be omitted.
 const SPRING_MASS_MOST: f64 = 0.1;
 
-/// What a breach begins with in words.
+/// Prefix of the text of a breach.
 pub const OUTSIDE: &str = "outside validity: ";
 
 worded! {
@@ -69,7 +69,7 @@ worded! {
 /// A rule of the table that a scene or a run does not keep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breach {
-    /// Which.
+    /// Check that is violated.
     pub check: Check,
     /// On which side the answer errs.
     pub direction: Direction,
@@ -92,7 +92,7 @@ impl Breach {
         others.all(|other| !self.is_same(other) || self.degree.abs() > other.degree.abs())
     }
 
-    /// Its name, its number and its direction, without what it means.
+    /// Formats name, number and direction, without the meaning.
     pub fn brief(&self) -> String {
         let first = self.text.split([':', ';']).next().unwrap_or_default();
         Self { text: first.to_owned(), ..self.clone() }.to_string()
@@ -283,7 +283,7 @@ fn under_hemisphere(scene: &Scene, ratio: f64) -> Option<(Direction, String)> {
     })
 }
 
-/// What measurements say of limits at this angle > 0, deg: by the nearest angle that was measured.
+/// Describes the measured error of limits at an angle > 0, deg: that of the nearest measured angle.
 pub fn oblique_error(theta: f64) -> String {
     let far = |it: &(f64, f64)| (it.0 - theta).abs();
     let nearest = OBLIQUE_LOW.into_iter().min_by(|a, b| far(a).total_cmp(&far(b)));
@@ -299,7 +299,7 @@ pub fn oblique_error(theta: f64) -> String {
     )
 }
 
-/// That a shot is likely to glance off, which the model does not know; `None` up to Tate's critical angle.
+/// Warns of a likely ricochet, which is not modelled; `None` up to Tate's critical angle.
 pub fn ricochet(scene: &Scene) -> Option<String> {
     let critical = critical_obliquity_deg(scene);
     (scene.projectile.obliquity_deg > critical).then(|| {
@@ -432,7 +432,7 @@ fn bends(run: &Run) -> Option<String> {
     ))
 }
 
-/// What happened on the way of a run that is no breach of validity.
+/// Returns remarks on a run that are no breaches of validity.
 pub fn remarks(run: &Run) -> Vec<String> {
     let is_remark = |warning: &&Warning| check_of(warning).is_none();
     let mut list: Vec<String> =

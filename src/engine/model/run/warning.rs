@@ -30,7 +30,7 @@ pub enum Warning {
 }
 
 worded! {
-    /// What a contact model does not contain, although the scene has it or the run comes to it.
+    /// Effect that the contact model neglects although it occurs in the scene or the run.
     pub enum NotModelled: words {
         RearFace = "the depth is beyond the rear face, of which this model knows nothing: the plate would be perforated",
         PlasticLaw = "interface = plastic is ignored: only the hydrodynamic model has an interface that can yield",

@@ -40,7 +40,7 @@ parts! {
             .used(|scene| penetrates(scene) || gives_mass(scene)).source(TABLE_9_1);
         pub density_kg_m3: f64 = 2710.0 => "rho", "plate density", "plate density",
             number(Density, Positive).used(|scene| resists(scene) || gives_mass(scene)).source("thesis Table 9.1 (the Appendix has 2780)");
-        /// What counts is [`Scene::flow_strength_pa`].
+        /// Given flow strength; [`Scene::flow_strength_pa`] is the value in effect.
         pub flow_strength_pa: f64 = 1.52e8 => "S_y", "flow strength", "dynamic flow strength of the plate",
             number(Pressure, NonNegative).aliases(&["Sy"]).used(|scene| resists(scene) && scene.target.closure == Closure::Given)
             .source("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
@@ -81,7 +81,7 @@ parts! {
     pub struct Plate at (plate) {
         pub mount: Mount = Mount::Sprung => "mount", "mount", "sprung: carried by spring and damper; rigid: it cannot move",
             choice().source("thesis section 9.3 (rigid: the baseline)");
-        /// What gives the plate its size.
+        /// Input that gives the plate its size.
         pub size: PlateSize = PlateSize::Ratio(1.0) => each(sizes);
         pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d",
             number(Length, NonNegative).thesis_range(Some((0.0, 0.5)))
@@ -114,7 +114,7 @@ worded! {
 
     /// Where the flow strength comes from.
     pub enum Closure: word {
-        /// It is given: `S_y`.
+        /// Given strength `S_y`.
         Given = "given",
         /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
         DoubleYield = "double-yield",
@@ -140,7 +140,7 @@ worded! {
     pub enum DragSource: word {
         /// The closure in effect and the nose have their own.
         Closure = "closure",
-        /// It is given, as under every other closure.
+        /// Given drag coefficient, as under every other closure.
         Given = "given",
     }
 
@@ -152,7 +152,7 @@ worded! {
 }
 
 impl Criterion {
-    /// What it says, and whose it is.
+    /// Returns the label: the rule and its authors.
     pub fn label(self) -> &'static str {
         match self {
             Self::Passage => {
@@ -295,7 +295,7 @@ impl PlateSize {
     }
 }
 
-/// What is in effect is shown: a closure by thickness chooses both.
+/// Kind of the dishing switch; it shows the value in effect, because a closure by thickness chooses it.
 const DISHING: Kind = Kind::Switch {
     get: |scene| scene.target_in_effect().dishing,
     set: |scene, on| scene.target.dishing = on,

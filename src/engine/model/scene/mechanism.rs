@@ -1,4 +1,4 @@
-//! What carries the plate: springs, damper and stop.
+//! Mechanism that carries the plate: springs, damper and stop.
 
 use crate::model::mechanism::kinds::{Spring, SpringKind};
 use crate::model::mechanism::{LEAST_EXPONENT, PowerLaw};
@@ -60,7 +60,7 @@ worded! {
     /// How the first and the second spring act together.
     pub enum Combination: word {
         Alone = "alone",
-        /// Both are displaced alike: their forces add.
+        /// Springs in parallel: equal displacement, added forces.
         Parallel = "parallel",
     }
 

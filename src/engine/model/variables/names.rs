@@ -6,7 +6,7 @@ use super::{VARIABLES, Variable, VariableError};
 const USUAL: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
 
 impl Variable {
-    /// Its name in words: `velocity`, `thickness`, `stop_position`. Accepted wherever the symbol is.
+    /// Returns the long name: `velocity`, `thickness`, `stop_position`. It is accepted wherever the symbol is.
     pub fn name(&self) -> String {
         if !self.own_name.is_empty() {
             return self.own_name.to_owned();

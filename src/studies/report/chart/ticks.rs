@@ -37,14 +37,14 @@ const NEAR: f64 = 0.125;
 /// Ticks looked at for one step; more would never fit.
 const TICKS_LOOKED_AT: usize = 512;
 
-/// One tick.
+/// Tick of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tick {
     /// Cell from the start of the axis.
     pub cell: u16,
-    /// Its value, in the unit shown.
+    /// Value, in the unit shown.
     pub value: f64,
-    /// Its label.
+    /// Label of the tick.
     pub label: String,
 }
 
@@ -70,9 +70,9 @@ impl Ticks {
 pub enum Along {
     /// Side by side: widths decide.
     Row,
-    /// One above the other: a given number of half rows apart on average, and no two nearer than the whole rows in that.
+    /// Vertical axis: a given mean distance in half rows; no two labels are closer than its whole rows.
     Column(u16),
-    /// The same where a label can stand in the middle of a row only.
+    /// Vertical axis whose labels stand only at the middle of a row.
     Rows(u16),
 }
 

@@ -47,7 +47,7 @@ fn map(grid: &Grid, x: &sweep::Axis, y: &sweep::Axis, output: usize) -> Option<M
     Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), at) })
 }
 
-/// What a map shows at a point.
+/// Converts a point of a grid to a cell of a map.
 pub fn cell(point: grid::Cell) -> Cell {
     match point {
         grid::Cell::Value(value) => Cell::Value(value),

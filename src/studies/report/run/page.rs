@@ -20,7 +20,7 @@ pub fn labelled(label: &str, text: &str) -> String {
     format!("{label:<LABEL$}{text}")
 }
 
-/// What is shown of a stack's first element only, in a heading: ` of element 1`; empty for a plate alone.
+/// Returns the end of a heading for results of a stack's first element, ` of element 1`; empty for a single plate.
 pub fn of_first(run: &Run) -> &'static str {
     if run.stack.is_some() { " of element 1" } else { "" }
 }
@@ -197,7 +197,7 @@ pub fn results(run: &Run) -> Vec<String> {
     facts.filter_map(|(label, text)| Some(labelled(label, &text?))).collect()
 }
 
-/// What the same shot does on a plastic interface.
+/// Describes the same shot with a plastic interface.
 fn if_it_yields(plastic: &Run) -> String {
     let word = plastic.shot_outcome().word();
     let left = plastic.residual_velocity_m_s.map(|v| format!(", {} left", short(v, "m/s")));
@@ -223,7 +223,7 @@ pub fn events(run: &Run) -> Vec<String> {
 /// Events that a page shows at each end of a list.
 const EVENTS_SHOWN: usize = 10;
 
-/// The same for a page: of a plate that rattles on its stop the first and the last.
+/// Formats the events for a page; only the first and last of a plate that chatters on its stop.
 pub fn events_in_brief(run: &Run) -> Vec<String> {
     let mut lines = events(run);
     if lines.len() > 2 * EVENTS_SHOWN {

@@ -11,17 +11,17 @@ const SAME: f64 = 1e-9;
 /// Whose spring is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Hardware {
-    /// That of the scene, which holds whatever its law, and its mass where that is given, allow.
+    /// Hardware of the scene; its capacity follows from its law, and from its mass if given.
     #[default]
     Own,
-    /// One of just the mass that the design shot needs, where no mass is given: it holds no more than that energy.
+    /// Hardware without a given mass, sized for the energy of the design shot and no more.
     Sized,
 }
 
 /// The failure before the plate is perforated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// One or two words for a table.
+    /// Short name for a table.
     pub word: &'static str,
     /// The failure, as the end of a sentence.
     pub words: &'static str,
@@ -59,7 +59,7 @@ pub(super) fn is_held(scene: &Scene) -> bool {
 pub(super) struct Built {
     /// The springs' mass, kg; `None` where it is not known.
     pub(super) spring_kg: Option<f64>,
-    /// What they can store, J.
+    /// Energy capacity, J.
     capacity_j: f64,
 }
 
@@ -83,7 +83,7 @@ impl Built {
         Some(plate_kg_m2 * (1.0 + self.spring_kg? / scene.plate_mass_kg()))
     }
 
-    /// What fails under a demand.
+    /// Returns the part that fails under a load case; `None` if all hold.
     pub(super) fn failure(&self, scene: &Scene, demand: &Demand) -> Option<Failure> {
         let max_displacement_m = demand.max_displacement_m.filter(|_| scene.is_sprung())?;
         if let Some(limit) = exceeded(scene, max_displacement_m).next() {

@@ -16,7 +16,7 @@ use crate::study::verdict::Verdict;
 /// Relative width to which the velocity is closed in at which the hardware fails.
 const WIDTH: f64 = 1e-9;
 
-/// One candidate on its way to an entry.
+/// Evaluation of a candidate.
 pub(super) struct Judge<'c, 'w> {
     pub(super) scene: Arc<Scene>,
     pub(super) hardware: Hardware,
@@ -25,16 +25,16 @@ pub(super) struct Judge<'c, 'w> {
 
 /// Up to which velocity plate and hardware hold.
 struct Limits {
-    /// Of the plate alone.
+    /// Ballistic limit of the plate alone.
     perforation: Limit,
     /// The shot at the design velocity.
     run: Run,
     /// The fastest shot that the plate itself stops, just below its limit.
     fastest: Option<Run>,
     built: Built,
-    /// Of plate and hardware, m/s.
+    /// Limit of plate and hardware, m/s.
     limit_m_s: Option<f64>,
-    /// What fails there before the plate is perforated.
+    /// Part that fails at the limit before the plate is perforated.
     failure: Option<Failure>,
 }
 
@@ -116,7 +116,7 @@ impl Judge<'_, '_> {
         })
     }
 
-    /// One run, with its series for the mount force; `None` when it was stopped.
+    /// Runs a shot with its series, for the mount force; `None` if cancelled.
     fn fire(&mut self, velocity_m_s: f64) -> Option<Run> {
         let mut aimed = (*self.scene).clone();
         aimed.projectile.velocity_m_s = velocity_m_s;

@@ -61,7 +61,7 @@ pub struct Sized {
     pub scene: Arc<Scene>,
     /// The mass of its springs, kg.
     pub spring_kg: f64,
-    /// Its areal mass, kg/m².
+    /// Areal mass, kg/m².
     pub areal_kg_m2: f64,
     /// Areal mass of the thinnest solid plate on a rigid mount that stops the shot, kg/m².
     pub solid_areal_kg_m2: f64,

@@ -15,11 +15,11 @@ const NEAR: f64 = 0.25;
 pub struct Closures {
     /// Flow strength 2 Y, with dishing: made for thin plates.
     pub double_yield_m_s: Option<f64>,
-    /// Its drag coefficient.
+    /// Drag coefficient of the double-yield rule.
     pub double_yield_drag: f64,
     /// Pressure in an expanding spherical cavity, without dishing, with twice that drag coefficient: made for thick ones.
     pub cavity_m_s: Option<f64>,
-    /// Its drag coefficient.
+    /// Drag coefficient of cavity expansion.
     pub cavity_drag: f64,
     /// Pressure in an expanding cylindrical cavity of a metal that hardens, without dishing, with the same drag coefficient.
     pub cylindrical_m_s: Option<f64>,

@@ -28,7 +28,7 @@ const HOLDS_WIDTH: f64 = 1e-5;
 /// The runs' tolerance, at most.
 const TOLERANCE: f64 = 1e-10;
 
-/// What every shot at a scene needs. Shots count as pieces of work.
+/// Runs shots at a scene. Shots count as pieces of work.
 pub(super) struct ShotRunner<'s, 'c, 'w> {
     pub(super) scene: &'s Arc<Scene>,
     pub(super) context: &'c mut Context<'w>,
@@ -123,7 +123,7 @@ impl ShotRunner<'_, '_, '_> {
         self.search().unwrap_or(Limit::Unknown)
     }
 
-    /// The same, with a look at the outcomes on either side of it.
+    /// Searches the limit and checks the outcomes on either side.
     pub(super) fn whole_limit(&mut self) -> Limit {
         let mut limit = self.limit();
         for _ in 0..LOWER_MAX {
@@ -137,8 +137,8 @@ impl ShotRunner<'_, '_, '_> {
         limit
     }
 
-    /// What a limit is after shots on either side of it: a lower one, where one below perforates; no single one, where one above is
-    /// stopped. Shots below it that are not decided leave it what it is.
+    /// Checks a limit by shots on either side. A perforation below it lowers the limit; a stopped shot above it means that there is no
+    /// single limit. Undecided shots below it do not change it.
     fn beside(&mut self, mut limit: Limit) -> Option<Limit> {
         let Limit::Found { velocity_m_s: limit_m_s, stopped_at_m_s, .. } = limit else {
             return Some(limit);

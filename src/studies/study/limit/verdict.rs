@@ -19,12 +19,12 @@ const UNDECIDED_MAX: usize = 8;
 pub(in crate::study) enum ShotOutcome {
     Perforated,
     Stopped,
-    /// Its run ended before that was decided.
+    /// Undecided at the end of the run.
     Undecided,
 }
 
 impl ShotOutcome {
-    /// Of a shot that its first contact decides.
+    /// Returns the outcome of a shot that the first contact decides.
     pub(in crate::study) fn of_contact(scene: &Scene, end: &ContactEnd) -> Self {
         if is_through(scene, end) { Self::Perforated } else { Self::Stopped }
     }

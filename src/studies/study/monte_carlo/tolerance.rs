@@ -38,7 +38,7 @@ impl Distribution {
 /// An input and how it scatters.
 #[derive(Clone, Copy)]
 pub struct Tolerance {
-    /// Which variable.
+    /// Variable that is scattered.
     pub variable: &'static Variable,
     pub(in crate::study) number: &'static Number,
     /// How.

@@ -42,7 +42,7 @@ pub struct Objective {
 }
 
 impl Objective {
-    /// One by the name of its measure.
+    /// Builds an objective from the name of its measure.
     pub fn of(name: &str, maximise: bool) -> Result<Self, SweepError> {
         Ok(Self { measure: named(name)?, maximise })
     }
@@ -53,7 +53,7 @@ impl Objective {
     }
 }
 
-/// What is searched for.
+/// Request for a Pareto front.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// The variables and their bounds; empty: those of [`thesis_axes`].
@@ -131,11 +131,11 @@ impl Request {
 pub struct Design {
     /// The variables, in their stored units.
     pub values: Vec<f64>,
-    /// Its measures, in the order of [`Request::measures`].
+    /// Measures, in the order of [`Request::measures`].
     pub measures: Vec<Option<f64>>,
-    /// Its outcome.
+    /// Outcome of the design's run.
     pub outcome: PointOutcome,
-    /// What a plastic interface comes to for the first objective, where the fused one cannot carry its load.
+    /// First objective with a plastic interface, if the fused one cannot carry its load.
     pub plastic: Option<Plastic>,
 }
 
@@ -153,7 +153,7 @@ pub struct Lack {
 /// The front.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// What was searched for, with the variables that were varied.
+    /// Request, with the variables that were varied.
     pub request: Request,
     /// The scene whose other variables were held.
     pub base: Scene,
@@ -279,7 +279,7 @@ impl Search {
         by_band + if is_perforated { 1.0 } else { 0.0 }
     }
 
-    /// Of some of the designs the checks that make each infeasible.
+    /// Counts the checks that make designs infeasible.
     fn infeasible(
         &self,
         designs: &[Vec<f64>],

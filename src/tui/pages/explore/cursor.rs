@@ -43,7 +43,7 @@ impl App {
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
     }
 
-    /// What is under the cursor, in at most this many columns: of outputs that have no room only the one shown.
+    /// Describes the point under the cursor in at most this many columns; only the output shown if the others do not fit.
     pub fn sweep_readout(&self, width: usize) -> Option<String> {
         let grid = self.pages.explore.found()?;
         let (x, y) = self.cursor_point(grid);

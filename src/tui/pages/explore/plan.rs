@@ -31,7 +31,7 @@ impl App {
         self.sweep_plan_of(&self.scene)
     }
 
-    /// The same for another scene.
+    /// Builds the sweep plan for another scene.
     pub fn sweep_plan_of(&self, scene: &Scene) -> Result<Plan, SweepError> {
         let sweep = sweep_of(scene);
         let axis = |at: usize| Axis::of(&sweep.axes[at], &GRID_COUNTS);

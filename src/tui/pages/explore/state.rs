@@ -1,8 +1,8 @@
-//! What the Explore tab keeps: what is swept, what was found, where the cursor stands.
+//! State of the Explore tab: axes, results, cursor.
 //!
-//! Axes and outputs are the scene's own `[sweep]`, so that they are undone, saved and exported with it; where the scene has
-//! none, usual ones stand in until something is changed. The cursor only looks: until it is moved it stands on the grid point nearest
-//! to the scene.
+//! Axes and outputs are the scene's own `[sweep]`, so that they are undone, saved and exported with it. A scene without `[sweep]` has
+//! default axes until something is changed. The cursor does not change the scene; until it is moved it stands on the grid point nearest to
+//! the scene.
 
 use std::sync::Arc;
 

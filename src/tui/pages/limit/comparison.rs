@@ -8,7 +8,7 @@ use crate::tui::pages::limit::state::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::page::prelude::*;
 use crate::worker::studies::{Comparison, EqualMass};
 
-/// What the rows of the comparison mean, for `?`.
+/// Meaning of the comparison's rows, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring must survive: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";
 
 impl App {

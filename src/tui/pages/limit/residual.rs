@@ -125,7 +125,7 @@ impl App {
         Some(fitting([format!("{short}{ends}"), short, bare, limit], width))
     }
 
-    /// What to know of the limit.
+    /// Describes the limit.
     pub fn limit_readout(&self) -> Option<(Severity, String)> {
         let report = self.pages.limit.report.found.as_ref()?;
         let mut parts = Vec::new();

@@ -1,4 +1,4 @@
-//! What the Limit tab keeps.
+//! State of the Limit tab.
 
 use crate::study::limit::Report;
 use crate::study::monte_carlo;

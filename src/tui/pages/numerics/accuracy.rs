@@ -57,7 +57,7 @@ impl App {
         parts
     }
 
-    /// What to use and what it costs, how far the printed scheme is off, and what leaving out gains.
+    /// Returns the recommended method and its cost, the error of the printed scheme, and the gain of omitting terms.
     pub(crate) fn accuracy_answers(&self) -> Vec<String> {
         let tab = &self.pages.numerics.accuracy;
         let Some(report) = &tab.report.found else { return Vec::new() };
@@ -167,7 +167,7 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     }
 }
 
-/// What to use first; the chart beside the methods, or alone; what leaving out gains last.
+/// Draws the recommendation, the chart beside the methods or alone, and the gain of omitting terms.
 pub(crate) fn draw(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (answer, rest) = split_top(body, ANSWER_ROWS);
     let room = usize::from(body.width.saturating_sub(2));

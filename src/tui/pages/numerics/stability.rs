@@ -15,7 +15,7 @@ use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::counted;
 use crate::worker::studies::{StabilityMap, StiffScenes};
 
-/// What the columns of the stiff scenes mean, for `?`.
+/// Explains the columns of the stiff scenes, for `?`.
 pub(crate) fn stiff_scenes_words() -> String {
     let computed = [ReferenceSource::Dop853, ReferenceSource::Radau, ReferenceSource::Engine];
     let bases = computed.map(|it| format!("{}: {}", it.letter(), it.words())).join(", ");
@@ -95,7 +95,7 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     }
 }
 
-/// What is shown is computed, unless it has been or is being.
+/// Starts the computation of the view shown, unless it is finished or running.
 pub(crate) fn enter(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     if app.pane() == STIFF_SCENES {

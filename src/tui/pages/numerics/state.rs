@@ -1,4 +1,4 @@
-//! What the Numerics tab keeps.
+//! State of the Numerics tab.
 
 use crate::report::accuracy::TARGETS;
 use crate::study::accuracy::method::{Method, Parameter};
@@ -66,7 +66,7 @@ impl Accuracy {
 
 #[derive(Clone, Debug, Default)]
 pub struct Stability {
-    /// Which map is wanted: of each variable by one method, then by the other.
+    /// Index of the map shown: the variables by the first method, then by the second.
     pub view: usize,
     pub map: Kept<Map>,
     /// The crosshair: column and row of the map; `None` at the present point.

@@ -91,7 +91,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     );
 }
 
-/// What the current run gained on the selected pin, or on the first one, and what was changed for it.
+/// Describes the difference of the current run to the selected pin, else to the first one, and the changed variables.
 pub(crate) fn difference(app: &App) -> Option<String> {
     let pin = app.selected_pin().or_else(|| app.pins.first())?;
     let depth = |run: &Run| run.final_penetration_m.filter(|_| run.outcome == Outcome::Arrested);

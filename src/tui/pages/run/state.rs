@@ -1,4 +1,4 @@
-//! What the Run tab keeps.
+//! State of the Run tab.
 
 use std::sync::Arc;
 
@@ -108,7 +108,7 @@ impl Drawn {
     }
 }
 
-/// Which part of the time is shown.
+/// Range of time shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Window {
     /// From first contact to a little after the last change of the depth.
@@ -120,7 +120,7 @@ pub enum Window {
 pub struct Charts {
     /// Their quantities, from top to bottom.
     pub quantities: [Channel; 3],
-    /// Which part of the time each shows.
+    /// Range of time of each chart.
     pub windows: [Window; 3],
     /// The chart the keys act on.
     pub selected: usize,

@@ -1,4 +1,4 @@
-//! What the Run tab says of its run: the selected variable, the crosshair, the status row.
+//! Texts of the Run tab: the selected variable, the crosshair, the status row.
 
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::units::{self, in_unit};
@@ -10,7 +10,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::steps::engineering;
 
 impl App {
-    /// What the selected variable means, with its source where there is room.
+    /// Explains the selected variable, with its source if it fits.
     pub(crate) fn variable_words(&self, room: usize) -> String {
         let variable = self.pages.run.editor.variable();
         let idle = !crate::model::variables::is_used(variable, &self.scene);

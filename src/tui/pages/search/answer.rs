@@ -1,4 +1,4 @@
-//! What the page of a study has to say of its result.
+//! Presentation of a study's result.
 
 use crate::model::run::envelope::Check;
 use crate::report::Remark;
@@ -31,12 +31,12 @@ pub(crate) trait Answer {
         Err("no design to load here: goal seek and the Pareto front have some".to_owned())
     }
 
-    /// What is under the cursor.
+    /// Describes the point under the cursor.
     fn readout(&self, _app: &App) -> Option<String> {
         None
     }
 
-    /// What of its designs is outside validity; of the scene, where it has no designs.
+    /// Returns the validity of the designs; that of the scene if there are none.
     fn validity(&self, app: &App) -> Option<StatusPart> {
         app.validity_part()
     }
@@ -46,7 +46,7 @@ pub(crate) trait Answer {
         &[]
     }
 
-    /// What it says in words, without what its chart draws.
+    /// Returns the lines of text beside the chart.
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine>;
 
     /// The results of a scene of this name as a table.

@@ -1,4 +1,4 @@
-//! What the Search tab has found, which design is selected, and whether all of it is old. No drawing.
+//! Results of the Search tab, the selected design, and whether they are stale. No drawing.
 
 use crate::study::search::front::{Design, Report};
 use crate::tui::app::running::Kept;
@@ -30,7 +30,7 @@ impl Searching {
         }
     }
 
-    /// The same as its page shows it.
+    /// Returns the result as its page presents it.
     pub(crate) fn answer(&self) -> Option<&dyn Answer> {
         Some(self.shown()?.found.as_ref()?.answer())
     }
@@ -40,8 +40,8 @@ impl Searching {
         self.answer().map_or(0, Answer::choices)
     }
 
-    /// Of a right pane so high, the rows of words below the chart, frame included: all of them where there is nothing to draw, or no
-    /// room for a chart with four lines below it, or all there are.
+    /// Returns the rows for text below the chart in a pane of this height, frame included. Text gets all rows if there is no chart, or no
+    /// room for one with four lines of text.
     pub fn words_height(&self, height: u16, lines: usize) -> u16 {
         let words = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
         let draws = self.answer().is_some_and(|answer| answer.draws(self));
@@ -104,7 +104,7 @@ impl App {
         studies.find(|running| SearchRequest::of(&running.asked).is_some_and(is_own))
     }
 
-    /// What the page shown says in words, without what its chart draws.
+    /// Returns the lines of text of the page shown.
     pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
         let answer = self.pages.search.answer();
         answer.map_or_else(Vec::new, |answer| answer.lines(self, width))

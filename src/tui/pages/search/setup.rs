@@ -133,7 +133,7 @@ impl App {
         }
     }
 
-    /// What the setup of a page asks for.
+    /// Builds the request of a page's setup.
     pub fn search_request(&self, page: Page) -> Result<SearchRequest, String> {
         (STUDIES[page as usize].request)(self)
     }

@@ -1,4 +1,4 @@
-//! What the Search tab keeps: what is looked for, what was found, which design is selected.
+//! State of the Search tab: setups, results, selected design.
 
 use std::sync::Arc;
 
@@ -65,7 +65,7 @@ pub struct Setup {
     pub goal: (&'static str, f64),
     /// Variables of fronts; empty: those of Table 9.2.
     pub bounds: Vec<Bound>,
-    /// Which of the usual objectives count.
+    /// Whether each of the default objectives counts.
     pub objectives: [bool; 4],
     /// Bounds that designs have to keep.
     pub subject_to: Vec<Constraint>,
@@ -103,7 +103,7 @@ impl Default for Setup {
 }
 
 impl Setup {
-    /// It as a session keeps it: by what it means, whatever its rows are called.
+    /// Converts the setup for the session, by meaning instead of by row.
     pub(crate) fn kept(&self) -> Search {
         let (name, target) = self.goal;
         let goal = quantities::find(name).map(|measure| Goal { measure, target });
@@ -181,7 +181,7 @@ pub enum Row {
 pub struct Bound {
     /// The variable, and its bounds as the ends of an axis.
     pub axis: Axis,
-    /// It is varied; otherwise held.
+    /// Whether the variable is varied.
     pub on: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What the Thesis tab keeps.
+//! State of the Thesis tab.
 
 use crate::study::thesis::Row;
 use crate::tui::app::running::Kept;

@@ -266,7 +266,7 @@ fn coincide(quantity: Channel, one: &Run, other: &Run, end_s: f64) -> bool {
     })
 }
 
-/// What depends on the plate's displacement, with what the current run used of its mechanism, and its limits.
+/// Builds a chart over the plate displacement, with the range used by the current run and the limits of its mechanism.
 fn over_displacement<'a>(
     app: &App,
     index: usize,
@@ -318,7 +318,7 @@ fn label(view: &RunView<'_>) -> String {
         .map_or_else(|| "now".to_owned(), |letter| format!("{letter} {}", clip(view.name, 16)))
 }
 
-/// What the letters of a chart's event lines mean.
+/// Explains the letters of a chart's event lines.
 pub(crate) fn event_words(app: &App, chart: usize) -> String {
     let end_s = app.end_s(chart);
     let run = app.shown.as_ref().map(|shown| &shown.run);
