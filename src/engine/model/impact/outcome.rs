@@ -11,6 +11,8 @@ use crate::numerics::{larger, smaller};
 
 /// Part of the energy at first contact that counts as none: velocities of 1e-12 of the impact's.
 const NO_ENERGY: f64 = 1e-24;
+/// Part of it with which bodies that nothing joins are at rest once their dent has turned: the dent was made with all of it.
+const AT_REST: f64 = 1e-9;
 /// Part of depth or displacement by which no later change counts.
 pub(super) const NEGLIGIBLE: f64 = 1e-12;
 
@@ -118,18 +120,14 @@ impl Equations<'_> {
         }
     }
 
-    /// Whether all is at rest in a contact that does not join the bodies: what is left can no longer deepen the dent.
+    /// Whether all is at rest in a contact that does not join the bodies: its dent has turned, or what is left cannot deepen it.
     fn rests_in_contact(&self, state: &State) -> bool {
         let Law::Lumped(lumped) = self.setup.law else { return false };
-        let deepens_j = lumped.deepens_j(self.mode.deepest_m, NEGLIGIBLE);
-        !self.goes_in() && self.all_energy_j(state) < deepens_j
-    }
-
-    /// Energy of all that moves, in spring, elastic stop and contact, J.
-    fn all_energy_j(&self, state: &State) -> f64 {
-        let Law::Lumped(lumped) = self.setup.law else { return self.energy_left_j(state) };
-        let gives_j = lumped.gives_back_j(self.goes_in(), self.mode.deepest_m, state.q_m);
-        self.energy_left_j(state) + if self.is_touching() { gives_j } else { 0.0 }
+        let (goes_in, deepest_m) = (self.goes_in(), self.mode.deepest_m);
+        let gives_j = lumped.gives_back_j(goes_in, deepest_m, state.q_m);
+        let left_j = self.energy_left_j(state) + if self.is_touching() { gives_j } else { 0.0 };
+        let deepens_j = || lumped.deepens_j(state.q_m, NEGLIGIBLE);
+        left_j < AT_REST * self.setup.initial_j() && (!goes_in || left_j < deepens_j())
     }
 
     /// Energy that it takes to pull the joined projectile out of its hole, J: more than there is where they are fused.
@@ -324,12 +322,10 @@ impl Equations<'_> {
     /// `None` where it is still to be found.
     pub(super) fn farthest_m(&self, state: &State, so_far_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
-        if mode.hold == Hold::Mount {
+        if mode.hold == Hold::Mount || self.rests_in_contact(state) {
             return Some(so_far_m);
         }
-        let rests = self.rests_in_contact(state);
-        let energy_j = if rests { self.all_energy_j(state) } else { self.energy_j(state) };
-        let x_m = self.displacement_m(state.x_m);
+        let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
         // What is driven on comes at least to where nothing drives it, however slowly, or to its stop; its energy there is known to
         // rounding only.
         let end_m = smaller(mode.elastic.rest_ahead(x_m), setup.rigid_stop_m());
@@ -349,9 +345,6 @@ impl Equations<'_> {
         let stroke_m = larger(far_m.abs(), far_m - setup.start_m);
         if reach_m - far_m <= NEGLIGIBLE * stroke_m {
             return Some(far_m);
-        }
-        if rests {
-            return None;
         }
         if self.overshoots_at_most_m(state, energy_j, far_m) <= NEGLIGIBLE * stroke_m {
             return Some(far_m);
