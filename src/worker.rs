@@ -89,7 +89,7 @@ impl Asked {
 
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// That of the task.
+    /// Identifier of the task.
     pub id: u64,
     pub body: ReportBody,
 }
@@ -101,11 +101,11 @@ pub enum ReportBody {
         /// How long it has been running.
         elapsed: Duration,
     },
-    /// It is still running, and this is what it has so far.
+    /// Partial result of a running task.
     Part(Answer<Found>),
-    /// It is done, or was stopped and this is what it had; `None` where it had nothing.
+    /// Final result, or the partial result of a stopped task; `None` if it had none.
     Ended(Option<Answer<Found>>),
-    /// It could not start, or panicked; the text is for the message row.
+    /// Failure to start, or a panic; the text is for the message row.
     Failed(String),
 }
 
@@ -176,7 +176,7 @@ impl Worker {
         Self::with(clock::wall(), |task, reporter| task.asked.make(&task.scene, reporter), sink)
     }
 
-    /// The same with another clock, by whose time progress and parts come, and another way to do a task.
+    /// Builds a worker with another clock, which times progress and partial results, and another function for tasks.
     fn with(clock: Clock, make: Make, sink: impl Fn(Report) + Send + Sync + 'static) -> Self {
         let (jobs, cores) = (Mutex::default(), SharedCores::new(cores()));
         Self { shared: Arc::new(Shared { jobs, cores, clock, make, sink: Box::new(sink) }) }

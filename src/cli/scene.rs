@@ -156,8 +156,8 @@ impl Changes {
         named.into_iter().filter_map(|(library, name)| Some((library, name.as_deref()?)))
     }
 
-    /// What the changes make of a scene of this name: `threat fsp-22, material aa6061-t651, from thesis-baseline: 2 changes`; `None`
-    /// without a change.
+    /// Returns the heading of a changed scene: `threat fsp-22, material aa6061-t651, from thesis-baseline: 2 changes`; `None` without a
+    /// change.
     fn heading(&self, name: &str) -> Option<String> {
         let entries = self.entries().map(|(library, name)| format!("{} {name}", library.word()));
         let entries: Vec<String> = entries.collect();

@@ -23,12 +23,12 @@ pub struct Config {
     pub keys: BTreeMap<String, Vec<String>>,
 }
 
-/// One of the sets of characters, whose names are checked where they are used.
+/// Deserialises the name of a character set.
 fn characters<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Error> {
     word(file, "write characters = \"auto\", \"ascii\", \"block\" or \"braille\", above all tables")
 }
 
-/// One of the numbers of colours.
+/// Deserialises a number of colours.
 fn colours<'de, D: Deserializer<'de>>(file: D) -> Result<Option<String>, D::Error> {
     word(file, "write colours = \"none\", \"sixteen\", \"256\" or \"full\", above all tables")
 }

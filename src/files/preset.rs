@@ -24,7 +24,7 @@ use crate::model::variables;
 pub struct Preset {
     /// Name or path to load it by.
     pub name: String,
-    /// What its pages are headed by: its name, or how it was made from it.
+    /// Heading of the pages: the preset's name, or how the scene was made from it.
     pub heading: String,
     /// Where it comes from.
     pub origin: Origin,

@@ -414,7 +414,7 @@ mod tests {
         }
     }
 
-    /// What the program itself writes is read back, to the digit.
+    /// Traces written by the program are read back to the last digit.
     #[test]
     fn a_hundred_thousand_rows_keep_their_digits() {
         let mut text = String::from("time_us,penetration_mm\n");

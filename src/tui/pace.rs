@@ -33,7 +33,7 @@ const NEVER_ANSWERED: u32 = 2;
 
 /// Rest of the line after a frame of what moves by itself, in times that the frame took to arrive.
 const REST: f64 = 2.0;
-/// The same for a terminal that does not tell when a frame has arrived.
+/// Rest between frames for a terminal that does not acknowledge frames.
 const REST_UNKNOWN: Duration = Duration::from_millis(250);
 
 pub(super) struct Pace {
@@ -77,7 +77,7 @@ impl Pace {
         self.dirty = true;
     }
 
-    /// What moves by itself has changed.
+    /// Marks an animated part of the screen as changed.
     pub(super) fn animate(&mut self) {
         self.moving = true;
     }

@@ -26,7 +26,7 @@ const PATIENCE: Duration = Duration::from_millis(600);
 const DISCARD_EVERY: Duration = Duration::from_millis(50);
 const DISCARDS: u32 = 12;
 
-/// What the inbox of the loop takes.
+/// Message to the event loop.
 pub(super) enum Incoming {
     Message(Message),
     Mouse(MouseEvent),
@@ -82,7 +82,7 @@ fn has_left(loop_left: &mpsc::Receiver<()>) -> bool {
         })
 }
 
-/// What a signal asks for; the exit status is 128 + its number, as shells have it.
+/// Converts a signal to a message; the exit status is 128 + its number, as in shells.
 fn meaning(number: i32) -> Incoming {
     match number {
         SIGCONT => Incoming::Continued,

@@ -223,8 +223,8 @@ pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// What stands under the cursor and the newest message, each with its mark. What has no room in the area covers what stands above
-/// it: the panes keep their places.
+/// Draws the readout of the cursor and the newest message, each with its mark. Text that exceeds the area covers the rows above it; the
+/// panes keep their places.
 pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let lines = app.message_lines(usize::from(area.width));
     let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);

@@ -51,7 +51,7 @@ impl<'a> Canvas<'a> {
         Self { buffer, theme, cursor, selected, pictures, pointer, target }
     }
 
-    /// The same, to learn what is drawn at a cell.
+    /// Builds a canvas that finds the item drawn at a cell.
     pub(crate) fn pointed(buffer: &'a mut Buffer, theme: Theme, at: (u16, u16)) -> Self {
         Self { pointer: Some(at), ..Self::new(buffer, theme) }
     }

@@ -1,4 +1,4 @@
-//! What can be asked of the worker: runs, and studies of many runs; and what it finds.
+//! Requests to the worker and their results: runs, and studies of many runs.
 
 use std::error::Error;
 use std::ops::ControlFlow;
@@ -30,7 +30,7 @@ macro_rules! one_of {
 
         $(#[$about])*
         pub trait $of: Sized + 'static {
-            /// It, where it is of this type.
+            /// Returns the value if it has this type.
             fn of(one: &$name) -> Option<&Arc<Self>>;
         }
 
@@ -57,9 +57,9 @@ macro_rules! one_of {
 }
 
 one_of! {
-    /// What a task is to compute.
+    /// Request of a task.
     Asked,
-    /// One of the things a task can compute.
+    /// Variant of a request.
     AskedFor:
     Run(SceneRun),
     Picture(PictureSweep),
@@ -77,7 +77,7 @@ one_of! {
 one_of! {
     /// A result, whole or as far as it is.
     Found,
-    /// One of the results there are.
+    /// Variant of a result.
     Finding:
     Run(Run),
     Grid(Grid),
@@ -99,7 +99,7 @@ const BETWEEN_PASSES: Duration = Duration::from_millis(120);
 /// How a sweep is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Picture {
-    /// One axis, with a family of curves or without.
+    /// Sweep of one axis, with or without a family of curves.
     #[default]
     Line,
     /// Two axes: a map.
@@ -252,7 +252,7 @@ fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison,
 /// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.
 macro_rules! asked_and_found {
     ($($(#[$doc:meta])* $kind:ident $study:ident,)*) => {
-        /// What is searched for.
+        /// Request of a search.
         #[derive(Clone, Debug, PartialEq)]
         pub enum SearchRequest {
             $($(#[$doc])* $kind($study::Request),)*
@@ -292,7 +292,7 @@ macro_rules! asked_and_found {
     };
 }
 asked_and_found! {
-    /// Which values of a variable give a wanted result.
+    /// Goal seek: values of a variable that give a wanted result.
     Seek seek,
     /// The Pareto front: designs that no other one dominates.
     Front front,

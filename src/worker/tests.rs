@@ -26,7 +26,7 @@ use crate::study::thesis::{Row, claims};
 /// A test that waits so long hangs.
 const HANG: Duration = Duration::from_secs(120);
 
-/// What the clock moves on with each look.
+/// Advance of the clock with each reading.
 const TICK: Duration = Duration::from_millis(5);
 
 /// Steps of the endless run that is to be cancelled.

@@ -151,9 +151,9 @@ fn a_nose_beyond_the_rear_face_is_reported() {
     assert!(of("mount=rigid").protrusion_m().is_none());
 }
 
-/// What is still to come counts, however little energy it has of the impact's: on a damper of power 2 a plate goes like ln t, and comes to any
-/// stop; a tiny nose moves a heavy plate by `(S_y + c v²) V/v` over `(m_2 k)^(1/2)`, with V = 7/3 pi R³ through a plate as thin as it; an
-/// over-damped dent creeps on to where its own spring turns it (in 40-digit arithmetic).
+/// A run ends by the motion that remains, however small its energy. On a damper of power 2 a plate moves like ln t and reaches any stop. A
+/// tiny nose moves a heavy plate by `(S_y + c v²) V/v` over `(m_2 k)^(1/2)`, with V = 7/3 pi R³ for a plate as thin as R. An over-damped
+/// dent creeps to the turning point of its own spring (in 40-digit arithmetic).
 #[test]
 fn valid_a_run_ends_by_what_is_still_to_come() {
     let near = |found: Option<f64>, expected: f64, part: f64, of: &str| {

@@ -101,7 +101,7 @@ const SAID: [(&str, &str); 9] = [
     ("stroke", "stroke_m"),
 ];
 
-/// What is wrong with a run, if anything.
+/// Returns the identities that a run violates.
 fn faults(run: &Run) -> Vec<String> {
     let object: Json = serde_json::from_str(&json("random", run, None)).unwrap();
     let key = |name: &str| object[name].as_f64();
@@ -207,7 +207,7 @@ fn random_scenes_keep_the_identities() {
     check(20_261_129, SCENES);
 }
 
-/// The same over many more scenes.
+/// Checks the identities over many more scenes.
 #[test]
 #[ignore = "by hand: takes minutes"]
 fn many_random_scenes_keep_the_identities() {

@@ -149,7 +149,7 @@ fn valid_band_between_the_closures() {
     assert!(json(&[])["closures"].is_null());
 }
 
-/// What measurements of such shots let expect heads the page, with the law's number beside it; a shot that nothing measures says so.
+/// The page begins with the limit expected from measurements, and the law's number beside it; a shot without measurements says so.
 #[test]
 fn a_limit_says_what_measurements_let_expect() {
     let pairs = "nose=pointed m_p=5.3g R=3.1242mm h=20mm rho=2700 E=70GPa Y=260MPa UTS=290MPa closure=cylindrical v_i=450";

@@ -1,4 +1,4 @@
-//! What commands say in more than one place, and where they send it: one number, one name, nothing cut, no format under another's name.
+//! Outputs that appear in several places: one number, one name, nothing cut, no format under another's name.
 
 use serde_json::Value;
 
@@ -25,7 +25,8 @@ fn json(command: &str, arguments: &[&str]) -> Value {
     serde_json::from_str(&says(command, &[arguments, &["--json"]].concat(), 0).0).unwrap()
 }
 
-/// Both by the wire's 1200 `MPa`: that of `design` is for all of the energy after a hit at once, of which the run leaves a little in the hole.
+/// Masses of the spring by both commands follow from the wire's 1200 `MPa`. The mass of `design` is for all energy after the collision; the run leaves a little of it
+/// in the hole.
 #[test]
 fn a_spring_is_sized_alike_by_formulas_and_by_the_comparison() {
     let rows = json("design", &README);

@@ -82,8 +82,8 @@ fn valid_strength_and_bulge() {
     assert_eq!(row("borvik-bulge").other, None);
 }
 
-/// What an independent computation of the same law gives for the ladder, in percent; and the closed form
-/// v^2 = S/c (exp(2 c pi R^2 h/m) - 1) for one of them.
+/// Errors of the series of plates by an independent computation, in percent; one of them by the closed form v^2 = S/c (exp(2 c pi R^2 h/m)
+/// - 1).
 #[test]
 fn valid_the_ladder_of_thickness() {
     let near = |id: &str, percent: f64| {

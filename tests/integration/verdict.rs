@@ -1,4 +1,4 @@
-//! One verdict: every command gives the same answer to "does this armour stop this shot?".
+//! Verdicts: every command gives the same answer to "does this armour stop this shot?".
 
 use serde_json::Value;
 
@@ -40,7 +40,7 @@ fn asked(command: &str, changes: &str, more: &[&str]) -> Value {
     json(&arguments)
 }
 
-/// What a command says of a shot: the verdict, and the expected limit with its band.
+/// Returns a command's answer for a shot: the verdict, and the expected limit with its band.
 #[track_caller]
 fn answer(object: &Value) -> (String, [Option<f64>; 3]) {
     let number = |key: &str| object[key].as_f64();

@@ -33,7 +33,7 @@ pub struct Passage<'a> {
     pub drag_kg_m3: f64,
     /// Relative velocity at first contact, m/s.
     pub velocity_m_s: f64,
-    /// What is left once the hole is open; `None` for a nose that pushes the metal aside.
+    /// Shearing of the plug behind the hole; `None` for a nose that pushes the metal aside.
     shearing: Option<Shearing>,
 }
 
@@ -220,7 +220,7 @@ impl<'a> Passage<'a> {
         self.hole_s(None) + shearing.time_s(self.picked_up_m_s(), slip_m, left_m_s)
     }
 
-    /// The same to the arrest in the hole, or to its end.
+    /// Returns the time to the arrest in the hole, or to the end of the hole, s.
     fn hole_s(&self, arrest_m: Option<f64>) -> f64 {
         let end_m = arrest_m.unwrap_or(self.geometry.exit_m);
         if end_m <= 0.0 {

@@ -391,7 +391,7 @@ impl AreaLaw {
         }
     }
 
-    /// Its derivative, m.
+    /// Returns the derivative of the area by travel, m.
     pub fn slope_m(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
         match *self {
             Self::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q_m - origin_m),

@@ -156,7 +156,7 @@ impl Contact {
         None
     }
 
-    /// One computation, with this error of its steps and of its start.
+    /// Computes the contact once, with this tolerance for steps and start.
     fn run_once(&self, tolerance: f64) -> Option<ContactEnd> {
         let (mut t_s, mut state, mut clock) = self.begin(tolerance)?;
         // A law that is steep where it begins holds the plate most stiffly at first.

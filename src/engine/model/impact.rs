@@ -1,9 +1,9 @@
-//! One impact from first contact to its end, by one loop, one integrator and one locator: a pure function without clock, file or thread.
+//! Impact from first contact to its end: a pure function without clock, file or thread.
 //!
-//! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
-//! `moving` is what the integrator sees of it, `hold` when a steep spring holds the plate; `run` is the loop, and `stepping` the methods it
-//! can step by; `outcome` decides by energy when it is over; `path` has the states on a step, `record` keeps rows, work and greatest forces
-//! of them, and `report` makes the [`Run`].
+//! `equations` contains the equations of motion. `modes` contains the discrete states and their transitions, `events` the event functions
+//! of each state. `moving` selects the active degrees of freedom; `hold` locks the plate while a stiff spring holds it. `run` is the
+//! integration loop, and `stepping` lists the methods. `outcome` decides by energy when the run ends. `path` is the dense output of a step,
+//! `record` accumulates rows, work and peak forces, and `report` builds the [`Run`].
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

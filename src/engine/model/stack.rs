@@ -1,8 +1,9 @@
 //! A stack of elements: a projectile that perforates one hits the next with its residual velocity; the last one is
 //! a base plate on a rigid mount. Thesis section 6.2.8, arrays "upward out of the plane of a base armor plate".
 //!
-//! Its mass and its nose change where it shears out a plug: the next plate is struck by both, with a blunt front. Plates do not touch each
-//! other: a plate that travels farther than the gap behind it earns a warning, and is not computed.
+//! A projectile that shears out a plug strikes the next plate together with it, with a blunt front; otherwise its mass and nose do not
+//! change. Plates do not touch each other. A plate that travels farther than the gap behind it gives a warning; the contact of plates is
+//! not computed.
 
 use std::sync::Arc;
 
@@ -189,7 +190,7 @@ mod tests {
         assert!((heavy[1].plate_mass_kg() / 0.067 - 1.0).abs() < 1e-14);
     }
 
-    /// What goes on behind a fragment is blunt: a plate behind it needs the strength of its metal too, and a mass above its plug's.
+    /// A plate behind a fragment is struck by a blunt front. It needs the strength of its metal too, and a mass above its plug's.
     #[test]
     fn a_plate_behind_a_plug_without_its_law_is_refused() {
         let alloy = "closure=cylindrical rho=2700 Y=276MPa UTS=310MPa E=68.3GPa";

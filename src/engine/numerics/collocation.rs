@@ -40,7 +40,7 @@ const AFTER_FAILURE: f64 = 0.25;
 /// Real eigenvalue of A of the nine stages is near 0.1: the filter of the error estimate damps like the method.
 const FILTER: f64 = 0.1;
 
-/// One more than the most stages of a member.
+/// Length of tables by number of stages: the greatest number of stages plus one.
 const STAGES_MORE: usize = 12;
 
 /// Accelerations of each place at the stages.

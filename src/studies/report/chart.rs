@@ -218,7 +218,7 @@ impl<'a> Curve<'a> {
         Self { marker, label: label.into(), points: points.into(), ..Self::default() }
     }
 
-    /// The same curve without a copy of its points.
+    /// Borrows the curve without copying its points.
     pub fn borrowed(&self) -> Curve<'_> {
         Curve { label: Cow::Borrowed(&self.label), points: Cow::Borrowed(&self.points), ..*self }
     }

@@ -125,7 +125,7 @@ pub fn warnings(report: &Report) -> Vec<String> {
     at_limit.unwrap_or_else(|| validity::of_scene(&report.scene))
 }
 
-/// What a limit means, and what becomes of it after a hit.
+/// Explains a limit, and its decrease after a hit at the same place.
 pub fn meaning(report: &Report) -> Vec<Remark> {
     let is_found = report.limit.velocity_m_s().is_some();
     let remarks = [Remark::new("meaning", verdict::V50), Remark::new("repeated hits", REPEATED)];
@@ -277,7 +277,8 @@ mod tests {
     use crate::study::context::{Context, to_its_end};
     use crate::study::limit;
 
-    /// Of a free plate half of the limit, 347.708 m/s, by its closed form; the second by two independent integrations at `v_bl (1 + 1e-9)`.
+    /// Residual velocities just above the limit. A free plate has half of the limit, 347.708 m/s; the second value is from two independent
+    /// integrations at `v_bl (1 + 1e-9)`.
     #[test]
     fn valid_the_residual_velocity_just_above_the_limit_is_that_of_its_shot() {
         for (pairs, said) in

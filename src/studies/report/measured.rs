@@ -93,7 +93,7 @@ pub fn error_lines(list: &[Errors]) -> String {
     list.iter().map(line).fold(head, |page, line| page + &line)
 }
 
-/// What the columns of these lines mean.
+/// Explanation of the columns.
 pub const ERRORS_MEAN: &str = "from: number of papers; bias and sd: mean and standard deviation of computed over measured, less 1; mean: mean \
      absolute error, m/s; RMS: root mean square error, m/s; inside: part of the limits inside their 90 % band. Positive bias is \
      unconservative.";

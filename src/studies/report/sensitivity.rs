@@ -1,4 +1,4 @@
-//! Which variables matter: a row for each variable, as a table with bars, and the whole as an object. SI.
+//! Report of the sensitivity study: a row for each variable, as a table with bars and as an object. SI.
 
 use serde_json::{Value, json};
 
@@ -77,7 +77,7 @@ pub fn page(report: &Report, levels: [char; 8]) -> Table<'_, usize> {
 
 /// How a value of a variable is shown: a number in a unit.
 pub struct Shown<'a> {
-    /// One of the stored unit in this unit.
+    /// Factor from the stored unit to this unit.
     pub in_one: f64,
     /// The unit.
     pub unit: &'a str,

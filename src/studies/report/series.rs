@@ -199,7 +199,7 @@ pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     if points.len() <= POINTS_MANY { points } else { thinned_to(&points, TIMES) }
 }
 
-/// The same, with a number of equal parts of the time.
+/// Thins points to a number of equal intervals of time.
 pub(crate) fn thinned_to(points: &[(f64, f64)], parts: f64) -> Vec<(f64, f64)> {
     let [first, .., last] = points else { return points.to_vec() };
     let part = |point: &(f64, f64)| ((point.0 - first.0) / (last.0 - first.0) * parts).floor();

@@ -144,7 +144,7 @@ impl Trace {
         &self.points[..self.points.partition_point(|point| point.0 <= end_s)]
     }
 
-    /// What is drawn of the trace up to a time: points that lie apart, or a line with marked points.
+    /// Returns the curves of the trace up to a time: separate points, or a line with marked points.
     pub fn curves(&self, end_s: f64) -> Vec<Curve<'static>> {
         let seen = self.until(end_s);
         if seen.len() <= POINTS_APART {

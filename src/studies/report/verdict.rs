@@ -8,7 +8,7 @@ use crate::model::units::{fixed_significant, velocity};
 use crate::report::table::Table;
 use crate::study::verdict::{Decision, Expected, Verdict};
 
-/// What a ballistic limit means, beside any verdict on it.
+/// Meaning of a ballistic limit, shown beside each verdict.
 pub const V50: &str = "a limit is a V50: at it half of the shots perforate";
 
 /// The expected limit, its band and its class, as columns of a table.

@@ -1,6 +1,6 @@
 //! Comparison at equal areal mass: does moving armour pay?
 //!
-//! One design velocity holds for the whole comparison: the impact velocity v of the scene.
+//! The comparison has a single design velocity: the impact velocity v of the scene.
 //!
 //! - Areal mass: the plate is a block of its material, so its face is `m_2`/(rho h). Plate and spring together are divided by that
 //!   face: rho h (1 + spring/`m_2`). A damper, a stop and the mount are not counted.

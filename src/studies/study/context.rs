@@ -62,7 +62,7 @@ pub struct Answer<T> {
 }
 
 impl<T> Answer<T> {
-    /// The same about another report.
+    /// Converts the report and keeps reach and elapsed time.
     pub fn map<U>(self, make: impl FnOnce(T) -> U) -> Answer<U> {
         Answer { report: make(self.report), reach: self.reach, elapsed: self.elapsed }
     }

@@ -111,8 +111,7 @@ impl Limit {
         }
     }
 
-    /// What measurements say against this limit of a scene: an oblique one comes out low. `None` along the plate's normal, or
-    /// without a limit.
+    /// Warns that measurements contradict an oblique limit, which is too low; `None` at normal impact, or without a limit.
     pub fn caution(self, scene: &Scene) -> Option<String> {
         let theta = scene.projectile.obliquity_deg;
         self.velocity_m_s().filter(|_| theta > 0.0)?;

@@ -181,7 +181,7 @@ pub struct Report {
     pub summaries: Vec<Summary>,
 }
 
-/// What of every scene scatters where nothing is named, besides its springs. The order is part of what a seed means.
+/// Variables of every scene that scatter by default, besides its springs. The results of a seed depend on the order.
 const USUAL_KEYS: [&str; 14] = [
     "projectile.velocity_m_s",
     "projectile.mass_kg",

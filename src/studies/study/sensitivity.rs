@@ -1,7 +1,7 @@
-//! Which variables matter: one result over the range of each variable, the others as in the scene.
+//! Sensitivity study: a result over the range of each variable, the others as in the scene.
 //!
-//! Points come coarse first: the ends of every range, then 3, 5, 9 and 17 points, so that a study that is stopped compares all
-//! variables. Does not depend on files, screens or a clock.
+//! Points are computed coarse first: the ends of every range, then 3, 5, 9 and 17 points, so that a cancelled study compares all variables.
+//! The study does not depend on files, screens or a clock.
 
 use std::fmt;
 

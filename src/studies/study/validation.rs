@@ -142,7 +142,7 @@ impl MeasuredQuantity {
         }
     }
 
-    /// Its unit.
+    /// Returns the unit.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Limit | Self::RepeatLimit(_) => "m/s",
@@ -154,7 +154,7 @@ impl MeasuredQuantity {
     }
 }
 
-/// One measurement.
+/// Measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
     /// A short name.
@@ -163,17 +163,17 @@ pub struct Case {
     pub preset: &'static str,
     /// The changes to the preset, as `--set` takes them.
     pub set: &'static str,
-    /// What it is of: one of the classes that are counted, or [`NOT_COUNTED`].
+    /// Class of the measurement, or [`NOT_COUNTED`].
     pub class: &'static str,
     /// The measured quantity.
     pub quantity: MeasuredQuantity,
     /// The measurement, in its unit.
     pub measured: f64,
-    /// Its resolution, where it is known, in its unit.
+    /// Resolution in the unit of the value; `None` if unknown.
     pub resolution: Option<f64>,
     /// The nose, and what stands for it here.
     pub nose: &'static str,
-    /// What the projectile is made of, so far as it is known: it must stay rigid.
+    /// Material of the projectile, if known; it must stay rigid.
     pub projectile: &'static str,
     /// Where it comes from.
     pub source: &'static str,
@@ -202,7 +202,7 @@ pub struct Row {
     pub case: &'static Case,
     /// By the case's own closure; `None` where the model gives nothing.
     pub computed: Option<f64>,
-    /// Its closure.
+    /// Closure of the scene.
     pub closure: Closure,
     /// By the other closure; `None` where the flow strength is given outright.
     pub other: Option<f64>,

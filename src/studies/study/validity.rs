@@ -43,7 +43,7 @@ fn run(scene: &Scene, steps_max: usize) -> Option<Run> {
 /// Steps between two looks at whether a check goes on.
 const LOOK: usize = 256;
 
-/// The same while `goes_on`.
+/// Runs a scene until `goes_on` returns `false`.
 fn run_while(scene: &Scene, steps_max: usize, goes_on: &mut dyn FnMut() -> bool) -> Option<Run> {
     if !goes_on() {
         return None;
@@ -88,8 +88,8 @@ pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, String)> {
     new.map(|(place, breach)| (breach.check, format!("{place}: {breach}"))).collect()
 }
 
-/// That a limit velocity is not that of the springs whose mass stands beside it; `None` where only one of both was requested, or
-/// neither the scene nor the upper ends of its axes have springs.
+/// Warns that a limit velocity does not account for the springs whose mass is shown; `None` if only one of both was requested, or if
+/// neither scene nor upper ends of its axes have springs.
 pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> Option<String> {
     let has_limit =
         measures.iter().any(|it| matches!(it.search(), Some(Search::Limit | Search::DesignLimit)));
@@ -151,8 +151,8 @@ pub struct Checked {
 }
 
 impl Checked {
-    /// Of a design found by a measure: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the
-    /// scene itself fails.
+    /// Checks a design found by a measure: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the
+    /// original scene fails.
     pub fn of(
         design: &Scene,
         measure: &Quantity,
@@ -185,7 +185,7 @@ pub struct Plastic {
 }
 
 impl Plastic {
-    /// Of a design that fails these checks; `None` where its interface holds, or is plastic.
+    /// Returns the result with a plastic interface for a design that fails these checks; `None` if its interface holds, or is plastic.
     fn beside(
         design: &Scene,
         fails: &[Check],

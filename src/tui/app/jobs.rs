@@ -96,7 +96,7 @@ pub(crate) fn look<S: AskedFor + Into<Asked>>(app: &mut App, time: Duration, stu
     look_at(app, time, &Arc::clone(&app.scene), study);
 }
 
-/// The same for another scene.
+/// Starts a look at another scene.
 pub(crate) fn look_at<S>(app: &mut App, time: Duration, scene: &Arc<Scene>, study: S)
 where
     S: AskedFor + Into<Asked>,

@@ -15,7 +15,7 @@ pub struct Running {
     pub id: u64,
     /// The tab that requested it.
     pub tab: Tab,
-    /// It was begun by looking at its page.
+    /// Whether opening its page started it.
     pub is_look: bool,
     pub scene: Arc<Scene>,
     pub asked: Asked,
@@ -104,7 +104,7 @@ pub struct Kept<T> {
     pub asked: Option<Asked>,
     pub found: Option<Arc<T>>,
     pub reach: Reach,
-    /// It was begun by looking at its page.
+    /// Whether opening its page started it.
     pub is_look: bool,
     /// How long it took; `None` while more of it follows: it is neither complete nor stopped.
     pub took: Option<Duration>,
@@ -145,7 +145,7 @@ impl<T> Kept<T> {
         self.took.is_some() && (self.is_complete() || !self.is_look)
     }
 
-    /// The same for a scene.
+    /// Returns whether the result for a scene is settled.
     pub fn is_settled(&self, scene: &Scene) -> bool {
         self.found.is_some() && self.is_over() && *self.scene == *scene
     }

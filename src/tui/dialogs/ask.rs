@@ -29,7 +29,7 @@ enum Purpose {
     Beside,
 }
 
-/// What a file of traces has.
+/// Hint on the content of a file of traces.
 const BESIDE: &str = "a CSV file: a column of time (s, ms, us) and any of penetration, plate displacement, plate or projectile velocity, \
                       contact or mount force, acceleration, with units in the headings; no name: none";
 

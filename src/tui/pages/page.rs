@@ -196,8 +196,7 @@ pub(crate) trait Page: Sync {
     /// Put the crosshair of a chart of the pane on a value of its axis across.
     fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}
 
-    /// What a place of the crosshair is typed in: the names of its axes, each with the unit of a bare number; none without a
-    /// crosshair.
+    /// Returns the axes of the crosshair, each with the unit of a bare number; empty without a crosshair.
     fn places(&self, _app: &App) -> Vec<(String, String)> {
         Vec::new()
     }

@@ -1,4 +1,4 @@
-//! One action: the page that is shown comes first, then what the action means anywhere.
+//! Handles an action: first by the page shown, then by its meaning on every page.
 
 use crate::tui::app::{Settings, Typing, edit};
 use crate::tui::dialogs;
@@ -43,7 +43,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     anywhere(app, action);
 }
 
-/// What an action does to the selected row of a form: it takes the next value, or opens its field.
+/// Applies an action to the selected row of a form: takes the next value, or opens its field.
 fn in_form(app: &mut App, action: Action) -> bool {
     let page = pages::of(app.tab);
     let enters = action == Action::Enter;
@@ -59,7 +59,7 @@ fn in_form(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// What an action does where the page has no meaning of its own for it.
+/// Applies an action for which the page has no meaning of its own.
 fn anywhere(app: &mut App, action: Action) {
     use Action as A;
     if dialogs::open(app, action) {

@@ -68,7 +68,7 @@ impl App {
         refused.or(notice)
     }
 
-    /// What stands under the cursor, or what the selected row means.
+    /// Returns the readout of the cursor or of the selected row.
     fn readout_line(&self, room: usize) -> Option<(Severity, String)> {
         if self.dialog.is_some() {
             return None;

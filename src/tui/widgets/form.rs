@@ -30,9 +30,9 @@ pub(crate) struct FormRow {
     pub unit: &'static str,
     /// The text that its field opens with; `None` where Enter takes the next value.
     pub text: Option<String>,
-    /// Its meaning, for the message area.
+    /// Meaning, for the message area.
     pub meaning: String,
-    /// What its field reads, where that is a quantity.
+    /// Quantity of its field; `None` for text.
     pub quantity: Option<FieldQuantity>,
     /// Headings are titles; a value that has no effect at present is dim.
     pub role: Role,
@@ -124,7 +124,7 @@ pub(crate) fn quantity_after(name: &str, input: Input<'_>) -> Result<&'static st
 
 /// The setup of a study.
 pub(crate) struct Form {
-    /// Its rows, headings included.
+    /// Rows, headings included.
     lines: Vec<FormRow>,
     selected: usize,
 }
@@ -144,12 +144,12 @@ impl Form {
         self.lines.get(self.selected)
     }
 
-    /// Of a line, its place among those that can be selected: how many of these stand above it.
+    /// Returns the number of selectable lines above a line.
     fn place(&self, line: usize) -> usize {
         self.lines[..line].iter().filter(|line| !line.is_heading()).count()
     }
 
-    /// Those that can be selected, where this many are shown.
+    /// Returns the selectable rows for a number of visible lines.
     pub(crate) fn rows(&self, shown: usize) -> Rows {
         let (count, selected) = (self.place(self.lines.len()), self.place(self.selected));
         Rows { count, selected, shown }

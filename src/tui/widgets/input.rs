@@ -1,4 +1,4 @@
-//! One-line fields: what is typed or pasted into them, what ends them, and how they are drawn.
+//! Input fields of a single line: editing, ending and drawing.
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use ratatui::layout::Rect;

@@ -1,4 +1,4 @@
-//! What an action is as a movement: by rows, along a chart, over a map, round a list of choices, of a value.
+//! Actions as movements: by rows, along a chart, over a map, round a list of choices, of a value.
 
 use crate::tui::keymap::Action;
 use crate::tui::widgets::steps::Press;

@@ -18,12 +18,12 @@ pub(crate) fn engineering(value: f64, unit: &'static str) -> String {
     if unit.is_empty() { significant(value, 4) } else { units::engineering(value, unit, 4) }
 }
 
-/// What changes the value of a row.
+/// Input that changes the value of a row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Input<'a> {
     /// Arrow keys.
     Step(Press),
-    /// What was typed into its field.
+    /// Text typed into the field.
     Text(&'a str),
 }
 

@@ -34,7 +34,7 @@ pub(crate) fn first_row(selected: usize, height: usize, count: usize) -> usize {
     selected.saturating_sub(height.saturating_sub(1) * 2 / 3).min(most)
 }
 
-/// Which of some rows are shown: `3-12/40`; empty where all are.
+/// Formats the range of visible rows: `3-12/40`; empty if all are visible.
 pub(crate) fn counted(first: usize, shown: usize, count: usize) -> String {
     let last = (first + shown).min(count);
     if count > shown { format!("{}-{last}/{count}", first + 1) } else { String::new() }

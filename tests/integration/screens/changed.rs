@@ -1,4 +1,4 @@
-//! What a step changed: the curve before it as faint dots, and the difference in each title.
+//! Effects of the latest edit on Run: the previous curve as faint dots, and the difference in each title.
 
 use super::bench::{Bench, made};
 

@@ -1,11 +1,10 @@
 //! The law of an impact, read off the equations once more: classical Runge-Kutta in tiny equal steps from first contact on.
 //!
-//! It keeps no mode from one step to the next. What the interface does is read off the state at the start of every step: u > 0 at
-//! the bottom of the hole deepens it, u > 0 above the bottom closes the gap, u < 0 pulls out, and at u = 0 the bodies stay together
-//! unless the greatest push or pull would part them. Whether the plate rests on a rigid stop, and what an elastic one pushes with,
-//! follows from the state as well. A step is cut, by bisection, where the sign of something changes that the law depends on. Nothing
-//! of the engine is used but the oblique section's area; the springs are in `springs.rs`, other contacts than the hydrodynamic one
-//! in `contacts.rs`.
+//! The oracle keeps no discrete state between steps. The state at the start of a step determines the interface: u > 0 at the bottom of the
+//! hole deepens it, u > 0 above the bottom closes the gap, u < 0 pulls out. At u = 0 the bodies stick unless the limit loads are exceeded.
+//! Contact with a rigid stop and the force of an elastic one follow from the state as well. A step is shortened by bisection to the first
+//! sign change of a quantity that the law depends on. The only function shared with the engine is the oblique section's area. The springs
+//! are in `springs.rs`, contacts other than the hydrodynamic one in `contacts.rs`.
 
 use std::f64::consts::PI;
 

@@ -55,7 +55,7 @@ pub(super) struct Setup {
     pub(super) grip: f64,
     /// Reference velocity, m/s: the greater of projectile and closing velocity at first contact.
     pub(super) velocity_m_s: f64,
-    /// What lengths are compared with: the tip radius or, of a shot too slow to come so far, the travel on which the strength stops it.
+    /// Reference length, m: the lesser of the tip radius and the travel on which the strength alone stops the shot.
     pub(super) length_m: f64,
     /// Displacement and velocity of the plate at first contact.
     pub(super) start_m: f64,
@@ -467,9 +467,8 @@ impl Equations<'_> {
         UNRESOLVED * self.setup.velocity_m_s
     }
 
-    /// What errors of travel and displacement, and of slip and the plate's velocity, are relative to at least: a thousandth of the length
-    /// that others are compared with and of the impact velocity; of the plate's, a thousand-millionth and a millionth of these, less than
-    /// which does not move the projectile.
+    /// Returns the smallest error scales. Travel and relative velocity: 1e-3 of the reference length and of the impact velocity.
+    /// Displacement and velocity of the plate: 1e-9 and 1e-6 of these; smaller ones do not affect the projectile.
     fn least_sizes(&self) -> Point<2> {
         let (r, v) = (self.setup.length_m, self.setup.velocity_m_s);
         ([1e-3 * r, 1e-9 * r], [1e-3 * v, 1e-6 * v])

@@ -1,8 +1,8 @@
-//! What holds between two events, and what follows an event: pure functions of mode, event and state.
+//! Discrete states between events, and the transitions at events: pure functions of mode, event and state.
 //!
-//! One rule serves the interface. u > 0 at the bottom of the hole: the hole deepens. u > 0 above it: the gap closes against
-//! friction g A S. u < 0: the projectile is pulled out against g A S. u = 0: together, as long as the force that the interface
-//! must carry stays within its limits; for good, once together, where the interface is fused.
+//! The interface follows one rule. u > 0 at the bottom of the hole: the hole deepens. u > 0 above it: the gap closes against friction g A
+//! S. u < 0: the projectile is pulled out against g A S. u = 0: the bodies stick while the interface force stays within its limit loads. A
+//! fused interface never parts.
 
 use crate::model::contact::AreaPiece;
 use crate::model::contact_models::Law;

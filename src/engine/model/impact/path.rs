@@ -34,7 +34,7 @@ impl<'a> Path<'a> {
         maximum::greatest(&values, known, &|part| of(&self.at(part)), None)
     }
 
-    /// The same of a function with a rate.
+    /// Returns the greatest value on the step of a function whose rate is known.
     pub(super) fn greatest_by_rate(
         &self,
         known: f64,

@@ -20,8 +20,8 @@ pub enum Stepping {
     Collocation(f64),
     /// Collocation; the plate is integrated to its turning point even if its energy gives the maximum displacement.
     CollocationInFull(f64),
-    /// The same with two stages more, for the estimate of errors. Bound by the same events both take the same steps, of which the member with
-    /// as many stages has the same errors. Of the loads it follows only the push through the joined interface.
+    /// Collocation with two more stages, for the error estimate. Events force both computations to the same steps, on which a member with
+    /// equally many stages would have the same errors. It records only the compression of the interface among the loads.
     Second(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
     Radau5(f64),

@@ -186,8 +186,8 @@ fn valid_the_rim_of_a_plug_carries_its_shear_force() {
     assert!(is_near(push_n, 0.5 * 314_048.999, 1e-7) && is_near(pull_n, 0.1 * push_n, 1e-14));
 }
 
-/// Both bodies in absolute coordinates by classical Runge-Kutta steps of equal length, cut by bisection where the plug is picked up, where
-/// it is through and where both have one velocity: (t, travel, plate displacement, plate velocity, relative velocity) at the end.
+/// Integrates both bodies in absolute coordinates by classical Runge-Kutta steps of equal length. Bisection locates the pick-up of the
+/// plug, the perforation and the arrest. Returns time, travel, plate displacement, plate velocity and relative velocity at the end.
 fn by_equal_steps(
     [m_p, m_2, k, b]: [f64; 4],
     (hole_m, plug): (impl Fn(f64) -> f64, [f64; 5]),

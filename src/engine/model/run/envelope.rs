@@ -44,7 +44,7 @@ const VELOCITIES_M_S: (f64, f64) = (50.0, 1000.0);
 /// model may be used.
 pub const OBLIQUE_LOW: [(f64, f64); 3] = [(15.0, 3.6), (30.0, 8.6), (45.0, 16.1)];
 const OBLIQUE_UP_TO: f64 = 20.0;
-/// What is known about limits of a nose that shears out a plug at an angle.
+/// Text on oblique limits of a nose that shears out a plug.
 const PLUG_AT_AN_ANGLE: &str = "no limit of a nose that shears out a plug is measured at an angle";
 /// The end of a steel coil that moves faster than this, m/s, sends a wave through its wire that takes it beyond its strength.
 const COIL_END_M_S: f64 = 20.0;
@@ -210,7 +210,7 @@ fn is_measured_nose(scene: &Scene) -> bool {
     !is_round && scene.closure() == Closure::Cylindrical
 }
 
-/// What nose and core mean for the law.
+/// Returns the breaches that follow from nose and core.
 fn of_nose(scene: &Scene) -> Vec<(Direction, String)> {
     let Projectile { nose, core, .. } = scene.projectile;
     let is_foreign = nose != Nose::Hemispherical && !is_measured_nose(scene);
@@ -257,7 +257,7 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     Some(Breach { check: Check::Thickness, direction, degree, text })
 }
 
-/// What the thickness ratio means for the closures that were made for a hemisphere.
+/// Returns the breach of the thickness ratio under closures for a hemisphere.
 fn under_hemisphere(scene: &Scene, ratio: f64) -> Option<(Direction, String)> {
     let Target { dishing: dishes, closure, .. } = scene.target_in_effect();
     Some(if dishes && ratio > THICKNESS + ABOUT {
@@ -417,8 +417,7 @@ pub fn warnings(run: &Run) -> Vec<String> {
     list
 }
 
-/// That the peak contact force exceeds the static collapse load of the clamped plate, pi Y h^2; `None` up to that load, and for a strength
-/// that is given.
+/// Warns of a peak contact force above the static collapse load of the clamped plate, pi Y h^2; `None` below it, and for a given strength.
 fn bends(run: &Run) -> Option<String> {
     let Target { yield_pa, thickness_m, .. } = run.scene.target;
     let load_n = std::f64::consts::PI * yield_pa * thickness_m * thickness_m;

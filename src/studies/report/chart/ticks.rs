@@ -24,10 +24,10 @@ const LEAST_LABELS: [(u16, usize); 3] = [(16, 5), (8, 3), (2, 2)];
 const BEYOND: f64 = 0.45;
 /// Longest part of an axis on rows, over the range of its values.
 const MOST_SPREAD: f64 = 2.6;
-/// What a row more or less between two labels than wanted, and a step of 2.5, weigh beside the part of the axis left empty.
+/// Cost of one row between labels more or less than wanted, and of a step of 2.5, relative to the fraction of the axis left empty.
 const UNWANTED_ROW: f64 = 0.04;
 const UNUSUAL_STEP: f64 = 0.03;
-/// What a line across weighs that runs through the row of a label of another value, farther from its middle than this.
+/// Cost of a level line that passes through the row of another value's label.
 const CROSSED_LABEL: f64 = 0.5;
 const BESIDE: f64 = 0.1;
 /// Decades from one label to the next on a logarithmic axis.

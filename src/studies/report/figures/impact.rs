@@ -61,7 +61,7 @@ pub enum Part {
     Hole,
     /// The stop.
     Stop,
-    /// What spring, damper and stop stand on; the plate itself on a rigid mount.
+    /// Support of spring, damper and stop; of the plate itself on a rigid mount.
     Mount,
     /// The springs, as one.
     Spring,
@@ -119,7 +119,7 @@ pub struct Stage<'a> {
     stop_m: Option<f64>,
     /// Distances between the plate's rear face and the mount: least and greatest, m.
     gaps_m: (f64, f64),
-    /// What is not to scale.
+    /// Notes on parts that are not to scale.
     pub notes: Vec<String>,
 }
 

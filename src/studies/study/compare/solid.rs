@@ -58,7 +58,8 @@ fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> 
     root(scene.target.thickness_m, |thickness_m| swept(thickness_m) - volume)
 }
 
-/// The same for a nose that shears out a plug, by its limit relative to the plate; `None` for one that is all plug before it has that.
+/// Returns the thickness for a nose that shears out a plug, by its limit relative to the plate; `None` if the whole plate is the plug at a
+/// smaller thickness.
 fn thickness_that_shears(scene: &Scene, velocity_m_s: f64, moves: bool) -> Option<f64> {
     let excess_m_s = |thickness_m: f64| {
         let mut own = scene.clone();

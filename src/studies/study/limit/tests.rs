@@ -119,8 +119,8 @@ fn valid_the_stroke_at_the_limit_is_that_of_the_last_shot_that_is_stopped() {
     assert!((stroke_m / last.stroke_m().unwrap() - 1.0).abs() < 2e-7, "{stroke_m}");
 }
 
-/// Of a free plate half of the limit by its closed form. The others by two independent integrations at `v_bl (1 + 1e-9)`: one fixed-step,
-/// one in Taylor series.
+/// Residual velocities at the limit. A free plate has half of the limit by its closed form; the others are from two independent
+/// integrations at `v_bl (1 + 1e-9)`, one with fixed steps, one by Taylor series.
 #[test]
 fn valid_the_residual_velocity_at_the_limit_is_not_that_of_a_faster_shot() {
     for (pairs, limit_m_s, residual_m_s) in

@@ -29,7 +29,7 @@ pub enum Alloy {
     Steel,
 }
 
-/// What the shots of a class have in common.
+/// Key of a class: the common properties of its shots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key {
     /// Nose of the projectile.
@@ -91,7 +91,7 @@ impl Key {
 /// A measured limit beside that of the law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
-    /// Its class.
+    /// Class of the row.
     pub key: Key,
     /// Publication.
     pub paper: String,
@@ -106,7 +106,7 @@ pub struct Sample {
 /// A class with its statistics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Class {
-    /// What its shots have in common.
+    /// Common properties of the shots.
     pub key: Key,
     /// Rows.
     pub measurements: usize,

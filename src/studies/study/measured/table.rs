@@ -100,7 +100,8 @@ struct Heading {
 /// Rows that cannot be computed keep their place, with the reason.
 ///
 /// # Errors
-/// One line with the remedy for an unknown column, a column given twice, or units both in a heading and in its cells.
+/// Reads measured limits from CSV. The error is one line with the remedy for an unknown column, a column given twice, or units both in a
+/// heading and in its cells.
 pub fn read(text: &str, find: FindEntry<'_>) -> Result<Vec<Measurement>, String> {
     let csv = Csv::read(text)?;
     let Some((line, headings)) = &csv.headings else {

@@ -48,9 +48,9 @@ impl Judged {
 pub struct Sample<T> {
     /// Where, 0 to 1 along every input.
     pub shares: Vec<f64>,
-    /// Its result.
+    /// Result of the design.
     pub judged: Judged,
-    /// What else is known of it.
+    /// Further data of the design.
     pub found: T,
 }
 

@@ -24,7 +24,7 @@ pub const SCAN: RangeInclusive<u64> = 3..=100_000;
 /// Points of a scan if none is given.
 pub const SCAN_USUAL: u64 = 65;
 
-/// What is searched for.
+/// Request for a goal seek.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// The variable, its bounds, and as many points as the scan has.
@@ -97,7 +97,7 @@ pub struct SamplePoint {
 /// A line of the answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeekResult {
-    /// Its kind.
+    /// Kind of the result.
     pub kind: Kind,
     /// Where, and what is reached; the measure is NaN in a gap.
     pub place: SamplePoint,
@@ -126,11 +126,11 @@ pub struct Report {
     pub criterion: Criterion,
     /// The measure.
     pub measure: &'static Quantity,
-    /// Its wanted value.
+    /// Value that the goal requires.
     pub target: f64,
     /// Solutions in order of the variable, then jumps, the nearest miss, and gaps.
     pub lines: Vec<SeekResult>,
-    /// What is to be said against each solution: neither the scene nor the ends of the range are the answer.
+    /// Validity of each solution.
     pub checked: Vec<Checked>,
     /// The least and the greatest value met with.
     pub range: Option<(SamplePoint, SamplePoint)>,

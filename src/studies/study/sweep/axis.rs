@@ -1,7 +1,7 @@
 //! Axis of a sweep: a variable, its ends, its points, and their validation.
 //!
-//! Both ends of an `Axis` are valid values. So are all values between them, because the valid values of a variable form an interval. `Plan`
-//! checks rules between variables.
+//! All values of an `Axis` are valid: its ends are checked, and the valid values of a variable form an interval. `Plan` checks rules between
+//! variables.
 
 use std::fmt;
 use std::ops::{Range, RangeInclusive};

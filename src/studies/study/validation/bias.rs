@@ -7,7 +7,7 @@ use crate::numerics::{larger, smaller};
 /// Bias and scatter of a set of measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bias {
-    /// Of which class; `None` for all.
+    /// Class; `None` for all measurements.
     pub class: Option<&'static str>,
     /// How many points.
     pub points: usize,

@@ -1,4 +1,4 @@
-//! What matters: the effect of every variable on one result of the scene, as bars beside the variables.
+//! Sensitivity bars beside the variables: the effect of every variable on one result of the scene.
 
 use std::time::Duration;
 

@@ -33,7 +33,7 @@ pub struct RunPage {
     pub is_full: bool,
 }
 
-/// What the bars of what matters show, and what has been computed.
+/// State of the sensitivity bars: the result shown, and the computed points.
 #[derive(Clone, Debug, Default)]
 pub struct Matters {
     /// The result shown, by its place in the list; `None`: words stand in the place of bars.
@@ -75,7 +75,7 @@ impl Differences {
     }
 }
 
-/// What is drawn of traces: thinned once for each chart and end of its time, not for each frame.
+/// Curves of the traces, thinned once for each chart and end time, not for each frame.
 #[derive(Clone, Debug, Default)]
 pub struct Drawn {
     of: Option<(Arc<Traces>, Ends)>,

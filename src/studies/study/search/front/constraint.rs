@@ -11,7 +11,7 @@ use crate::study::quantities::{Quantity, named};
 pub struct Constraint {
     /// The measure.
     pub measure: &'static Quantity,
-    /// It must be this at most; otherwise at least.
+    /// Whether the bound is an upper one; otherwise a lower one.
     pub at_most: bool,
     /// The bound, SI; percent for percentages.
     pub bound: f64,

@@ -26,7 +26,7 @@ pub struct Stopped;
 /// A crossing of the goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// Its kind: solution or jump.
+    /// Kind: solution or jump.
     pub kind: Kind,
     /// Where; the nearer end for a root.
     pub from: SamplePoint,

@@ -70,7 +70,7 @@ fn headline(quantity: Channel, run: &Run) -> Option<f64> {
     }
 }
 
-/// What the latest edit changed of a title's number: `+0.442 since gamma 1`, or what stood there: `was through at h 6.35 mm`.
+/// Describes the latest edit's effect on a title's number: `+0.442 since gamma 1`, or `was through at h 6.35 mm`.
 fn changed(app: &App, quantity: Channel, run: &Run) -> Option<String> {
     let before = app.run_before()?;
     let edit = match App::differing(&before.scene, &run.scene)[..] {
@@ -141,7 +141,7 @@ fn depth(run: &Run) -> Option<String> {
     })
 }
 
-/// That a shot is through, and how fast it goes on.
+/// Describes a perforation, with its residual velocity.
 fn through(run: &Run) -> String {
     match run.residual_velocity_m_s {
         Some(left) if left < 0.0 => format!("through, back at {}", speed(-left)),
@@ -159,7 +159,7 @@ fn speed(velocity_m_s: f64) -> String {
     }
 }
 
-/// What a plastic interface comes to, where the fused one would have to carry more than its strength.
+/// Describes the result with a plastic interface, if the fused one would exceed its strength.
 fn plastic(run: &Run) -> Option<String> {
     let is_exceeded =
         |it: &Warning| matches!(it, Warning::InterfacePush { .. } | Warning::InterfacePull { .. });
