@@ -206,18 +206,22 @@ fn without_header(text: &str) -> String {
             && fields.iter().any(|field| quantity(field).is_some())
     };
     let Some(above) = text.lines().position(is_heading) else { return text.to_owned() };
-    let line = |(at, line): (usize, &str)| {
-        let own = if at < above { "#" } else { line };
-        format!("{own}\n")
-    };
-    text.lines().enumerate().map(line).collect()
+    let line =
+        |(at, line): (usize, &str)| if at < above { "#".to_owned() } else { line.to_owned() };
+    text.lines().enumerate().map(line).collect::<Vec<_>>().join("\n") + "\n"
 }
 
+/// Headings of a readable file, quoted in errors.
+const EXAMPLE: &str = "as in `time_ms,penetration_mm,contact_force_kN`";
+
+#[expect(
+    clippy::too_many_lines,
+    reason = "one pass over headings and rows, with an error for each"
+)]
 fn traces_in(text: &str, name: &str) -> Result<Traces, String> {
     let text = without_header(text.trim_start_matches('\u{feff}'));
     let csv = Csv::read(&text).map_err(|error| format!("cannot read `{name}` as CSV: {error}"))?;
     let at = |line: u64, problem: &str| format!("`{name}`, line {line}: {problem}");
-    const EXAMPLE: &str = "as in `time_ms,penetration_mm,contact_force_kN`";
     let Some((line, headings)) = &csv.headings else {
         return Err(format!("`{name}` has no headings: name its columns, {EXAMPLE}"));
     };
@@ -417,10 +421,9 @@ mod tests {
     /// Traces written by the program are read back to the last digit.
     #[test]
     fn a_hundred_thousand_rows_keep_their_digits() {
-        let mut text = String::from("time_us,penetration_mm\n");
-        for at in 0..100_000 {
-            text += &format!("{},{}\n", f64::from(at) * 0.01, f64::from(at) * 1e-4);
-        }
+        let row = |at| format!("\n{},{}", f64::from(at) * 0.01, f64::from(at) * 1e-4);
+        let rows: Vec<String> = (0..100_000).map(row).collect();
+        let text = format!("time_us,penetration_mm{}\n", rows.concat());
         let found = read(&text).unwrap();
         assert_eq!(found.traces[0].points.len(), 100_000);
         near(found.traces[0].points[99_999], (999.99e-6, 9.9999e-3), "the last row");

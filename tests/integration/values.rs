@@ -103,7 +103,7 @@ fn valid_the_tension_of_the_interface_does_not_depend_on_whether_a_series_is_kep
     let with_horizon = json("k=1e6 horizon=5ms");
     let asked = ["--over", "gamma=1..2:2", "--outputs", "interface_tension_ratio", "--csv", "-"];
     let (rows, _) = says("sweep", &[set("k=1e6"), asked.to_vec()].concat(), 0);
-    let swept = rows.lines().nth(1).unwrap().split(',').nth(2).unwrap().parse::<f64>().unwrap();
+    let swept = rows.lines().nth(1).unwrap().split(',').nth(3).unwrap().parse::<f64>().unwrap();
     for value in [&found, &with_horizon].map(|run| run["interface_tension_ratio"].as_f64()) {
         assert_near(value.unwrap(), tension, 1e-9);
     }

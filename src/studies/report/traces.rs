@@ -245,13 +245,13 @@ impl Traces {
         }
         let end_s = run.series.last().map_or(0.0, |row| row.t_s);
         for (trace, _) in others {
-            text += &format!(
-                "{}: no row within the time of the run, which ends at {}; the first row is at {}: check the unit of time, or run \
-                 longer with --set horizon=TIME\n",
-                trace.heading,
-                engineering(end_s, "s", 4),
-                engineering(trace.points[0].0, "s", 4),
-            );
+            let [end, first] = [end_s, trace.points[0].0].map(|t_s| engineering(t_s, "s", 4));
+            text += &trace.heading;
+            text += ": no row within the time of the run, which ends at ";
+            text += &end;
+            text += "; the first row is at ";
+            text += &first;
+            text += ": check the unit of time, or run longer with --set horizon=TIME\n";
         }
         text
     }

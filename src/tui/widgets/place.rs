@@ -57,7 +57,8 @@ mod tests {
 
     #[test]
     fn a_place_has_values_by_name_or_the_first_ones_alone() {
-        let read = |_: usize, text: &str| text.parse::<f64>().map_err(|_| format!("`{text}`?"));
+        let read =
+            |_: usize, text: &str| text.parse::<f64>().ok().ok_or_else(|| format!("`{text}`?"));
         let at = |text: &str| values(text, &["n", "k"], read);
         for text in ["n 0.5", "n=0.5", "0.5", "n = 0.5"] {
             assert_eq!(at(text), Ok(vec![Some(0.5), None]), "{text}");

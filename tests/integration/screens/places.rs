@@ -1,7 +1,5 @@
 //! Places of a crosshair that are typed: on the charts of a run, on the curves and maps of Explore, on the map of stability.
 
-#![expect(clippy::float_cmp, reason = "what is typed is stored to the last bit")]
-
 use super::bench::Bench;
 use super::{stability, sweep};
 use cmra::tui::theme::GlyphSet;

@@ -1,8 +1,7 @@
 //! The motion, once: constants of a scene, forces in a mode, accelerations and their derivatives.
 //!
-//! Travel q and slip u are those of the projectile along its axis against the plate, displacement x and velocity w those of the
-//! plate along its normal. With the contact force F, the mechanism's force G and the masses of both, `m_p v' = -F` and
-//! `m_2 w' = F cos - G`, where u = v - w cos.
+//! Travel q and relative velocity u are measured along the projectile's axis, displacement x and velocity w along the plate's normal. With
+//! contact force F and the mechanism's force G, `m_p v' = -F` and `m_2 w' = F cos - G`, where u = v - w cos.
 
 use crate::model::contact::Geometry;
 use crate::model::contact_models::Law;
@@ -16,8 +15,7 @@ use crate::numerics::{larger, smaller};
 
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
-/// Rounding of a force, relative: hundreds of units of the last place, for the areas of oblique sections are differences of terms. Others
-/// are known better; but what so small a part of a force changes is lost in the error that a step is allowed.
+/// Relative rounding error of a force. Areas of oblique sections are differences of terms; 1e-13 is below the step tolerance.
 const KNOWN: f64 = 1e-13;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
