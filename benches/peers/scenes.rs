@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cmra::model::impact::Stepping;
+use cmra::model::impact::IntegrationMethod;
 use cmra::model::impact::step_by;
 use cmra::model::reference::Stored;
 use cmra::model::run::Outcome;
@@ -60,7 +60,7 @@ impl Reference {
         if is_immobile {
             own.plate.mount = Mount::Rigid;
         }
-        let run = step_by(Stepping::Dop853(TIGHT), &Arc::new(own)).expect("a valid scene");
+        let run = step_by(IntegrationMethod::Dop853(TIGHT), &Arc::new(own)).expect("a valid scene");
         let run = run.expect("a power law");
         let arrest = run.first_arrest.map(|arrest| (arrest.t_s, Some(arrest.penetration_m)));
         let end = arrest.or_else(|| Some((run.exit_time_s?, None)));

@@ -24,7 +24,7 @@ use crate::files::read_traces::traces;
 use crate::model::run::envelope::warnings;
 use crate::model::run::{EVERY_ROWS_MAX, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::model::simulate::{self, Look, Settings};
+use crate::model::simulate::{self, RunSnapshot, Settings};
 use crate::model::units::{Dimension, engineering};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
@@ -93,7 +93,7 @@ fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
 fn compute_by(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError> {
     let mut line = ProgressLine::begin();
     let mut steps = 0_u64;
-    let mut observer = |look: &Look<'_>| {
+    let mut observer = |look: &RunSnapshot<'_>| {
         steps += 1;
         if !steps.is_multiple_of(LOOK) {
             return ControlFlow::Continue(());

@@ -10,7 +10,7 @@ use super::studies::Found;
 use super::{JobProgress, ReportBody, Slot};
 use crate::model::run::Run;
 use crate::model::scene::Scene;
-use crate::model::simulate::{self, Look, Settings};
+use crate::model::simulate::{self, RunSnapshot, Settings};
 use crate::study::context::{Answer, Progress, Reach};
 
 /// A run that ends before this reports only that it has ended: no frame is spent on its beginning.
@@ -47,7 +47,7 @@ pub(super) fn run(
     compute: impl FnOnce(&Settings, simulate::Observer<'_>) -> Result<Run, String>,
 ) -> Result<Found, Box<dyn Error>> {
     let mut pulse = Pulse { pause: SLOW, ..Pulse::default() };
-    let mut observer = |look: &Look<'_>| {
+    let mut observer = |look: &RunSnapshot<'_>| {
         reporter.goes_on()?;
         if let Some(t_s) = pulse.beat(look.t_s, || reporter.elapsed()) {
             let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());
@@ -71,7 +71,7 @@ pub(super) fn run(
     run.cost.took_s = Some(took.as_secs_f64());
     if run.end.is_complete() {
         let mut left = PLASTIC_STEPS;
-        let mut observer = |_: &Look<'_>| {
+        let mut observer = |_: &RunSnapshot<'_>| {
             left = left.saturating_sub(1);
             if left == 0 { ControlFlow::Break(()) } else { reporter.goes_on() }
         };

@@ -15,7 +15,7 @@ use super::studies::{
 use super::{JobProgress, Page, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::{InterfaceLaw, Scene};
-use crate::model::simulate::{self, Look};
+use crate::model::simulate::{self, RunSnapshot};
 use crate::study::context::{Answer, Context, Progress, Reach};
 use crate::study::monte_carlo;
 use crate::study::search::seek;
@@ -48,12 +48,12 @@ fn slow_run(
     reporter: &Reporter<'_>,
 ) -> Result<Found, Box<dyn Error>> {
     run(slot, scene, reporter, |settings, observer| {
-        let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+        let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
         let mut run = simulate::simulate(scene, settings, go_on).map_err(|it| it.to_string())?;
         assert!(scene.title != "panics", "deliberate");
         let mut t_s = 0.0;
         if scene.title.starts_with("endless") {
-            while observer(&Look { t_s, so_far: &|| None }).is_continue() {
+            while observer(&RunSnapshot { t_s, so_far: &|| None }).is_continue() {
                 t_s += 1e-9;
                 if scene.title.ends_with("counted") {
                     STEPS.fetch_add(1, Ordering::SeqCst);

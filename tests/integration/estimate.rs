@@ -6,7 +6,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::impact::Stepping;
+use cmra::model::impact::IntegrationMethod;
 use cmra::model::impact::step_by;
 use cmra::model::run::{EstimateBasis, Outcome, Run};
 use cmra::model::scene::{InterfaceLaw, Scene};
@@ -48,7 +48,7 @@ const SEED: u64 = 0x5eed_2007_0412;
 
 /// A run by DOP853, if it came to its end.
 fn by_dop853(scene: &Arc<Scene>, tolerance: f64) -> Option<Run> {
-    let run = step_by(Stepping::Dop853(tolerance), scene).unwrap()?;
+    let run = step_by(IntegrationMethod::Dop853(tolerance), scene).unwrap()?;
     (run.end.is_complete() && run.outcome != Outcome::Moving).then_some(run)
 }
 

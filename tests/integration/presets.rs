@@ -10,7 +10,7 @@ use cmra::files::preset::{self, Preset};
 use cmra::files::{read, write};
 use cmra::model::run::Sample;
 use cmra::model::scene::{ContactModel, Scene};
-use cmra::model::simulate::{Look, Settings, simulate};
+use cmra::model::simulate::{RunSnapshot, Settings, simulate};
 use cmra::model::variables::{VARIABLES, changed, validate};
 use cmra::study::quantities;
 
@@ -242,7 +242,7 @@ fn is_said(number: &str, size: f64, result: f64) -> bool {
 
 /// Every result of a run and of its plates, and where the plate is and how fast at its events.
 fn all_results(scene: &Arc<Scene>) -> Vec<f64> {
-    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+    let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     let run = simulate(scene, &Settings::default(), go_on).unwrap();
     let behind: Vec<_> = run.stack.iter().flat_map(|stack| stack.behind.iter().cloned()).collect();
     let mut first = run.clone();
@@ -277,7 +277,7 @@ fn numbers_in_the_texts_of_presets_are_those_of_runs() {
                 cmra::study::limit::velocity_m_s(&scene).unwrap()
             } else {
                 let scene = Arc::new(scene);
-                let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+                let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
                 let run = simulate(&scene, &Settings::default(), go_on).unwrap();
                 quantities::find(key).unwrap().value(&run).unwrap()
             };
@@ -319,7 +319,7 @@ fn numbers_in_the_texts_of_presets_are_those_of_runs() {
 fn edges_and_levels_in_the_texts_of_figures_are_those_of_runs() {
     let depth_m = |changes: &str| {
         let scene = Arc::new(changed(Scene::default(), changes).unwrap());
-        let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+        let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
         simulate(&scene, &Settings::BARE, go_on).unwrap().first_arrest.unwrap().penetration_m
     };
     for (k, edge, preset) in [("1e5", 0.22, "figure-9.8"), ("1e6", 0.56, "figure-9.6")] {

@@ -17,7 +17,7 @@ use crate::model::plug::Plug;
 use crate::model::run::{Arrest, Outcome, Run};
 use crate::model::scene::{ContactModel, Criterion, Scene};
 use crate::numerics::quadrature::converged;
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
 /// Penetration of a single body with the reduced mass.
@@ -180,7 +180,7 @@ impl<'a> Passage<'a> {
             };
             // A blunt nose pushes most at the start.
             let at_ends_n = larger(force_n(*from_m), force_n(to_m));
-            larger(force_n(in_bracket(*from_m, to_m, rise)), at_ends_n)
+            larger(force_n(bracketed_root(*from_m, to_m, rise)), at_ends_n)
         });
         greatest_n.fold(0.0, larger)
     }

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use crate::model::plug::Plug;
 use crate::model::scene::Scene;
 use crate::numerics::quadrature::gauss;
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
@@ -323,7 +323,7 @@ impl Geometry {
     /// Travel at which the swept volume is `volume_m3`; `None` beyond the volume of the whole passage.
     pub fn travel_at_volume_m(&self, volume_m3: f64) -> Option<f64> {
         let missing_m3 = |q_m: f64| volume_m3 - self.swept_m3(q_m);
-        (missing_m3(self.exit_m) < 0.0).then(|| in_bracket(0.0, self.exit_m, missing_m3))
+        (missing_m3(self.exit_m) < 0.0).then(|| bracketed_root(0.0, self.exit_m, missing_m3))
     }
 
     fn law(&self, from_m: f64, to_m: f64) -> AreaLaw {

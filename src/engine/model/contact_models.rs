@@ -12,7 +12,7 @@ mod half_sine;
 mod law;
 mod lumped;
 
-pub(super) use law::Law;
+pub(super) use law::ContactLaw;
 
 impl ContactModel {
     /// All of them in the order of Table 8.1.

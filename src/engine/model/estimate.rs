@@ -15,7 +15,7 @@ const LEAST: f64 = 1e-12;
 const SHARED: f64 = 3.0;
 /// How many times its difference from the other a computation may be off that passed through another number of events: the least error of
 /// each sends it another way, and the two may have come out close to each other by chance.
-const ANOTHER_WAY: f64 = 10.0;
+const EVENT_MISMATCH_FACTOR: f64 = 10.0;
 
 /// Reference size of errors that both computations share, besides the quantity's own size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +59,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
         // First order: half the step leaves half of the error.
         EstimateBasis::HalfStep => (2.0, ROUNDING),
         EstimateBasis::SecondComputation if run.cost.events != second.cost.events => {
-            (ANOTHER_WAY, LEAST)
+            (EVENT_MISMATCH_FACTOR, LEAST)
         }
         EstimateBasis::SecondComputation => (SHARED, LEAST),
         EstimateBasis::ClosedForm | EstimateBasis::OutcomeDiffers(_) => (1.0, ROUNDING),

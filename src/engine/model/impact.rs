@@ -10,11 +10,11 @@ use std::sync::Arc;
 
 use crate::model::closed_form;
 use crate::model::estimate;
-use crate::model::run::{EndReason, EstimateBasis, Look, Observer, Run, Settings};
+use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
-pub use stepping::Stepping;
+pub use stepping::IntegrationMethod;
 use stepping::run_by;
 
 mod equations;
@@ -32,21 +32,21 @@ mod stepping;
 mod tests;
 
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
-const LOCAL: f64 = 1e-2;
-const LEAST: f64 = 1e-13;
+const STEP_TOLERANCE_FACTOR: f64 = 1e-2;
+const MIN_STEP_TOLERANCE: f64 = 1e-13;
 /// Step tolerance of the second computation relative to the run's: its own error is a hundredth of the difference between both.
 const TIGHTER: f64 = 1e-2;
 
 /// Simulate one impact on a valid scene.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
-    let stepping = Stepping::Collocation(local_tolerance(scene));
+    let stepping = IntegrationMethod::Collocation(local_tolerance(scene));
     let run = run_by(scene, settings, stepping, observer);
     if settings.estimate && run.end.is_complete() { with_estimate(run, observer) } else { run }
 }
 
 /// Error of each step for the tolerance of a scene.
 fn local_tolerance(scene: &Scene) -> f64 {
-    larger(LOCAL * scene.run.tolerance, LEAST)
+    larger(STEP_TOLERANCE_FACTOR * scene.run.tolerance, MIN_STEP_TOLERANCE)
 }
 
 /// The run with the estimates of its errors, from closed forms or a second computation by another member of the family of methods.
@@ -55,9 +55,10 @@ fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
     let tolerance = local_tolerance(&scene);
     let exact = closed_form::results(&scene).map(|exact| (exact, EstimateBasis::ClosedForm));
     let (second, basis) = exact.unwrap_or_else(|| {
-        let shown =
-            &mut |look: &Look<'_>| observer(&Look { so_far: &|| Some(run.clone()), ..*look });
-        let stepping = Stepping::Second(TIGHTER * tolerance);
+        let shown = &mut |look: &RunSnapshot<'_>| {
+            observer(&RunSnapshot { so_far: &|| Some(run.clone()), ..*look })
+        };
+        let stepping = IntegrationMethod::Second(TIGHTER * tolerance);
         (run_by(&scene, Settings::BARE, stepping, shown), EstimateBasis::SecondComputation)
     });
     if second.end != EndReason::Cancelled {
@@ -70,9 +71,12 @@ fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
-pub fn step_by(stepping: Stepping, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
+pub fn step_by(
+    stepping: IntegrationMethod,
+    scene: &Arc<Scene>,
+) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
-    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+    let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     let is_stepped = scene.contact.model != ContactModel::Appendix;
     Ok(is_stepped.then(|| run_by(scene, Settings::BARE, stepping, go_on)))
 }

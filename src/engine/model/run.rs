@@ -48,7 +48,7 @@ impl Default for Settings {
 pub const CONTACT_WINDOW: f64 = 1.1;
 
 /// A look at a run that goes on.
-pub struct Look<'a> {
+pub struct RunSnapshot<'a> {
     /// The time reached, s.
     pub t_s: f64,
     /// The run so far: as if it had been cancelled there, or whole but for its error estimate. `None` of the listing of Appendix A, and of
@@ -57,7 +57,7 @@ pub struct Look<'a> {
 }
 
 /// Called before every step; `Break` ends the run as cancelled.
-pub type Observer<'a> = &'a mut dyn FnMut(&Look<'_>) -> ControlFlow<()>;
+pub type Observer<'a> = &'a mut dyn FnMut(&RunSnapshot<'_>) -> ControlFlow<()>;
 
 /// Results of one impact.
 #[derive(Clone, Debug, PartialEq, Default)]

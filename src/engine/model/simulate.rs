@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::model::appendix::listing;
 use crate::model::impact;
 use crate::model::run::{EndReason, Run};
-pub use crate::model::run::{Look, Observer, Settings};
+pub use crate::model::run::{Observer, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
@@ -28,7 +28,7 @@ pub fn simulate(
         return Ok(listing::run(scene, *settings, observer));
     }
     let mut run = impact::run(scene, *settings, observer);
-    let mut unseen = |look: &Look<'_>| observer(&Look { so_far: &|| None, ..*look });
+    let mut unseen = |look: &RunSnapshot<'_>| observer(&RunSnapshot { so_far: &|| None, ..*look });
     let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, &mut unseen);
     run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
     Ok(run)
@@ -62,7 +62,7 @@ pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
 /// A run without series and estimate, for tests.
 #[cfg(test)]
 pub(in crate::model) fn bare_run(scene: &Scene) -> Run {
-    let go_on = &mut |_: &Look<'_>| std::ops::ControlFlow::Continue(());
+    let go_on = &mut |_: &RunSnapshot<'_>| std::ops::ControlFlow::Continue(());
     simulate(&Arc::new(scene.clone()), &Settings::BARE, go_on).expect("a valid scene")
 }
 
@@ -74,7 +74,7 @@ mod tests {
 
     fn run(pairs: &str, every_s: f64) -> Result<Run, VariableError> {
         let settings = Settings { every_s: Some(every_s), ..Settings::SERIES };
-        let go_on = &mut |_: &Look<'_>| std::ops::ControlFlow::Continue(());
+        let go_on = &mut |_: &RunSnapshot<'_>| std::ops::ControlFlow::Continue(());
         simulate(&Arc::new(scene_with(pairs)), &settings, go_on)
     }
 

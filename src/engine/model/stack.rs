@@ -73,7 +73,7 @@ pub fn follow(
     let mut passed_m = 0.0;
     for mut plate in plates.into_iter().skip(1) {
         let last = behind.last().map_or(&*first, |run| run);
-        let Some(velocity) = goes_on(last) else {
+        let Some(velocity) = residual_velocity_m_s(last) else {
             break;
         };
         passed_m += last.scene.effective_thickness_m();
@@ -82,7 +82,7 @@ pub fn follow(
     }
     warn_of_gaps(scene, first, &behind, elements);
     let last = behind.last().map_or(&*first, |run| run);
-    let residual_velocity_m_s = goes_on(last);
+    let residual_velocity_m_s = residual_velocity_m_s(last);
     let (outcome, depth_m) = match last.outcome {
         // A plate that oscillates over the projectile has stopped it, if from behind.
         Outcome::Perforated if last.end.is_complete() && residual_velocity_m_s.is_none() => {
@@ -101,7 +101,7 @@ pub fn follow(
 }
 
 /// The velocity with which the projectile goes on behind a plate, m/s; `None` where it does not.
-fn goes_on(run: &Run) -> Option<f64> {
+fn residual_velocity_m_s(run: &Run) -> Option<f64> {
     let through = run.outcome == Outcome::Perforated && run.end.is_complete();
     run.residual_velocity_m_s.filter(|velocity| through && *velocity > 0.0)
 }

@@ -7,7 +7,7 @@
 use std::f64::consts::E;
 
 use crate::numerics::quadrature::gauss;
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 
 /// Square root of 3: shear stress over tensile stress in plane strain.
 const ROOT_3: f64 = 1.732_050_807_568_877_2;
@@ -27,7 +27,7 @@ pub fn hardening_exponent(yield_pa: f64, tensile_pa: Option<f64>, modulus_pa: f6
         return 0.0;
     };
     let (scale, rise) = (modulus_pa / (E * yield_pa), (tensile_pa / yield_pa).ln());
-    in_bracket(1.0 / scale, EXPONENT_MAX, |n| n * (scale * n).ln() - rise)
+    bracketed_root(1.0 / scale, EXPONENT_MAX, |n| n * (scale * n).ln() - rise)
 }
 
 /// Flow stress at a strain of one, Y (E/Y)^n, Pa.

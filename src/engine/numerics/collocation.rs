@@ -9,16 +9,16 @@ use std::array;
 use std::sync::LazyLock;
 
 use crate::numerics::quadrature::{self, legendre, legendre_and_slope};
-use crate::numerics::root::polished;
+use crate::numerics::root::newton_root;
 use crate::numerics::step::{
-    Acceleration, Near, Point, Slopes, Square, Step, Stepper, dot, series,
+    Jacobian, Point, SecondOrderOde, Square, StagePredictor, Step, Stepper, dot, series,
 };
 use crate::numerics::{larger, smaller};
 
 /// Iterations of the stage equations by each method. A contraction rate of 0.2 reaches rounding within this limit.
 const ITERATIONS_MAX: usize = 20;
 /// Greatest contraction rate of Newton's iteration with the Jacobian of an earlier iterate. A new Jacobian costs less than slower ones.
-const SLOW: f64 = 0.2;
+const JACOBIAN_REUSE_RATE: f64 = 0.2;
 /// Greatest contraction rate of the fixed-point iteration. Newton's method costs less than slower ones: factoring takes about as many
 /// instructions as ten iterations of an inexpensive law.
 const SLOW_FIXED_POINT: f64 = 0.5;
@@ -32,7 +32,7 @@ const SOLVED: f64 = 1e-2;
 /// Rounding of the stage equations, relative to the scales: a few units of the last place of a sum of ten terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Excess of a step's error over its tolerance that is aimed at, greatest growth, and least and greatest cut.
-const AIM: f64 = 0.5;
+const TARGET_ERROR_NORM: f64 = 0.5;
 const GROWTH_MAX: f64 = 4.0;
 const CUT: (f64, f64) = (0.1, 0.7);
 /// Part of a step that is tried where its equations were not solved.
@@ -48,7 +48,7 @@ type Stages<const D: usize, const S: usize> = [[f64; S]; D];
 
 /// A member of the family.
 #[derive(Debug)]
-pub(crate) struct Member<const S: usize> {
+pub(crate) struct RadauIia<const S: usize> {
     /// The nodes, of which the last is 1.
     nodes: [f64; S],
     /// A and its square, by columns: row j is what the value at node j adds at each node.
@@ -68,14 +68,14 @@ struct Gauss<const S: usize> {
     values: [f64; S],
 }
 
-pub(crate) static ELEVEN: LazyLock<Member<11>> = LazyLock::new(Member::new);
-pub(crate) static NINE: LazyLock<Member<9>> = LazyLock::new(Member::new);
-pub(crate) static THREE: LazyLock<Member<3>> = LazyLock::new(Member::new);
-pub(crate) static SEVEN: LazyLock<Member<7>> = LazyLock::new(Member::new);
+pub(crate) static ELEVEN: LazyLock<RadauIia<11>> = LazyLock::new(RadauIia::new);
+pub(crate) static RADAU_IIA_17: LazyLock<RadauIia<9>> = LazyLock::new(RadauIia::new);
+pub(crate) static THREE: LazyLock<RadauIia<3>> = LazyLock::new(RadauIia::new);
+pub(crate) static SEVEN: LazyLock<RadauIia<7>> = LazyLock::new(RadauIia::new);
 
 /// A member that steps to a tolerance.
 pub(crate) struct Collocation<'a, const S: usize> {
-    member: &'a Member<S>,
+    member: &'a RadauIia<S>,
     /// Error of a step relative to the sizes of what moves.
     tolerance: f64,
 }
@@ -83,10 +83,10 @@ pub(crate) struct Collocation<'a, const S: usize> {
 impl<const S: usize> Stepper<S> for Collocation<'_, S> {
     fn step<const D: usize>(
         &self,
-        law: &impl Acceleration<D>,
+        law: &impl SecondOrderOde<D>,
         start: Point<D>,
         h: f64,
-        near: Option<Near<D, S>>,
+        near: Option<StagePredictor<D, S>>,
         evaluations: &mut usize,
     ) -> Result<(Step<D, S>, f64), f64> {
         let step = self.solve(law, start, h, near, evaluations);
@@ -94,8 +94,8 @@ impl<const S: usize> Stepper<S> for Collocation<'_, S> {
         let anew = || near.and_then(|_| self.solve(law, start, h, None, evaluations));
         let step = step.or_else(anew).ok_or(AFTER_FAILURE * h)?;
         *evaluations += S;
-        let excess = self.excess(law, &start, &step);
-        let factor = (AIM / excess).powf(1.0 / Member::<S>::ERROR_ORDER);
+        let excess = self.error_norm(law, &start, &step);
+        let factor = (TARGET_ERROR_NORM / excess).powf(1.0 / RadauIia::<S>::ERROR_ORDER);
         if excess <= 1.0 {
             return Ok((step, h * smaller(factor, GROWTH_MAX)));
         }
@@ -108,15 +108,15 @@ impl<const S: usize> Collocation<'_, S> {
     /// A step of `h` from a point; `None` if no iteration converges. The first guess is the acceleration at the start, or that `near` it.
     fn solve<const D: usize>(
         &self,
-        law: &impl Acceleration<D>,
+        law: &impl SecondOrderOde<D>,
         start: Point<D>,
         h: f64,
-        near: Option<Near<D, S>>,
+        near: Option<StagePredictor<D, S>>,
         evaluations: &mut usize,
     ) -> Option<Step<D, S>> {
         let Self { member, tolerance } = *self;
         let guess = match near {
-            Some(Near { acceleration, from, over }) => {
+            Some(StagePredictor { acceleration, from, over }) => {
                 by_place(|i| series(&acceleration, from + over * member.nodes[i]))
             }
             None => guess(law, &start, h).map(|value| [value; S]),
@@ -136,9 +136,9 @@ impl<const S: usize> Collocation<'_, S> {
     /// The tail: as the acceleration's Legendre coefficients fall from the first of them to the last, so they go on; the error of the
     /// end is theirs of about twice the degree. It misses a corner that begins softly within the step. The defect: what the
     /// polynomial misses of the equations at Gauss's nodes, summed; it misses what is over before the first of them.
-    fn excess<const D: usize>(
+    fn error_norm<const D: usize>(
         &self,
-        law: &impl Acceleration<D>,
+        law: &impl SecondOrderOde<D>,
         start: &Point<D>,
         step: &Step<D, S>,
     ) -> f64 {
@@ -146,7 +146,7 @@ impl<const S: usize> Collocation<'_, S> {
         let rounding = law.rounding(h, &step.end);
         let beyond = |value: f64, d: usize| larger(value.abs() - rounding[d], 0.0);
         let mut tail = ([0.0; D], [0.0; D]);
-        let (from, last) = Member::<S>::FALL;
+        let (from, last) = RadauIia::<S>::FALL;
         for d in 0..D {
             let modes = step.acceleration[d].map(|mode| beyond(mode, d));
             let high = modes[S - last..].iter().copied().fold(0.0, larger);
@@ -167,7 +167,7 @@ impl<const S: usize> Collocation<'_, S> {
             }
         }
         let slopes = [law.slopes(&step.end)];
-        let mut filter = Factored::zero();
+        let mut filter = NewtonMatrix::zero();
         filter.set(&[[FILTER]], &[[FILTER * FILTER]], &slopes, h);
         let filtered = |error: [f64; D]| {
             let mut all = error.map(|error| [error]);
@@ -188,7 +188,7 @@ impl<const S: usize> Collocation<'_, S> {
 
 /// The equations of the stages of one step: each stage acceleration equals the law's at its node.
 struct StageEquations<'a, L, const D: usize, const S: usize> {
-    member: &'a Member<S>,
+    member: &'a RadauIia<S>,
     law: &'a L,
     start: Point<D>,
     h: f64,
@@ -200,10 +200,10 @@ struct StageEquations<'a, L, const D: usize, const S: usize> {
     enough: f64,
 }
 
-impl<L: Acceleration<D>, const D: usize, const S: usize> StageEquations<'_, L, D, S> {
+impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L, D, S> {
     /// Expected contraction rate of the fixed-point iteration, from the Jacobian at the start: the eigenvalues of A are about 1/S.
     fn contraction_rate(&self) -> f64 {
-        let Slopes { place, speed } = self.law.slopes(&self.start);
+        let Jacobian { place, speed } = self.law.slopes(&self.start);
         let part = self.h / S as f64;
         let rate = |by_place: &f64, by_speed: &f64| part * (by_speed.abs() + part * by_place.abs());
         let rates = place.as_flattened().iter().zip(speed.as_flattened());
@@ -247,7 +247,7 @@ impl<L: Acceleration<D>, const D: usize, const S: usize> StageEquations<'_, L, D
     /// Newton's method with a Jacobian that is renewed once the iteration contracts slowly; `None` if it diverges.
     fn by_newton(&self, mut stages: Stages<D, S>, evaluations: &mut usize) -> Option<Stages<D, S>> {
         let Self { member, law, ref start, h, enough, .. } = *self;
-        let mut newton = Factored::zero();
+        let mut newton = NewtonMatrix::zero();
         let mut is_old = true;
         let mut before = f64::INFINITY;
         for round in 1..=ITERATIONS_MAX {
@@ -285,7 +285,7 @@ impl<L: Acceleration<D>, const D: usize, const S: usize> StageEquations<'_, L, D
             }
             // The first iteration contracts by about the relative change of the Jacobian, which is that of the stages.
             let slow = if before.is_finite() { contraction } else { norm * self.tolerance };
-            is_old = slow > SLOW;
+            is_old = slow > JACOBIAN_REUSE_RATE;
             before = norm;
         }
         None
@@ -325,14 +325,14 @@ fn integrals<const S: usize>(theta: f64) -> [f64; S] {
     array::from_fn(|k| if k == 0 { theta } else { (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64 })
 }
 
-impl<const S: usize> Member<S> {
+impl<const S: usize> RadauIia<S> {
     fn new() -> Self {
         let order = S as f64;
         // The nodes are the roots of P_S - P_(S-1), which lie near the maxima of a cosine; the last is 1.
         let mut nodes = [1.0; S];
         for (i, node) in nodes.iter_mut().enumerate().take(S - 1) {
             let guess = -((2 * i + 1) as f64 / (2.0 * order - 1.0) * std::f64::consts::PI).cos();
-            let x = polished(guess, |x| {
+            let x = newton_root(guess, |x| {
                 let (high, low) = (legendre_and_slope(S, x), legendre_and_slope(S - 1, x));
                 (high.0 - low.0, high.1 - low.1)
             });
@@ -419,7 +419,7 @@ fn by_place<const D: usize, const S: usize>(values: impl Fn(usize) -> [f64; D]) 
 }
 
 /// The first guess of the stages: the acceleration at the start, or none where it would change the speed by more than itself.
-fn guess<const D: usize>(law: &impl Acceleration<D>, start: &Point<D>, h: f64) -> [f64; D] {
+fn guess<const D: usize>(law: &impl SecondOrderOde<D>, start: &Point<D>, h: f64) -> [f64; D] {
     let (first, speed) = (law.at(0.0, start), start.1);
     array::from_fn(|d| {
         let is_modest = (h * first[d]).abs() <= speed[d].abs() || speed[d] == 0.0;
@@ -429,19 +429,19 @@ fn guess<const D: usize>(law: &impl Acceleration<D>, start: &Point<D>, h: f64) -
 
 /// A matrix of `D` times `D` blocks of `S`, factored by Gauss and Jordan's elimination with partial pivoting, for several right-hand
 /// sides.
-struct Factored<const D: usize, const S: usize> {
+struct NewtonMatrix<const D: usize, const S: usize> {
     /// Columns of the factors; the diagonal has the reciprocals.
     columns: [[Stages<D, S>; S]; D],
     pivots: [[usize; S]; D],
 }
 
-impl<const D: usize, const S: usize> Factored<D, S> {
+impl<const D: usize, const S: usize> NewtonMatrix<D, S> {
     fn zero() -> Self {
         Self { columns: [[[[0.0; S]; D]; S]; D], pivots: [[0; S]; D] }
     }
 
     /// Becomes the matrix 1 - h J' A - h² J A² of Newton's method, factored: with the derivatives J' by speed and J by place at the stages.
-    fn set(&mut self, a: &Square<S>, square: &Square<S>, slopes: &[Slopes<D>; S], h: f64) {
+    fn set(&mut self, a: &Square<S>, square: &Square<S>, slopes: &[Jacobian<D>; S], h: f64) {
         for (e, columns) in self.columns.iter_mut().enumerate() {
             for d in 0..D {
                 let by_speed: [f64; S] = array::from_fn(|i| h * slopes[i].speed[d][e]);
@@ -507,13 +507,13 @@ mod tests {
     /// y'' = -y'², which slows like 1/t: not linear in the speed.
     struct Drag;
 
-    impl Acceleration<1> for Drag {
+    impl SecondOrderOde<1> for Drag {
         fn at(&self, _: f64, (_, speed): &Point<1>) -> [f64; 1] {
             [-speed[0] * speed[0]]
         }
 
-        fn slopes(&self, (_, speed): &Point<1>) -> Slopes<1> {
-            Slopes { place: [[0.0]], speed: [[-2.0 * speed[0]]] }
+        fn slopes(&self, (_, speed): &Point<1>) -> Jacobian<1> {
+            Jacobian { place: [[0.0]], speed: [[-2.0 * speed[0]]] }
         }
 
         fn sizes(&self, _: &Point<1>) -> Point<1> {
@@ -522,8 +522,8 @@ mod tests {
     }
 
     fn step<const S: usize>(
-        member: &Member<S>,
-        law: &impl Acceleration<1>,
+        member: &RadauIia<S>,
+        law: &impl SecondOrderOde<1>,
         start: Point<1>,
         h: f64,
     ) -> Step<1, S> {
@@ -534,7 +534,7 @@ mod tests {
     const ONE_OFF: Point<1> = ([1.0], [0.0]);
 
     /// Greatest error of place and speed after a step of a whole.
-    fn error<const S: usize>(member: &Member<S>, h: f64) -> f64 {
+    fn error<const S: usize>(member: &RadauIia<S>, h: f64) -> f64 {
         let (place, speed) = step(member, &Drag, ONE_FAST, h).end;
         larger((place[0] - h.ln_1p()).abs(), (speed[0] - 1.0 / (1.0 + h)).abs())
     }
@@ -542,18 +542,19 @@ mod tests {
     #[test]
     fn valid_the_nodes_are_those_of_radau() {
         // Two stages: 1/3 and 1.
-        let two = Member::<2>::new();
+        let two = RadauIia::<2>::new();
         let [third, whole] = two.nodes;
         assert!((third - 1.0 / 3.0).abs() < 1e-15 && (whole - 1.0).abs() < 1e-15, "{two:?}");
         // Constants and the highest power are integrated exactly, to the end up to degree 16.
-        let integral = |power: i32| times(&NINE.a, &NINE.nodes.map(|node| node.powi(power)));
+        let integral =
+            |power: i32| times(&RADAU_IIA_17.a, &RADAU_IIA_17.nodes.map(|node| node.powi(power)));
         let [constant, eighth] = [0, 8].map(integral);
-        for (i, node) in NINE.nodes.iter().enumerate() {
+        for (i, node) in RADAU_IIA_17.nodes.iter().enumerate() {
             assert!((constant[i] - node).abs() < 1e-14, "{constant:?} {node}");
             assert!((eighth[i] - node.powi(9) / 9.0).abs() < 1e-14);
         }
         assert!((integral(16)[8] - 1.0 / 17.0).abs() < 1e-14);
-        let gauss: f64 = NINE.gauss.iter().map(|node| node.weight * node.at.powi(17)).sum();
+        let gauss: f64 = RADAU_IIA_17.gauss.iter().map(|node| node.weight * node.at.powi(17)).sum();
         assert!((gauss - 1.0 / 18.0).abs() < 1e-14);
     }
 
@@ -564,7 +565,7 @@ mod tests {
             let rate = (error(&SEVEN, h) / error(&SEVEN, 0.5 * h)).log2();
             assert!(rate > least, "{h}: {rate}");
         }
-        let [seven, nine] = [error(&SEVEN, 2.0), error(&NINE, 2.0)];
+        let [seven, nine] = [error(&SEVEN, 2.0), error(&RADAU_IIA_17, 2.0)];
         assert!(nine < 0.01 * seven, "{nine:e} {seven:e}");
     }
 
@@ -572,14 +573,14 @@ mod tests {
     #[derive(Debug)]
     struct Counted(Cell<usize>);
 
-    impl Acceleration<1> for Counted {
+    impl SecondOrderOde<1> for Counted {
         fn at(&self, _: f64, (place, _): &Point<1>) -> [f64; 1] {
             [-place[0]]
         }
 
-        fn slopes(&self, _: &Point<1>) -> Slopes<1> {
+        fn slopes(&self, _: &Point<1>) -> Jacobian<1> {
             self.0.set(self.0.get() + 1);
-            Slopes { place: [[-1.0]], speed: [[0.0]] }
+            Jacobian { place: [[-1.0]], speed: [[0.0]] }
         }
 
         fn sizes(&self, _: &Point<1>) -> Point<1> {
@@ -590,20 +591,20 @@ mod tests {
     #[test]
     fn valid_a_smooth_step_factors_no_jacobian() {
         let law = Counted(Cell::new(0));
-        let end = step(&NINE, &law, ONE_OFF, 1.0).end;
+        let end = step(&RADAU_IIA_17, &law, ONE_OFF, 1.0).end;
         assert!((end.0[0] - 1f64.cos()).abs() < 1e-15 && (end.1[0] + 1f64.sin()).abs() < 1e-15);
         // One tells that the step is not stiff.
         assert_eq!(law.0.get(), 1);
         // The iteration would contract by about h²/81.
-        step(&NINE, &law, ONE_OFF, 10.0);
+        step(&RADAU_IIA_17, &law, ONE_OFF, 10.0);
         assert!(law.0.get() > 9, "{law:?}");
     }
 
     #[test]
     fn valid_a_stiff_oscillation_is_damped_and_a_slow_one_is_followed() {
-        let slow = step(&NINE, &Spring(1.0), ONE_OFF, 1.0);
+        let slow = step(&RADAU_IIA_17, &Spring(1.0), ONE_OFF, 1.0);
         assert!((slow.end.0[0] - 1f64.cos()).abs() < 1e-15);
-        let stiff = step(&NINE, &Spring(1e12), ONE_OFF, 1.0);
+        let stiff = step(&RADAU_IIA_17, &Spring(1e12), ONE_OFF, 1.0);
         assert!(stiff.end.0[0].abs() < 1e-3, "{:?}", stiff.end);
     }
 
@@ -613,7 +614,7 @@ mod tests {
         for h in [4.0, 2.0, 1.0, 0.5] {
             let method = SEVEN.to(1e-15);
             let step = step(&SEVEN, &Drag, ONE_FAST, h);
-            let estimate = method.excess(&Drag, &ONE_FAST, &step) * method.tolerance;
+            let estimate = method.error_norm(&Drag, &ONE_FAST, &step) * method.tolerance;
             assert!(estimate > error(&SEVEN, h), "{h}: {estimate:e}");
             assert!(estimate < 0.1 * before, "{h}: {estimate:e} {before:e}");
             before = estimate;

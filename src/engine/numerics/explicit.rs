@@ -5,7 +5,7 @@
 //! I*, 2nd ed. (1993), section II.10. Within a step the place is the quintic through places, speeds and accelerations of both ends.
 
 use crate::numerics::larger;
-use crate::numerics::step::{Acceleration, Near, Point, Step, Stepper};
+use crate::numerics::step::{Point, SecondOrderOde, StagePredictor, Step, Stepper};
 use tableau::{ERRORS, STAGES};
 
 mod tableau;
@@ -53,10 +53,10 @@ impl Stepper<COEFFICIENTS> for Rk4 {
 
     fn step<const D: usize>(
         &self,
-        law: &impl Acceleration<D>,
+        law: &impl SecondOrderOde<D>,
         start: Point<D>,
         h: f64,
-        _: Option<Near<D, COEFFICIENTS>>,
+        _: Option<StagePredictor<D, COEFFICIENTS>>,
         evaluations: &mut usize,
     ) -> Result<(Step<D, COEFFICIENTS>, f64), f64> {
         if h > self.step {
@@ -70,10 +70,10 @@ impl Stepper<COEFFICIENTS> for Rk4 {
 impl Stepper<COEFFICIENTS> for Dop853 {
     fn step<const D: usize>(
         &self,
-        law: &impl Acceleration<D>,
+        law: &impl SecondOrderOde<D>,
         start: Point<D>,
         h: f64,
-        _: Option<Near<D, COEFFICIENTS>>,
+        _: Option<StagePredictor<D, COEFFICIENTS>>,
         evaluations: &mut usize,
     ) -> Result<(Step<D, COEFFICIENTS>, f64), f64> {
         let (step, rates) = of_stages(law, start, h, &STAGES, evaluations);
@@ -101,7 +101,7 @@ impl Stepper<COEFFICIENTS> for Dop853 {
 
 /// A step by the rows of a method, and the rates (speeds and accelerations) at its stages.
 fn of_stages<const D: usize, const N: usize>(
-    law: &impl Acceleration<D>,
+    law: &impl SecondOrderOde<D>,
     start: Point<D>,
     h: f64,
     rows: &[[f64; N]; N],

@@ -1,7 +1,7 @@
 //! The first event on a step: a gap that is above zero and falls through it.
 
 use crate::numerics::maximum;
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 use crate::numerics::smaller;
 
 /// Parts of a step at whose ends the gaps are looked at.
@@ -12,7 +12,7 @@ const DEEP: f64 = 0.25;
 
 /// Result of the search for a sign change of the event functions on a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Found {
+pub(crate) enum EventSearch {
     /// None falls through zero.
     Nothing,
     /// The one with this index does, first of all, at this part of the step.
@@ -24,11 +24,14 @@ pub(crate) enum Found {
 /// Looks for the first fall of gaps, of which each is given at the ends of the cells, and by its index at a part of the step.
 ///
 /// A gap that begins at zero has to rise first.
-pub(crate) fn first_fall(gaps: &[[f64; CELLS + 1]], gap: impl Fn(f64, usize) -> f64) -> Found {
+pub(crate) fn first_crossing(
+    gaps: &[[f64; CELLS + 1]],
+    gap: impl Fn(f64, usize) -> f64,
+) -> EventSearch {
     let mut first: Option<(usize, f64)> = None;
     for (which, gaps) in gaps.iter().enumerate() {
         if gaps[0] <= 0.0 && gaps[1] < 0.0 {
-            return Found::Unresolved(which);
+            return EventSearch::Unresolved(which);
         }
         if let Some(place) = fall(gaps, |part| gap(part, which))
             && first.is_none_or(|(_, earlier)| place < earlier)
@@ -36,7 +39,7 @@ pub(crate) fn first_fall(gaps: &[[f64; CELLS + 1]], gap: impl Fn(f64, usize) -> 
             first = Some((which, place));
         }
     }
-    first.map_or(Found::Nothing, |(which, place)| Found::Fall(which, place))
+    first.map_or(EventSearch::Nothing, |(which, place)| EventSearch::Fall(which, place))
 }
 
 /// Where one of them falls first.
@@ -47,11 +50,11 @@ fn fall(gaps: &[f64; CELLS + 1], gap: impl Fn(f64) -> f64) -> Option<f64> {
         if cell > 1 && is_deep([gaps[cell - 2], before, here]) {
             let bottom = maximum::in_bracket(end(cell - 2), end(cell), &|part| -gap(part));
             if gap(bottom) < 0.0 {
-                return Some(in_bracket(end(cell - 2), bottom, &gap));
+                return Some(bracketed_root(end(cell - 2), bottom, &gap));
             }
         }
         let falls = before > 0.0 && here <= 0.0;
-        falls.then(|| in_bracket(end(cell - 1), end(cell), &gap))
+        falls.then(|| bracketed_root(end(cell - 1), end(cell), &gap))
     })
 }
 
@@ -67,18 +70,18 @@ fn is_deep([a, b, c]: [f64; 3]) -> bool {
 mod tests {
     use super::*;
 
-    fn of(gap: impl Fn(f64) -> f64) -> Found {
+    fn of(gap: impl Fn(f64) -> f64) -> EventSearch {
         of_all(&[gap])
     }
 
-    fn of_all<const N: usize>(gaps: &[impl Fn(f64) -> f64; N]) -> Found {
+    fn of_all<const N: usize>(gaps: &[impl Fn(f64) -> f64; N]) -> EventSearch {
         let at_ends =
             gaps.each_ref().map(|gap| std::array::from_fn(|end| gap(end as f64 / CELLS as f64)));
-        first_fall(&at_ends, |part, which| gaps[which](part))
+        first_crossing(&at_ends, |part, which| gaps[which](part))
     }
 
-    fn is_at(found: Found, exact: f64) -> bool {
-        matches!(found, Found::Fall(0, at) if (at - exact).abs() < 1e-14)
+    fn is_at(found: EventSearch, exact: f64) -> bool {
+        matches!(found, EventSearch::Fall(0, at) if (at - exact).abs() < 1e-14)
     }
 
     #[test]
@@ -86,15 +89,15 @@ mod tests {
         assert!(is_at(of(|t| 0.3 - t), 0.3));
         assert!(is_at(of(|t| 1.0 - t), 1.0));
         assert!(is_at(of(|t| 0.01 - t), 0.01));
-        assert_eq!(of(|t| t), Found::Nothing);
-        assert_eq!(of(|t| 1.1 - t), Found::Nothing);
+        assert_eq!(of(|t| t), EventSearch::Nothing);
+        assert_eq!(of(|t| 1.1 - t), EventSearch::Nothing);
     }
 
     #[test]
     fn a_gap_that_begins_at_zero_has_to_rise_before_it_falls() {
         assert!(is_at(of(|t| t * (0.5 - t)), 0.5));
-        assert_eq!(of(|t| -t), Found::Unresolved(0));
-        assert_eq!(of(|t| t * (0.01 - t)), Found::Unresolved(0));
+        assert_eq!(of(|t| -t), EventSearch::Unresolved(0));
+        assert_eq!(of(|t| t * (0.01 - t)), EventSearch::Unresolved(0));
     }
 
     #[test]
@@ -102,16 +105,19 @@ mod tests {
         // 0.53 is between 8/16 and 9/16, 0.03 before 1/16, 0.97 beyond 15/16.
         for dip in [0.03, 0.53, 0.97] {
             assert!(is_at(of(|t| (t - dip).powi(2) - 1e-6), dip - 1e-3), "{dip}");
-            assert_eq!(of(|t| (t - dip).powi(2) + 1e-6), Found::Nothing);
+            assert_eq!(of(|t| (t - dip).powi(2) + 1e-6), EventSearch::Nothing);
         }
         // The parabola's bottom is beside that of a gap that bends more on one side.
         let found = of(|t| (t - 0.53).powi(2) * (1.0 + 9.0 * t) - 1e-9);
-        assert!(matches!(found, Found::Fall(0, at) if (at - 0.53).abs() < 1e-4), "{found:?}");
+        assert!(matches!(found, EventSearch::Fall(0, at) if (at - 0.53).abs() < 1e-4), "{found:?}");
     }
 
     #[test]
     fn of_several_gaps_the_first_to_fall_counts() {
         let found = of_all(&[0.52, 0.51, 0.9].map(|end| move |t| end - t));
-        assert!(matches!(found, Found::Fall(1, at) if (at - 0.51).abs() < 1e-14), "{found:?}");
+        assert!(
+            matches!(found, EventSearch::Fall(1, at) if (at - 0.51).abs() < 1e-14),
+            "{found:?}"
+        );
     }
 }

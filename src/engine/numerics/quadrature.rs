@@ -4,7 +4,7 @@ use std::array;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use crate::numerics::root::polished;
+use crate::numerics::root::newton_root;
 
 /// The integral of `f` from `a` to `b` with the sixteen-point rule on each of `panels` equal parts.
 pub fn gauss(a: f64, b: f64, panels: usize, f: impl Fn(f64) -> f64) -> f64 {
@@ -49,7 +49,7 @@ static GAUSS_16: LazyLock<[(f64, f64); 16]> = LazyLock::new(rule);
 pub(crate) fn rule<const N: usize>() -> [(f64, f64); N] {
     array::from_fn(|i| {
         let guess = ((i as f64 + 0.75) / (N as f64 + 0.5) * PI).cos();
-        let x = polished(guess, |x| legendre_and_slope(N, x));
+        let x = newton_root(guess, |x| legendre_and_slope(N, x));
         let slope = legendre_and_slope(N, x).1;
         (x, 2.0 / ((1.0 - x * x) * slope * slope))
     })

@@ -4,7 +4,7 @@
 /// Illinois form, with a bisection where three rounds have not halved the bracket, to full precision of x.
 ///
 /// Returns the end with the smaller absolute value when the signs are equal.
-pub fn in_bracket(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub fn bracketed_root(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
         return a;
@@ -43,7 +43,7 @@ pub fn in_bracket(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 
 }
 
 /// The root of a function close to a value: Newton's method to rounding. `f` gives the function and its slope.
-pub(crate) fn polished(start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+pub(crate) fn newton_root(start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let mut x = start;
     for _ in 0..10 {
         let (value, slope) = f(x);
@@ -59,12 +59,12 @@ mod tests {
     #[test]
     fn bracket_finds_steep_and_flat_roots_in_few_evaluations() {
         let mut count = 0;
-        let cube = in_bracket(0.0, 10.0, |x| {
+        let cube = bracketed_root(0.0, 10.0, |x| {
             count += 1;
             x * x * x - 2.0
         });
         assert!((cube - 2f64.cbrt()).abs() < 1e-15 && count < 30, "{cube} {count}");
-        let steep = in_bracket(0.0, 1.0, |x| (x - 0.3) * 1e12);
+        let steep = bracketed_root(0.0, 1.0, |x| (x - 0.3) * 1e12);
         assert!((steep - 0.3).abs() < 1e-15);
     }
 }

@@ -62,7 +62,7 @@ fn directions(dimension: usize) -> [u32; DIGITS] {
 
 /// Where point `index` lies in a dimension (from 0, below [`DIMENSIONS`]), in [0, 1); the sequence repeats after 2^32 points. A seed
 /// other than 0 shifts it digit by digit.
-pub fn share(index: u64, dimension: usize, seed: u64) -> f64 {
+pub fn point_coordinate(index: u64, dimension: usize, seed: u64) -> f64 {
     let of_dimension = Random::new(dimension as u64 + 1).bits();
     let shift = if seed == 0 { 0 } else { Random::new(seed ^ of_dimension).bits() >> 32 };
     (u64::from(bits(index, dimension)) ^ shift) as f64 / 4_294_967_296.0
@@ -102,7 +102,7 @@ mod tests {
         ];
         for (index, point) in (0..).zip(points) {
             for (axis, expected) in point.into_iter().enumerate() {
-                let found = share(index, axis, 0);
+                let found = point_coordinate(index, axis, 0);
                 assert_eq!(found.to_bits(), expected.to_bits(), "{index} {axis}");
             }
         }
@@ -130,13 +130,13 @@ mod tests {
             for dimension in 0..DIMENSIONS {
                 let mut seen = [false; 64];
                 for index in 0..64 {
-                    let share = share(index, dimension, seed);
+                    let share = point_coordinate(index, dimension, seed);
                     let place = (0..64).rfind(|at| share * 64.0 >= f64::from(*at)).unwrap();
                     let place = usize::try_from(place).unwrap();
                     assert!(!std::mem::replace(&mut seen[place], true), "{dimension} {seed}");
                 }
             }
         }
-        assert_ne!(share(3, 1, 2).to_bits(), share(3, 1, 1).to_bits());
+        assert_ne!(point_coordinate(3, 1, 2).to_bits(), point_coordinate(3, 1, 1).to_bits());
     }
 }

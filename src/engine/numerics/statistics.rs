@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 
 /// Standard normal quantile of a two-sided 95 % interval.
 pub const Z95: f64 = 1.959_963_984_540_054;
@@ -59,7 +59,7 @@ pub fn wilson(p: f64, n: f64) -> (f64, f64) {
 pub fn student_quantile(fraction: f64, freedom: usize) -> f64 {
     let within = 2.0 * fraction - 1.0;
     let excess = |angle: f64| student_within(angle, freedom) - within;
-    in_bracket(0.0, FRAC_PI_2, excess).tan() * (freedom as f64).sqrt()
+    bracketed_root(0.0, FRAC_PI_2, excess).tan() * (freedom as f64).sqrt()
 }
 
 /// Probability that |t| is below tan(angle) sqrt(nu).

@@ -7,17 +7,17 @@ pub(crate) type Square<const D: usize> = [[f64; D]; D];
 
 /// Derivatives of the acceleration by places and by speeds.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Slopes<const D: usize> {
+pub(crate) struct Jacobian<const D: usize> {
     pub(crate) place: Square<D>,
     pub(crate) speed: Square<D>,
 }
 
 /// The law of motion of `D` places.
-pub(crate) trait Acceleration<const D: usize> {
+pub(crate) trait SecondOrderOde<const D: usize> {
     /// Accelerations at a point, after a time from where a step begins.
     fn at(&self, t: f64, point: &Point<D>) -> [f64; D];
 
-    fn slopes(&self, point: &Point<D>) -> Slopes<D>;
+    fn slopes(&self, point: &Point<D>) -> Jacobian<D>;
 
     /// Error scales of positions and velocities at a point.
     fn sizes(&self, at: &Point<D>) -> Point<D>;
@@ -39,10 +39,10 @@ pub(crate) trait Stepper<const S: usize> {
     /// The shorter length to try, where the step is not as accurate as it has to be.
     fn step<const D: usize>(
         &self,
-        law: &impl Acceleration<D>,
+        law: &impl SecondOrderOde<D>,
         start: Point<D>,
         h: f64,
-        near: Option<Near<D, S>>,
+        near: Option<StagePredictor<D, S>>,
         evaluations: &mut usize,
     ) -> Result<(Step<D, S>, f64), f64>;
 
@@ -54,7 +54,7 @@ pub(crate) trait Stepper<const S: usize> {
 
 /// Predictor of the stages from the previous step: its acceleration is extrapolated from the fraction `from` over `lengths` step sizes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Near<const D: usize, const S: usize> {
+pub(crate) struct StagePredictor<const D: usize, const S: usize> {
     pub(crate) acceleration: [[f64; S]; D],
     pub(crate) from: f64,
     pub(crate) over: f64,
@@ -164,13 +164,13 @@ pub(super) mod tests {
     /// y'' = -k y.
     pub(crate) struct Spring(pub(crate) f64);
 
-    impl Acceleration<1> for Spring {
+    impl SecondOrderOde<1> for Spring {
         fn at(&self, _: f64, (place, _): &Point<1>) -> [f64; 1] {
             [-self.0 * place[0]]
         }
 
-        fn slopes(&self, _: &Point<1>) -> Slopes<1> {
-            Slopes { place: [[-self.0]], speed: [[0.0]] }
+        fn slopes(&self, _: &Point<1>) -> Jacobian<1> {
+            Jacobian { place: [[-self.0]], speed: [[0.0]] }
         }
 
         fn sizes(&self, _: &Point<1>) -> Point<1> {

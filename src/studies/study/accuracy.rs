@@ -8,7 +8,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::Stepping;
+use crate::model::impact::IntegrationMethod;
 use crate::model::impact::step_by;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
@@ -212,7 +212,10 @@ fn savings(scene: &Arc<Scene>, point_s: f64, clock: Clock<'_>) -> (Option<f64>, 
     let [shown_s, drawn_s, bare_s] = [Settings::default(), Settings::SERIES, Settings::BARE]
         .map(|settings| run(settings).is_ok().then(|| time(clock, point_s, || run(settings))));
     // The same engine with and without it.
-    let ways = [Stepping::CollocationInFull(tolerance), Stepping::Collocation(tolerance)];
+    let ways = [
+        IntegrationMethod::CollocationInFull(tolerance),
+        IntegrationMethod::Collocation(tolerance),
+    ];
     let [followed_s, by_energy_s] = ways.map(|way| {
         let run = || step_by(way, scene);
         run().is_ok_and(|run| run.is_some()).then(|| time(clock, point_s, run))

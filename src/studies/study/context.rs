@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use crate::model::simulate::Look;
+use crate::model::simulate::RunSnapshot;
 use crate::study::parallel;
 pub use crate::study::parallel::{SharedCores, Threads, Work};
 
@@ -164,7 +164,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
     }
 
     /// Observes a run: stops it when the study is stopped.
-    pub fn observer(&mut self) -> impl FnMut(&Look<'_>) -> ControlFlow<()> {
+    pub fn observer(&mut self) -> impl FnMut(&RunSnapshot<'_>) -> ControlFlow<()> {
         let mut steps = 0_u64;
         move |_| {
             steps += 1;
@@ -269,7 +269,7 @@ mod tests {
         assert!(!context.goes_on() && !context.goes_on() && context.is_stopped());
         assert!(!context.uncounted(ask));
         let mut observe = context.observer();
-        let look = Look { t_s: 0.0, so_far: &|| None };
+        let look = RunSnapshot { t_s: 0.0, so_far: &|| None };
         assert_eq!((0..64).filter(|_| observe(&look).is_break()).count(), 1);
         drop(observe);
         let part = Some("part".to_owned());

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use cmra::files::preset;
 use cmra::model::run::{EstimateBasis, Run};
 use cmra::model::scene::Scene;
-use cmra::model::simulate::{Look, Settings, plastic_beside, simulate};
+use cmra::model::simulate::{RunSnapshot, Settings, plastic_beside, simulate};
 use cmra::model::variables::set_by_name;
 use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
@@ -17,7 +17,7 @@ use super::bench::{Bench, done};
 
 /// The run of a scene as the worker computes it.
 fn real(scene: &Arc<Scene>) -> Run {
-    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+    let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     let mut run = simulate(scene, &Settings::SERIES, go_on).expect("a valid scene");
     run.plastic = plastic_beside(scene, go_on).map(Arc::new);
     // What depends on the method is not what these pictures are about.

@@ -10,8 +10,8 @@ use std::sync::Arc;
 use crate::model::appendix::{Plate, Scheme, State};
 use crate::model::estimate;
 use crate::model::run::{
-    Arrest, AtLeast, EndReason, EstimateBasis, Event, EventKind, Look, Mode, NotModelled, Observer,
-    Outcome, Run, Sample, Settings, Warning,
+    Arrest, AtLeast, EndReason, EstimateBasis, Event, EventKind, Mode, NotModelled, Observer,
+    Outcome, Run, RunSnapshot, Sample, Settings, Warning,
 };
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Scene};
 use crate::numerics::larger;
@@ -89,8 +89,8 @@ pub fn compute(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Obser
 }
 
 impl Work {
-    fn look(&self) -> Look<'static> {
-        Look { t_s: self.t_s, so_far: &|| None }
+    fn look(&self) -> RunSnapshot<'static> {
+        RunSnapshot { t_s: self.t_s, so_far: &|| None }
     }
 
     fn sample(&self, mode: Mode) -> Sample {

@@ -64,14 +64,14 @@ impl Series {
 
 /// Time along a step, t = (s + unit · sigma)³, or in proportion to sigma where it is not graded.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Clock {
+pub(super) struct TimeGrading {
     /// dt/dsigma at first, s.
     pub(super) unit_s: f64,
     /// unit/s; zero of a clock that is not graded.
     pub(super) grade: f64,
 }
 
-impl Clock {
+impl TimeGrading {
     /// The time that passes up to `span`, s.
     pub(super) fn elapsed_s(self, span: f64) -> f64 {
         let part = self.grade * span;
@@ -154,7 +154,7 @@ impl Contact {
         &self,
         [spring, damper]: [PowerLaw; 2],
         state: State,
-        clock: Clock,
+        clock: TimeGrading,
         area: AreaLaw,
     ) -> Option<Series> {
         let AreaLaw::Quadratic { origin_m, a } = area else { return None };
@@ -164,7 +164,7 @@ impl Contact {
         let [mut offset, mut area, mut pressure, mut slowing, mut driving] = [zero; 5];
         [travel[0], slip[0], plate[0], speed[0]] = state;
         // Velocities that pressure and mechanism would give in a unit of the clock.
-        let Clock { unit_s, .. } = clock;
+        let TimeGrading { unit_s, .. } = clock;
         let per_pressure = self.slip_mobility * unit_s;
         let (strength, drag) = (self.strength_pa * per_pressure, self.drag_kg_m3 * per_pressure);
         // What a coefficient of the slip adds to that of the pressure: apart, so that the next waits for no more than that.

@@ -7,7 +7,7 @@
 //! that holds the plate alone; both limits are exact.
 
 use crate::model::contact_kernel::Contact;
-use crate::model::contact_kernel::expansion::{Clock, Series, State};
+use crate::model::contact_kernel::expansion::{Series, State, TimeGrading};
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::{larger, smaller};
 
@@ -36,9 +36,9 @@ const PLATE_PART_MIN: f64 = 1e-4;
 
 impl Contact {
     /// First contact, or a little later where a law is singular there: the time, s, the state, and the clock of the first step.
-    pub(super) fn begin(&self, tolerance: f64) -> Option<(f64, State, Clock)> {
+    pub(super) fn begin(&self, tolerance: f64) -> Option<(f64, State, TimeGrading)> {
         let from_zero = self.start_m == 0.0;
-        let clock = Clock { unit_s: EVEN_UNIT * self.scale_s, grade: 0.0 };
+        let clock = TimeGrading { unit_s: EVEN_UNIT * self.scale_s, grade: 0.0 };
         let state = [0.0, self.velocity_m_s, self.start_m, 0.0];
         if self.damper.is_linear() && (self.spring.is_linear() || !from_zero) {
             return Some((0.0, state, clock));
@@ -56,7 +56,7 @@ impl Contact {
             };
             let excess = error / (TOLERANCE_PART * tolerance);
             if excess <= 1.0 {
-                let clock = Clock { unit_s: 3.0 * GRADED_UNIT * t_s, grade: GRADED_UNIT };
+                let clock = TimeGrading { unit_s: 3.0 * GRADED_UNIT * t_s, grade: GRADED_UNIT };
                 return (state[0] < piece.to_m && state[1] > 0.0).then_some((t_s, state, clock));
             }
             span *= 0.9 * excess.powf(-1.0 / power);

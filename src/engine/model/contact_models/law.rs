@@ -10,7 +10,7 @@ const AT_THE_END: f64 = 1e-3;
 
 /// A contact model's law.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::model) enum Law {
+pub(in crate::model) enum ContactLaw {
     /// The flow of the target at its strength, with an interface that may yield.
     Flow,
     /// A prescribed force history, after which the bodies are one.
@@ -21,7 +21,7 @@ pub(in crate::model) enum Law {
     Lumped(Lumped),
 }
 
-impl Law {
+impl ContactLaw {
     /// Builds the contact law of a valid scene.
     pub(in crate::model) fn of(scene: &Scene) -> Self {
         match scene.contact.model {

@@ -9,14 +9,14 @@ use crate::model::appendix::Scheme;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, Sample, Warning};
 use crate::model::scene::{Listing, Scene, SpringKind};
-use crate::model::simulate::{self, Look, Settings};
+use crate::model::simulate::{self, RunSnapshot, Settings};
 use crate::model::variables::scene_with;
 
 /// The travel of the default plate that is a unit of depth: it dishes by one diameter.
 const TRAVEL_PER_DEPTH: f64 = (0.0254 + 2.0 * 0.00635) / 0.0254;
 
 fn run_of(scene: &Scene) -> Run {
-    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+    let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     simulate::simulate(&Arc::new(scene.clone()), &Settings::default(), go_on).unwrap()
 }
 

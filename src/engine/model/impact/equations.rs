@@ -4,26 +4,26 @@
 //! contact force F and the mechanism's force G, `m_p v' = -F` and `m_2 w' = F cos - G`, where u = v - w cos.
 
 use crate::model::contact::Geometry;
-use crate::model::contact_models::Law;
-use crate::model::impact::modes::{Contact, Hold, Mode};
-use crate::model::impact::stepping::Stepping;
+use crate::model::contact_models::ContactLaw;
+use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
+use crate::model::impact::stepping::IntegrationMethod;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::plug::Plug;
 use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind};
-use crate::numerics::step::{Point, Slopes};
+use crate::numerics::step::{Jacobian, Point};
 use crate::numerics::{larger, smaller};
 
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
-const UNRESOLVED: f64 = 1e-18;
+const VELOCITY_RESOLUTION: f64 = 1e-18;
 /// Relative rounding error of a force. Areas of oblique sections are differences of terms; 1e-13 is below the step tolerance.
-const KNOWN: f64 = 1e-13;
+const FORCE_ROUNDING: f64 = 1e-13;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
 
 /// The constants of an impact.
 #[derive(Clone, Debug)]
-pub(super) struct Setup {
-    pub(super) law: Law,
+pub(super) struct ImpactParameters {
+    pub(super) law: ContactLaw,
     pub(super) geometry: Geometry,
     /// At first contact; an absorber's law changes as it is crushed.
     pub(super) spring: Spring,
@@ -65,7 +65,7 @@ pub(super) struct Setup {
     /// The mount is rigid.
     pub(super) still: bool,
     /// The method that steps, which says how far the plate is followed.
-    pub(super) stepping: Stepping,
+    pub(super) stepping: IntegrationMethod,
     /// Error of a step relative to what moves.
     pub(super) tolerance: f64,
     /// Kinetic energy of projectile and plate at first contact, J.
@@ -89,15 +89,15 @@ pub(super) struct State {
 /// The equations that hold in a mode.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Equations<'a> {
-    pub(super) setup: &'a Setup,
-    pub(super) mode: &'a Mode,
+    pub(super) setup: &'a ImpactParameters,
+    pub(super) mode: &'a HybridMode,
 }
 
-impl Setup {
+impl ImpactParameters {
     /// Builds the parameters of a valid scene for steps to a tolerance.
     pub(super) fn of(scene: &Scene, tolerance: f64) -> Self {
-        let law = Law::of(scene);
-        let flows = law == Law::Flow;
+        let law = ContactLaw::of(scene);
+        let flows = law == ContactLaw::Flow;
         let geometry = Geometry::of(scene);
         let mechanism = Mechanism::of(scene);
         let cos = geometry.nose.cos;
@@ -138,7 +138,7 @@ impl Setup {
             closing_m_s,
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             still: !scene.is_sprung(),
-            stepping: Stepping::Collocation(tolerance),
+            stepping: IntegrationMethod::Collocation(tolerance),
             tolerance,
             initial_kinetic_j: [
                 kinetic_j(projectile_kg, closing_m_s + start_m_s * cos),
@@ -170,7 +170,7 @@ impl Setup {
     }
 
     /// The constants for steps by a method.
-    pub(super) fn by(mut self, stepping: Stepping) -> Self {
+    pub(super) fn by(mut self, stepping: IntegrationMethod) -> Self {
         self.stepping = stepping;
         if let Some(plug) = &mut self.plug {
             plug.stepping = stepping;
@@ -227,7 +227,7 @@ impl Setup {
         let is_at_zero = !self.still
             && (self.start_m, self.start_m_s) == (0.0, 0.0)
             && self.spring.force(0.0) == 0.0;
-        is_at_zero && self.spring.is_steep_at_zero() && self.law != Law::AtOnce
+        is_at_zero && self.spring.is_steep_at_zero() && self.law != ContactLaw::AtOnce
     }
 
     /// Whether the plate is at its stop, or beyond it, at first contact.
@@ -282,7 +282,7 @@ impl Equations<'_> {
 
     /// Strength and drag that the contact opposes to the slip while the bodies push on each other.
     fn pressure(&self) -> (f64, f64) {
-        let Setup { strength_pa, drag_kg_m3, grip, .. } = *self.setup;
+        let ImpactParameters { strength_pa, drag_kg_m3, grip, .. } = *self.setup;
         match self.mode.contact {
             Contact::Penetrating => (strength_pa, drag_kg_m3),
             Contact::Closing => (grip * strength_pa, 0.0),
@@ -298,16 +298,16 @@ impl Equations<'_> {
         }
         let State { t_s, q_m, u_m_s, .. } = *state;
         match self.setup.law {
-            Law::Flow => {
+            ContactLaw::Flow => {
                 let (strength, drag) = self.pressure();
                 let area = self.mode.piece.law.area_m2(&self.setup.geometry.nose, q_m);
                 area * (strength + drag * u_m_s * u_m_s)
             }
-            Law::History(history) => history.force_n(t_s),
-            Law::Lumped(lumped) => {
-                lumped.force_n(self.goes_in(), self.mode.deepest_m, (q_m, u_m_s))
+            ContactLaw::History(history) => history.force_n(t_s),
+            ContactLaw::Lumped(lumped) => {
+                lumped.force_n(self.is_loading(), self.mode.deepest_m, (q_m, u_m_s))
             }
-            Law::AtOnce => 0.0,
+            ContactLaw::AtOnce => 0.0,
         }
     }
 
@@ -317,15 +317,17 @@ impl Equations<'_> {
     }
 
     /// Whether the nose goes deeper than ever.
-    pub(super) fn goes_in(&self) -> bool {
+    pub(super) fn is_loading(&self) -> bool {
         self.mode.contact == Contact::Penetrating
     }
 
     /// Returns the derivatives of the contact force by travel and relative velocity.
     pub(super) fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
         match self.setup.law {
-            Law::Flow if self.is_touching() => {}
-            Law::Lumped(lumped) if self.is_touching() => return lumped.slopes(self.goes_in()),
+            ContactLaw::Flow if self.is_touching() => {}
+            ContactLaw::Lumped(lumped) if self.is_touching() => {
+                return lumped.slopes(self.is_loading());
+            }
             _ => return (0.0, 0.0),
         }
         let (strength, drag) = self.pressure();
@@ -361,7 +363,7 @@ impl Equations<'_> {
 
     /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
     pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
-        let Setup { stop_n_m, stop_n_s_m, .. } = *self.setup;
+        let ImpactParameters { stop_n_m, stop_n_s_m, .. } = *self.setup;
         let (k, b) = if self.mode.is_pressed { (stop_n_m, stop_n_s_m) } else { (0.0, 0.0) };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
         let ([_, x_least_m], [_, w_least_m_s]) = self.least_sizes();
@@ -375,9 +377,11 @@ impl Equations<'_> {
     /// Force on the mount, N: that of the mechanism and of what it turns with the plate, or what a plate that is held does not take.
     pub(super) fn mount_n(&self, state: &State) -> f64 {
         match self.mode.hold {
-            Hold::Mount => 0.0,
-            Hold::OnStop | Hold::Spring => self.contact_n(state) * self.setup.cos,
-            Hold::Free => {
+            PlateConstraint::Mount => 0.0,
+            PlateConstraint::OnStop | PlateConstraint::Spring => {
+                self.contact_n(state) * self.setup.cos
+            }
+            PlateConstraint::Free => {
                 let turning_kg = self.setup.turning_kg;
                 let turns = turning_kg > 0.0;
                 let turning_n = if turns { turning_kg * self.accelerations(state).1 } else { 0.0 };
@@ -393,7 +397,7 @@ impl Equations<'_> {
 
     /// Whether the plate stays where it is.
     pub(super) fn plate_rests(&self) -> bool {
-        self.mode.hold != Hold::Free
+        self.mode.hold != PlateConstraint::Free
     }
 
     /// Accelerations of slip and plate.
@@ -403,7 +407,7 @@ impl Equations<'_> {
 
     /// Returns the accelerations caused by forces of the contact and of the mechanism.
     fn moved_by(&self, contact_n: f64, mechanism_n: impl Fn() -> f64) -> (f64, f64) {
-        let Setup { projectile_kg, cos, .. } = *self.setup;
+        let ImpactParameters { projectile_kg, cos, .. } = *self.setup;
         let plate = if self.plate_rests() {
             0.0
         } else {
@@ -418,7 +422,7 @@ impl Equations<'_> {
 
     /// Their derivatives by travel and displacement, and by slip and the plate's velocity.
     #[inline]
-    pub(super) fn slopes(&self, state: &State) -> Slopes<2> {
+    pub(super) fn slopes(&self, state: &State) -> Jacobian<2> {
         let setup = self.setup;
         let contact = self.contact_slopes(state.q_m, state.u_m_s);
         let (mechanism, plate) = if self.plate_rests() {
@@ -434,13 +438,14 @@ impl Equations<'_> {
                 [contact * setup.cos * plate, -mechanism * plate],
             ]
         };
-        Slopes { place: rows(contact.0, mechanism.0), speed: rows(contact.1, mechanism.1) }
+        Jacobian { place: rows(contact.0, mechanism.0), speed: rows(contact.1, mechanism.1) }
     }
 
     /// Returns the rounding errors of the accelerations, which are large if forces cancel.
     pub(super) fn rounding(&self, state: &State) -> (f64, f64) {
         let mechanism_n = || -self.mechanism_rounding_n(state.x_m, state.w_m_s);
-        let (slip, plate) = self.moved_by(KNOWN * self.contact_n(state).abs(), mechanism_n);
+        let (slip, plate) =
+            self.moved_by(FORCE_ROUNDING * self.contact_n(state).abs(), mechanism_n);
         (slip.abs(), plate)
     }
 
@@ -451,7 +456,7 @@ impl Equations<'_> {
     }
 
     /// The force that the joined interface carries, positive where it is pushed, N.
-    pub(super) fn carried_n(&self, state: &State) -> f64 {
+    pub(super) fn interface_force_n(&self, state: &State) -> f64 {
         if self.plate_rests() || self.creeps(state) {
             return 0.0;
         }
@@ -462,7 +467,7 @@ impl Equations<'_> {
 impl Equations<'_> {
     /// A velocity of the plate that is lost among errors, m/s.
     pub(super) fn unresolved_m_s(&self) -> f64 {
-        UNRESOLVED * self.setup.velocity_m_s
+        VELOCITY_RESOLUTION * self.setup.velocity_m_s
     }
 
     /// Returns the smallest error scales. Travel and relative velocity: 1e-3 of the reference length and of the impact velocity.
@@ -473,7 +478,7 @@ impl Equations<'_> {
     }
 
     /// Returns the error scales at a state.
-    pub(super) fn sizes(&self, state: &State) -> Point<2> {
+    pub(super) fn error_scales(&self, state: &State) -> Point<2> {
         let ([q_m, x_m], [u_m_s, w_m_s]) = self.least_sizes();
         let places = [larger(state.q_m.abs(), q_m), larger(state.x_m.abs(), x_m)];
         (places, [larger(state.u_m_s.abs(), u_m_s), larger(state.w_m_s.abs(), w_m_s)])
@@ -493,7 +498,7 @@ impl Equations<'_> {
             let most_n = mode.spring.force(mode.origin_m).abs() + spring_n;
             smaller(slope_n_m * mode.origin_m.abs(), most_n)
         };
-        KNOWN * (spring_n + by_place_n + others_n)
+        FORCE_ROUNDING * (spring_n + by_place_n + others_n)
     }
 }
 
@@ -540,7 +545,7 @@ mod tests {
     #[test]
     fn valid_the_joined_interface_carries_what_turns_the_projectile_back() {
         let (pairs, state) = ("gamma=2 k=1e5 theta=60deg", [4e-3, 0.0, 2e-3, 2.0]);
-        let part = look(pairs, Contact::Fused, state, |it, at| it.carried_n(at) / 200.0);
+        let part = look(pairs, Contact::Fused, state, |it, at| it.interface_force_n(at) / 200.0);
         assert!(is_near(part, 0.5 * 29.5 / (59.0 + 29.5 / 4.0), 1e-13), "{part}");
     }
 }

@@ -1,17 +1,17 @@
 //! Events of a mode and their event functions: positive while the mode lasts, zero at the event.
 
-use crate::model::contact_models::Law;
-use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::{Contact, Event, Hold, Mode};
+use crate::model::contact_models::ContactLaw;
+use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
 use crate::numerics::larger;
 
 /// The events that can end a mode.
-pub(super) fn of(setup: &Setup, mode: &Mode) -> impl Iterator<Item = Event> {
+pub(super) fn of(setup: &ImpactParameters, mode: &HybridMode) -> impl Iterator<Item = Event> {
     let (below, above) = mode.spring.ends(mode.stretch);
-    let is_free = mode.hold == Hold::Free;
+    let is_free = mode.hold == PlateConstraint::Free;
     let of_plate = [
-        (mode.hold == Hold::OnStop, Event::StopRelease),
-        (mode.hold == Hold::Spring, Event::Yields),
+        (mode.hold == PlateConstraint::OnStop, Event::StopRelease),
+        (mode.hold == PlateConstraint::Spring, Event::Yields),
         (is_free, Event::SpeedZero),
         (is_free && above.is_finite(), Event::KnotAhead),
         (is_free && below.is_finite(), Event::KnotBehind),
@@ -24,26 +24,26 @@ pub(super) fn of(setup: &Setup, mode: &Mode) -> impl Iterator<Item = Event> {
 }
 
 /// Returns the events of the contact.
-fn of_contact(setup: &Setup, mode: &Mode) -> &'static [Event] {
-    let is_free = mode.hold == Hold::Free;
+fn of_contact(setup: &ImpactParameters, mode: &HybridMode) -> &'static [Event] {
+    let is_free = mode.hold == PlateConstraint::Free;
     match (setup.law, mode.contact) {
-        (_, Contact::Perforated) | (Law::AtOnce, _) => &[],
+        (_, Contact::Perforated) | (ContactLaw::AtOnce, _) => &[],
         (_, Contact::Fused) if setup.plastic && is_free => &[Event::PushLimit, Event::PullLimit],
         (_, Contact::Fused) => &[],
-        (Law::Flow, Contact::Penetrating) => &[Event::PieceEnd, Event::SlipZero],
-        (Law::Flow, Contact::Closing) => &[Event::PieceEnd, Event::SlipZero, Event::Bottom],
-        (Law::Flow, Contact::Withdrawing) => &[Event::PieceStart, Event::SlipZero],
+        (ContactLaw::Flow, Contact::Penetrating) => &[Event::PieceEnd, Event::SlipZero],
+        (ContactLaw::Flow, Contact::Closing) => &[Event::PieceEnd, Event::SlipZero, Event::Bottom],
+        (ContactLaw::Flow, Contact::Withdrawing) => &[Event::PieceStart, Event::SlipZero],
         // On a plate at rest the slip is zero at the end of the history alone, where it is quadratic in time.
-        (Law::History(_), _) if is_free => &[Event::HistoryEnd, Event::SlipZero],
-        (Law::History(_), _) => &[Event::HistoryEnd],
+        (ContactLaw::History(_), _) if is_free => &[Event::HistoryEnd, Event::SlipZero],
+        (ContactLaw::History(_), _) => &[Event::HistoryEnd],
         (_, Contact::FreeFlight) => &[Event::Recontact],
-        (Law::Lumped(_), Contact::Penetrating) => &[Event::SlipZero],
-        (Law::Lumped(_), _) => &[Event::ContactLost, Event::Bottom],
+        (ContactLaw::Lumped(_), Contact::Penetrating) => &[Event::SlipZero],
+        (ContactLaw::Lumped(_), _) => &[Event::ContactLost, Event::Bottom],
     }
 }
 
 /// The gap of an event.
-pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64 {
+pub(super) fn event_function(equations: &Equations<'_>, event: Event, state: &State) -> f64 {
     let Equations { setup, mode } = equations;
     match event {
         Event::PieceEnd => mode.piece.to_m - state.q_m,
@@ -54,8 +54,8 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::Recontact => recontact(setup, mode, state),
         Event::ContactLost => equations.contact_n(state),
         Event::HistoryEnd => setup.law.lasts_s() - state.t_s,
-        Event::PushLimit => equations.limits_n(state).0 - equations.carried_n(state),
-        Event::PullLimit => equations.limits_n(state).1 + equations.carried_n(state),
+        Event::PushLimit => equations.limit_loads_n(state).0 - equations.interface_force_n(state),
+        Event::PullLimit => equations.limit_loads_n(state).1 + equations.interface_force_n(state),
         Event::KnotAhead => equations.knots_m().1 - state.x_m,
         Event::KnotBehind => state.x_m - equations.knots_m().0,
         Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
@@ -68,15 +68,15 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::StopRelease => equations.push_on_stop_n(state),
         // The loop asks for these between steps: they are not waited for.
         Event::ZeroPassed | Event::SpringHolds => 1.0,
-        Event::Yields => equations.spare_n(state),
+        Event::Yields => equations.lock_margin_n(state),
     }
 }
 
 /// Event function of renewed contact: the travel that is missing. In the dent of a lumped interface it is the damper's force, which keeps
 /// the projectile off the spring.
-fn recontact(setup: &Setup, mode: &Mode, state: &State) -> f64 {
+fn recontact(setup: &ImpactParameters, mode: &HybridMode, state: &State) -> f64 {
     let missing_m = setup.law.slack_m(mode.deepest_m) - state.q_m;
-    let Law::Lumped(lumped) = setup.law else { return missing_m };
+    let ContactLaw::Lumped(lumped) = setup.law else { return missing_m };
     let push_n = lumped.force_n(false, mode.deepest_m, (state.q_m, state.u_m_s));
     larger(missing_m, -push_n)
 }
@@ -110,16 +110,16 @@ mod tests {
     #[test]
     fn a_mode_has_the_events_that_can_end_it() {
         for (pairs, contact, is_pressed, expected) in MODES {
-            let setup = Setup::of(&scene_with(pairs), 1e-12);
+            let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
             let w_side = if is_pressed { -1.0 } else { 1.0 };
-            let mode = Mode { contact, is_pressed, w_side, ..first(&setup).0 };
+            let mode = HybridMode { contact, is_pressed, w_side, ..first(&setup).0 };
             assert_eq!(of(&setup, &mode).collect::<Vec<_>>(), expected, "{pairs} {contact:?}");
         }
-        let setup = Setup::of(&scene_with("mount=rigid"), 1e-12);
+        let setup = ImpactParameters::of(&scene_with("mount=rigid"), 1e-12);
         let mode = first(&setup).0;
         assert!(of(&setup, &mode).eq([Event::PieceEnd, Event::SlipZero]));
         // Where the plate cannot move the slip is zero at the end of the history alone.
-        let setup = Setup::of(&scene_with("mount=rigid model=half-sine"), 1e-12);
+        let setup = ImpactParameters::of(&scene_with("mount=rigid model=half-sine"), 1e-12);
         assert!(of(&setup, &first(&setup).0).eq([Event::HistoryEnd]));
     }
 
@@ -150,12 +150,12 @@ mod tests {
     #[test]
     fn a_gap_is_above_zero_before_its_event_and_below_beyond_it() {
         for (pairs, contact, event, before, beyond) in GAPS {
-            let setup = Setup::of(&scene_with(pairs), 1e-12);
+            let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
             let w_side = before[3].signum();
-            let mode = Mode { contact, deepest_m: 5e-3, w_side, ..first(&setup).0 };
+            let mode = HybridMode { contact, deepest_m: 5e-3, w_side, ..first(&setup).0 };
             let at = |[q_m, u_m_s, x_m, w_m_s]: [f64; 4]| {
                 let state = State { t_s: 0.0, q_m, u_m_s, x_m, w_m_s };
-                gap(&Equations { setup: &setup, mode: &mode }, event, &state)
+                event_function(&Equations { setup: &setup, mode: &mode }, event, &state)
             };
             assert!(at(before) > 0.0 && at(beyond) < 0.0, "{pairs} {contact:?} {event:?}");
         }

@@ -1,9 +1,9 @@
 //! Laws that are not smooth at zero: how a plate leaves and approaches that, when a spring that is infinitely steep there holds it, and how
 //! it creeps against such a damper.
 
-use crate::model::contact_models::Law;
-use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::Hold;
+use crate::model::contact_models::ContactLaw;
+use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::modes::PlateConstraint;
 use crate::numerics::{larger, smaller};
 
 /// Length of the first moments in which the contact's force is taken to grow with the time or to last, in passages of a tip radius or, where
@@ -12,18 +12,18 @@ use crate::numerics::{larger, smaller};
 const FIRST_MOMENT: f64 = 1e-6;
 /// How many times farther its inertia alone must let a plate move that is to follow the balance of a law: the square of the oscillations
 /// about that, in radians, which leave a part of one over it.
-const FOLLOWS: f64 = 1e2;
+const QUASI_STATIC_RATIO: f64 = 1e2;
 /// Part that does not count: of the tip radius, by which a plate may move that is taken to rest, and of energy and velocity at a zero.
 const HELD: f64 = 1e-13;
 /// Part of what a steep spring holds at which it takes hold again: it does not let go at once.
-const AGAIN: f64 = 0.5;
+const RELOCK_FRACTION: f64 = 0.5;
 /// How many times what a step may be off by, of the depth, a plate may move that its steep spring has taken hold of again: the tolerance of
 /// a run.
-const RETURNED: f64 = 1e2;
+const RELOCK_TOLERANCE_FACTOR: f64 = 1e2;
 /// Part of the way to the zero of a law that is not smooth there that a step goes.
-const APPROACH: f64 = 0.55;
+const SINGULARITY_STEP_FRACTION: f64 = 0.55;
 
-impl Setup {
+impl ImpactParameters {
     /// How far a plate may move that is taken to rest: where a steep spring holds it at first, or in all bounces to come.
     pub(super) fn held_m(&self) -> f64 {
         HELD * self.length_m
@@ -31,13 +31,13 @@ impl Setup {
 
     /// Returns the displacement of a plate that is locked again, at a travel of the projectile.
     pub(super) fn returned_m(&self, q_m: f64) -> f64 {
-        RETURNED * self.tolerance * smaller(q_m, self.length_m)
+        RELOCK_TOLERANCE_FACTOR * self.tolerance * smaller(q_m, self.length_m)
     }
 }
 
 impl Equations<'_> {
     fn first_moment_s(&self) -> f64 {
-        let Setup { velocity_m_s, projectile_kg, plate_kg, cos, .. } = *self.setup;
+        let ImpactParameters { velocity_m_s, projectile_kg, plate_kg, cos, .. } = *self.setup;
         let (slope_n_m, slope_n_s_m) = self.contact_slopes(0.0, velocity_m_s);
         let by_place_s = smaller(self.setup.passage_s(), (projectile_kg / slope_n_m.abs()).sqrt());
         let slipping_kg = 1.0 / (1.0 / projectile_kg + cos * cos / plate_kg);
@@ -86,9 +86,9 @@ impl Equations<'_> {
 
     /// The displacement up to which a steep spring holds the plate at first, m, if it does: inertia alone would let the plate move much
     /// farther by the time the spring yields, so that it follows the balance of contact and spring from there on.
-    pub(super) fn holds_at_first(&self) -> Option<f64> {
+    pub(super) fn initial_lock_displacement_m(&self) -> Option<f64> {
         let setup = self.setup;
-        if !setup.starts_steep() || setup.law != Law::Flow {
+        if !setup.starts_steep() || setup.law != ContactLaw::Flow {
             return None;
         }
         let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
@@ -100,7 +100,7 @@ impl Equations<'_> {
         let mut held_m = self.mode.held_m;
         let held_n = setup.spring.force(held_m);
         let by_inertia_m = (held_n / rate_n_s).powi(2) * held_n / (6.0 * setup.plate_kg);
-        let follows = by_inertia_m / (FOLLOWS * held_m);
+        let follows = by_inertia_m / (QUASI_STATIC_RATIO * held_m);
         if follows < 1.0 {
             // The way by inertia grows with the force's third power: below an exponent of a third it is the farther, the earlier.
             let earlier = 1.0 - 3.0 * held_m * setup.spring.tangent(held_m) / held_n;
@@ -119,12 +119,12 @@ impl Equations<'_> {
 
     /// Whether a steep spring takes hold of the plate again: the force that has displaced it falls, and it can move by no more any more
     /// than what a step may be off by many times over, and less than it has moved.
-    pub(super) fn takes_hold(&self, state: &State, farthest_m: f64) -> bool {
+    pub(super) fn locks_again(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
-        let held_m = AGAIN * self.setup.returned_m(state.q_m);
+        let held_m = RELOCK_FRACTION * self.setup.returned_m(state.q_m);
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
-        self.mode.hold == Hold::Free
-            && self.setup.law == Law::Flow
+        self.mode.hold == PlateConstraint::Free
+            && self.setup.law == ContactLaw::Flow
             && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
             && spring.is_steep_at_zero()
             && held_m < farthest_m
@@ -139,12 +139,12 @@ impl Equations<'_> {
     }
 
     /// Returns the additional force that the stiff spring could balance before the plate unlocks, N.
-    pub(super) fn spare_n(&self, state: &State) -> f64 {
+    pub(super) fn lock_margin_n(&self, state: &State) -> f64 {
         self.setup.spring.force(self.mode.held_m) - self.push_n(state).abs()
     }
 
     /// Displacement and velocity of a plate that a steep spring has held and that begins to follow the force.
-    pub(super) fn balanced(&self, state: &State) -> (f64, f64) {
+    pub(super) fn quasi_static_state(&self, state: &State) -> (f64, f64) {
         let (spring, push_n) = (&self.setup.spring, self.push_n(state));
         let x_m = spring.at_force(push_n.abs()).copysign(push_n);
         (x_m - self.mode.origin_m, self.rate_n_s(state) / spring.tangent(x_m))
@@ -152,7 +152,7 @@ impl Equations<'_> {
 
     /// Slope of the damper's law at a velocity at which it is taken as linear, N s/m.
     fn creep_slope_n_s_m(&self, w_m_s: f64) -> Option<f64> {
-        let Setup { damper, creep_m_s, .. } = *self.setup;
+        let ImpactParameters { damper, creep_m_s, .. } = *self.setup;
         (w_m_s.abs() < creep_m_s).then(|| damper.force(creep_m_s) / creep_m_s)
     }
 
@@ -169,8 +169,8 @@ impl Equations<'_> {
 
     /// Whether the plate creeps, by nothing that counts, against a steep damper that holds whatever drives it outside the contact.
     pub(super) fn creeps(&self, state: &State) -> bool {
-        let Setup { damper, creep_m_s, .. } = *self.setup;
-        self.mode.hold == Hold::Free
+        let ImpactParameters { damper, creep_m_s, .. } = *self.setup;
+        self.mode.hold == PlateConstraint::Free
             && state.w_m_s.abs() < creep_m_s
             && !self.is_touching()
             && self.mechanism_n(state.x_m, 0.0).abs() < damper.force(creep_m_s)
@@ -184,7 +184,7 @@ impl Equations<'_> {
         let (x_m, w_m_s) = (self.displacement_m(state.x_m), state.w_m_s);
         let way_s = -x_m / w_m_s;
         let counts = spring.energy(x_m) > HELD * self.moving_kg() * w_m_s * w_m_s;
-        (self.mode.hold == Hold::Free && way_s > 0.0).then_some((way_s, counts))
+        (self.mode.hold == PlateConstraint::Free && way_s > 0.0).then_some((way_s, counts))
     }
 
     /// Whether the plate is so close to the zero of such a spring that it is as well as far on the other side: no other force does
@@ -199,7 +199,7 @@ impl Equations<'_> {
     /// The time in which the plate comes as close to the zero of a law that is not smooth there as a step may take it, s: short of
     /// that it is as far away as the step is long, where no polynomial is far off. Infinite where so little is left that it may pass.
     pub(super) fn approach_s(&self, state: &State) -> f64 {
-        let Setup { damper, creep_m_s, velocity_m_s, .. } = *self.setup;
+        let ImpactParameters { damper, creep_m_s, velocity_m_s, .. } = *self.setup;
         let by_spring = self.next_zero(state).filter(|(_, counts)| *counts);
         let mut least_s = by_spring.map_or(f64::INFINITY, |(way_s, _)| way_s);
         if !damper.is_smooth_at_zero() && state.w_m_s.abs() > creep_m_s {
@@ -207,14 +207,15 @@ impl Equations<'_> {
             let way_s = -w_m_s / acceleration;
             let counts = damper.force(w_m_s).abs() * way_s > HELD * self.moving_kg() * velocity_m_s;
             // Of forces that hold each other only rounding is left, and what the velocity is off by.
-            let off_n =
-                self.damper_slope_n_s_m(w_m_s) * self.setup.tolerance * self.sizes(state).1[1];
+            let off_n = self.damper_slope_n_s_m(w_m_s)
+                * self.setup.tolerance
+                * self.error_scales(state).1[1];
             let off_m_s2 = self.rounding(state).1 + off_n / self.moving_kg();
             if way_s > 0.0 && counts && acceleration.abs() > off_m_s2 {
                 least_s = smaller(least_s, way_s);
             }
         }
-        APPROACH * least_s
+        SINGULARITY_STEP_FRACTION * least_s
     }
 }
 
@@ -227,7 +228,7 @@ mod tests {
     /// `F = 2 pi R (2/3) (S_y + C_d rho v²/2) v t` at first. Alone it has moved the plate by `F t²/(6 m_2)`, 100 x, when it is k x^n.
     #[test]
     fn valid_a_steep_spring_holds_until_the_plate_follows_its_balance() {
-        let held = |it: &Equations<'_>, _: &State| it.holds_at_first();
+        let held = |it: &Equations<'_>, _: &State| it.initial_lock_displacement_m();
         let held_m = look("gamma=1 k=3e5 n=0.3", Contact::Penetrating, [0.0; 4], held).unwrap();
         let rate_n_s = std::f64::consts::PI * 0.0127 / 1.5 * (1.52e8 + 6.775e6) * 100.0;
         let t_s = 3e5 * held_m.powf(0.3) / rate_n_s;
@@ -238,7 +239,7 @@ mod tests {
     /// k x^n = F, now and 1 ns later, when F has slowed the projectile.
     #[test]
     fn valid_a_plate_that_is_let_go_is_where_its_spring_balances_the_contact() {
-        let found = |it: &Equations<'_>, at: &State| (it.contact_n(at), it.balanced(at));
+        let found = |it: &Equations<'_>, at: &State| (it.contact_n(at), it.quasi_static_state(at));
         let at = |q, u| look("k=1e6 n=0.2", Contact::Penetrating, [q, u, 0.0, 0.0], found);
         let (now_n, (x_m, w_m_s)) = at(3e-3, 80.0);
         let (later_n, _) = at(3e-3 + 80.0 * 1e-9, 80.0 - now_n / 0.0295 * 1e-9);
@@ -254,7 +255,7 @@ mod tests {
         {
             let pairs = format!("k=1e5 n=0.5 {more}");
             let state = [5e-3, 0.0, 0.0, 0.0];
-            let found = look(&pairs, Contact::Fused, state, |it, at| it.takes_hold(at, 1e-3));
+            let found = look(&pairs, Contact::Fused, state, |it, at| it.locks_again(at, 1e-3));
             assert_eq!(found, expected, "{more}");
         }
     }

@@ -5,8 +5,8 @@
 //! fused interface never parts.
 
 use crate::model::contact::AreaPiece;
-use crate::model::contact_models::Law;
-use crate::model::impact::equations::{Equations, Setup, State};
+use crate::model::contact_models::ContactLaw;
+use crate::model::impact::equations::{Equations, ImpactParameters, State};
 use crate::model::mechanism::{Spring, sign};
 /// The contact of projectile and plate, which is what a row of the series calls its mode.
 pub(super) use crate::model::run::Mode as Contact;
@@ -14,11 +14,11 @@ use crate::numerics::larger;
 
 /// Part of the work of the whole hole below which a joined body that strikes a stop is stopped whole: its interface would yield by
 /// less than that part of the travel.
-const SOFT_BLOW: f64 = 1e-13;
+const NEGLIGIBLE_IMPACT_ENERGY: f64 = 1e-13;
 
 /// Constraint of the plate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Hold {
+pub(super) enum PlateConstraint {
     /// Nothing: it moves.
     Free,
     /// The rigid stop, on which it is pressed.
@@ -31,9 +31,9 @@ pub(super) enum Hold {
 
 /// Discrete state of the hybrid system between two events.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Mode {
+pub(super) struct HybridMode {
     pub(super) contact: Contact,
-    pub(super) hold: Hold,
+    pub(super) hold: PlateConstraint,
     /// Displacement that a steep spring that holds it does not let it exceed, m.
     pub(super) held_m: f64,
     /// The plate is pressed on its elastic stop.
@@ -112,10 +112,10 @@ impl Event {
 }
 
 /// The mode and the state at first contact.
-pub(super) fn first(setup: &Setup) -> (Mode, State) {
-    let mut mode = Mode {
+pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
+    let mut mode = HybridMode {
         contact: Contact::Penetrating,
-        hold: if setup.still { Hold::Mount } else { Hold::Free },
+        hold: if setup.still { PlateConstraint::Mount } else { PlateConstraint::Free },
         held_m: setup.held_m(),
         is_pressed: false,
         piece: setup.geometry.piece(0.0),
@@ -135,13 +135,13 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         ..State::default()
     };
     if setup.start_m_s != 0.0 {
-        face(setup, &mut mode, &state);
+        update_direction(setup, &mut mode, &state);
     }
-    if setup.law == Law::AtOnce {
-        join(setup, &mut mode, &mut state);
+    if setup.law == ContactLaw::AtOnce {
+        merge_bodies(setup, &mut mode, &mut state);
     }
-    if let Some(held_m) = (Equations { setup, mode: &mode }).holds_at_first() {
-        (mode.hold, mode.held_m) = (Hold::Spring, held_m);
+    if let Some(held_m) = (Equations { setup, mode: &mode }).initial_lock_displacement_m() {
+        (mode.hold, mode.held_m) = (PlateConstraint::Spring, held_m);
     }
     // A plate that moves strikes its stop: an event of the loop, which books its work.
     if setup.starts_on_stop() && state.w_m_s == 0.0 {
@@ -152,7 +152,12 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
 }
 
 /// The mode that follows an event; the state is put exactly on the event, and jumps where the event makes it.
-pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State) -> Mode {
+pub(super) fn after(
+    setup: &ImpactParameters,
+    mode: &HybridMode,
+    event: Event,
+    state: &mut State,
+) -> HybridMode {
     let mut next = mode.clone();
     match event {
         Event::KnotAhead => {
@@ -183,20 +188,22 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
             next.stretch = mode.spring.stretch(-x_m);
         }
         Event::SpringHolds => {
-            (next.hold, next.held_m) = (Hold::Spring, setup.returned_m(state.q_m));
+            (next.hold, next.held_m) = (PlateConstraint::Spring, setup.returned_m(state.q_m));
             state.u_m_s += setup.cos * state.w_m_s;
             state.w_m_s = 0.0;
         }
         Event::Yields => {
-            next.hold = Hold::Free;
-            (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
+            next.hold = PlateConstraint::Free;
+            (state.x_m, state.w_m_s) = (Equations { setup, mode }).quasi_static_state(state);
             state.u_m_s -= setup.cos * state.w_m_s;
             next.w_side = sign(state.w_m_s);
         }
         _ => at_contact(setup, mode, event, (&mut next, state)),
     }
     let setup = if event == Event::PieceEnd { setup.at(state.q_m) } else { setup };
-    if next.hold == Hold::OnStop && (Equations { setup, mode: &next }).push_on_stop_n(state) < 0.0 {
+    if next.hold == PlateConstraint::OnStop
+        && (Equations { setup, mode: &next }).push_on_stop_n(state) < 0.0
+    {
         release(setup, &mut next, state);
     }
     unload(setup, &mut next, state);
@@ -204,7 +211,12 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
 }
 
 /// Applies an event of the contact.
-fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mode, &mut State)) {
+fn at_contact(
+    setup: &ImpactParameters,
+    mode: &HybridMode,
+    event: Event,
+    (next, state): (&mut HybridMode, &mut State),
+) {
     match event {
         Event::PieceEnd => {
             state.q_m = mode.piece.to_m;
@@ -219,43 +231,43 @@ fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mod
         }
         Event::PieceStart => {
             state.q_m = larger(mode.piece.from_m, 0.0);
-            pull_out(setup, next, state);
+            start_withdrawal(setup, next, state);
         }
         Event::Bottom => {
             state.q_m = mode.deepest_m;
-            push_in(setup, next, state);
+            start_loading(setup, next, state);
         }
         Event::Recontact => {
             // Backwards it is the damper that lets go of its spring again.
             if state.u_m_s > 0.0 {
                 state.q_m = setup.law.slack_m(mode.deepest_m);
             }
-            push_in(setup, next, state);
+            start_loading(setup, next, state);
         }
         Event::ContactLost => next.contact = Contact::FreeFlight,
         Event::SlipZero | Event::HistoryEnd => {
-            if mode.hold == Hold::Spring {
-                next.hold = Hold::Free;
-                (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
+            if mode.hold == PlateConstraint::Spring {
+                next.hold = PlateConstraint::Free;
+                (state.x_m, state.w_m_s) = (Equations { setup, mode }).quasi_static_state(state);
             }
             if mode.contact == Contact::Penetrating {
                 next.deepest_m = larger(mode.deepest_m, state.q_m);
             }
             if event == Event::HistoryEnd {
-                join(setup, next, state);
+                merge_bodies(setup, next, state);
             } else {
                 state.u_m_s = 0.0;
-                settle(setup, next, state);
+                stick_or_slip(setup, next, state);
             }
         }
-        Event::PushLimit => push_in(setup, next, state),
-        Event::PullLimit => pull_out(setup, next, state),
+        Event::PushLimit => start_loading(setup, next, state),
+        Event::PullLimit => start_withdrawal(setup, next, state),
         _ => {}
     }
 }
 
 /// A plate that does not go on unloads the absorber that it has crushed from where it is: what was spent on crushing is gone.
-fn unload(setup: &Setup, mode: &mut Mode, state: &State) {
+fn unload(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     let x_m = mode.origin_m + state.x_m;
     if state.w_m_s > 0.0 {
         return;
@@ -269,11 +281,11 @@ fn unload(setup: &Setup, mode: &mut Mode, state: &State) {
 }
 
 /// The bodies become one, with the momentum they have.
-fn join(setup: &Setup, mode: &mut Mode, state: &mut State) {
+fn merge_bodies(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State) {
     let v = setup.projectile_m_s(state);
     let momentum = setup.projectile_kg * v * setup.cos + setup.plate_kg * state.w_m_s;
     state.u_m_s = 0.0;
-    if mode.hold == Hold::Free {
+    if mode.hold == PlateConstraint::Free {
         state.w_m_s = momentum / setup.joined_kg;
     }
     if state.w_m_s != 0.0 {
@@ -284,43 +296,46 @@ fn join(setup: &Setup, mode: &mut Mode, state: &mut State) {
 
 /// The nose goes forward where it is. The lumped interface is on its steeper branch above the greatest travel, whichever way it goes;
 /// a prescribed history knows no depth.
-fn push_in(setup: &Setup, mode: &mut Mode, state: &State) {
+fn start_loading(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     let at_bottom = state.q_m >= mode.deepest_m;
     mode.contact = match setup.law {
-        Law::Lumped(_) if !at_bottom => Contact::Withdrawing,
-        Law::Flow if !at_bottom => Contact::Closing,
+        ContactLaw::Lumped(_) if !at_bottom => Contact::Withdrawing,
+        ContactLaw::Flow if !at_bottom => Contact::Closing,
         _ => Contact::Penetrating,
     };
     mode.piece = setup.geometry.piece(state.q_m);
 }
 
 /// The nose goes back where it is, or is out.
-fn pull_out(setup: &Setup, mode: &mut Mode, state: &State) {
+fn start_withdrawal(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     mode.contact = if state.q_m > 0.0 { Contact::Withdrawing } else { Contact::FreeFlight };
     mode.piece = setup.geometry.piece(state.q_m.next_down());
 }
 
 /// Decides between stick and slip at zero relative velocity: the bodies stick unless the interface force exceeds a limit load.
-fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
+fn stick_or_slip(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     mode.contact = match (setup.law, mode.contact) {
-        (Law::History(_), Contact::Withdrawing) => Contact::Penetrating,
-        (Law::History(_) | Law::Lumped(_), Contact::Penetrating) => Contact::Withdrawing,
+        (ContactLaw::History(_), Contact::Withdrawing) => Contact::Penetrating,
+        (ContactLaw::History(_) | ContactLaw::Lumped(_), Contact::Penetrating) => {
+            Contact::Withdrawing
+        }
         _ => Contact::Fused,
     };
     if mode.contact != Contact::Fused || !setup.plastic {
         return;
     }
     let equations = Equations { setup, mode };
-    let (carried_n, (push_n, pull_n)) = (equations.carried_n(state), equations.limits_n(state));
+    let (carried_n, (push_n, pull_n)) =
+        (equations.interface_force_n(state), equations.limit_loads_n(state));
     if carried_n > push_n {
-        push_in(setup, mode, state);
+        start_loading(setup, mode, state);
     } else if carried_n < -pull_n {
-        pull_out(setup, mode, state);
+        start_withdrawal(setup, mode, state);
     }
 }
 
 /// The plate meets its stop, of either kind.
-fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
+fn reach_stop(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State) {
     // A plate that comes to it is where it stands; one that does not is caught up with where it is.
     let is_beyond = setup.restitution.is_none() && state.w_m_s <= 0.0;
     let beyond_m = Equations { setup, mode }.beyond_stop_m(state.x_m);
@@ -329,7 +344,7 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
         mode.is_pressed = true;
         // Its damper pushes at once.
         if mode.contact == Contact::Fused {
-            settle(setup, mode, state);
+            stick_or_slip(setup, mode, state);
         }
         return;
     };
@@ -338,22 +353,22 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     mode.w_side = -1.0;
     let blow_j = 0.5 * setup.joined_kg * before * before;
     let hole_j = setup.geometry.area_m2(mode.deepest_m) * setup.strength_pa * mode.deepest_m;
-    let is_soft = joined && setup.plastic && blow_j < SOFT_BLOW * hole_j;
+    let is_soft = joined && setup.plastic && blow_j < NEGLIGIBLE_IMPACT_ENERGY * hole_j;
     state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, restitution, state) };
     if !(joined && (is_soft || !setup.plastic)) {
         state.u_m_s += (before - state.w_m_s) * setup.cos;
         if state.u_m_s > 0.0 && matches!(mode.contact, Contact::Fused | Contact::Withdrawing) {
-            push_in(setup, mode, state);
+            start_loading(setup, mode, state);
         }
     }
     if state.w_m_s == 0.0 {
-        mode.hold = Hold::OnStop;
+        mode.hold = PlateConstraint::OnStop;
     }
 }
 
 /// The velocity after a blow on a rigid stop. The flights of a plate that is pressed on it are parabolas, each shorter by the
 /// restitution: where all of them together are too short to matter it stays.
-fn rebound(setup: &Setup, mode: &Mode, restitution: f64, state: &State) -> f64 {
+fn rebound(setup: &ImpactParameters, mode: &HybridMode, restitution: f64, state: &State) -> f64 {
     let speed = restitution * state.w_m_s;
     let left = State { w_m_s: 0.0, ..*state };
     let pressed = Equations { setup, mode }.accelerations(&left).1;
@@ -362,17 +377,17 @@ fn rebound(setup: &Setup, mode: &Mode, restitution: f64, state: &State) -> f64 {
 }
 
 /// The plate leaves a rigid stop on which it rested.
-fn release(setup: &Setup, mode: &mut Mode, state: &State) {
-    mode.hold = Hold::Free;
+fn release(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
+    mode.hold = PlateConstraint::Free;
     mode.w_side = -1.0;
     mode.stretch = mode.spring.stretch((mode.origin_m + state.x_m).next_down());
     if mode.contact == Contact::Fused {
-        settle(setup, mode, state);
+        stick_or_slip(setup, mode, state);
     }
 }
 
 /// Measures the displacement from zero where the plate is nearer to that than to the stop.
-pub(super) fn measure(mode: &mut Mode, state: &mut State) {
+pub(super) fn rebase_displacement(mode: &mut HybridMode, state: &mut State) {
     let x_m = mode.origin_m + state.x_m;
     if x_m.abs() < state.x_m.abs() {
         (mode.origin_m, state.x_m) = (0.0, x_m);
@@ -380,8 +395,8 @@ pub(super) fn measure(mode: &mut Mode, state: &mut State) {
 }
 
 /// The way on which a plate at rest goes on, and the stretch of the spring into which one at the end of a stretch does.
-pub(super) fn face(setup: &Setup, mode: &mut Mode, state: &State) {
-    if mode.hold != Hold::Free {
+pub(super) fn update_direction(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
+    if mode.hold != PlateConstraint::Free {
         return;
     }
     let equations = Equations { setup, mode };
@@ -400,7 +415,12 @@ pub(super) fn face(setup: &Setup, mode: &mut Mode, state: &State) {
 }
 
 /// Takes all slips to come at once: the hole is deeper by so much travel, and the energy for it is gone.
-pub(super) fn take_slips(setup: &Setup, mode: &mut Mode, state: &mut State, travel_m: f64) {
+pub(super) fn apply_remaining_slip(
+    setup: &ImpactParameters,
+    mode: &mut HybridMode,
+    state: &mut State,
+    travel_m: f64,
+) {
     let from_m = state.q_m;
     state.q_m += travel_m;
     let swept_m3 = setup.geometry.swept_m3(state.q_m) - setup.geometry.swept_m3(from_m);
@@ -422,10 +442,10 @@ mod tests {
         contact: Contact,
         event: Event,
         [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
-    ) -> (Mode, State) {
-        let setup = Setup::of(&scene_with(pairs), 1e-12);
+    ) -> (HybridMode, State) {
+        let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
         let (first, state) = first(&setup);
-        let mut mode = Mode { contact, deepest_m: 5e-3, ..first };
+        let mut mode = HybridMode { contact, deepest_m: 5e-3, ..first };
         if contact == Contact::Withdrawing {
             mode.piece = setup.geometry.piece(q_m.next_down());
         }
@@ -475,7 +495,7 @@ mod tests {
             after_event("k=1e5", Contact::Penetrating, Event::PieceEnd, [6e-3, 9.0, 0.0, 1.0]);
         assert_eq!(mode.contact, Contact::Penetrating);
         assert_eq!(mode.piece.from_m.to_bits(), state.q_m.to_bits());
-        let setup = Setup::of(&scene_with("k=1e5"), 1e-12);
+        let setup = ImpactParameters::of(&scene_with("k=1e5"), 1e-12);
         let mut last = first(&setup).0;
         last.piece = *setup.geometry.pieces().last().unwrap();
         let mut state = State { u_m_s: 9.0, ..State::default() };
@@ -491,12 +511,21 @@ mod tests {
             after_event(pairs, contact, Event::StopReached, [4e-3, 7.0, 1e-3, 2.0])
         };
         let (mode, state) = hit("k=1e5 x_stop=0.001 e=0.5", Contact::Penetrating);
-        assert_eq!((mode.hold, mode.w_side.to_bits()), (Hold::Free, (-1.0f64).to_bits()));
+        assert_eq!(
+            (mode.hold, mode.w_side.to_bits()),
+            (PlateConstraint::Free, (-1.0f64).to_bits())
+        );
         assert!((state.w_m_s + 1.0).abs() < 1e-15 && (state.u_m_s - 10.0).abs() < 1e-15);
         assert_eq!((mode.origin_m.to_bits(), state.x_m.to_bits()), (1e-3f64.to_bits(), 0));
         // Without restitution the contact's 15 kN hold it there against the spring's 100 N; gone, nothing does.
-        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Penetrating).0.hold, Hold::OnStop);
-        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Perforated).0.hold, Hold::Free);
+        assert_eq!(
+            hit("k=1e5 x_stop=0.001 e=0", Contact::Penetrating).0.hold,
+            PlateConstraint::OnStop
+        );
+        assert_eq!(
+            hit("k=1e5 x_stop=0.001 e=0", Contact::Perforated).0.hold,
+            PlateConstraint::Free
+        );
     }
 
     #[test]
@@ -517,7 +546,7 @@ mod tests {
     #[test]
     fn valid_a_plate_that_is_pressed_bounces_until_its_flights_are_too_short() {
         let pairs = "k=1e5 x_stop=0.001 e=0.5";
-        for (speed, hold) in [(1e-3, Hold::Free), (1e-6, Hold::OnStop)] {
+        for (speed, hold) in [(1e-3, PlateConstraint::Free), (1e-6, PlateConstraint::OnStop)] {
             let state = [5e-3, 0.0, 1e-3, speed];
             let (mode, _) = after_event(pairs, Contact::Penetrating, Event::StopReached, state);
             assert_eq!(mode.hold, hold, "{speed}");
@@ -547,10 +576,13 @@ mod tests {
     /// 2.95 kg m/s of both bodies together: at once, and after a history that leaves each the velocity that it has.
     #[test]
     fn valid_bodies_that_become_one_keep_their_momentum() {
-        let (mode, state) = first(&Setup::of(&scene_with("gamma=1 model=initial-velocity"), 1e-12));
+        let (mode, state) =
+            first(&ImpactParameters::of(&scene_with("gamma=1 model=initial-velocity"), 1e-12));
         assert_eq!((mode.contact, state.u_m_s.to_bits()), (Contact::Fused, 0));
         assert!((state.w_m_s - 50.0).abs() < 1e-13);
-        let still = first(&Setup::of(&scene_with("mount=rigid model=initial-velocity"), 1e-12)).1;
+        let still =
+            first(&ImpactParameters::of(&scene_with("mount=rigid model=initial-velocity"), 1e-12))
+                .1;
         assert_eq!(still.w_m_s.to_bits(), 0);
         let state = [4e-3, -90.0, 1e-4, 95.0];
         let pairs = "gamma=1 model=half-sine";
@@ -575,11 +607,11 @@ mod tests {
 
     #[test]
     fn a_displacement_is_measured_from_the_nearer_of_stop_and_zero() {
-        let mode = first(&Setup::of(&scene_with("k=1e5 x_stop=1mm"), 1e-12)).0;
+        let mode = first(&ImpactParameters::of(&scene_with("k=1e5 x_stop=1mm"), 1e-12)).0;
         for (x_m, expected) in [(-4e-4, (1e-3, -4e-4)), (-7.5e-4, (0.0, 2.5e-4))] {
-            let mut mode = Mode { origin_m: 1e-3, ..mode.clone() };
+            let mut mode = HybridMode { origin_m: 1e-3, ..mode.clone() };
             let mut state = State { x_m, ..State::default() };
-            measure(&mut mode, &mut state);
+            rebase_displacement(&mut mode, &mut state);
             assert_eq!((mode.origin_m, state.x_m), expected);
         }
     }
@@ -598,12 +630,12 @@ mod tests {
     /// 19 kN against k x^n: a spring of 1 MN/m^0.1 yields by 7e-18 m, one of 100 kN/m by 0.19 m.
     #[test]
     fn a_steep_spring_holds_the_plate_at_first_and_a_soft_one_does_not() {
-        let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs), 1e-12)).0.hold;
-        assert_eq!(hold("k=1e6 n=0.1"), Hold::Spring);
-        assert_eq!(hold("k=1e6 n=0.2"), Hold::Spring);
+        let hold = |pairs: &str| first(&ImpactParameters::of(&scene_with(pairs), 1e-12)).0.hold;
+        assert_eq!(hold("k=1e6 n=0.1"), PlateConstraint::Spring);
+        assert_eq!(hold("k=1e6 n=0.2"), PlateConstraint::Spring);
         for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001", "b=100 m=0.5", "b=1e4 m=0.2"] {
-            assert_eq!(hold(pairs), Hold::Free, "{pairs}");
+            assert_eq!(hold(pairs), PlateConstraint::Free, "{pairs}");
         }
-        assert_eq!(hold("mount=rigid"), Hold::Mount);
+        assert_eq!(hold("mount=rigid"), PlateConstraint::Mount);
     }
 }

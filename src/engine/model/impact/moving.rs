@@ -4,15 +4,15 @@ use std::array;
 
 use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::Contact;
-use crate::numerics::step::{Acceleration, Point, Slopes};
+use crate::numerics::step::{Jacobian, Point, SecondOrderOde};
 
 /// The motion from a state on of `D` places: the projectile's travel and the plate's displacement, or the one that moves.
-pub(super) struct Moving<'a, const D: usize> {
+pub(super) struct ReducedSystem<'a, const D: usize> {
     pub(super) equations: Equations<'a>,
     pub(super) start: State,
 }
 
-impl<const D: usize> Moving<'_, D> {
+impl<const D: usize> ReducedSystem<'_, D> {
     /// Returns the index of the first active body.
     fn first(&self) -> usize {
         usize::from(D == 1 && !self.equations.plate_rests())
@@ -47,20 +47,20 @@ impl<const D: usize> Moving<'_, D> {
     }
 }
 
-impl<const D: usize> Acceleration<D> for Moving<'_, D> {
+impl<const D: usize> SecondOrderOde<D> for ReducedSystem<'_, D> {
     fn at(&self, t: f64, point: &Point<D>) -> [f64; D] {
         self.moving(self.equations.accelerations(&self.state(t, point)).into())
     }
 
     /// Whatever the time: a force history has no slope by place or speed.
-    fn slopes(&self, point: &Point<D>) -> Slopes<D> {
-        let Slopes { place, speed } = self.equations.slopes(&self.state(0.0, point));
+    fn slopes(&self, point: &Point<D>) -> Jacobian<D> {
+        let Jacobian { place, speed } = self.equations.slopes(&self.state(0.0, point));
         let part = |rows: [[f64; 2]; 2]| self.moving(rows.map(|row| self.moving(row)));
-        Slopes { place: part(place), speed: part(speed) }
+        Jacobian { place: part(place), speed: part(speed) }
     }
 
     fn sizes(&self, point: &Point<D>) -> Point<D> {
-        let (places, speeds) = self.equations.sizes(&self.state(0.0, point));
+        let (places, speeds) = self.equations.error_scales(&self.state(0.0, point));
         (self.moving(places), self.moving(speeds))
     }
 

@@ -1,12 +1,12 @@
 //! Whether a run is decided: bounds by the energy that is left, as pure functions of mode and state.
 
-use crate::model::contact_models::Law;
-use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::{Contact, Hold};
-use crate::model::impact::stepping::Stepping;
+use crate::model::contact_models::ContactLaw;
+use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::modes::{Contact, PlateConstraint};
+use crate::model::impact::stepping::IntegrationMethod;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
 /// Part of the energy at first contact that counts as none: velocities of 1e-12 of the impact's.
@@ -53,14 +53,15 @@ impl Equations<'_> {
     }
 
     /// How far forward the plate goes at most from a state with this energy, m from the spring's zero.
-    pub(super) fn reach_m(&self, state: &State, energy_j: f64) -> f64 {
+    pub(super) fn max_reachable_displacement_m(&self, state: &State, energy_j: f64) -> f64 {
         let by_spring = self.mode.elastic.reach(self.displacement_m(state.x_m), energy_j, 1.0);
         smaller(by_spring, self.setup.rigid_stop_m())
     }
 
     /// Whether the plate comes to its rigid stop with this energy.
     fn meets_rigid_stop(&self, state: &State, energy_j: f64) -> bool {
-        self.stops_rigidly() && self.reach_m(state, energy_j) >= self.setup.stop_at_m
+        self.stops_rigidly()
+            && self.max_reachable_displacement_m(state, energy_j) >= self.setup.stop_at_m
     }
 
     /// Whether the plate goes back where nothing is to stop it or to send it back.
@@ -70,11 +71,11 @@ impl Equations<'_> {
     }
 
     /// Most force forwards and backwards on the joined interface with this energy, N.
-    pub(super) fn loads_at_most_n(&self, state: &State, energy_j: f64) -> [f64; 2] {
+    pub(super) fn peak_load_bounds_n(&self, state: &State, energy_j: f64) -> [f64; 2] {
         let Equations { setup, mode } = self;
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
         let back_m = mode.elastic.reach(self.displacement_m(state.x_m), energy_j, -1.0);
-        let reach_m = self.reach_m(state, energy_j);
+        let reach_m = self.max_reachable_displacement_m(state, energy_j);
         let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
         let stop_n = if reach_m > setup.stop_at_m { setup.stop_n_s_m * speed } else { 0.0 };
         let damper_n = setup.damper.force(speed);
@@ -91,7 +92,7 @@ impl Equations<'_> {
     }
 
     /// Whether the plate is held, or stands or creeps where its forces hold each other.
-    pub(super) fn stands(&self, state: &State) -> bool {
+    pub(super) fn is_in_equilibrium(&self, state: &State) -> bool {
         let is_balanced = || {
             state.w_m_s.abs() < self.unresolved_m_s()
                 && self.accelerations(state).1.abs() <= self.rounding(state).1
@@ -104,14 +105,14 @@ impl Equations<'_> {
         // Where the spring drives the plate away, its energy is less than nothing.
         let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
         has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()
-            || self.stands(state) && self.mode.contact == Contact::Fused
+            || self.is_in_equilibrium(state) && self.mode.contact == Contact::Fused
     }
 
     /// The outcome, if nothing can change it any more.
     pub(super) fn outcome(&self, state: &State) -> Option<Outcome> {
         match self.mode.contact {
             Contact::Perforated => Some(Outcome::Perforated),
-            Contact::Fused if !self.setup.plastic || self.holds_for_good(state) => {
+            Contact::Fused if !self.setup.plastic || self.sticks_permanently(state) => {
                 Some(Outcome::Arrested)
             }
             Contact::FreeFlight if self.is_separated(state) => Some(Outcome::Separated),
@@ -122,8 +123,8 @@ impl Equations<'_> {
 
     /// Whether all is at rest in a contact that does not join the bodies: its dent has turned, or what is left cannot deepen it.
     fn rests_in_contact(&self, state: &State) -> bool {
-        let Law::Lumped(lumped) = self.setup.law else { return false };
-        let (goes_in, deepest_m) = (self.goes_in(), self.mode.deepest_m);
+        let ContactLaw::Lumped(lumped) = self.setup.law else { return false };
+        let (goes_in, deepest_m) = (self.is_loading(), self.mode.deepest_m);
         let gives_j = lumped.gives_back_j(goes_in, deepest_m, state.q_m);
         let left_j = self.energy_left_j(state) + if self.is_touching() { gives_j } else { 0.0 };
         let deepens_j = || lumped.deepens_j(state.q_m, NEGLIGIBLE);
@@ -132,7 +133,7 @@ impl Equations<'_> {
 
     /// Energy that it takes to pull the joined projectile out of its hole, J: more than there is where they are fused.
     pub(super) fn pull_out_j(&self, state: &State) -> f64 {
-        let Setup { plastic, grip, strength_pa, ref geometry, .. } = *self.setup;
+        let ImpactParameters { plastic, grip, strength_pa, ref geometry, .. } = *self.setup;
         if plastic { grip * strength_pa * geometry.swept_m3(state.q_m) } else { f64::INFINITY }
     }
 
@@ -154,7 +155,7 @@ impl Equations<'_> {
             return None;
         }
         let load_at_most_n = |energy_j: f64| {
-            let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
+            let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, energy_j);
             larger(pushed_n, pulled_n)
         };
         let load_n = load_at_most_n(energy_j);
@@ -165,7 +166,7 @@ impl Equations<'_> {
         let excess_at_n = |energy_j: f64| load_at_most_n(energy_j) - bottom_n;
         let spare_j = match (excess_at_n(0.0) < 0.0, load_n > bottom_n) {
             (_, false) => 0.0,
-            (true, true) => energy_j - in_bracket(0.0, energy_j, excess_at_n),
+            (true, true) => energy_j - bracketed_root(0.0, energy_j, excess_at_n),
             (false, true) => energy_j,
         };
         let inwards_m = 0.5 * spare_j / here_n + 1.5 * gap_m;
@@ -179,7 +180,7 @@ impl Equations<'_> {
     }
 
     /// Whether a plastic interface holds whatever comes.
-    fn holds_for_good(&self, state: &State) -> bool {
+    fn sticks_permanently(&self, state: &State) -> bool {
         if self.is_at_rest(state) {
             return true;
         }
@@ -203,8 +204,8 @@ impl Equations<'_> {
                 return false;
             }
         }
-        let (push_n, pull_n) = self.limits_n(state);
-        let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
+        let (push_n, pull_n) = self.limit_loads_n(state);
+        let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, energy_j);
         if pushed_n <= push_n && pulled_n <= pull_n {
             return true;
         }
@@ -219,17 +220,17 @@ impl Equations<'_> {
         let friction_n = smaller(setup.grip, 1.0) * setup.strength_pa * area;
         let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
         let is_off_stop = !self.meets_rigid_stop(state, energy_j);
-        let [pushed_n, pulled_n] = self.loads_at_most_n(state, larger(left_j, 0.0));
+        let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, larger(left_j, 0.0));
         way_m > 0.0 && is_off_stop && larger(pushed_n, pulled_n) <= friction_n
     }
 
     /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips, once it is past its
     /// greatest displacement; they add up to the energy above that of the oscillation whose peak just equals the strength of the deeper
     /// hole. Their travel in all, m.
-    pub(super) fn last_slips_m(&self, state: &State, farthest_m: f64) -> Option<f64> {
+    pub(super) fn remaining_slip_m(&self, state: &State, farthest_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
         let energy_j = self.energy_j(state);
-        let far_m = self.reach_m(state, energy_j);
+        let far_m = self.max_reachable_displacement_m(state, energy_j);
         let is_past = state.w_m_s < 0.0 && far_m <= farthest_m;
         let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
         // Each slip of a plug weakens its rim.
@@ -238,8 +239,8 @@ impl Equations<'_> {
         if !may_slip || self.meets_rigid_stop(state, energy_j) {
             return None;
         }
-        let (push_n, pull_n) = self.limits_n(state);
-        let [pushed_n, pulled_n] = self.loads_at_most_n(state, energy_j);
+        let (push_n, pull_n) = self.limit_loads_n(state);
+        let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, energy_j);
         let excess = pushed_n / push_n - 1.0;
         // It is where the plate turns that the interface has to carry most.
         let grows = mode.elastic.tangent(far_m) > 0.0
@@ -253,11 +254,12 @@ impl Equations<'_> {
         let overload_n = |travel_m: f64| {
             let q_m = state.q_m + travel_m;
             let left_j = energy_j - strength * (geometry.swept_m3(q_m) - swept_m3);
-            self.loads_at_most_n(state, larger(left_j, 0.0))[0] - geometry.area_m2(q_m) * strength
+            self.peak_load_bounds_n(state, larger(left_j, 0.0))[0]
+                - geometry.area_m2(q_m) * strength
         };
         let most_m = 0.5 * setup.joined_kg * state.w_m_s * state.w_m_s / push_n;
         let is_enough = overload_n(most_m) < 0.0;
-        let travel_m = || in_bracket(0.0, most_m, overload_n) * (1.0 + 4.0 * f64::EPSILON);
+        let travel_m = || bracketed_root(0.0, most_m, overload_n) * (1.0 + 4.0 * f64::EPSILON);
         is_enough.then(travel_m)
     }
 
@@ -267,7 +269,7 @@ impl Equations<'_> {
     }
 
     /// The force that the joined interface can carry forwards and backwards, N.
-    pub(super) fn limits_n(&self, state: &State) -> (f64, f64) {
+    pub(super) fn limit_loads_n(&self, state: &State) -> (f64, f64) {
         let strength_n = self.strength_n(state);
         let friction_n = self.setup.grip * strength_n;
         (if state.q_m >= self.mode.deepest_m { strength_n } else { friction_n }, friction_n)
@@ -322,7 +324,7 @@ impl Equations<'_> {
     /// `None` where it is still to be found.
     pub(super) fn farthest_m(&self, state: &State, so_far_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
-        if mode.hold == Hold::Mount || self.rests_in_contact(state) {
+        if mode.hold == PlateConstraint::Mount || self.rests_in_contact(state) {
             return Some(so_far_m);
         }
         let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
@@ -330,7 +332,7 @@ impl Equations<'_> {
         // rounding only.
         let end_m = smaller(mode.elastic.rest_ahead(x_m), setup.rigid_stop_m());
         let far_m = larger(end_m, so_far_m);
-        if self.stands(state) {
+        if self.is_in_equilibrium(state) {
             return Some(far_m);
         }
         if let Some(way) = self.drives_away(state)
@@ -341,7 +343,7 @@ impl Equations<'_> {
         if self.leaves(state) {
             return Some(so_far_m);
         }
-        let reach_m = self.reach_m(state, energy_j);
+        let reach_m = self.max_reachable_displacement_m(state, energy_j);
         let stroke_m = larger(far_m.abs(), far_m - setup.start_m);
         if reach_m - far_m <= NEGLIGIBLE * stroke_m {
             return Some(far_m);
@@ -366,7 +368,7 @@ impl Equations<'_> {
             let end_m = larger(setup.stop_at_m, so_far_m);
             return (presses_m <= NEGLIGIBLE * larger(stroke_m, way_m)).then_some(end_m);
         }
-        let in_full = matches!(setup.stepping, Stepping::CollocationInFull(_));
+        let in_full = matches!(setup.stepping, IntegrationMethod::CollocationInFull(_));
         // Nothing but the spring turns the plate, if anything does.
         let by_spring = setup.damper.is_absent() && !setup.has_stop() && !in_full;
         by_spring.then(|| {
@@ -400,7 +402,7 @@ fn coasting_m_s(damper: PowerLaw, kg: f64, (w_m_s, way_m): (f64, f64)) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::modes::{Mode, first};
+    use crate::model::impact::modes::{HybridMode, first};
     use crate::model::impact::tests::{is_near, look};
     use crate::model::variables::scene_with;
 
@@ -436,7 +438,7 @@ mod tests {
         let pairs = "k=1e5 interface=plastic x_stop=-1mm stop_kind=elastic k_stop=1e5";
         let found = |x_m: f64, w_m_s: f64| {
             look(pairs, Contact::Fused, [5e-3, 0.0, x_m, w_m_s], |it, at| {
-                (it.stands(at), it.outcome(at))
+                (it.is_in_equilibrium(at), it.outcome(at))
             })
         };
         assert_eq!(found(5e-4, 0.0), (true, Some(Outcome::Arrested)));
@@ -511,7 +513,7 @@ mod tests {
         let pairs = "k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6";
         let reach_m = |energy_j: f64| {
             look(pairs, Contact::Fused, [5e-3, 0.0, 0.0, 0.0], |it, state| {
-                it.reach_m(state, energy_j)
+                it.max_reachable_displacement_m(state, energy_j)
             })
         };
         let (x, stop) = (3e-3, 2e-3);
@@ -519,8 +521,9 @@ mod tests {
         assert!((reach_m(energy_j) / x - 1.0).abs() < 1e-14);
         assert!((reach_m(0.5 * 1e5 * 1e-8) / 1e-4 - 1.0).abs() < 1e-14);
         // A rigid stop gives way to nothing.
-        let rigid =
-            look("k=1e5 x_stop=1mm", Contact::Fused, [0.0; 4], |it, state| it.reach_m(state, 10.0));
+        let rigid = look("k=1e5 x_stop=1mm", Contact::Fused, [0.0; 4], |it, state| {
+            it.max_reachable_displacement_m(state, 10.0)
+        });
         assert!((rigid - 1e-3).abs() < 1e-18);
     }
 
@@ -528,14 +531,15 @@ mod tests {
     #[test]
     fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
         let pairs = "k=1e7 gamma=1 interface=plastic g=2";
-        let setup = Setup::of(&scene_with(pairs), 1e-12);
+        let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
         let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
         let energy_j = 1.001 * 1.001 * holding_j;
         let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
-        let mode = Mode { contact: Contact::Fused, deepest_m: 0.012, ..first(&setup).0 };
+        let mode = HybridMode { contact: Contact::Fused, deepest_m: 0.012, ..first(&setup).0 };
         let state = State { q_m: 0.012, w_m_s, ..State::default() };
-        let travel_m = Equations { setup: &setup, mode: &mode }.last_slips_m(&state, 1.0).unwrap();
+        let travel_m =
+            Equations { setup: &setup, mode: &mode }.remaining_slip_m(&state, 1.0).unwrap();
         let expected_m = (energy_j - holding_j) / strength_n;
         assert!((travel_m / expected_m - 1.0).abs() < 1e-10, "{travel_m} {expected_m}");
     }

@@ -7,14 +7,14 @@ use crate::numerics::locate::CELLS;
 use crate::numerics::maximum;
 
 /// The states on a step.
-pub(super) struct Path<'a> {
+pub(super) struct DenseOutput<'a> {
     at: &'a dyn Fn(f64) -> State,
     /// At the ends of equal parts, from its start to its end: there events are looked for, forces compared and rows drawn, for its
     /// polynomial has no wiggles that they miss.
     pub(super) looks: [State; CELLS + 1],
 }
 
-impl<'a> Path<'a> {
+impl<'a> DenseOutput<'a> {
     /// From what gives the state at a part of the step, 0 to 1.
     pub(super) fn of(at: &'a dyn Fn(f64) -> State) -> Self {
         Self { at, looks: array::from_fn(|look| at(look as f64 / CELLS as f64)) }

@@ -2,14 +2,14 @@
 
 use std::array;
 
-use crate::model::contact_models::Law;
-use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::{self, Contact, Hold, Mode};
-use crate::model::impact::path::Path;
+use crate::model::contact_models::ContactLaw;
+use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
+use crate::model::impact::path::DenseOutput;
 use crate::model::run::{
     Arrest, Cost, Departure, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Sample,
 };
-use crate::numerics::locate::{Found, first_fall};
+use crate::numerics::locate::{EventSearch, first_crossing};
 use crate::numerics::quadrature::GAUSS_10;
 use crate::numerics::{larger, smaller};
 
@@ -23,7 +23,7 @@ const NEAR_DEPTH: f64 = 1e-2;
 
 /// Recorder of a run.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Record {
+pub(super) struct Recorder {
     pub(super) keep_series: bool,
     /// No events are marked any more.
     pub(super) is_over: bool,
@@ -63,15 +63,15 @@ pub(super) struct Loads {
 }
 
 /// Signs of the mechanism's force where it pushes, and where it pulls.
-const WAYS: [f64; 2] = [1.0, -1.0];
+const COMPRESSION_TENSION_SIGNS: [f64; 2] = [1.0, -1.0];
 
-impl Record {
+impl Recorder {
     /// Notes the first moment.
     pub(super) fn begin(&mut self, equations: &Equations<'_>, state: &State) {
         let x_m = equations.displacement_m(state.x_m);
         self.farthest_m = x_m;
         self.peak_contact_n = equations.contact_n(state);
-        if equations.setup.law == Law::AtOnce {
+        if equations.setup.law == ContactLaw::AtOnce {
             self.note(state.t_s, EventKind::FirstArrest);
             self.work.penetration_j = equations.setup.initial_j() - equations.kinetic_j(state);
         }
@@ -84,13 +84,17 @@ impl Record {
     }
 
     /// Notes the work in the contact and of the damper in the moment in which a steep law is left, J.
-    pub(super) fn first_moment(&mut self, setup: &Setup, [contact_j, damper_j]: [f64; 2]) {
+    pub(super) fn first_moment(
+        &mut self,
+        setup: &ImpactParameters,
+        [contact_j, damper_j]: [f64; 2],
+    ) {
         *self.in_hole_j(setup) += contact_j;
         self.work.damper_j += damper_j;
     }
 
     /// The work in the hole, or of the rim of a plug.
-    fn in_hole_j(&mut self, setup: &Setup) -> &mut f64 {
+    fn in_hole_j(&mut self, setup: &ImpactParameters) -> &mut f64 {
         if setup.shears() { &mut self.work.shear_j } else { &mut self.work.penetration_j }
     }
 
@@ -100,7 +104,7 @@ impl Record {
     }
 
     /// Notes a step, whose states are given by the part of it.
-    pub(super) fn step(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
+    pub(super) fn step(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         self.cost.steps += 1;
         self.add_work(equations, path);
         self.note_displacements(equations, path);
@@ -109,10 +113,10 @@ impl Record {
     }
 
     /// Notes the displacements on a step; of a plate that a spring holds, those at which the forces balance.
-    fn note_displacements(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
-        let is_held = equations.mode.hold == Hold::Spring;
+    fn note_displacements(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
+        let is_held = equations.mode.hold == PlateConstraint::Spring;
         for state in &path.looks {
-            let held_m = || equations.balanced(state).0;
+            let held_m = || equations.quasi_static_state(state).0;
             let x_m = if is_held { held_m() } else { equations.displacement_m(state.x_m) };
             // The step that ends at a rigid stop may end a rounding beyond it.
             self.note_displacement(smaller(x_m, equations.setup.rigid_stop_m()), state.t_s);
@@ -133,7 +137,7 @@ impl Record {
     }
 
     /// Work in the hole, of the damper and of the elastic stop, by Gauss's rule: exact for the product of two of the step's polynomials.
-    fn add_work(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
+    fn add_work(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         let is_damped = !equations.setup.damper.is_absent();
         if !(equations.is_touching() || is_damped || equations.mode.is_pressed) {
             return;
@@ -150,13 +154,13 @@ impl Record {
     }
 
     /// The greatest forces of contact, mount and interface on a step.
-    fn note_forces(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
+    fn note_forces(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         // Friction is no peak.
-        let flows = equations.setup.law == Law::Flow;
-        if equations.goes_in() || (!flows && equations.is_touching()) {
+        let flows = equations.setup.law == ContactLaw::Flow;
+        if equations.is_loading() || (!flows && equations.is_touching()) {
             let contact_n = |state: &State| equations.contact_n(state);
             let known_n = self.peak_contact_n;
-            let peak_n = if matches!(equations.setup.law, Law::History(_)) {
+            let peak_n = if matches!(equations.setup.law, ContactLaw::History(_)) {
                 path.greatest(known_n, contact_n)
             } else {
                 path.greatest_by_rate(known_n, contact_n, |state| equations.contact_rate_n_s(state))
@@ -167,27 +171,31 @@ impl Record {
             let mount_n = |state: &State| equations.mount_n(state).abs();
             let known_n = self.loads.mount_n;
             self.loads.mount_n = larger(peak_n(equations, path, known_n, mount_n), known_n);
-        } else if equations.mode.hold == Hold::Free {
+        } else if equations.mode.hold == PlateConstraint::Free {
             self.note_mechanism(equations, path);
         }
     }
 
     /// The greatest forces of the mechanism on a step on which nothing else acts on the plate.
-    fn note_mechanism(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
+    fn note_mechanism(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         let force_n = |state: &State| equations.mechanism_n(state.x_m, state.w_m_s);
         let known_n = self.loads.known_n(equations, path.end());
         let greatest_n = array::from_fn(|way| {
-            peak_n(equations, path, known_n[way], |state| WAYS[way] * force_n(state))
+            peak_n(equations, path, known_n[way], |state| {
+                COMPRESSION_TENSION_SIGNS[way] * force_n(state)
+            })
         });
         let first_s = |way: usize| {
             let gap_n = |state: &State| {
-                equations.holds()[way] * equations.strength_n(path.end())
-                    - WAYS[way] * equations.setup.interface_fraction() * force_n(state)
+                equations.limit_load_ratios()[way] * equations.strength_n(path.end())
+                    - COMPRESSION_TENSION_SIGNS[way]
+                        * equations.setup.interface_fraction()
+                        * force_n(state)
             };
             let gaps_n = path.looks.each_ref().map(gap_n);
-            match first_fall(&[gaps_n], |part, _| gap_n(&path.at(part))) {
-                Found::Fall(_, part) => path.at(part).t_s,
-                Found::Nothing | Found::Unresolved(_) => path.end().t_s,
+            match first_crossing(&[gaps_n], |part, _| gap_n(&path.at(part))) {
+                EventSearch::Fall(_, part) => path.at(part).t_s,
+                EventSearch::Nothing | EventSearch::Unresolved(_) => path.end().t_s,
             }
         };
         self.note_loads(equations, path.end(), greatest_n, |way| Some(first_s(way)));
@@ -211,7 +219,7 @@ impl Record {
             loads.no_strength = true;
             return;
         }
-        for (way, holds) in equations.holds().into_iter().enumerate() {
+        for (way, holds) in equations.limit_load_ratios().into_iter().enumerate() {
             let ratio = equations.setup.interface_fraction() / strength_n * most_n[way];
             let known = &mut self.loads.ratios.get_or_insert_default()[way];
             *known = larger(ratio, *known);
@@ -227,7 +235,7 @@ impl Record {
     }
 
     /// Draws a step: its rows at equal times, or at its looks.
-    fn draw(&mut self, equations: &Equations<'_>, path: &Path<'_>) {
+    fn draw(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         if !self.keep_series {
             return;
         }
@@ -279,11 +287,11 @@ impl Record {
         let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
         self.cost.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
         self.note_mount(after, to);
-        if after.mode.contact == Contact::Fused && after.mode.hold == Hold::Free {
+        if after.mode.contact == Contact::Fused && after.mode.hold == PlateConstraint::Free {
             let force_n = after.mechanism_n(to.x_m, to.w_m_s);
             self.note_loads(after, to, [force_n, -force_n], |_| Some(to.t_s));
         }
-        let acts = |mode: &Mode| (mode.contact, mode.hold, mode.is_pressed);
+        let acts = |mode: &HybridMode| (mode.contact, mode.hold, mode.is_pressed);
         let is_blow = event == modes::Event::StopReached || picks_up;
         if acts(before.mode) != acts(after.mode) || is_blow {
             self.cost.events += 1;
@@ -305,13 +313,13 @@ impl Record {
     ) {
         let setup = before.setup;
         let (old, new) = (before.mode, after.mode);
-        let flows = setup.law == Law::Flow;
+        let flows = setup.law == ContactLaw::Flow;
         let departure = Departure { t_s: to.t_s, velocity_m_s: setup.projectile_m_s(to) };
         match event {
             // A prescribed history goes on.
             modes::Event::SlipZero if !flows && old.contact == Contact::Withdrawing => {}
             modes::Event::SlipZero | modes::Event::HistoryEnd => {
-                self.arrest(after, to, old.hold == Hold::Spring);
+                self.arrest(after, to, old.hold == PlateConstraint::Spring);
             }
             modes::Event::PieceEnd if new.contact == Contact::Perforated => {
                 self.exit = Some(departure);
@@ -349,8 +357,12 @@ impl Record {
             self.note(to.t_s, EventKind::Separation);
         }
         match (old.hold, new.hold) {
-            (Hold::Free, Hold::OnStop) => self.note(to.t_s, EventKind::StopHold),
-            (Hold::OnStop, Hold::Free) => self.note(to.t_s, EventKind::StopRelease),
+            (PlateConstraint::Free, PlateConstraint::OnStop) => {
+                self.note(to.t_s, EventKind::StopHold)
+            }
+            (PlateConstraint::OnStop, PlateConstraint::Free) => {
+                self.note(to.t_s, EventKind::StopRelease)
+            }
             _ => {}
         }
     }
@@ -370,7 +382,7 @@ impl Record {
     }
 
     /// The nose is in, or its front at the rear face, where the area law changes there.
-    fn pass_joint(&mut self, setup: &Setup, state: &State) {
+    fn pass_joint(&mut self, setup: &ImpactParameters, state: &State) {
         let geometry = &setup.geometry;
         let is_at = |depth_m: f64, part: f64| {
             (geometry.depth_m(state.q_m) - depth_m).abs() < part * depth_m
@@ -399,19 +411,19 @@ impl Loads {
 
 impl Equations<'_> {
     /// Parts of its strength in compression that the joined interface bears pushed and pulled.
-    fn holds(&self) -> [f64; 2] {
+    fn limit_load_ratios(&self) -> [f64; 2] {
         [1.0, self.setup.grip]
     }
 
     /// Strength of the interface through which the projectile moves with the plate, N; `None` where it does not.
     fn joint_n(&self, state: &State) -> Option<f64> {
-        let is_joined = self.mode.contact == Contact::Fused && self.setup.law == Law::Flow;
+        let is_joined = self.mode.contact == Contact::Fused && self.setup.law == ContactLaw::Flow;
         (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
     }
 
     /// Kinetic energy of both bodies, J.
     pub(super) fn kinetic_j(&self, state: &State) -> f64 {
-        let Setup { projectile_kg, plate_kg, .. } = *self.setup;
+        let ImpactParameters { projectile_kg, plate_kg, .. } = *self.setup;
         let (v, w) = (self.setup.projectile_m_s(state), state.w_m_s);
         0.5 * (projectile_kg * v * v + plate_kg * w * w)
     }
@@ -421,12 +433,15 @@ impl Equations<'_> {
 /// of the looks: of a plate that turns within a step only rounding is left.
 fn peak_n(
     equations: &Equations<'_>,
-    path: &Path<'_>,
+    path: &DenseOutput<'_>,
     known_n: f64,
     force_n: impl Fn(&State) -> f64,
 ) -> f64 {
     let is_elastic = equations.is_undamped() && equations.mode.spring.power().is_some();
-    if is_elastic && equations.mode.hold == Hold::Free && equations.setup.turning_kg == 0.0 {
+    if is_elastic
+        && equations.mode.hold == PlateConstraint::Free
+        && equations.setup.turning_kg == 0.0
+    {
         let extreme = |way: f64| {
             let beyond = |most: &&State, state: &State| way * (state.x_m - most.x_m) > 0.0;
             let first = &path.looks[0];
@@ -442,11 +457,11 @@ fn peak_n(
 fn sample(equations: &Equations<'_>, state: &State) -> Sample {
     let Equations { setup, mode } = equations;
     let contact_n = match mode.contact {
-        Contact::Fused => equations.carried_n(state),
+        Contact::Fused => equations.interface_force_n(state),
         _ => equations.contact_n(state),
     };
     let (x_m, w_m_s) = match mode.hold {
-        Hold::Spring => equations.balanced(state),
+        PlateConstraint::Spring => equations.quasi_static_state(state),
         _ => (equations.displacement_m(state.x_m), state.w_m_s),
     };
     let spring_n = mode.spring.force(x_m);
@@ -454,7 +469,7 @@ fn sample(equations: &Equations<'_>, state: &State) -> Sample {
         t_s: state.t_s,
         mode: mode.contact,
         penetration_m: match setup.law {
-            Law::AtOnce => f64::NAN,
+            ContactLaw::AtOnce => f64::NAN,
             _ => setup.geometry.depth_m(state.q_m),
         },
         projectile_displacement_m: state.q_m + (x_m - setup.start_m) * setup.cos,
@@ -465,7 +480,7 @@ fn sample(equations: &Equations<'_>, state: &State) -> Sample {
         spring_force_n: spring_n,
         damper_force_n: equations.damper_n(w_m_s),
         stop_force_n: match mode.hold {
-            Hold::OnStop => contact_n * setup.cos - spring_n,
+            PlateConstraint::OnStop => contact_n * setup.cos - spring_n,
             _ if mode.is_pressed => equations.stop_n(state.x_m, w_m_s),
             _ => 0.0,
         },
@@ -484,8 +499,8 @@ mod tests {
         for (way, (far_m, holds)) in [(4e-3, 1.0), (-4e-3, 0.1)].into_iter().enumerate() {
             let at = |s: f64| State { t_s: s, q_m: 5e-3, x_m: far_m * s, ..State::default() };
             let record = look("gamma=1 k=1e7", Contact::Fused, [0.0; 4], |equations, _| {
-                let mut record = Record::default();
-                record.step(equations, &Path::of(&at));
+                let mut record = Recorder::default();
+                record.step(equations, &DenseOutput::of(&at));
                 record
             });
             let t_s = record.loads.exceeded_s[way].unwrap();

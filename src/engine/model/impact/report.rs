@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
-use crate::model::contact_models::Law;
-use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::modes::{Contact, Mode};
+use crate::model::contact_models::ContactLaw;
+use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::modes::{Contact, HybridMode};
 use crate::model::impact::outcome::NEGLIGIBLE;
-use crate::model::impact::record::Record;
-use crate::model::impact::stepping::Stepping;
+use crate::model::impact::record::Recorder;
+use crate::model::impact::stepping::IntegrationMethod;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
@@ -33,12 +33,12 @@ const CHANGES_TO_INTERVAL: usize = 64;
 
 /// State of one impact, from which all results follow.
 #[derive(Clone, Debug)]
-pub(super) struct Course<'a> {
+pub(super) struct ImpactRun<'a> {
     pub(super) scene: &'a Arc<Scene>,
-    pub(super) setup: &'a Setup,
-    pub(super) mode: Mode,
+    pub(super) setup: &'a ImpactParameters,
+    pub(super) mode: HybridMode,
     pub(super) state: State,
-    pub(super) record: Record,
+    pub(super) record: Recorder,
     /// Outcome and greatest displacement, once nothing can change them any more; infinite where nothing stops the plate.
     pub(super) decided: Option<(Outcome, f64)>,
     /// Greatest further travel of the bottom of the hole once the outcome is decided, m; else 0.
@@ -47,13 +47,13 @@ pub(super) struct Course<'a> {
     pub(super) horizon_s: f64,
 }
 
-impl Course<'_> {
+impl ImpactRun<'_> {
     pub(super) fn equations(&self) -> Equations<'_> {
         Equations { setup: self.setup, mode: &self.mode }
     }
 
     /// Whether the scene leaves open when it ends.
-    pub(super) fn is_open(&self) -> bool {
+    pub(super) fn has_no_horizon(&self) -> bool {
         self.scene.run.horizon_s.is_none()
     }
 
@@ -74,7 +74,7 @@ impl Course<'_> {
     /// the tolerance or the contact has changed often.
     fn arrested_within(&self) -> Option<(Outcome, f64)> {
         let deepens_m =
-            self.equations().deepens_at_most_m(&self.state).filter(|_| self.is_open())?;
+            self.equations().deepens_at_most_m(&self.state).filter(|_| self.has_no_horizon())?;
         let is_little = deepens_m < self.scene.run.tolerance * self.mode.deepest_m;
         let is_long = self.record.cost.events >= CHANGES_TO_INTERVAL;
         (is_little || is_long).then_some((Outcome::Arrested, deepens_m))
@@ -85,14 +85,15 @@ impl Course<'_> {
     pub(super) fn loads_may_grow(&mut self) -> bool {
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         let equations = Equations { setup, mode };
-        let all = !matches!(setup.stepping, Stepping::Second(_));
+        let all = !matches!(setup.stepping, IntegrationMethod::Second(_));
         let is_joined = mode.contact == Contact::Fused;
-        let is_loaded = !equations.stands(state) && equations.drives_away(state).is_none();
+        let is_loaded =
+            !equations.is_in_equilibrium(state) && equations.drives_away(state).is_none();
         if !is_loaded || !(all || is_joined) {
             return false;
         }
         let energy_j = equations.energy_j(state);
-        let bounds = equations.loads_at_most_n(state, energy_j);
+        let bounds = equations.peak_load_bounds_n(state, energy_j);
         let most_n = bounds.map(|most_n| most_n / setup.interface_fraction());
         let known_n = record.loads.known_n(&equations, state);
         let grows = |way: usize| most_n[way] > known_n[way] * (1.0 + GROWTH);
@@ -128,11 +129,11 @@ impl Course<'_> {
         }
         let in_tail = self.state.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON);
         let is_slow = self.state.w_m_s <= ARRIVED_SPEED * self.record.fastest_m_s;
-        in_tail || self.goes_farther() && (equations.is_undamped() || !is_slow)
+        in_tail || self.is_before_max_displacement() && (equations.is_undamped() || !is_slow)
     }
 
     fn flows(&self) -> bool {
-        self.setup.law == Law::Flow
+        self.setup.law == ContactLaw::Flow
     }
 
     /// Travel of the bottom of the hole, m.
@@ -144,7 +145,7 @@ impl Course<'_> {
     }
 
     /// Whether the plate is on its way to a greatest displacement that is known already.
-    pub(super) fn goes_farther(&self) -> bool {
+    pub(super) fn is_before_max_displacement(&self) -> bool {
         let reached_m = self.record.farthest_m;
         self.decided.is_some_and(|(_, far_m)| far_m - reached_m > REACHED * far_m.abs())
     }
@@ -154,11 +155,14 @@ impl Course<'_> {
         let so_far_m = self.record.farthest_m;
         match self.decided {
             Some((_, far_m)) if far_m.is_finite() => Some(larger(far_m, so_far_m)),
-            Some(_) => (!self.is_open()).then_some(so_far_m),
+            Some(_) => (!self.has_no_horizon()).then_some(so_far_m),
             // Of an undecided run as far as there is no energy to go farther.
             None => {
                 let equations = self.equations();
-                let reach_m = equations.reach_m(&self.state, equations.energy_left_j(&self.state));
+                let reach_m = equations.max_reachable_displacement_m(
+                    &self.state,
+                    equations.energy_left_j(&self.state),
+                );
                 (reach_m - so_far_m <= NEGLIGIBLE * so_far_m.abs()).then_some(so_far_m)
             }
         }
@@ -340,7 +344,10 @@ impl Course<'_> {
             (record.was_held, "plate motion within the contact (bounded below rounding)"),
             (!setup.plastic, "interface law"),
             (setup.drag_kg_m3 == 0.0, "drag"),
-            (self.goes_farther(), "way to the greatest displacement (energy balance)"),
+            (
+                self.is_before_max_displacement(),
+                "way to the greatest displacement (energy balance)",
+            ),
             (!record.keep_series, "series"),
         ];
         rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
@@ -348,7 +355,7 @@ impl Course<'_> {
 }
 
 /// The results of a run that ended for this reason.
-pub(super) fn gather(mut course: Course<'_>, end: EndReason) -> Run {
+pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let geometry = &course.setup.geometry;
     let outcome = course.decided.map_or_else(
         || course.equations().outcome(&course.state).unwrap_or(Outcome::Moving),
@@ -419,10 +426,10 @@ mod tests {
         let scene = &Arc::new(scene_with("gamma=1 k=1e5 g=0.125"));
         let state = [6e-3, 30.0, 1e-3, 20.0];
         let run = look("gamma=1 k=1e5 g=0.125", Contact::Penetrating, state, |it, &state| {
-            let mut record = Record { farthest_m: 2e-3, ..Record::default() };
+            let mut record = Recorder { farthest_m: 2e-3, ..Recorder::default() };
             record.loads.ratios = Some([0.5, 0.25]);
             let (setup, mode) = (it.setup, it.mode.clone());
-            let course = Course {
+            let course = ImpactRun {
                 scene,
                 setup,
                 mode,

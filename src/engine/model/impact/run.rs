@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use crate::model::impact::equations::{Equations, Setup, State};
-use crate::model::impact::events::{self, gap};
-use crate::model::impact::modes::{self, Event, Hold};
-use crate::model::impact::moving::Moving;
-use crate::model::impact::path::Path;
-use crate::model::impact::record::{Loads, Record};
-use crate::model::impact::report::{self, Course, GROWTH};
-use crate::model::run::{Cost, EndReason, Look, Observer, Run, Settings};
+use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::events::{self, event_function};
+use crate::model::impact::modes::{self, Event, PlateConstraint};
+use crate::model::impact::moving::ReducedSystem;
+use crate::model::impact::path::DenseOutput;
+use crate::model::impact::record::{Loads, Recorder};
+use crate::model::impact::report::{self, GROWTH, ImpactRun};
+use crate::model::run::{Cost, EndReason, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::Scene;
-use crate::numerics::locate::{Found, first_fall};
-use crate::numerics::step::{Near, Step, Stepper};
+use crate::numerics::locate::{EventSearch, first_crossing};
+use crate::numerics::step::{StagePredictor, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
 /// Evaluations of the equations after which a run ends undecided: about 0.2 s, at 0.15 us each.
@@ -20,7 +20,7 @@ const EVALUATIONS_MAX: usize = 1_600_000;
 /// Length of the first step in passages of a tip radius.
 const FIRST_STEP: f64 = 0.5;
 /// Part of a step that is tried where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
-const CLOSER: f64 = 1.0 / 16.0;
+const UNRESOLVED_EVENT_CUT: f64 = 1.0 / 16.0;
 /// Part of a step from the end of which its polynomial is followed to an event: over so little it is as good as at the end.
 const NEAR_END: f64 = 1e-5;
 /// Landing steps that are tried on the way to one event.
@@ -28,9 +28,9 @@ const LANDINGS_MAX: usize = 6;
 /// Secants to a root, of which each adds more than half as many digits again.
 const SECANTS: usize = 8;
 /// Part of a passage of the tip radius that is no time.
-const NO_TIME: f64 = 1e-15;
+const MIN_STEP_FRACTION: f64 = 1e-15;
 /// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
-const AT_ONCE: f64 = 1e-9;
+const SIMULTANEOUS_EVENT_TOLERANCE: f64 = 1e-9;
 /// Turns of the plate and changes of its contact after which an undecided run ends, and those after which they are to blame where its work
 /// is used up before.
 const CHANGES_MAX: usize = 2_000;
@@ -42,8 +42,8 @@ const STEPS_FOLLOWED: usize = 1_000;
 const STEPS_DRAWN: usize = 200;
 
 /// A run in progress.
-struct Progress<'a, M, const S: usize> {
-    course: Course<'a>,
+struct IntegrationLoop<'a, M, const S: usize> {
+    course: ImpactRun<'a>,
     stepper: &'a M,
     /// The event on which the state is, until a step has left it.
     last: Option<Event>,
@@ -56,7 +56,7 @@ struct Progress<'a, M, const S: usize> {
 /// Integrates one impact by a method. A run that exhausts its evaluation budget ends early with partial results.
 pub(super) fn run<const S: usize>(
     scene: &Arc<Scene>,
-    setup: &Setup,
+    setup: &ImpactParameters,
     stepper: &impl Stepper<S>,
     settings: Settings,
     observer: Observer<'_>,
@@ -66,9 +66,9 @@ pub(super) fn run<const S: usize>(
     let (mode, state) = modes::first(setup);
     let horizon_s = scene.run.horizon_s.unwrap_or(f64::INFINITY);
     let Settings { series: keep_series, every_s, .. } = settings;
-    let record = Record { keep_series, every_s, ..Record::default() };
-    let mut progress = Progress {
-        course: Course {
+    let record = Recorder { keep_series, every_s, ..Recorder::default() };
+    let mut progress = IntegrationLoop {
+        course: ImpactRun {
             scene,
             setup,
             mode,
@@ -84,30 +84,30 @@ pub(super) fn run<const S: usize>(
         h_s: FIRST_STEP * setup.passage_s(),
     };
     progress.begin();
-    let mut end = progress.follow(observer);
+    let mut end = progress.run_until_decided(observer);
     let mut course = progress.course.clone();
     if end == EndReason::Decided {
-        end = progress.follow_on(observer);
+        end = progress.extend_for_output(observer);
     }
     // Results are those of when all was decided; rows, events and loads those of the run that went on.
-    let Record { series, events, loads, .. } = progress.course.record;
+    let Recorder { series, events, loads, .. } = progress.course.record;
     (course.record.series, course.record.events, course.record.loads) = (series, events, loads);
     report::gather(course, end)
 }
 
-impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
+impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
     fn begin(&mut self) {
-        let Course { setup, mode, state, record, .. } = &mut self.course;
+        let ImpactRun { setup, mode, state, record, .. } = &mut self.course;
         record.begin(&Equations { setup, mode }, state);
         // A law that is infinitely steep where the plate begins is left by the balance of forces.
-        if setup.starts_steep() && mode.hold == Hold::Free {
+        if setup.starts_steep() && mode.hold == PlateConstraint::Free {
             let (after, works_j) = Equations { setup, mode }.after_first_moment();
             *state = after;
             self.h_s = state.t_s;
             record.first_moment(setup, works_j);
         }
         if setup.starts_on_stop() && state.w_m_s > 0.0 {
-            self.react(Event::StopReached, self.course.state);
+            self.apply_transition(Event::StopReached, self.course.state);
         }
     }
 
@@ -116,7 +116,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     }
 
     /// Goes on until all is decided, or to the horizon that the scene gives.
-    fn follow(&mut self, observer: Observer<'_>) -> EndReason {
+    fn run_until_decided(&mut self, observer: Observer<'_>) -> EndReason {
         loop {
             self.course.decide();
             let is_decided = self.course.decided.is_some();
@@ -124,17 +124,17 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             if self.is_at(horizon_s) || is_decided && horizon_s.is_infinite() {
                 return if is_decided { EndReason::Decided } else { EndReason::Horizon };
             }
-            if let Some(end) = self.go_on(observer) {
+            if let Some(end) = self.advance_once(observer) {
                 return end;
             }
         }
     }
 
     /// Advances by one step or one event.
-    fn go_on(&mut self, observer: Observer<'_>) -> Option<EndReason> {
-        let missed = self.missed();
+    fn advance_once(&mut self, observer: Observer<'_>) -> Option<EndReason> {
+        let missed = self.pending_event();
         let so_far = || Some(report::gather(self.course.clone(), EndReason::Cancelled));
-        let look = Look { t_s: self.course.state.t_s, so_far: &so_far };
+        let look = RunSnapshot { t_s: self.course.state.t_s, so_far: &so_far };
         // An event replaces the row of the state on it.
         if missed.is_none() && observer(&look).is_break() {
             return Some(EndReason::Cancelled);
@@ -143,20 +143,20 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let Cost { rhs_evaluations, events, turns, .. } = record.cost;
         // The first contact ends, however often the plate turns in it.
         let is_over = record.first_arrest.is_some() || record.exit.is_some();
-        let changes = if is_over && self.course.is_open() { turns + events } else { 0 };
+        let changes = if is_over && self.course.has_no_horizon() { turns + events } else { 0 };
         if changes > CHANGES_MAX || rhs_evaluations + S * (events + turns) > EVALUATIONS_MAX {
             let oscillates = changes > CHANGES_FEW;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
         let Some(event) = missed else { return self.advance() };
-        self.react(event, self.course.state);
+        self.apply_transition(event, self.course.state);
         None
     }
 
     /// Goes on after the results are known: for the greatest loads of mount and interface, to the second turn of the plate, and to draw the
     /// end of the contact and the way to the greatest displacement.
-    fn follow_on(&mut self, observer: Observer<'_>) -> EndReason {
-        let is_drawn = self.course.record.keep_series && self.course.is_open();
+    fn extend_for_output(&mut self, observer: Observer<'_>) -> EndReason {
+        let is_drawn = self.course.record.keep_series && self.course.has_no_horizon();
         let Cost { turns, steps, .. } = self.course.record.cost;
         self.course.horizon_s = f64::INFINITY;
         let mut loads: Option<Loads> = None;
@@ -175,10 +175,10 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
                 let record = &mut self.course.record;
                 (record.keep_series, record.is_over) = (false, true);
             }
-            if loads.is_some() && !self.course.goes_farther() {
+            if loads.is_some() && !self.course.is_before_max_displacement() {
                 self.course.horizon_s = self.course.tail_s();
             }
-            let ended = self.go_on(observer);
+            let ended = self.advance_once(observer);
             if ended.is_some() {
                 break ended;
             }
@@ -194,15 +194,16 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     }
 
     /// An event that rounding, or another event, has put behind the state.
-    fn missed(&self) -> Option<Event> {
+    fn pending_event(&self) -> Option<Event> {
         let equations = self.course.equations();
-        if equations.takes_hold(&self.course.state, self.course.record.farthest_m) {
+        if equations.locks_again(&self.course.state, self.course.record.farthest_m) {
             return Some(Event::SpringHolds);
         }
         if equations.passes_zero(&self.course.state) {
             return Some(Event::ZeroPassed);
         }
-        let is_behind = |event: &Event| gap(&equations, *event, &self.course.state) < 0.0;
+        let is_behind =
+            |event: &Event| event_function(&equations, *event, &self.course.state) < 0.0;
         let mut events = events::of(self.course.setup, &self.course.mode);
         events.find(|event| is_behind(event) && !self.is_undone_by(*event))
     }
@@ -213,14 +214,14 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     }
 
     /// Takes an event at a state on it.
-    fn react(&mut self, event: Event, on_it: State) {
+    fn apply_transition(&mut self, event: Event, on_it: State) {
         let setup = self.course.setup;
         let mut state = on_it;
         let before = self.course.mode.clone();
         let mut next = modes::after(setup, &before, event, &mut state);
         let setup_after = if event == Event::PieceEnd { setup.at(state.q_m) } else { setup };
         if event != Event::StopRelease {
-            modes::face(setup_after, &mut next, &state);
+            modes::update_direction(setup_after, &mut next, &state);
         }
         (self.last, self.previous) = (Some(event), None);
         let old = Equations { setup, mode: &before };
@@ -230,13 +231,13 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         (self.course.mode, self.course.state) = (next, state);
         self.course.setup = setup_after;
         // What is to be seen up to a horizon happens when it does.
-        if !self.course.is_open() {
+        if !self.course.has_no_horizon() {
             return;
         }
-        let Course { mode, state, record, .. } = &mut self.course;
-        let slips_m = Equations { setup, mode }.last_slips_m(state, record.farthest_m);
+        let ImpactRun { mode, state, record, .. } = &mut self.course;
+        let slips_m = Equations { setup, mode }.remaining_slip_m(state, record.farthest_m);
         if let Some(travel_m) = slips_m {
-            modes::take_slips(setup, mode, state, travel_m);
+            modes::apply_remaining_slip(setup, mode, state, travel_m);
             record.work.penetration_j += before_j - Equations { setup, mode }.kinetic_j(state);
         }
     }
@@ -247,22 +248,22 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let equations = Equations { setup: self.course.setup, mode: &mode };
         let start = self.course.state;
         if equations.is_touching() && !equations.plate_rests() {
-            self.advance_by(&Moving::<2> { equations, start })
+            self.advance_by(&ReducedSystem::<2> { equations, start })
         } else {
-            self.advance_by(&Moving::<1> { equations, start })
+            self.advance_by(&ReducedSystem::<1> { equations, start })
         }
     }
 
-    fn advance_by<const D: usize>(&mut self, law: &Moving<'_, D>) -> Option<EndReason> {
-        let Moving { equations, start } = law;
+    fn advance_by<const D: usize>(&mut self, law: &ReducedSystem<'_, D>) -> Option<EndReason> {
+        let ReducedSystem { equations, start } = law;
         let events: Vec<_> = events::of(self.course.setup, equations.mode).collect();
         let left_s = self.course.horizon_s - self.course.state.t_s;
         let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
-        let no_time_s = NO_TIME * self.course.setup.passage_s();
-        if h_s < NO_TIME * no_time_s {
+        let no_time_s = MIN_STEP_FRACTION * self.course.setup.passage_s();
+        if h_s < MIN_STEP_FRACTION * no_time_s {
             return Some(EndReason::StepUnderflow);
         }
-        let near = self.previous.map(|(before_s, acceleration)| Near {
+        let near = self.previous.map(|(before_s, acceleration)| StagePredictor {
             acceleration: std::array::from_fn(|d| acceleration[d]),
             from: 1.0,
             over: h_s / before_s,
@@ -278,38 +279,43 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             }
         };
         let at = |part: f64| law.state(part * h_s, &step.at(part));
-        let path = Path::of(&at);
+        let path = DenseOutput::of(&at);
         let of_event = |event: &Event| {
-            let mut gaps = path.looks.each_ref().map(|state| gap(equations, *event, state));
+            let mut gaps =
+                path.looks.each_ref().map(|state| event_function(equations, *event, state));
             if self.is_undone_by(*event) {
                 gaps[0] = 0.0;
             }
             gaps
         };
         let gaps: Vec<_> = events.iter().map(of_event).collect();
-        let found = first_fall(&gaps, |part, which| gap(equations, events[which], &path.at(part)));
+        let found = first_crossing(&gaps, |part, which| {
+            event_function(equations, events[which], &path.at(part))
+        });
         match found {
-            Found::Nothing => {
+            EventSearch::Nothing => {
                 self.course.record.step(equations, &path);
                 let end = law.state(h_s, &step.end);
                 self.course.record.reach(equations, &end);
                 self.course.state = end;
-                modes::measure(&mut self.course.mode, &mut self.course.state);
+                modes::rebase_displacement(&mut self.course.mode, &mut self.course.state);
                 self.last = None;
                 let mut acceleration = [[0.0; S]; 2];
                 acceleration[..D].copy_from_slice(&step.acceleration);
                 self.previous = Some((h_s, acceleration));
                 self.h_s = next_s;
             }
-            Found::Unresolved(which) if h_s < no_time_s => self.react(events[which], *start),
-            Found::Unresolved(_) => self.h_s = CLOSER * h_s,
-            Found::Fall(which, _) if !self.stepper.locates() => {
-                self.react(events[which], law.state(h_s, &step.end));
+            EventSearch::Unresolved(which) if h_s < no_time_s => {
+                self.apply_transition(events[which], *start)
             }
-            Found::Fall(which, theta) => {
-                match self.land(law, &events, (which, theta * h_s), &step) {
+            EventSearch::Unresolved(_) => self.h_s = UNRESOLVED_EVENT_CUT * h_s,
+            EventSearch::Fall(which, _) if !self.stepper.locates() => {
+                self.apply_transition(events[which], law.state(h_s, &step.end));
+            }
+            EventSearch::Fall(which, theta) => {
+                match self.step_to_event(law, &events, (which, theta * h_s), &step) {
                     Ok(state) => {
-                        self.react(events[which], state);
+                        self.apply_transition(events[which], state);
                         // Joined or apart the bodies move more slowly than where they push on each other.
                         let is_touching = self.course.equations().is_touching();
                         let most_s =
@@ -326,36 +332,40 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
 
     /// The state on an event near the end of a step of about this length, by a step that ends there, guessed from the `near` one that
     /// goes on beyond; or how long a step to try, where that does not succeed or another event comes first.
-    fn land<const D: usize>(
+    fn step_to_event<const D: usize>(
         &mut self,
-        law: &Moving<'_, D>,
+        law: &ReducedSystem<'_, D>,
         events: &[Event],
         (which, about_s): (usize, f64),
         near: &Step<D, S>,
     ) -> Result<State, f64> {
-        let Moving { equations, start } = law;
+        let ReducedSystem { equations, start } = law;
         let event = events[which];
         let mut h_s = about_s;
         for _ in 0..LANDINGS_MAX {
-            let near = Near { acceleration: near.acceleration, from: 0.0, over: h_s / near.h };
+            let near =
+                StagePredictor { acceleration: near.acceleration, from: 0.0, over: h_s / near.h };
             let evaluations = &mut self.course.record.cost.rhs_evaluations;
             let (step, _) =
                 self.stepper.step(law, law.point(start), h_s, Some(near), evaluations)?;
             let at = |theta: f64| law.state(theta * h_s, &step.at(theta));
-            let theta = near_root(|theta| gap(equations, event, &at(theta)));
+            let theta = near_root(|theta| event_function(equations, event, &at(theta)));
             if (theta - 1.0).abs() > NEAR_END {
                 h_s *= if theta > 0.1 && theta < 2.0 { theta } else { 0.5 };
                 continue;
             }
             let state = at(theta);
             let comes_first = events.iter().filter(|other| **other != event).any(|other| {
-                let (before, now) = (gap(equations, *other, start), gap(equations, *other, &state));
-                before > 0.0 && now < -AT_ONCE * before
+                let (before, now) = (
+                    event_function(equations, *other, start),
+                    event_function(equations, *other, &state),
+                );
+                before > 0.0 && now < -SIMULTANEOUS_EVENT_TOLERANCE * before
             });
             if comes_first {
                 return Err(0.5 * h_s);
             }
-            self.course.record.step(equations, &Path::of(&|part| at(part * theta)));
+            self.course.record.step(equations, &DenseOutput::of(&|part| at(part * theta)));
             return Ok(state);
         }
         Err(0.5 * h_s)

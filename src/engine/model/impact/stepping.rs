@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::model::impact::equations::Setup;
+use crate::model::impact::equations::ImpactParameters;
 use crate::model::impact::run::run;
 use crate::model::run::{Observer, Run, Settings};
 use crate::model::scene::Scene;
-use crate::numerics::collocation::{ELEVEN, NINE, SEVEN, THREE};
+use crate::numerics::collocation::{ELEVEN, RADAU_IIA_17, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
 
 /// Relative tolerance of event location for methods with fixed steps.
@@ -14,7 +14,7 @@ const STEPPED: f64 = 1e-12;
 
 /// A method that the loop can step by.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stepping {
+pub enum IntegrationMethod {
     /// Radau IIA, the engine's own, to a tolerance: with seven stages where the mechanism's laws are analytic, else with nine. Seven take fewer
     /// instructions a step, and more steps towards a singular zero.
     Collocation(f64),
@@ -37,37 +37,38 @@ pub enum Stepping {
 pub(super) fn run_by(
     scene: &Arc<Scene>,
     settings: Settings,
-    stepping: Stepping,
+    stepping: IntegrationMethod,
     observer: Observer<'_>,
 ) -> Run {
-    let setup = |tolerance: f64| Setup::of(scene, tolerance).by(stepping);
+    let setup = |tolerance: f64| ImpactParameters::of(scene, tolerance).by(stepping);
     match stepping {
-        Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
+        IntegrationMethod::Collocation(tolerance)
+        | IntegrationMethod::CollocationInFull(tolerance) => {
             let setup = setup(tolerance);
             if setup.is_analytic() {
                 run(scene, &setup, &SEVEN.to(tolerance), settings, observer)
             } else {
-                run(scene, &setup, &NINE.to(tolerance), settings, observer)
+                run(scene, &setup, &RADAU_IIA_17.to(tolerance), settings, observer)
             }
         }
-        Stepping::Second(tolerance) => {
+        IntegrationMethod::Second(tolerance) => {
             let setup = setup(tolerance);
             if setup.is_analytic() {
-                run(scene, &setup, &NINE.to(tolerance), settings, observer)
+                run(scene, &setup, &RADAU_IIA_17.to(tolerance), settings, observer)
             } else {
                 run(scene, &setup, &ELEVEN.to(tolerance), settings, observer)
             }
         }
-        Stepping::Radau5(tolerance) => {
+        IntegrationMethod::Radau5(tolerance) => {
             run(scene, &setup(tolerance), &THREE.to(tolerance), settings, observer)
         }
-        Stepping::Dop853(tolerance) => {
+        IntegrationMethod::Dop853(tolerance) => {
             run(scene, &setup(tolerance), &Dop853 { tolerance }, settings, observer)
         }
-        Stepping::Rk4(step) => {
+        IntegrationMethod::Rk4(step) => {
             run(scene, &setup(STEPPED), &Rk4 { step, locates: true }, settings, observer)
         }
-        Stepping::Rk4WithoutEvents(step) => {
+        IntegrationMethod::Rk4WithoutEvents(step) => {
             run(scene, &setup(STEPPED), &Rk4 { step, locates: false }, settings, observer)
         }
     }

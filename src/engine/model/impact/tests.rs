@@ -4,21 +4,21 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::equations::{Equations, Setup, State};
-use super::modes::{Contact, Mode, first};
-use super::stepping::{Stepping, run_by};
+use super::equations::{Equations, ImpactParameters, State};
+use super::modes::{Contact, HybridMode, first};
+use super::stepping::{IntegrationMethod, run_by};
 use crate::model::run::{EndReason, Run, Sample, Settings};
 use crate::model::scene::Scene;
 use crate::model::simulate::simulate;
 use crate::model::variables::scene_with;
 
-fn run_to_end(scene: &Arc<Scene>, stepping: Stepping, settings: Settings) -> Run {
+fn run_to_end(scene: &Arc<Scene>, stepping: IntegrationMethod, settings: Settings) -> Run {
     run_by(scene, settings, stepping, &mut |_| ControlFlow::Continue(()))
 }
 
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
-    let found = run_to_end(&scene, Stepping::Collocation(1e-12), Settings::BARE);
+    let found = run_to_end(&scene, IntegrationMethod::Collocation(1e-12), Settings::BARE);
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -30,8 +30,8 @@ pub(super) fn look<T>(
     [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
     look: impl Fn(&Equations<'_>, &State) -> T,
 ) -> T {
-    let setup = Setup::of(&scene_with(pairs), 1e-12);
-    let mode = Mode {
+    let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
+    let mode = HybridMode {
         contact,
         deepest_m: 5e-3,
         piece: setup.geometry.piece(q_m),
@@ -68,18 +68,18 @@ fn valid_a_half_sine_on_a_free_plate_and_on_a_rigid_mount() {
 fn valid_every_method_steps_to_the_same_end() {
     for pairs in ["k=1e5", "k=1e5 interface=plastic gamma=0.8 b=50", "h=0.003 v_i=400 k=1e5"] {
         let scene = Arc::new(scene_with(pairs));
-        let end = |stepping: Stepping| {
+        let end = |stepping: IntegrationMethod| {
             let run = run_to_end(&scene, stepping, Settings::BARE);
             assert!(run.end.is_complete(), "{pairs}: {stepping:?} {:?}", run.end);
             let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
             [time_s, run.final_penetration_m, run.peak_contact_force_n].map(Option::unwrap)
         };
-        let exact = end(Stepping::Collocation(1e-13));
+        let exact = end(IntegrationMethod::Collocation(1e-13));
         for (stepping, within) in [
-            (Stepping::Radau5(1e-11), 1e-9),
-            (Stepping::Dop853(1e-12), 1e-9),
-            (Stepping::Rk4(2e-7), 1e-8),
-            (Stepping::Rk4WithoutEvents(1e-7), 1e-2),
+            (IntegrationMethod::Radau5(1e-11), 1e-9),
+            (IntegrationMethod::Dop853(1e-12), 1e-9),
+            (IntegrationMethod::Rk4(2e-7), 1e-8),
+            (IntegrationMethod::Rk4WithoutEvents(1e-7), 1e-2),
         ] {
             for (found, exact) in end(stepping).into_iter().zip(exact) {
                 let off = (found / exact - 1.0).abs();
@@ -104,7 +104,7 @@ fn results_do_not_depend_on_whether_a_series_is_kept() {
         let scene = Arc::new(scene_with(pairs));
         let results = |series: bool| {
             let settings = Settings { series, ..Settings::BARE };
-            let found = run_to_end(&scene, Stepping::Collocation(1e-12), settings);
+            let found = run_to_end(&scene, IntegrationMethod::Collocation(1e-12), settings);
             assert_eq!(found.series.is_empty(), !series);
             Run { series: Vec::new(), events: Vec::new(), omitted: Vec::new(), ..found }
         };
@@ -145,7 +145,7 @@ fn valid_the_way_back_pulls_as_a_damped_oscillator_does() {
 fn valid_a_plate_creeps_as_far_as_its_damper_lets_it() {
     let settings = Settings { every_s: Some(1e-7), ..Settings::SERIES };
     let rigid = Arc::new(scene_with("mount=rigid"));
-    let rows = run_to_end(&rigid, Stepping::Collocation(1e-12), settings).series;
+    let rows = run_to_end(&rigid, IntegrationMethod::Collocation(1e-12), settings).series;
     for (b, m) in [(5e4, 0.1), (1e5, 0.1), (1.5e5, 0.1), (1e5, 0.05), (1e5, 0.2), (5e4, 0.3)] {
         let speed_m_s = |row: &Sample| (row.contact_force_n / b).powf(1.0 / m);
         let crept_m: f64 = rows.windows(2).map(|pair| 1e-7 * speed_m_s(&pair[0])).sum();
@@ -177,11 +177,11 @@ fn a_plate_that_creeps_comes_to_rest_on_its_stop() {
 #[test]
 fn valid_the_rim_of_a_plug_carries_its_shear_force() {
     let pairs = "nose=blunt R=10mm h=12mm closure=cylindrical rho=7850 Y=490MPa UTS=567MPa E=200GPa gamma=9";
-    let setup = Setup::of(&scene_with(pairs), 1e-12);
+    let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
     let plug = setup.at(0.0);
-    let mode = Mode { contact: Contact::Fused, deepest_m: 6e-3, ..first(plug).0 };
+    let mode = HybridMode { contact: Contact::Fused, deepest_m: 6e-3, ..first(plug).0 };
     let state = State { q_m: 6e-3, ..State::default() };
-    let (push_n, pull_n) = Equations { setup: plug, mode: &mode }.limits_n(&state);
+    let (push_n, pull_n) = Equations { setup: plug, mode: &mode }.limit_loads_n(&state);
     // F(0) = 314.049 kN.
     assert!(is_near(push_n, 0.5 * 314_048.999, 1e-7) && is_near(pull_n, 0.1 * push_n, 1e-14));
 }

@@ -3,7 +3,7 @@
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::piece::Piece;
 use crate::numerics::larger;
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 
 /// Sampling points within each stretch at which the sign of the force, or of its tangent, is compared.
 const LOOKS: usize = 64;
@@ -106,7 +106,7 @@ impl Curve {
                 if fa == 0.0 && fb != 0.0 && i > 0 {
                     found.push(a);
                 } else if (fa > 0.0 && fb < 0.0) || (fa < 0.0 && fb > 0.0) {
-                    found.push(in_bracket(a, b, |x| f(piece, x)));
+                    found.push(bracketed_root(a, b, |x| f(piece, x)));
                 }
             }
         }

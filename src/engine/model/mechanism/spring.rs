@@ -9,7 +9,7 @@ use crate::model::mechanism::curve::{self, Curve, SCALE_M};
 use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{PowerLaw, sign};
 use crate::model::scene;
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
 /// Doublings on the way to where an energy ends, or a force is reached, beyond the last knot.
@@ -191,9 +191,9 @@ impl Spring {
                 } else if from == 0.0 && self.is_steep_at_zero() {
                     // What a steep law does next to its zero is spread over the logarithm of the place.
                     let log = |l: f64| function(way * l.exp());
-                    way * in_bracket(f64::MIN_POSITIVE.ln(), (way * to).ln(), log).exp()
+                    way * bracketed_root(f64::MIN_POSITIVE.ln(), (way * to).ln(), log).exp()
                 } else {
-                    in_bracket(from, to, function)
+                    bracketed_root(from, to, function)
                 };
             }
             from = to;

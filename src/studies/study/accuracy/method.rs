@@ -9,9 +9,9 @@ use std::sync::Arc;
 
 use crate::model::appendix::listing;
 use crate::model::contact_kernel::Contact;
-use crate::model::impact::Stepping;
+use crate::model::impact::IntegrationMethod;
 use crate::model::impact::step_by;
-use crate::model::run::{EndReason, Look, Outcome, Run, Sample};
+use crate::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
 use crate::model::scene::{InterfaceLaw, Listing, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::study::quantities;
@@ -157,23 +157,23 @@ enumeration! {
     /// Classical Runge-Kutta, fixed step, events only noticed.
     Rk4 {
         letter: 'R', name: "RK4, no events", has_own_steps: false, ranges: STEPS,
-        run: |job| job.by(Stepping::Rk4WithoutEvents(job.parameter.value()))
+        run: |job| job.by(IntegrationMethod::Rk4WithoutEvents(job.parameter.value()))
     }
     /// Classical Runge-Kutta with event location.
     Rk4Events {
         letter: 'E', name: "RK4 + events", has_own_steps: false, ranges: STEPS,
-        run: |job| job.by(Stepping::Rk4(job.parameter.value()))
+        run: |job| job.by(IntegrationMethod::Rk4(job.parameter.value()))
     }
     /// DOP853 with events located.
     Dop853 {
         letter: 'D', name: "DOP853 + events", has_own_steps: false, ranges: TIGHT,
-        run: |job| job.by(Stepping::Dop853(job.parameter.value()))
+        run: |job| job.by(IntegrationMethod::Dop853(job.parameter.value()))
     }
     /// Radau IIA of order 5, implicit and L-stable, with events located.
     Radau {
         letter: 'I', name: "Radau IIA 5", has_own_steps: false,
         ranges: [ParameterRange::Tolerances(12, 1), ParameterRange::Tolerances(11, 2)],
-        run: |job| job.by(Stepping::Radau5(job.parameter.value()))
+        run: |job| job.by(IntegrationMethod::Radau5(job.parameter.value()))
     }
     /// The contact kernel, as sweeps and searches use it.
     ContactKernel {
@@ -183,7 +183,7 @@ enumeration! {
     /// The engine with nothing omitted: it follows the plate also where its energy says how far it goes.
     Full {
         letter: 'N', name: "nothing omitted", has_own_steps: true, ranges: TIGHT,
-        run: |job| job.by(Stepping::CollocationInFull(job.parameter.value()))
+        run: |job| job.by(IntegrationMethod::CollocationInFull(job.parameter.value()))
     }
     /// The work of `simulate`.
     Auto {
@@ -252,7 +252,7 @@ impl Job {
         (self.method.run())(self)
     }
 
-    fn by(&self, stepping: Stepping) -> Result<Answer, Refusal> {
+    fn by(&self, stepping: IntegrationMethod) -> Result<Answer, Refusal> {
         let run = step_by(stepping, &self.scene).ok().flatten();
         answer_of(&run.ok_or(Refusal::NeedsSimulation)?)
     }
@@ -308,7 +308,7 @@ pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
     contact.run.horizon_s = Some(dt_s);
     let listing = Listing { step_s: dt_s, ..Listing::default() };
     let stop_m = scene.mechanism.stop.position_m.filter(|_| scene.is_sprung());
-    let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+    let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     let run = listing::compute(&Arc::new(contact), listing, stop_m.is_some(), go_on);
     let is_beyond = |row: &Sample| stop_m.is_some_and(|stop_m| row.plate_displacement_m >= stop_m);
     if run.series.iter().any(is_beyond) {

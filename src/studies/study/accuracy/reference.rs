@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use crate::model::impact::Stepping;
+use crate::model::impact::IntegrationMethod;
 use crate::model::impact::step_by;
 use crate::model::reference::Stored;
 use crate::model::run::Outcome;
@@ -119,14 +119,16 @@ pub struct References {
 impl References {
     /// Computes the references of a valid scene.
     pub fn of(scene: &Arc<Scene>) -> Self {
-        let by = |stepping: Stepping| {
+        let by = |stepping: IntegrationMethod| {
             let run = step_by(stepping, scene).ok().flatten()?;
             answer_of(&run).ok()
         };
-        let engine = by(Stepping::Collocation(TIGHT));
-        let other = by(Stepping::Dop853(TIGHT))
+        let engine = by(IntegrationMethod::Collocation(TIGHT));
+        let other = by(IntegrationMethod::Dop853(TIGHT))
             .map(|answer| (ReferenceSource::Dop853, answer))
-            .or_else(|| Some((ReferenceSource::Radau, by(Stepping::Radau5(TIGHT_OF_ORDER_FIVE))?)));
+            .or_else(|| {
+                Some((ReferenceSource::Radau, by(IntegrationMethod::Radau5(TIGHT_OF_ORDER_FIVE))?))
+            });
         let mut both = Self {
             engine: engine.map(|answer| Reference::of(ReferenceSource::Engine, &answer)),
             other: other.map(|(basis, answer)| Reference::of(basis, &answer)),

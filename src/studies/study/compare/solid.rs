@@ -5,7 +5,7 @@ use crate::model::contact::Geometry;
 use crate::model::plug::Plug;
 use crate::model::scene::{Closure, ContactModel, Criterion, Nose, Scene, Target};
 use crate::numerics::larger;
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 
 /// Part of a thickness beyond a root at which the limit still has a value.
 const BESIDE: f64 = 1e-9;
@@ -85,7 +85,7 @@ fn root(near_m: f64, excess: impl Fn(f64) -> f64) -> Option<f64> {
         } else if excess(thick) < 0.0 {
             thick *= 2.0;
         } else {
-            return Some(in_bracket(thin, thick, excess));
+            return Some(bracketed_root(thin, thick, excess));
         }
     }
     None

@@ -70,7 +70,7 @@ pub fn search<T>(
     points.extend((0..first as u64).map(|index| {
         // The outermost points lie on the bounds, where designs often are best.
         (0..inputs)
-            .map(|input| (1.02 * sobol::share(index, input, 0) - 0.01).clamp(0.0, 1.0))
+            .map(|input| (1.02 * sobol::point_coordinate(index, input, 0) - 0.01).clamp(0.0, 1.0))
             .collect()
     }));
     let mut reach = REACH * (first as f64).powf(-1.0 / inputs as f64);
@@ -87,7 +87,8 @@ pub fn search<T>(
             let (centre, place) = (at % best.len(), at / best.len());
             let index = ((round * best.len() + centre) * each + place) as u64;
             let side = |(input, share): (usize, &f64)| {
-                (share + reach * (2.0 * sobol::share(index, input, 0) - 1.0)).clamp(0.0, 1.0)
+                (share + reach * (2.0 * sobol::point_coordinate(index, input, 0) - 1.0))
+                    .clamp(0.0, 1.0)
             };
             best[centre].shares.iter().enumerate().map(side).collect()
         }));

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
-use crate::model::simulate::{self, Look, Settings};
+use crate::model::simulate::{self, RunSnapshot, Settings};
 use crate::study::compare::{self, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
@@ -117,7 +117,7 @@ impl<'p> Evaluator<'p> {
         // The last run's scene is gone by now, so nothing is copied.
         self.plan.place(Arc::make_mut(&mut self.scene), index);
         let (stop, mut steps, most) = (self.stop, 0, self.plan.steps_max);
-        let mut observer = |_: &Look<'_>| {
+        let mut observer = |_: &RunSnapshot<'_>| {
             steps += 1;
             if stop.is_set() || most.is_some_and(|most| steps > most) {
                 ControlFlow::Break(())

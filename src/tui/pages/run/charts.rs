@@ -157,7 +157,7 @@ mod tests {
 
     use super::*;
     use crate::model::scene::Scene;
-    use crate::model::simulate::{Look, Settings, simulate};
+    use crate::model::simulate::{RunSnapshot, Settings, simulate};
     use crate::model::variables::changed;
 
     /// Without inertia x' = -k x^n/b comes from d to a hundredth of it after `b (100^(n-1) - 1)/(k (n-1) d^(n-1))`, 602 s, and goes on for
@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn valid_the_whole_response_of_a_plate_that_creeps_on_is_that_until_it_has_settled() {
         let scene = changed(Scene::default(), "d=0.05 b=400 k=1e4 n=2.3").unwrap();
-        let go_on = &mut |_: &Look<'_>| ControlFlow::Continue(());
+        let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
         let run = simulate(&Arc::new(scene), &Settings::SERIES, go_on).unwrap();
         let settled_s = 400.0 / (1e4 * 1.3) * (100f64.powf(1.3) - 1.0) / 0.05f64.powf(1.3);
         assert!(run.series.last().unwrap().t_s > 10.0 * settled_s);

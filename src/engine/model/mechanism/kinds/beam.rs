@@ -5,7 +5,7 @@
 //! section 9.5.2. A beam that is guided at its end is two half-length cantilevers, `2 K` at each of its two pivots.
 
 use super::{Curve, Law, Piece, Spring, SpringKind, parts};
-use crate::numerics::root::in_bracket;
+use crate::numerics::root::bracketed_root;
 use crate::numerics::smaller;
 
 /// `K_Theta`, the stiffness coefficient of the torsional spring for a load across the beam.
@@ -112,6 +112,6 @@ impl Law for Beam {
     fn yields_at_m(&self, spring: &Spring) -> Option<f64> {
         let limit = self.limit_m();
         let excess = |x: f64| self.stress_pa(spring.kind, x) - self.yield_pa;
-        (excess(limit) > 0.0).then(|| in_bracket(0.0, limit, excess))
+        (excess(limit) > 0.0).then(|| bracketed_root(0.0, limit, excess))
     }
 }
