@@ -1,6 +1,6 @@
 //! Decided and undecided results at the end of a run.
 
-use cmra::model::run::{AtLeast, EndReason, Mode, Outcome, Run};
+use cmra::model::run::{AtLeast, ContactMode, EndReason, Outcome, Run};
 
 use crate::support::{assert_near, run, scene};
 
@@ -86,7 +86,7 @@ fn valid_every_plastic_scene_of_a_surface_is_decided() {
 fn slips_m(run: &Run) -> Vec<f64> {
     let (mut slips_m, mut from_m, mut before_m) = (Vec::new(), None, 0.0);
     for row in &run.series {
-        match (row.mode == Mode::Fused, from_m) {
+        match (row.mode == ContactMode::Fused, from_m) {
             (false, None) => from_m = Some(before_m),
             (true, Some(start_m)) => {
                 slips_m.push(row.penetration_m - start_m);

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::model::contact_kernel::Contact;
-use cmra::model::run::{EndReason, Mode, Run, Sample, Warning};
+use cmra::model::run::{ContactMode, EndReason, Run, Sample, Warning};
 use cmra::model::scene::{PlateSize, Scene};
 use cmra::model::simulate::{Settings, simulate};
 
@@ -17,7 +17,7 @@ fn without_series(scene: &Scene) -> Run {
 
 /// The greatest contact force among the rows in which the hole deepens, N.
 fn greatest_of_rows(run: &Run) -> f64 {
-    let rows = run.series.iter().filter(|row| row.mode == Mode::Penetrating);
+    let rows = run.series.iter().filter(|row| row.mode == ContactMode::Penetrating);
     rows.map(|row| row.contact_force_n).fold(0.0, f64::max)
 }
 
@@ -163,7 +163,7 @@ fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
         let (x, w) = (arrest.plate_displacement_m, arrest.plate_velocity_m_s);
         let farthest = (x * x + joined * w * w / 1e5).sqrt();
         // The whole disk is engaged: the hole is deeper than the nose and the plate thicker than the hole.
-        let rows = found.series.iter().filter(|row| row.mode == Mode::Fused);
+        let rows = found.series.iter().filter(|row| row.mode == ContactMode::Fused);
         assert!(rows.clone().count() > 2 || found.series.is_empty());
         let geometry = cmra::model::contact::Geometry::of(&own);
         let area = geometry.area_m2(geometry.travel_m(arrest.penetration_m));

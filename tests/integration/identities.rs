@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-use cmra::model::run::{Mode, Run, Warning};
+use cmra::model::run::{ContactMode, Run, Warning};
 use cmra::model::scene::{ContactModel, Scene};
 use cmra::model::variables::{VARIABLES, Value, Variable, validate};
 use cmra::report::run::json;
@@ -128,7 +128,7 @@ fn faults(run: &Run) -> Vec<String> {
         exceeds("max_plate_displacement_m", rows, key("max_plate_displacement_m"));
     }
     let pushed = |row: &cmra::model::run::Sample| match row.mode {
-        Mode::Penetrating => row.contact_force_n,
+        ContactMode::Penetrating => row.contact_force_n,
         _ => 0.0,
     };
     exceeds("peak_contact_force_n", greatest(&pushed), key("peak_contact_force_n"));

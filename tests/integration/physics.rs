@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files;
-use cmra::model::run::{EndReason, EventKind, Mode, Outcome, Run, Warning};
+use cmra::model::run::{ContactMode, EndReason, EventKind, Outcome, Run, Warning};
 use cmra::model::scene::{ContactModel, PlateSize, Scene};
 use cmra::model::simulate::{Settings, simulate};
 use cmra::model::variables;
@@ -271,9 +271,14 @@ fn series_is_ordered_finite_and_ends_where_the_results_say() {
         let at = run.series.iter().find(|row| row.t_s >= arrest.t_s).unwrap();
         assert_eq!(at.penetration_m.to_bits(), arrest.penetration_m.to_bits(), "{pairs}");
     }
-    let modes: Vec<Mode> =
+    let modes: Vec<ContactMode> =
         run("gamma=0.8 k=7.5e6 interface=plastic").series.iter().map(|row| row.mode).collect();
-    for mode in [Mode::Penetrating, Mode::Fused, Mode::Withdrawing, Mode::FreeFlight] {
+    for mode in [
+        ContactMode::Penetrating,
+        ContactMode::Fused,
+        ContactMode::Withdrawing,
+        ContactMode::FreeFlight,
+    ] {
         assert!(modes.contains(&mode), "{mode:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! Plates that oscillate through the zero of a power law that is not smooth there, against closed forms.
 
-use cmra::model::run::{EndReason, Mode, Outcome, Run, Sample, Warning};
+use cmra::model::run::{ContactMode, EndReason, Outcome, Run, Sample, Warning};
 
 use crate::support::{assert_near, run, says, scene};
 
@@ -20,7 +20,7 @@ const WATCHED_S: f64 = 0.1;
 
 /// Times at which the joined bodies come through zero, and their speed then.
 fn passages(run: &Run) -> Vec<(f64, f64)> {
-    let joined: Vec<_> = run.series.iter().filter(|row| row.mode == Mode::Fused).collect();
+    let joined: Vec<_> = run.series.iter().filter(|row| row.mode == ContactMode::Fused).collect();
     let at_zero = joined.windows(2).filter(|pair| {
         pair[0].plate_displacement_m * pair[1].plate_displacement_m <= 0.0
             && pair[0].plate_displacement_m != 0.0

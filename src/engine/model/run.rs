@@ -181,7 +181,7 @@ pub struct Departure {
 worded! {
     /// The mode of motion.
     #[derive(Default)]
-    pub enum Mode: word {
+    pub enum ContactMode: word {
         #[default]
         Penetrating = "penetrating",
         Fused = "fused",
@@ -200,7 +200,7 @@ pub struct Sample {
     /// Time since first contact, s.
     pub t_s: f64,
     /// The mode of motion.
-    pub mode: Mode,
+    pub mode: ContactMode,
     /// Depth of the nose in the plate now, m (negative once it has left through the entry face).
     pub penetration_m: f64,
     /// Projectile displacement along its axis since first contact, m.

@@ -5,7 +5,7 @@
 
 use crate::model::mechanism::{Spring, moving_plate_kg};
 use crate::model::plug::Plug;
-use crate::model::run::{EventKind, Mode, Run, Sample};
+use crate::model::run::{ContactMode, EventKind, Run, Sample};
 use crate::model::scene::{ContactModel, Scene, SpringKind};
 use crate::numerics::larger;
 
@@ -183,9 +183,13 @@ impl<'a> Books<'a> {
         let is_pressed = from.stop_force_n != 0.0 || to.stop_force_n != 0.0;
         let is_damped = from.damper_force_n != 0.0 || to.damper_force_n != 0.0;
         let contact = match from.mode {
-            Mode::Withdrawing | Mode::Closing if self.has_friction => Some(&mut next.interface_j),
-            Mode::Penetrating | Mode::Withdrawing | Mode::Closing => Some(&mut next.target_j),
-            Mode::Fused | Mode::FreeFlight | Mode::Perforated => None,
+            ContactMode::Withdrawing | ContactMode::Closing if self.has_friction => {
+                Some(&mut next.interface_j)
+            }
+            ContactMode::Penetrating | ContactMode::Withdrawing | ContactMode::Closing => {
+                Some(&mut next.target_j)
+            }
+            ContactMode::Fused | ContactMode::FreeFlight | ContactMode::Perforated => None,
         };
         // What has a place of its own is integrated; the last place takes the remainder, so that the sum stays exact.
         if let Some(contact) = contact {

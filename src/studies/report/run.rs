@@ -278,18 +278,18 @@ fn all_variables(scene: &Scene) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::run::{EventKind, Mode};
+    use crate::model::run::{ContactMode, EventKind};
 
-    fn sample(t_s: f64, penetration_m: f64, mode: Mode) -> Sample {
+    fn sample(t_s: f64, penetration_m: f64, mode: ContactMode) -> Sample {
         Sample { t_s, mode, penetration_m, ..Sample::default() }
     }
 
     fn jump() -> Vec<Sample> {
         vec![
-            sample(0.0, 0.0, Mode::Penetrating),
-            sample(1.0, 2.0, Mode::Penetrating),
-            sample(1.0, 5.0, Mode::Fused),
-            sample(2.0, 5.0, Mode::Fused),
+            sample(0.0, 0.0, ContactMode::Penetrating),
+            sample(1.0, 2.0, ContactMode::Penetrating),
+            sample(1.0, 5.0, ContactMode::Fused),
+            sample(2.0, 5.0, ContactMode::Fused),
         ]
     }
 

@@ -1,7 +1,7 @@
 //! The quantities that a chart of a run can show: name, symbol, unit, and where it is found in a sample.
 
 use crate::model::mechanism::Mechanism;
-use crate::model::run::{Mode, Run, Sample};
+use crate::model::run::{ContactMode, Run, Sample};
 use crate::model::scene::Scene;
 use crate::report::law::Law;
 
@@ -98,7 +98,7 @@ impl Channel {
 
     /// Whether a sample has it: no depth is one of a projectile that has left the plate through either face.
     fn exists_in(self, sample: &Sample) -> bool {
-        let is_out = sample.penetration_m < 0.0 || sample.mode == Mode::Perforated;
+        let is_out = sample.penetration_m < 0.0 || sample.mode == ContactMode::Perforated;
         self != Self::Penetration || !is_out
     }
 

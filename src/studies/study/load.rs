@@ -1,7 +1,7 @@
 //! The load of the mount in a run: the greatest force, the impulse, and the energy in the springs.
 
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::run::{EventKind, Mode, Outcome, Run, Sample};
+use crate::model::run::{ContactMode, EventKind, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::larger;
 
@@ -82,7 +82,7 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     let turn =
         run.series.iter().rfind(|row| most_m - row.plate_displacement_m <= SAME * far_m.abs());
     let row = turn.filter(|_| far_m - most_m <= REACHED * far_m.abs()).unwrap_or(last);
-    Some(if row.mode == Mode::Fused { m_p * cos * struck } else { lost(row) })
+    Some(if row.mode == ContactMode::Fused { m_p * cos * struck } else { lost(row) })
 }
 
 /// Greatest energy in the springs between where the plate starts and its greatest displacement, J.

@@ -9,8 +9,8 @@ use std::time::Duration;
 use cmra::files::export::Destination;
 use cmra::model::mechanism::Mechanism;
 use cmra::model::run::{
-    Arrest, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind, MechanismLoad, Mode,
-    Outcome, Run, Sample, Warning,
+    Arrest, ContactMode, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind,
+    MechanismLoad, Outcome, Run, Sample, Warning,
 };
 use cmra::model::scene::{Mount, PlateSize, Scene};
 use cmra::study::context::{Answer, Progress, Reach};
@@ -341,7 +341,7 @@ impl Shape {
         let penetration_m = self.depth_m * phase.sin();
         Sample {
             t_s,
-            mode: if after > 0.0 { Mode::Fused } else { Mode::Penetrating },
+            mode: if after > 0.0 { ContactMode::Fused } else { ContactMode::Penetrating },
             penetration_m,
             projectile_displacement_m: penetration_m + travel + rebound,
             projectile_velocity_m_s: plate_m_s + self.speed_m_s * phase.cos(),

@@ -10,8 +10,8 @@ use std::sync::Arc;
 use crate::model::appendix::{Plate, Scheme, State};
 use crate::model::estimate;
 use crate::model::run::{
-    Arrest, AtLeast, EndReason, EstimateBasis, Event, EventKind, Mode, NotModelled, Observer,
-    Outcome, Run, RunSnapshot, Sample, Settings, Warning,
+    Arrest, AtLeast, ContactMode, EndReason, EstimateBasis, Event, EventKind, NotModelled,
+    Observer, Outcome, Run, RunSnapshot, Sample, Settings, Warning,
 };
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Scene};
 use crate::numerics::larger;
@@ -83,7 +83,7 @@ pub fn compute(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Obser
         peak_mount_n: 0.0,
         before: None,
     };
-    work.note(Mode::Penetrating, 0, true);
+    work.note(ContactMode::Penetrating, 0, true);
     work.run.end = work.contact(observer);
     work.finish()
 }
@@ -93,7 +93,7 @@ impl Work {
         RunSnapshot { t_s: self.t_s, so_far: &|| None }
     }
 
-    fn sample(&self, mode: Mode) -> Sample {
+    fn sample(&self, mode: ContactMode) -> Sample {
         let state = &self.state;
         let (spring, damper) = self.scheme.plate.forces_n(state.plate);
         Sample {
@@ -104,7 +104,7 @@ impl Work {
             projectile_velocity_m_s: state.velocity_m_s,
             plate_displacement_m: state.plate[0],
             plate_velocity_m_s: state.plate[1],
-            contact_force_n: if mode == Mode::Penetrating { state.force_n } else { 0.0 },
+            contact_force_n: if mode == ContactMode::Penetrating { state.force_n } else { 0.0 },
             spring_force_n: spring,
             damper_force_n: damper,
             ..Sample::default()
@@ -112,7 +112,7 @@ impl Work {
     }
 
     /// Notes where it is: work done since the point before by the trapezoid, extremes, and a point of the series (of many steps only some).
-    fn note(&mut self, mode: Mode, step: usize, is_event: bool) {
+    fn note(&mut self, mode: ContactMode, step: usize, is_event: bool) {
         let sample = self.sample(mode);
         if let Some(before) = self.before {
             let mean = |f: fn(&Sample) -> f64| 0.5 * (f(&before) + f(&sample));
@@ -120,7 +120,7 @@ impl Work {
                 - (sample.plate_displacement_m - before.plate_displacement_m);
             let plate = sample.plate_displacement_m - before.plate_displacement_m;
             let ledger = &mut self.run.ledger;
-            if sample.mode == Mode::Penetrating {
+            if sample.mode == ContactMode::Penetrating {
                 ledger.penetration_j += mean(|sample| sample.contact_force_n) * relative;
             }
             ledger.damper_j += mean(|sample| sample.damper_force_n) * plate;
@@ -154,7 +154,7 @@ impl Work {
             if ending.is_some() && self.scheme.listing.corrects_stopping {
                 self.locate(&before, step);
             }
-            self.note(Mode::Penetrating, step, ending.is_some());
+            self.note(ContactMode::Penetrating, step, ending.is_some());
             if let Some(ending) = ending {
                 self.note_ending(ending);
                 return self.afterwards(observer);
@@ -221,7 +221,7 @@ impl Work {
         let parted = self.run.outcome == Outcome::Perforated && listing.corrects_afterwards;
         let projectile_kg = if parted { 0.0 } else { projectile_kg };
         let body = Plate { mass_kg: plate.mass_kg + projectile_kg, ..plate };
-        let mode = if parted { Mode::Perforated } else { Mode::Fused };
+        let mode = if parted { ContactMode::Perforated } else { ContactMode::Fused };
         let springless = plate.spring.is_absent();
         let is_free = springless && plate.damper.is_absent();
         let contact_s = self.t_s;

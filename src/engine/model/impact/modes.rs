@@ -9,7 +9,7 @@ use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
 use crate::model::mechanism::{Spring, sign};
 /// The contact of projectile and plate, which is what a row of the series calls its mode.
-pub(super) use crate::model::run::Mode as Contact;
+pub(super) use crate::model::run::ContactMode as Contact;
 use crate::numerics::larger;
 
 /// Part of the work of the whole hole below which a joined body that strikes a stop is stopped whole: its interface would yield by

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use crate::model::mechanism::Mechanism;
 use crate::model::plug::Plug;
-use crate::model::run::{EventKind, Mode, Run, Sample};
+use crate::model::run::{ContactMode, EventKind, Run, Sample};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::stack;
 use crate::model::units::{engineering, significant};
@@ -403,16 +403,16 @@ impl<'a> Stage<'a> {
 }
 
 /// The state of a moment in a few words.
-pub fn mode_words(scene: &Scene, mode: Mode) -> &'static str {
+pub fn mode_words(scene: &Scene, mode: ContactMode) -> &'static str {
     let has_friction = scene.contact.model == ContactModel::Hydrodynamic;
     match mode {
-        Mode::Withdrawing if !has_friction => "pushed apart",
-        Mode::Penetrating => "penetrating",
-        Mode::Fused => "moving together",
-        Mode::Withdrawing => "being pulled out",
-        Mode::FreeFlight => "apart",
-        Mode::Closing => "going back in",
-        Mode::Perforated => "through",
+        ContactMode::Withdrawing if !has_friction => "pushed apart",
+        ContactMode::Penetrating => "penetrating",
+        ContactMode::Fused => "moving together",
+        ContactMode::Withdrawing => "being pulled out",
+        ContactMode::FreeFlight => "apart",
+        ContactMode::Closing => "going back in",
+        ContactMode::Perforated => "through",
     }
 }
 

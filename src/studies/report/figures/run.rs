@@ -1,6 +1,6 @@
 //! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
 
-use crate::model::run::{CONTACT_WINDOW, Mode, Run};
+use crate::model::run::{CONTACT_WINDOW, ContactMode, Run};
 use crate::model::units::engineering;
 use crate::numerics::{larger, smaller};
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
@@ -31,7 +31,9 @@ const LATER: f64 = 5.0;
 /// the first contact where the depth changes only much later.
 pub fn contact_window_s(run: &Run) -> f64 {
     let first_s = run.contact_end_s();
-    let changes = |mode| matches!(mode, Mode::Penetrating | Mode::Withdrawing | Mode::Closing);
+    let changes = |mode| {
+        matches!(mode, ContactMode::Penetrating | ContactMode::Withdrawing | ContactMode::Closing)
+    };
     let last = run.series.iter().rev().find(|sample| changes(sample.mode));
     let last_s = last.map_or(first_s, |sample| larger(sample.t_s, first_s));
     CONTACT_WINDOW * if last_s > LATER * first_s { first_s } else { last_s }
