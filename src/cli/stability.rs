@@ -14,7 +14,7 @@ use crate::model::library;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
-use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
+use crate::study::stability::map::{self, Axis, FixedStep, Map, StabilityMapRequest};
 use crate::study::stability::{ERROR_MAX, RESIDUAL_MAX, Row};
 
 /// From this width on there is room for what makes a scene hard.
@@ -73,7 +73,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let preset = arguments.study.load()?;
     map::accepts(&preset.scene)?;
     let size = if arguments.quick { map::QUICK } else { map::SIZE };
-    let wanted = Wanted { method: arguments.method, axis, size };
+    let wanted = StabilityMapRequest { method: arguments.method, axis, size };
     let (map, extent) =
         arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();

@@ -23,7 +23,7 @@ use crate::files::atomic::Growing;
 use crate::files::export::{self, Beside};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
-use crate::report::sweep::{Columns, Piece, Sheet, json_tail};
+use crate::report::sweep::{Columns, Piece, SweepWriter, json_tail};
 use crate::study::context::{Context, Progress, Reach, Work};
 use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities;
@@ -176,7 +176,7 @@ impl Job<'_> {
     ) -> Result<OutcomeCounts, CliError> {
         let (has_csv, has_json) = (arguments.table.is_wanted(), arguments.table.json);
         let scene = self.preset.name.as_str();
-        let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
+        let sheet = SweepWriter { plan: self.plan, scene, columns, has_csv, has_json };
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
             match &mut file {
                 Some(file) => file.add(csv)?,
@@ -227,7 +227,7 @@ impl Job<'_> {
     /// Compute all points, give each piece away in order, and show how far it is.
     fn stream(
         &self,
-        sheet: &Sheet<'_>,
+        sheet: &SweepWriter<'_>,
         mut take: impl FnMut(&Piece) -> Result<(), CliError>,
     ) -> Result<OutcomeCounts, CliError> {
         let mut counts = OutcomeCounts::default();
@@ -250,7 +250,7 @@ impl Job<'_> {
                 let is_whole = found.points.len() as u64 == piece.end - piece.start;
                 problem = take(&found).err();
                 // A piece by the contact kernel is done before it looks whether it should stop.
-                context.goes_on() && is_whole && problem.is_none()
+                context.should_continue() && is_whole && problem.is_none()
             });
         });
         problem.map_or(Ok(counts), Err)

@@ -36,6 +36,6 @@ pub fn report(context: &mut Context<'_>) -> Result<Vec<Row>, FileError> {
     Ok(context.map_items(
         &all,
         |(case, scene)| Some(compute(case, scene)),
-        |context, _| context.goes_on(),
+        |context, _| context.should_continue(),
     ))
 }

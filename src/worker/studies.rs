@@ -14,7 +14,7 @@ use crate::study::compare::map::{Map as EfficiencyMap, usual_axes};
 use crate::study::compare::{self, Hardware};
 use crate::study::context::{Context, Progress, Threads};
 use crate::study::search::{front, seek};
-use crate::study::stability::map::{self, Map as StabilityCells, Wanted};
+use crate::study::stability::map::{self, Map as StabilityCells, StabilityMapRequest};
 use crate::study::sweep::grid::{self, Grid};
 use crate::study::sweep::{Plan, SweepError};
 use crate::study::{limit, monte_carlo, sensitivity, stability, thesis};
@@ -139,7 +139,7 @@ pub struct Measurements(pub ComparisonOptions);
 
 /// Computes where a fixed-step method is stable.
 #[derive(Debug, PartialEq)]
-pub struct StabilityMap(pub Wanted);
+pub struct StabilityMap(pub StabilityMapRequest);
 
 /// Runs the battery of stiff and extreme scenes; the scene plays no part.
 #[derive(Debug)]

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use cmra::model::run::{EndReason, Outcome, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
-use cmra::study::context::{Context, to_its_end};
+use cmra::study::context::{Context, never_cancel};
 use cmra::study::stability::map::{self, Axis, FixedStep};
 
 use crate::support::says;
@@ -480,10 +480,10 @@ fn a_map_is_read_back_from_its_table() {
     let keys = ["scene", "method", "variable", "value", "dt_s", "cell", "warnings"];
     assert_eq!(heads, keys);
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let mut watch = to_its_end;
+    let mut watch = never_cancel;
     let context = &mut Context::new(1, &mut watch);
     let size = map::QUICK;
-    let wanted = map::Wanted { method: FixedStep::Rk4, axis: Axis::B, size };
+    let wanted = map::StabilityMapRequest { method: FixedStep::Rk4, axis: Axis::B, size };
     let map = map::map(&Scene::default(), wanted, context);
     let columns = map.dt_s.len();
     assert_eq!(read.len(), map.values.len() * columns);

@@ -8,7 +8,7 @@ use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRa
 use crate::report::table::Table;
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::reference::References;
-use crate::study::accuracy::{Cheapest, MethodReport, Point, RESULTS, Report, Saving};
+use crate::study::accuracy::{Cheapest, MethodReport, OmissionGain, Point, RESULTS, Report};
 use crate::study::context::Reach;
 
 /// A point of a method.
@@ -112,8 +112,8 @@ pub fn printed_scheme(report: &Report) -> Option<String> {
 }
 
 /// The gain from omitted terms.
-pub fn savings(savings: &[Saving]) -> Table<'_, &Saving> {
-    let in_seconds = |_: &&Saving, value: &Value| Some(seconds(value.as_f64()?));
+pub fn savings(savings: &[OmissionGain]) -> Table<'_, &OmissionGain> {
+    let in_seconds = |_: &&OmissionGain, value: &Value| Some(seconds(value.as_f64()?));
     Table::of(savings)
         .with("part", "omitted", "", |it| it.part)
         .with("with_s", "with it", "", |it| it.with_s)
@@ -124,7 +124,7 @@ pub fn savings(savings: &[Saving]) -> Table<'_, &Saving> {
 }
 
 /// How many times faster it is without, where that can be told.
-pub fn gain(saving: &Saving) -> String {
+pub fn gain(saving: &OmissionGain) -> String {
     let times = saving.with_s / saving.without_s;
     if times < GAIN_LEAST { "none".to_owned() } else { format!("{times:.1} times") }
 }

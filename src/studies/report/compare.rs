@@ -14,7 +14,7 @@ use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
-use crate::study::compare::{Candidate, Entry, Hardware, Report, Sized, THINNEST_M, Verdict};
+use crate::study::compare::{Candidate, Entry, Hardware, Report, SizedArmour, THINNEST_M, Verdict};
 use crate::study::limit::RANGE_M_S;
 use crate::study::quantities::find;
 
@@ -275,7 +275,7 @@ fn outside_validity(report: &Report) -> Vec<String> {
 
 /// The two armours that just stop the shot.
 fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
-    let sized: &Sized = match &own.sized {
+    let sized: &SizedArmour = match &own.sized {
         Ok(sized) => sized,
         // The caution says why.
         Err(absence) if absence.is_open() => return None,

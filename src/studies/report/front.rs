@@ -7,7 +7,7 @@ use crate::model::run::Outcome;
 use crate::model::units::{significant, velocity};
 use crate::report::table::Table;
 use crate::study::context::Reach;
-use crate::study::search::front::{Lack, Report};
+use crate::study::search::front::{MissingObjective, Report};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
@@ -40,7 +40,7 @@ pub fn lacks(front: &Report) -> Vec<String> {
         return Vec::new();
     }
     let v = front.base.projectile.velocity_m_s;
-    let say = |lack: &Lack| {
+    let say = |lack: &MissingObjective| {
         let why = match lack.outcome {
             PointOutcome::Ended(Outcome::Perforated) => format!(
                 "the shot of v_i = {} m/s perforates them; set a slower v_i, or take a quantity that does not depend on the shot, such \

@@ -274,7 +274,7 @@ mod tests {
 
     use super::*;
     use crate::model::variables::changed_free_plate;
-    use crate::study::context::{Context, to_its_end};
+    use crate::study::context::{Context, never_cancel};
     use crate::study::limit;
 
     /// Residual velocities just above the limit. A free plate has half of the limit, 347.708 m/s; the second value is from two independent
@@ -285,7 +285,7 @@ mod tests {
             [("gamma=1", Some("173.9 m/s")), ("k=1e5", Some("137.2 m/s")), ("k=1e6", None)]
         {
             let scene = Arc::new(changed_free_plate(pairs).unwrap());
-            let report = limit::find(&scene, &mut Context::new(1, &mut to_its_end)).unwrap();
+            let report = limit::find(&scene, &mut Context::new(1, &mut never_cancel)).unwrap();
             let words: Vec<_> = remarks(&report).into_iter().map(|it| it.text).collect();
             let note = words.iter().find(|it| it.contains("Just above the limit"));
             assert_eq!(note.is_some(), said.is_some(), "{pairs}: {words:?}");

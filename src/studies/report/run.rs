@@ -13,7 +13,7 @@ use crate::model::variables::{self, VARIABLES, Variable};
 use crate::report::table::{Table, pretty};
 use crate::report::traces::Traces;
 use crate::report::verdict;
-use crate::study::quantities::{Quantity, Trait, find, of_runs};
+use crate::study::quantities::{Quantity, QuantityFlag, find, of_runs};
 use crate::study::verdict::Verdict;
 
 pub mod page;
@@ -230,7 +230,7 @@ fn stack_of(whole: &Run, stack: &StackRun) -> Value {
 /// A result, or what it is at least.
 fn result(run: &Run, quantity: &Quantity) -> Value {
     let value = quantity.value(run).or_else(|| quantity.lower_bound(run));
-    if quantity.has(Trait::Whole) {
+    if quantity.has(QuantityFlag::Whole) {
         let whole = value.and_then(|count| format!("{count:.0}").parse().ok());
         return whole.map_or(Value::Null, Value::Number);
     }

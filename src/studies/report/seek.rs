@@ -11,7 +11,7 @@ use crate::report::verdict::expected_columns;
 use crate::study::context::Reach;
 use crate::study::search::seek::{Kind, Report, SamplePoint, SeekResult};
 use crate::study::sweep::{PointOutcome, Spacing};
-use crate::study::validity::Checked;
+use crate::study::validity::DesignValidity;
 use crate::study::verdict::Decision;
 
 /// Warnings about the rows: those of the solutions, and of the library's entries.
@@ -26,7 +26,7 @@ pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
 }
 
 /// A solution in words, beside what the plastic interface gives where the fused one could not carry its load.
-pub fn solution(report: &Report, solution: &SeekResult, checked: &Checked) -> String {
+pub fn solution(report: &Report, solution: &SeekResult, checked: &DesignValidity) -> String {
     let axis = &report.axis;
     let at = axis.show(solution.place.at, 6);
     let outcome = solution.outcome.map_or("", PointOutcome::word);

@@ -10,7 +10,7 @@ use crate::report::map::{self, Tone};
 use crate::report::table::Table;
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
-use crate::study::stability::{Row, Shortfall};
+use crate::study::stability::{FailureReason, Row};
 
 /// Columns of a page that say how a scene has run.
 pub const HOW_IT_RAN: [&str; 5] = ["outcome", "energy_residual", "error", "steps", "run_time_s"];
@@ -47,7 +47,7 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .field("rejected", |row| row.run.cost.rejected)
         .with("run_time_s", "time", "", |row| row.took_s)
         .shown(|row, _| Some(engineering(row.took_s, "s", 2)))
-        .with("shortfall", "pass", "", |row| row.shortfall.map(Shortfall::words))
+        .with("shortfall", "pass", "", |row| row.shortfall.map(FailureReason::words))
         .shown(|row, _| Some(if row.shortfall.is_some() { "FAIL" } else { "ok" }.to_owned()))
         .with("why_hard", "difficulty", "", |row| row.case.why)
 }

@@ -52,7 +52,7 @@ pub struct Piece {
 
 /// Makes the rows of a sweep.
 #[derive(Clone, Debug)]
-pub struct Sheet<'p> {
+pub struct SweepWriter<'p> {
     /// The sweep.
     pub plan: &'p Plan,
     /// The name of its scene.
@@ -65,7 +65,7 @@ pub struct Sheet<'p> {
     pub has_json: bool,
 }
 
-impl Sheet<'_> {
+impl SweepWriter<'_> {
     /// The header line of the CSV.
     pub fn header(&self) -> String {
         self.table(&[], &[], &[]).csv()
@@ -160,7 +160,7 @@ impl Sheet<'_> {
 pub fn grid_csv(scene: &str, grid: &Grid, reach: Reach) -> String {
     let (points, found) = grid.points();
     let (plan, columns) = (grid.plan(), Columns::Chosen);
-    let sheet = Sheet { plan, scene, columns, has_csv: true, has_json: false };
+    let sheet = SweepWriter { plan, scene, columns, has_csv: true, has_json: false };
     sheet.table(&points, &found, &[]).with_reach(reach).csv()
 }
 

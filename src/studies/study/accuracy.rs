@@ -21,7 +21,7 @@ pub mod reference;
 pub mod timing;
 
 pub use method::RESULTS;
-use method::{Answer, Job, Ladder, Method, Parameter, Refusal, Results};
+use method::{Answer, Job, Method, Parameter, Refusal, Results, SettingGrid};
 use reference::{Reference, References, printed_limit};
 use timing::{Clock, time};
 
@@ -34,7 +34,7 @@ const ALIKE: f64 = 1.05;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComparisonOptions {
     /// Grid of step sizes or tolerances.
-    pub ladder: Ladder,
+    pub ladder: SettingGrid,
     /// For how long one point is repeated at most, beyond a few batches, s.
     pub point_s: f64,
     /// Evaluations of the equations by a point after which finer ones of its method are not run.
@@ -43,9 +43,10 @@ pub struct ComparisonOptions {
 
 impl ComparisonOptions {
     /// A few seconds a scene; most where methods give up.
-    pub const FULL: Self = Self { ladder: Ladder::Full, point_s: 1.2e-2, evaluations: 300_000 };
+    pub const FULL: Self =
+        Self { ladder: SettingGrid::Full, point_s: 1.2e-2, evaluations: 300_000 };
     /// A fraction of a second a scene, or seconds where methods give up.
-    pub const QUICK: Self = Self { ladder: Ladder::Quick, point_s: 2e-3, evaluations: 40_000 };
+    pub const QUICK: Self = Self { ladder: SettingGrid::Quick, point_s: 2e-3, evaluations: 40_000 };
 }
 
 /// The command's name and options.
@@ -116,12 +117,12 @@ pub struct Report {
     /// The run time of a run as it is shown, with its series and its error estimate, s.
     pub run_s: Option<f64>,
     /// The gain from omitted terms.
-    pub savings: Vec<Saving>,
+    pub savings: Vec<OmissionGain>,
 }
 
 /// A part of a run with the time it takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Saving {
+pub struct OmissionGain {
     /// The part.
     pub part: &'static str,
     /// Least run time with it, s.
@@ -205,7 +206,7 @@ pub fn compare(
 }
 
 /// The run time of a run as it is shown, and what is saved by leaving out its parts one after the other.
-fn savings(scene: &Arc<Scene>, point_s: f64, clock: Clock<'_>) -> (Option<f64>, Vec<Saving>) {
+fn savings(scene: &Arc<Scene>, point_s: f64, clock: Clock<'_>) -> (Option<f64>, Vec<OmissionGain>) {
     let run = |settings: Settings| simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
     let tolerance = scene.run.tolerance;
     let kernel = Job::new(Method::ContactKernel, Parameter::Tolerance(tolerance), scene);
@@ -228,7 +229,7 @@ fn savings(scene: &Arc<Scene>, point_s: f64, clock: Clock<'_>) -> (Option<f64>, 
         ("motion after the contact", bare_s, kernel_s),
     ];
     let saving = |(part, with_s, without_s): (&'static str, Option<f64>, Option<f64>)| {
-        Some(Saving { part, with_s: with_s?, without_s: without_s? })
+        Some(OmissionGain { part, with_s: with_s?, without_s: without_s? })
     };
     (shown_s, savings.into_iter().filter_map(saving).collect())
 }

@@ -38,9 +38,9 @@ mod solid;
 
 pub use hardware::{Failure, Hardware};
 pub use judge::limit_if_spring_survives_m_s;
-pub use sized::{Absence, Sized, THINNEST_M, WIDTH, mass_efficiency};
+pub use sized::{Absence, SizedArmour, THINNEST_M, WIDTH, mass_efficiency};
 
-use judge::Judge;
+use judge::CandidateEvaluator;
 
 enumeration! {
     /// Who is compared.
@@ -78,7 +78,7 @@ pub struct Entry {
     /// The failure at that velocity; `None`: the plate is perforated.
     pub failure: Option<Failure>,
     /// The thinnest armour of this kind that stops the shot.
-    pub sized: Result<Sized, Absence>,
+    pub sized: Result<SizedArmour, Absence>,
     /// A shot just below the limit velocity, where there is one.
     pub at_limit: Option<Run>,
     /// The verdict on the shot at the design velocity.
@@ -88,7 +88,7 @@ pub struct Entry {
 impl Entry {
     /// Mass efficiency at the design velocity.
     pub fn mass_efficiency(&self) -> Option<f64> {
-        self.sized.as_ref().ok().map(Sized::mass_efficiency)
+        self.sized.as_ref().ok().map(SizedArmour::mass_efficiency)
     }
 
     /// Depth of the hole, m; `None` when perforated.
@@ -261,9 +261,9 @@ pub fn compare(
         let judge = |(candidate, made): &(Candidate, Arc<Scene>)| {
             let watch = &mut |_: Progress, _: Option<&()>| stop.flow();
             let context = &mut Context::new(1, watch);
-            Judge { scene: Arc::clone(made), hardware, context }.entry(*candidate)
+            CandidateEvaluator { scene: Arc::clone(made), hardware, context }.entry(*candidate)
         };
-        let entries = context.map_items(&made, judge, |context, _| context.goes_on());
+        let entries = context.map_items(&made, judge, |context, _| context.should_continue());
         let is_whole = entries.len() == made.len();
         report.entries.extend(entries);
         if !is_whole {

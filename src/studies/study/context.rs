@@ -10,7 +10,7 @@ use crate::study::parallel;
 pub use crate::study::parallel::{SharedCores, Threads, Work};
 
 /// Steps of a run after which a study looks again whether to stop: a run may have millions of steps.
-const LOOK: u64 = 64;
+const STEPS_PER_POLL: u64 = 64;
 
 /// How far a study is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,7 +70,7 @@ impl<T> Answer<T> {
 
 /// Receives the progress of a study, and the result so far where the study has parts to show. `Break` stops the study, which
 /// keeps what it has.
-pub type Watch<'w, P> = &'w mut dyn FnMut(Progress, Option<&P>) -> ControlFlow<()>;
+pub type ProgressCallback<'w, P> = &'w mut dyn FnMut(Progress, Option<&P>) -> ControlFlow<()>;
 
 /// The flag that stops a study, as its workers see it: they hand in what they have done.
 #[derive(Clone, Debug, Default)]
@@ -101,7 +101,7 @@ impl CancelFlag {
 
 /// The context of a study whose parts are `P`.
 pub struct Context<'w, P: ?Sized = ()> {
-    watch: Watch<'w, P>,
+    watch: ProgressCallback<'w, P>,
     threads: Threads,
     progress: Progress,
     stop: CancelFlag,
@@ -109,7 +109,7 @@ pub struct Context<'w, P: ?Sized = ()> {
 
 impl<'w, P: ?Sized> Context<'w, P> {
     /// A context on a given number of threads.
-    pub fn new(threads: impl Into<Threads>, watch: Watch<'w, P>) -> Self {
+    pub fn new(threads: impl Into<Threads>, watch: ProgressCallback<'w, P>) -> Self {
         Self {
             watch,
             threads: threads.into(),
@@ -139,7 +139,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
     }
 
     /// Whether to go on: once stopped, always stopped.
-    pub fn goes_on(&mut self) -> bool {
+    pub fn should_continue(&mut self) -> bool {
         self.look(None)
     }
 
@@ -159,7 +159,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
 
     /// Returns [`Context::goes_on`] as a control flow.
     pub fn flow(&mut self) -> ControlFlow<()> {
-        self.goes_on();
+        self.should_continue();
         self.stop.flow()
     }
 
@@ -168,7 +168,11 @@ impl<'w, P: ?Sized> Context<'w, P> {
         let mut steps = 0_u64;
         move |_| {
             steps += 1;
-            if steps.is_multiple_of(LOOK) { self.flow() } else { ControlFlow::Continue(()) }
+            if steps.is_multiple_of(STEPS_PER_POLL) {
+                self.flow()
+            } else {
+                ControlFlow::Continue(())
+            }
         }
     }
 
@@ -183,7 +187,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
         let _ = parallel::map(&threads, work, worker, |news| {
             let goes_on = match news {
                 Some((piece, result)) => take(self, piece, result),
-                None => self.goes_on(),
+                None => self.should_continue(),
             };
             self.stop.store(!goes_on);
             self.stop.flow()
@@ -231,7 +235,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
 }
 
 /// A watch that lets a study run to its end.
-pub fn to_its_end<P: ?Sized>(_: Progress, _: Option<&P>) -> ControlFlow<()> {
+pub fn never_cancel<P: ?Sized>(_: Progress, _: Option<&P>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
@@ -257,16 +261,16 @@ mod tests {
         let mut context: Context<'_, str> = Context::new(2, &mut watch);
         context.expect(2);
         context.count(1);
-        assert!(context.goes_on() && context.show("part"));
+        assert!(context.should_continue() && context.show("part"));
         // More than was expected is shown as all of it.
         context.expect(4);
         let ask = |inner: &mut Context<'_>| {
             inner.count(7);
-            inner.threads.count() == 2 && inner.goes_on()
+            inner.threads.count() == 2 && inner.should_continue()
         };
         assert!(context.uncounted(ask));
         context.count(2);
-        assert!(!context.goes_on() && !context.goes_on() && context.is_stopped());
+        assert!(!context.should_continue() && !context.should_continue() && context.is_stopped());
         assert!(!context.uncounted(ask));
         let mut observe = context.observer();
         let look = RunSnapshot { t_s: 0.0, so_far: &|| None };

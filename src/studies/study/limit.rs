@@ -10,7 +10,7 @@ use crate::model::run::{Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
-use crate::study::context::{Context, to_its_end};
+use crate::study::context::{Context, never_cancel};
 use crate::study::verdict::Verdict;
 use residual_law::ResidualLaw;
 use search::{BESIDE, ShotRunner};
@@ -232,7 +232,7 @@ pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, Var
 
 /// The limit velocity of a scene, m/s.
 pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
-    let limit = alone(&Arc::new(scene.clone()), &mut Context::new(1, &mut to_its_end));
+    let limit = alone(&Arc::new(scene.clone()), &mut Context::new(1, &mut never_cancel));
     let limit = limit.map_err(|error| error.to_string())?;
     limit.velocity_m_s().ok_or_else(|| limit.absence().unwrap_or_default())
 }

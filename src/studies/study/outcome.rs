@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::model::run::{EndReason, Outcome, Run};
-use crate::study::quantities::{Quantity, Trait};
+use crate::study::quantities::{Quantity, QuantityFlag};
 
 /// The outcome of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,7 +83,7 @@ impl PointOutcome {
     /// does not.
     pub fn counts(self, output: &Quantity) -> bool {
         match self {
-            Self::Ended(Outcome::Perforated) => !output.has(Trait::OfHole),
+            Self::Ended(Outcome::Perforated) => !output.has(QuantityFlag::OfHole),
             // A quantity that is not final has no value.
             Self::Ended(_) => true,
             Self::Failed(_) => false,

@@ -42,12 +42,12 @@ pub struct Quantity {
     /// Why a shot that is stopped may be without it.
     pub(in crate::study) absence: &'static str,
     /// Flags of the quantity.
-    traits: &'static [Trait],
+    traits: &'static [QuantityFlag],
 }
 
 /// Flag of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Trait {
+pub enum QuantityFlag {
     /// Describes a perforation; most other quantities would mislead for perforated plates.
     OfPerforation,
     /// Describes the computation, not the design.
@@ -171,14 +171,14 @@ impl Quantity {
         Self { absence, ..self }
     }
 
-    const fn is(self, traits: &'static [Trait]) -> Self {
+    const fn is(self, traits: &'static [QuantityFlag]) -> Self {
         Self { traits, ..self }
     }
 }
 
 use Dimension::{ArealMass, Energy, Force, Impulse, Length, Mass, Number, Time, Velocity};
 use FromContact::{Displacement, End};
-use Trait::{
+use QuantityFlag::{
     CountsSprings, Estimate, OfComputation, OfHole, OfPerforation, OfStack, Percent, Whole,
 };
 
@@ -188,7 +188,7 @@ const NOT_MEASURED: &str = "not measured";
 const NO_BASELINE: &str = "no baseline depth";
 
 /// The greatest ratio that is reported: it stands for infinity, the ratio to a strength of zero.
-const GRIPLESS: f64 = 1e6;
+const UNBOUNDED_RATIO: f64 = 1e6;
 
 /// Name of the ballistic limit by the law, and of the limit that a search takes in its place.
 pub const LIMIT: &str = "limit_velocity_m_s";
@@ -226,7 +226,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("separation_time_s", Time, "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
     quantity("separation_velocity_m_s", Velocity, "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
     quantity("interface_demand_ratio", Number, "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).titled("interface push over strength").short("push"),
-    quantity("interface_tension_ratio", Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).titled("interface pull over strength").short("pull"),
+    quantity("interface_tension_ratio", Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(UNBOUNDED_RATIO)))).titled("interface pull over strength").short("pull"),
     quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).is(&[OfComputation, OfStack]),
     quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(|run| run.error_estimate)).is(&[OfComputation, OfStack, Estimate]),
     quantity("stored_energy_j", Energy, "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
@@ -264,7 +264,7 @@ pub static QUANTITIES: &[Quantity] = &[
 
 impl Quantity {
     /// Whether this is so of it.
-    pub fn has(&self, what: Trait) -> bool {
+    pub fn has(&self, what: QuantityFlag) -> bool {
         self.traits.contains(&what)
     }
 
@@ -400,7 +400,7 @@ impl Quantity {
     }
 
     /// Whether designs that are perforated may be compared by it.
-    pub(in crate::study) fn tells_of_perforation(&self) -> bool {
+    pub(in crate::study) fn is_defined_when_perforated(&self) -> bool {
         // What does not depend on the outcome of the shot does.
         self.has(OfPerforation) || matches!(self.source, Source::Scene(_) | Source::Search(_))
     }

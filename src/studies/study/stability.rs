@@ -20,7 +20,7 @@ pub const ERROR_MAX: f64 = 1e-8;
 
 enumeration! {
     /// Why a row falls short.
-    pub enum Shortfall in ShortfallRow {
+    pub enum FailureReason in ShortfallRow {
         /// A short text.
         words: &'static str,
     }
@@ -48,7 +48,7 @@ pub struct Row {
     /// Source of the reference; `None` if undecided, or if no other method finished.
     pub basis: Option<ReferenceSource>,
     /// Why `auto` falls short, if it does.
-    pub shortfall: Option<Shortfall>,
+    pub shortfall: Option<FailureReason>,
 }
 
 /// The cases of a battery; the quick one has every fifth.
@@ -101,7 +101,7 @@ fn error_of(run: &Run, reference: &Reference) -> Option<f64> {
     Some(reference.error_of_all(&run.scene, &answer.results))
 }
 
-fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
+fn shortfall(run: &Run, error: Option<f64>) -> Option<FailureReason> {
     let residual = run.ledger.residual();
     let results = [
         run.final_penetration_m,
@@ -112,14 +112,14 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
         Some(residual),
     ];
     if !run.end.is_complete() {
-        Some(Shortfall::Incomplete)
+        Some(FailureReason::Incomplete)
     } else if results.iter().flatten().any(|value| !value.is_finite()) {
-        Some(Shortfall::NotFinite)
+        Some(FailureReason::NotFinite)
     } else if residual.abs() > RESIDUAL_MAX {
-        Some(Shortfall::Energy)
+        Some(FailureReason::Energy)
     } else {
         // A reference that ends otherwise makes the error NaN, which is no less short.
-        error.filter(|error| error.is_nan() || *error > ERROR_MAX).map(|_| Shortfall::Error)
+        error.filter(|error| error.is_nan() || *error > ERROR_MAX).map(|_| FailureReason::Error)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::model::units::{shortest, significant};
 use crate::model::variables;
-use crate::study::quantities::{Quantity, Search, Trait};
+use crate::study::quantities::{Quantity, QuantityFlag, Search};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Plan, PointOutcome};
 use crate::study::verdict::Verdict;
@@ -93,7 +93,7 @@ pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, String)> {
 pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> Option<String> {
     let has_limit =
         measures.iter().any(|it| matches!(it.search(), Some(Search::Limit | Search::DesignLimit)));
-    let mass = measures.iter().find(|it| has_limit && it.has(Trait::CountsSprings))?.name;
+    let mass = measures.iter().find(|it| has_limit && it.has(QuantityFlag::CountsSprings))?.name;
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
     let is_sprung = |scene: &Scene| scene.is_sprung() && scene.mechanism.has_springs();
     (is_sprung(scene) || is_sprung(&scene_with(scene, axes, &ends))).then(|| {
@@ -137,7 +137,7 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
 
 /// Validity of a design.
 #[derive(Clone, Debug)]
-pub struct Checked {
+pub struct DesignValidity {
     /// Result with a plastic interface, if the design's fused one cannot carry its load.
     pub plastic: Option<Plastic>,
     /// The checks that fail.
@@ -150,7 +150,7 @@ pub struct Checked {
     pub verdict: Verdict,
 }
 
-impl Checked {
+impl DesignValidity {
     /// Checks a design found by a measure: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the
     /// original scene fails.
     pub fn of(

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use super::bench::{Bench, ended, stopped};
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
-use cmra::study::accuracy::method::{Answer, Ladder, Method, Parameter, Refusal};
+use cmra::study::accuracy::method::{Answer, Method, Parameter, Refusal, SettingGrid};
 use cmra::study::accuracy::reference::{Reference, ReferenceSource, References};
-use cmra::study::accuracy::{Measured, MethodReport, Point, Report, Saving};
+use cmra::study::accuracy::{Measured, MethodReport, OmissionGain, Point, Report};
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
@@ -68,7 +68,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
         uncertainty: Some(1e-15),
     };
     let of = |method: Method| {
-        let parameters = method.parameters(END.0, Ladder::Full);
+        let parameters = method.parameters(END.0, SettingGrid::Full);
         let points = parameters.into_iter().map(|parameter| point(method, parameter)).collect();
         MethodReport { method, reference: Some(reference), points }
     };
@@ -78,7 +78,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
         methods: Method::ALL.into_iter().take(methods).map(of).collect(),
         printed_off: Some(0.28),
         run_s: Some(74e-6),
-        savings: vec![Saving { part: "error estimate", with_s: 74e-6, without_s: 37e-6 }],
+        savings: vec![OmissionGain { part: "error estimate", with_s: 74e-6, without_s: 37e-6 }],
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::bench::Bench;
 use crate::support::{cmra, scene};
 use cmra::report::sweep::grid_csv;
-use cmra::study::context::{Context, Reach, to_its_end};
+use cmra::study::context::{Context, Reach, never_cancel};
 use cmra::study::sweep::grid::{Grid, PIECE};
 use cmra::tui::pages::search::state::Page;
 use cmra::worker::studies::SearchRequest;
@@ -83,7 +83,7 @@ fn the_points_of_explore_are_those_of_a_sweep() {
         let outputs: Vec<&str> = plan.outputs().iter().map(|output| output.name).collect();
         let over: Vec<String> = plan.axes().iter().map(|axis| format!("--over {axis}")).collect();
         let command = format!("sweep {} --outputs {}", over.join(" "), outputs.join(","));
-        let mut watch = to_its_end;
+        let mut watch = never_cancel;
         let grid = Grid::new(plan).unwrap().fill(PIECE, &mut Context::new(2, &mut watch));
         assert_eq!(
             Ok(grid_csv(NAME, &grid, Reach::Complete)),

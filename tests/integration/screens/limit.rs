@@ -8,7 +8,7 @@ use crate::support::says;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::compare::{Hardware, compare};
-use cmra::study::context::{Context, to_its_end};
+use cmra::study::context::{Context, never_cancel};
 use cmra::study::limit::residual_law::ResidualLaw;
 use cmra::study::limit::{Limit, LimitMethod, Report, Shot};
 use cmra::study::monte_carlo;
@@ -56,7 +56,7 @@ pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
         if let Some(Spread(task)) = Spread::of(&study.asked).map(|it| &**it) {
             let few = monte_carlo::Request { samples: Some(20), ..task.clone() };
-            let watch = &mut to_its_end;
+            let watch = &mut never_cancel;
             let v50 = monte_carlo::run(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
             bench.reply(study.id, ended(v50));
             continue;
@@ -98,7 +98,7 @@ fn the_limit_tab_at_every_size() {
 fn the_status_names_what_is_outside_validity_at_the_limit() {
     let mut scene = Scene::default();
     scene.target.thickness_m = 0.003;
-    let watch = &mut to_its_end;
+    let watch = &mut never_cancel;
     let real = cmra::study::limit::find(&Arc::new(scene), &mut Context::new(1, watch));
     let at_limit = real.unwrap().at_limit;
     let mut bench = Bench::ascii(120, 36);
@@ -281,7 +281,7 @@ fn the_tab_and_the_commands_give_the_same_digits() {
         let json = |command: &str| read(&says(command, &[name, "--json"], 0).0);
         let mut asked = 0;
         for study in bench.studies() {
-            let mut watch = to_its_end;
+            let mut watch = never_cancel;
             let context = &mut Context::new(1, &mut watch);
             if let Some(LimitSearch) = LimitSearch::of(&study.asked).map(|it| &**it) {
                 let report = cmra::study::limit::find(&study.scene, context).unwrap();

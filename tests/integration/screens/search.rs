@@ -11,7 +11,7 @@ use cmra::model::run::envelope::Check;
 use cmra::model::scene::{InterfaceLaw, Scene};
 use cmra::study::compare::map::{Map, usual_axis};
 use cmra::study::compare::{self, Hardware};
-use cmra::study::context::{Context, to_its_end};
+use cmra::study::context::{Context, never_cancel};
 use cmra::study::search::front::{self, Design, Report};
 use cmra::study::sweep::PointOutcome;
 use cmra::study::sweep::usual::{or_usual, thesis_axes};
@@ -57,7 +57,7 @@ fn made(scene: &Arc<Scene>, request: &SearchRequest) -> SearchAnswer {
 }
 
 fn compared(scene: &Arc<Scene>) -> Comparison {
-    let mut watch = to_its_end;
+    let mut watch = never_cancel;
     let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
     let report = compare::compare(scene, hardware, context).unwrap();
     let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());

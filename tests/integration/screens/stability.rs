@@ -7,8 +7,8 @@ use cmra::files::atomic::Existing;
 use cmra::model::scene::Scene;
 use cmra::study::accuracy::reference::ReferenceSource;
 use cmra::study::stability::cases::CASES;
-use cmra::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, Wanted};
-use cmra::study::stability::{Row, Shortfall};
+use cmra::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, StabilityMapRequest};
+use cmra::study::stability::{FailureReason, Row};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{AskedFor, Found, StabilityMap, StiffScenes};
 
@@ -43,18 +43,18 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
         took_s: 120e-6,
         error: (index != 3).then_some(2e-13),
         basis: Some(ReferenceSource::Dop853),
-        shortfall: (index == 2).then_some(Shortfall::Energy),
+        shortfall: (index == 2).then_some(FailureReason::Energy),
     };
     CASES.iter().take(count).enumerate().map(row).collect()
 }
 
 /// A whole map.
-fn whole(method: FixedStep, axis: Axis) -> Wanted {
-    Wanted { method, axis, size: SIZE }
+fn whole(method: FixedStep, axis: Axis) -> StabilityMapRequest {
+    StabilityMapRequest { method, axis, size: SIZE }
 }
 
 /// The map that was requested, by its place among the studies.
-fn asked(bench: &mut Bench, at: usize) -> Wanted {
+fn asked(bench: &mut Bench, at: usize) -> StabilityMapRequest {
     StabilityMap::of(&bench.studies()[at].asked).expect("a map").0
 }
 

@@ -118,7 +118,7 @@ impl fmt::Display for Parameter {
 
 /// How finely parameters are turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ladder {
+pub enum SettingGrid {
     /// Every value.
     Full,
     /// Few values, none of them expensive.
@@ -200,7 +200,7 @@ enumeration! {
 
 impl Method {
     /// The values of its parameter for a contact of about `end_s`, the coarsest first.
-    pub fn parameters(self, end_s: f64, ladder: Ladder) -> Vec<Parameter> {
+    pub fn parameters(self, end_s: f64, ladder: SettingGrid) -> Vec<Parameter> {
         match self.ranges()[ladder as usize] {
             ParameterRange::Steps(most, per_decade) => steps(end_s, most, per_decade),
             // From 1e-3 down.
@@ -327,15 +327,15 @@ mod tests {
     #[test]
     fn parameters_go_from_coarse_to_fine() {
         for method in Method::ALL {
-            for ladder in [Ladder::Full, Ladder::Quick] {
+            for ladder in [SettingGrid::Full, SettingGrid::Quick] {
                 let parameters = method.parameters(1.1e-4, ladder);
                 assert!(!parameters.is_empty(), "{method:?}");
                 assert!(parameters.windows(2).all(|pair| pair[0].value() > pair[1].value()));
             }
         }
-        let thesis = Method::ThesisPrinted.parameters(1.1e-4, Ladder::Full);
+        let thesis = Method::ThesisPrinted.parameters(1.1e-4, SettingGrid::Full);
         assert!(thesis.contains(&Parameter::Step(1e-6)), "the thesis's own step");
         assert_eq!(thesis.len(), 5);
-        assert!(!Method::Rk4.parameters(1e3, Ladder::Quick).is_empty());
+        assert!(!Method::Rk4.parameters(1e3, SettingGrid::Quick).is_empty());
     }
 }

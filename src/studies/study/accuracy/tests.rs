@@ -7,28 +7,28 @@ use super::*;
 use crate::model::reference::Stored;
 use crate::model::run::{EndReason, Outcome};
 use crate::study::changed_free_plate;
-use crate::study::context::to_its_end;
+use crate::study::context::never_cancel;
 
 fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
 }
 
-fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
+fn report(scene: &Arc<Scene>, ladder: SettingGrid) -> Report {
     report_within(scene, ladder, usize::MAX)
 }
 
 /// A comparison to its end, by a clock that ticks once a look: no repeats are made, since each seems to take long.
-fn report_within(scene: &Arc<Scene>, ladder: Ladder, evaluations: usize) -> Report {
+fn report_within(scene: &Arc<Scene>, ladder: SettingGrid, evaluations: usize) -> Report {
     let mut ticks = 0.0;
     let clock = &mut || {
         ticks += 1.0;
         ticks
     };
     let effort = ComparisonOptions { ladder, point_s: 0.0, evaluations };
-    compare(scene, effort, clock, &mut Context::new(1, &mut to_its_end)).unwrap()
+    compare(scene, effort, clock, &mut Context::new(1, &mut never_cancel)).unwrap()
 }
 
-fn compared(pairs: &str, ladder: Ladder) -> HashMap<char, MethodReport> {
+fn compared(pairs: &str, ladder: SettingGrid) -> HashMap<char, MethodReport> {
     let methods = report(&scene(pairs), ladder).methods.into_iter();
     methods.map(|method| (method.method.letter(), method)).collect()
 }
@@ -41,7 +41,7 @@ fn whole_runs_are_compared_in_every_result_they_have() {
         ("h=0.003 v_i=400", [false, true, false, true, true, true, false]),
         ("k=7.5e6 interface=plastic", [true, true, true, true, true, true, true]),
     ] {
-        let methods = compared(pairs, Ladder::Quick);
+        let methods = compared(pairs, SettingGrid::Quick);
         for letter in ['A', 'N', 'D', 'I', 'E'] {
             let (_, finest) = methods[&letter].measured().next_back().unwrap();
             assert_eq!(finest.errors.map(|error| error.is_some()), results, "{pairs}: {letter}");
@@ -61,7 +61,7 @@ fn tight_parameters_of_every_accurate_method_reach_the_reference() {
     let scenes =
         ["k=1e5", "k=1e6 n=0.5", "b=2000 k=1e5", "", "d=0.5 k=1e5", "h=0.003 v_i=400 k=1e5"];
     for pairs in scenes {
-        let methods = compared(pairs, Ladder::Full);
+        let methods = compared(pairs, SettingGrid::Full);
         for letter in "DILNA".chars() {
             let method = &methods[&letter];
             assert!(matches!(method.reference.unwrap().basis, ReferenceSource::Stored(_)));
@@ -83,7 +83,7 @@ fn every_error_has_a_reference_of_other_steps_and_none_lies_below_its_uncertaint
         ("k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e9", ReferenceSource::Dop853),
         ("b=1e8 gamma=1e-4", ReferenceSource::Radau),
     ] {
-        let report = report(&scene(pairs), Ladder::Quick);
+        let report = report(&scene(pairs), SettingGrid::Quick);
         for method in &report.methods {
             // The listing knows no stop.
             let Some(reference) = method.reference else {
@@ -108,7 +108,7 @@ fn every_error_has_a_reference_of_other_steps_and_none_lies_below_its_uncertaint
 /// the ten that are allowed here.
 #[test]
 fn a_point_of_much_work_is_the_last_of_its_method_and_a_failed_one_is_not() {
-    let report = report_within(&scene("k=1e5 n=0.2"), Ladder::Quick, 10);
+    let report = report_within(&scene("k=1e5 n=0.2"), SettingGrid::Quick, 10);
     let method = |it: &&MethodReport| it.method == Method::Rk4Events;
     let points = &report.methods.iter().find(method).unwrap().points;
     let results: Vec<_> = points.iter().map(|point| point.result.err()).collect();

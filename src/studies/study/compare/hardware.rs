@@ -29,14 +29,14 @@ pub struct Failure {
 
 /// The load of a shot on the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Demand {
+pub(super) struct MechanismLoadCase {
     /// Greatest displacement, m; `None` where nothing stops the plate, or where it is not known.
     max_displacement_m: Option<f64>,
     /// Greatest energy in the springs, J.
     stored_j: Option<f64>,
 }
 
-impl Demand {
+impl MechanismLoadCase {
     pub(super) fn of(scene: &Scene, max_displacement_m: Option<f64>) -> Self {
         let stored_j = spring_energy_j(scene, scene.start_m(), max_displacement_m);
         Self { max_displacement_m, stored_j }
@@ -56,16 +56,16 @@ pub(super) fn is_held(scene: &Scene) -> bool {
 
 /// A scene's hardware as it is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Built {
+pub(super) struct InstalledSpring {
     /// The springs' mass, kg; `None` where it is not known.
     pub(super) spring_kg: Option<f64>,
     /// Energy capacity, J.
     capacity_j: f64,
 }
 
-impl Built {
+impl InstalledSpring {
     /// For this demand, where the springs do not know their own mass.
-    pub(super) fn of(scene: &Scene, hardware: Hardware, demand: &Demand) -> Self {
+    pub(super) fn of(scene: &Scene, hardware: Hardware, demand: &MechanismLoadCase) -> Self {
         let least_kg = scene.mechanism.least_spring_kg(demand.stored_j);
         let spring_kg = Inertia::of(scene).spring_kg(least_kg);
         // The law of a beam says itself how far it goes.
@@ -84,7 +84,7 @@ impl Built {
     }
 
     /// Returns the part that fails under a load case; `None` if all hold.
-    pub(super) fn failure(&self, scene: &Scene, demand: &Demand) -> Option<Failure> {
+    pub(super) fn failure(&self, scene: &Scene, demand: &MechanismLoadCase) -> Option<Failure> {
         let max_displacement_m = demand.max_displacement_m.filter(|_| scene.is_sprung())?;
         if let Some(limit) = exceeded(scene, max_displacement_m).next() {
             return Some(Failure { word: "spring law", words: limit.what });

@@ -6,10 +6,10 @@ use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables;
-use crate::study::compare::hardware::{Built, Demand, is_held};
+use crate::study::compare::hardware::{InstalledSpring, MechanismLoadCase, is_held};
 use crate::study::compare::sized::{self, sized};
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, hold_spring_mass};
-use crate::study::context::{Context, to_its_end};
+use crate::study::context::{Context, never_cancel};
 use crate::study::limit::{self, BESIDE_LIMIT, Limit};
 use crate::study::verdict::Verdict;
 
@@ -17,7 +17,7 @@ use crate::study::verdict::Verdict;
 const WIDTH: f64 = 1e-9;
 
 /// Evaluation of a candidate.
-pub(super) struct Judge<'c, 'w> {
+pub(super) struct CandidateEvaluator<'c, 'w> {
     pub(super) scene: Arc<Scene>,
     pub(super) hardware: Hardware,
     pub(super) context: &'c mut Context<'w>,
@@ -31,7 +31,7 @@ struct Limits {
     run: Run,
     /// The fastest shot that the plate itself stops, just below its limit.
     fastest: Option<Run>,
-    built: Built,
+    built: InstalledSpring,
     /// Limit of plate and hardware, m/s.
     limit_m_s: Option<f64>,
     /// Part that fails at the limit before the plate is perforated.
@@ -43,9 +43,11 @@ pub fn limit_if_spring_survives_m_s(scene: &Scene) -> Result<f64, String> {
     variables::require_single(scene).map_err(|error| error.to_string())?;
     let mut own = scene.clone();
     hold_spring_mass(&mut own);
-    let mut watch = to_its_end;
+    let mut watch = never_cancel;
     let context = &mut Context::new(1, &mut watch);
-    let limits = Judge { scene: Arc::new(own), hardware: Hardware::default(), context }.limits();
+    let limits =
+        CandidateEvaluator { scene: Arc::new(own), hardware: Hardware::default(), context }
+            .limits();
     let Limits { perforation, limit_m_s, failure, .. } = limits.ok_or("no limit was found")?;
     let why = || match failure {
         Some(failure) => failure.words.to_owned(),
@@ -54,7 +56,7 @@ pub fn limit_if_spring_survives_m_s(scene: &Scene) -> Result<f64, String> {
     limit_m_s.ok_or_else(why)
 }
 
-impl Judge<'_, '_> {
+impl CandidateEvaluator<'_, '_> {
     /// The limits of plate and hardware; `None` when stopped.
     fn limits(&mut self) -> Option<Limits> {
         let scene = Arc::clone(&self.scene);
@@ -74,7 +76,7 @@ impl Judge<'_, '_> {
         // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
         let is_through = run.shot_outcome() == Outcome::Perforated && plate_m_s.is_some();
         let sizing = fastest.as_ref().filter(|_| is_through).unwrap_or(&run);
-        let built = Built::of(&scene, self.hardware, &demand(sizing));
+        let built = InstalledSpring::of(&scene, self.hardware, &demand(sizing));
         let at_design = built.failure(&scene, &demand(&run)).map(|failure| (design_m_s, failure));
         let at_design = at_design.filter(|_| top_m_s.is_some_and(|top_m_s| design_m_s < top_m_s));
         let at_top = fastest.as_ref().and_then(|run| built.failure(&scene, &demand(run)));
@@ -98,7 +100,7 @@ impl Judge<'_, '_> {
             (Some(limit), _) => Some(self.fire_below(limit)?),
             (None, _) => None,
         };
-        if !self.context.goes_on() {
+        if !self.context.should_continue() {
             return None;
         }
         Some(Entry {
@@ -133,7 +135,7 @@ impl Judge<'_, '_> {
     fn overload(
         &mut self,
         (mut fails_m_s, mut failure): (f64, Failure),
-        built: &Built,
+        built: &InstalledSpring,
     ) -> Option<(Option<f64>, Failure)> {
         let scene = Arc::clone(&self.scene);
         let mut holds_m_s = 0.0;
@@ -151,6 +153,6 @@ impl Judge<'_, '_> {
     }
 }
 
-fn demand(run: &Run) -> Demand {
-    Demand::of(&run.scene, run.max_plate_displacement_m)
+fn demand(run: &Run) -> MechanismLoadCase {
+    MechanismLoadCase::of(&run.scene, run.max_plate_displacement_m)
 }

@@ -64,7 +64,7 @@ impl Map {
         };
         context.expect(usize::try_from(plan.points()).unwrap_or(0));
         let work = Work { count: plan.points(), at_once: PIECE };
-        let cells = context.map(work, worker, |context, _| context.goes_on());
+        let cells = context.map(work, worker, |context, _| context.should_continue());
         Ok(Self { plan, cells })
     }
 

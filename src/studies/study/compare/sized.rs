@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::numerics::{larger, smaller};
-use crate::study::compare::hardware::{Built, Demand, Hardware, is_held};
+use crate::study::compare::hardware::{Hardware, InstalledSpring, MechanismLoadCase, is_held};
 use crate::study::compare::solid::thickness_of_limit;
 use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::verdict::{ShotOutcome, decide, edge};
@@ -56,7 +56,7 @@ impl Absence {
 
 /// The thinnest armour of a scene's kind that stops its shot.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sized {
+pub struct SizedArmour {
     /// The scene with that thickness.
     pub scene: Arc<Scene>,
     /// The mass of its springs, kg.
@@ -67,7 +67,7 @@ pub struct Sized {
     pub solid_areal_kg_m2: f64,
 }
 
-impl Sized {
+impl SizedArmour {
     /// Areal mass of the solid plate over that of the armour.
     pub fn mass_efficiency(&self) -> f64 {
         self.solid_areal_kg_m2 / self.areal_kg_m2
@@ -84,7 +84,7 @@ pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<
 }
 
 /// Size a valid scene for its own impact velocity, to this relative width of its thickness.
-pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<Sized, Absence> {
+pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<SizedArmour, Absence> {
     if scene.is_stack() {
         return Err(Absence::STACK);
     }
@@ -92,14 +92,14 @@ pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<Siz
     let solid_m = solid.ok_or(Absence::NO_SOLID)?;
     let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
-    let built = Built::of(&own, hardware, &shot.demand);
+    let built = InstalledSpring::of(&own, hardware, &shot.demand);
     if let Some(failure) = built.failure(&own, &shot.demand) {
         return Err(Absence::new('F', failure.words));
     }
     let known = built.areal_kg_m2(&own).zip(built.spring_kg);
     let (areal_kg_m2, spring_kg) = known.ok_or(Absence::NO_SPRING_MASS)?;
     let solid_areal_kg_m2 = solid_m * scene.target.density_kg_m3;
-    Ok(Sized { scene: Arc::new(own), spring_kg, areal_kg_m2, solid_areal_kg_m2 })
+    Ok(SizedArmour { scene: Arc::new(own), spring_kg, areal_kg_m2, solid_areal_kg_m2 })
 }
 
 /// The scene with its thickness times a factor. Where the plate's face is given it stays, else the mass ratio does, and the face
@@ -112,18 +112,18 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
 
 struct Shot {
     verdict: ShotOutcome,
-    demand: Demand,
+    demand: MechanismLoadCase,
 }
 
 /// The shot at a scene, by the contact kernel where that is enough.
 fn shoot(scene: Scene) -> Option<Shot> {
     let tolerance = first_contact::TOLERANCE_FRACTION * scene.run.tolerance;
     if let Some(end) = first_contact::contact(&scene, Wanted::Displacement, tolerance) {
-        let demand = Demand::of(&scene, first_contact::max_displacement_m(&scene, &end));
+        let demand = MechanismLoadCase::of(&scene, first_contact::max_displacement_m(&scene, &end));
         return Some(Shot { verdict: ShotOutcome::of_contact(&scene, &end), demand });
     }
     let (run, verdict) = decide(&Arc::new(scene), &mut |_| ControlFlow::Continue(()))?;
-    let demand = Demand::of(&run.scene, run.max_plate_displacement_m);
+    let demand = MechanismLoadCase::of(&run.scene, run.max_plate_displacement_m);
     Some(Shot { verdict, demand })
 }
 

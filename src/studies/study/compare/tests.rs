@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::study::compare::map::{Map, usual_axis};
-use crate::study::context::{to_its_end, until};
+use crate::study::context::{never_cancel, until};
 use crate::study::quantities::find;
 use crate::study::sweep::{Axis, Spacing};
 use crate::study::testing::scene;
@@ -12,7 +12,7 @@ const STEEL_COIL_J_PER_KG: f64 = 196.7856;
 
 fn plain(pairs: &str) -> Report {
     let scene = Arc::new(scene(pairs));
-    compare(&scene, Hardware::default(), &mut Context::new(1, &mut to_its_end)).unwrap()
+    compare(&scene, Hardware::default(), &mut Context::new(1, &mut never_cancel)).unwrap()
 }
 
 /// A quantity of the shot at the design velocity.
@@ -149,7 +149,7 @@ fn the_map_is_the_closed_form() {
     let axes = [axis("v_i", (10.0, 90.0), 41), axis("gamma", (0.5, 7.0), 4)];
     let base = scene("dishing=false k=1");
     let compute = |threads: usize| {
-        let mut watch = to_its_end;
+        let mut watch = never_cancel;
         let context = &mut Context::new(threads, &mut watch);
         Map::compute(&base, &axes, Hardware::default(), context).unwrap()
     };

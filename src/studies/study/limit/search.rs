@@ -10,7 +10,7 @@ use crate::numerics::smaller;
 use crate::study::context::Context;
 use crate::study::first_contact::{self, Wanted};
 use crate::study::limit::closures::jump;
-use crate::study::limit::verdict::{Judged, ShotOutcome, decide, edge};
+use crate::study::limit::verdict::{BracketEnd, ShotOutcome, decide, edge};
 use crate::study::limit::{
     ABOVE, BELOW, BESIDE_LIMIT, CURVE, Closures, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
     closed_form,
@@ -36,15 +36,15 @@ pub(super) struct ShotRunner<'s, 'c, 'w> {
 
 impl ShotRunner<'_, '_, '_> {
     /// Whether to go on with the next piece of work.
-    pub(super) fn goes_on(&mut self) -> bool {
-        let goes_on = self.context.goes_on();
+    pub(super) fn should_continue(&mut self) -> bool {
+        let goes_on = self.context.should_continue();
         self.context.count(1);
         goes_on
     }
 
     /// A shot at this velocity, followed until it is decided; `None` when stopped.
     fn shoot(&mut self, impact_m_s: f64) -> Option<(Shot, ShotOutcome)> {
-        if !self.goes_on() {
+        if !self.should_continue() {
             return None;
         }
         let found = shot(self.scene, impact_m_s, &mut self.context.observer());
@@ -55,14 +55,14 @@ impl ShotRunner<'_, '_, '_> {
     fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
         if let Some(end) = first_contact::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
-            return self.goes_on().then_some(ShotOutcome::of_contact(&aimed, &end));
+            return self.should_continue().then_some(ShotOutcome::of_contact(&aimed, &end));
         }
         Some(self.shoot(impact_m_s)?.1)
     }
 
     /// A shot just below a limit; `None` when stopped.
     pub(super) fn at_limit(&mut self, limit_m_s: f64) -> Option<Run> {
-        if !self.goes_on() {
+        if !self.should_continue() {
             return None;
         }
         let own = aimed(self.scene, limit_m_s * (1.0 - BESIDE_LIMIT));
@@ -100,13 +100,14 @@ impl ShotRunner<'_, '_, '_> {
     /// The limits by both closures; `None` where there is but one, or when stopped.
     pub(super) fn closures(&mut self) -> Option<Closures> {
         let scene = self.scene;
-        self.goes_on().then(|| self.context.uncounted(|context| Closures::of(scene, context)))?
+        self.should_continue()
+            .then(|| self.context.uncounted(|context| Closures::of(scene, context)))?
     }
 
     /// The limits between which the limit jumps at h = D; `None` where it does not, or when stopped.
     pub(super) fn jump(&mut self) -> Option<(f64, f64)> {
         let scene = self.scene;
-        self.goes_on().then(|| self.context.uncounted(|context| jump(scene, context)))?
+        self.should_continue().then(|| self.context.uncounted(|context| jump(scene, context)))?
     }
 
     /// The limit over all velocities, by closed form or by outcome.
@@ -128,7 +129,7 @@ impl ShotRunner<'_, '_, '_> {
         let mut limit = self.limit();
         for _ in 0..LOWER_MAX {
             let Limit::Found { basis: LimitMethod::Outcome, .. } = limit else { break };
-            let Some(beside) = self.beside(limit) else { return Limit::Unknown };
+            let Some(beside) = self.check_neighbourhood(limit) else { return Limit::Unknown };
             if beside == limit {
                 break;
             }
@@ -139,7 +140,7 @@ impl ShotRunner<'_, '_, '_> {
 
     /// Checks a limit by shots on either side. A perforation below it lowers the limit; a stopped shot above it means that there is no
     /// single limit. Undecided shots below it do not change it.
-    fn beside(&mut self, mut limit: Limit) -> Option<Limit> {
+    fn check_neighbourhood(&mut self, mut limit: Limit) -> Option<Limit> {
         let Limit::Found { velocity_m_s: limit_m_s, stopped_at_m_s, .. } = limit else {
             return Some(limit);
         };
@@ -170,7 +171,7 @@ impl ShotRunner<'_, '_, '_> {
     }
 
     /// The limit between a shot that does not perforate and one that does.
-    fn closed_in(&mut self, below: Judged, through_m_s: f64) -> Option<Limit> {
+    fn closed_in(&mut self, below: BracketEnd, through_m_s: f64) -> Option<Limit> {
         let found = edge(through_m_s, below, WIDTH, &mut |it| self.verdict(it))?;
         Some(match found {
             (through_m_s, (undecided_m_s, ShotOutcome::Undecided)) => {
@@ -236,7 +237,7 @@ impl ShotRunner<'_, '_, '_> {
             let (found, _) = shot(scene, *velocity_m_s, &mut |_| stop.flow());
             (!stop.is_set()).then_some(found)
         };
-        self.context.map_items(&velocities, shoot, |context, _| context.goes_on())
+        self.context.map_items(&velocities, shoot, |context, _| context.should_continue())
     }
 }
 

@@ -4,7 +4,7 @@ use super::verdict::ShotOutcome;
 
 use super::*;
 use crate::model::contact::Geometry;
-use crate::study::context::to_its_end;
+use crate::study::context::never_cancel;
 use crate::study::{changed_free_plate, plain_run};
 
 fn scene(pairs: &str) -> Arc<Scene> {
@@ -12,13 +12,13 @@ fn scene(pairs: &str) -> Arc<Scene> {
 }
 
 fn found(pairs: &str) -> Report {
-    find(&scene(pairs), &mut Context::new(1, &mut to_its_end)).unwrap()
+    find(&scene(pairs), &mut Context::new(1, &mut never_cancel)).unwrap()
 }
 
 /// The limit by the outcome of runs alone.
 fn by_outcome(pairs: &str) -> f64 {
     let scene = scene(pairs);
-    let mut watch = to_its_end;
+    let mut watch = never_cancel;
     let context = &mut Context::new(1, &mut watch);
     let mut range = ShotRunner { scene: &scene, context };
     range.search().unwrap().velocity_m_s().unwrap()
@@ -56,7 +56,7 @@ fn valid_limits_with_a_rigid_stop_against_the_reference() {
         ("gamma=4.46 k=1.6e6 n=2 x_stop=0.001", 234.89),
         ("gamma=0.9 k=1.2e6 n=1.5 h=0.02 x_stop=0.003 interface=plastic", 220.27),
     ] {
-        let velocity_m_s = alone(&scene(pairs), &mut Context::new(1, &mut to_its_end));
+        let velocity_m_s = alone(&scene(pairs), &mut Context::new(1, &mut never_cancel));
         let velocity_m_s = velocity_m_s.unwrap().velocity_m_s().unwrap();
         assert!((velocity_m_s - limit).abs() < 5e-3, "{pairs}: {velocity_m_s}");
     }
@@ -66,7 +66,7 @@ fn valid_limits_with_a_rigid_stop_against_the_reference() {
 #[test]
 fn valid_the_limit_by_protrusion_is_where_the_nose_reaches_the_rear_face() {
     let rigid = scene("mount=rigid criterion=protrusion");
-    let report = find(&rigid, &mut Context::new(1, &mut to_its_end)).unwrap();
+    let report = find(&rigid, &mut Context::new(1, &mut never_cancel)).unwrap();
     let geometry = Geometry::of(&rigid);
     let volume = geometry.swept_m3(geometry.travel_m(rigid.target.thickness_m));
     let c = rigid.drag_kg_m3();

@@ -65,16 +65,16 @@ pub(in crate::study) fn decide(
 }
 
 /// A value and its verdict.
-pub(in crate::study) type Judged = (f64, ShotOutcome);
+pub(in crate::study) type BracketEnd = (f64, ShotOutcome);
 
 /// Where shots cease to perforate on the way from a value at which they do to one at which they do not, to a relative width: the
 /// last value that perforates, and the next with its verdict. `None` when stopped.
 pub(in crate::study) fn edge(
     mut perforated: f64,
-    mut beyond: Judged,
+    mut beyond: BracketEnd,
     width: f64,
     look: &mut dyn FnMut(f64) -> Option<ShotOutcome>,
-) -> Option<(f64, Judged)> {
+) -> Option<(f64, BracketEnd)> {
     let mut undecided = 0;
     let apart = |a: f64, b: f64| (a - b).abs() / smaller(a, b);
     while apart(perforated, beyond.0) > width && undecided < UNDECIDED_MAX {
@@ -99,7 +99,7 @@ mod tests {
     use ShotOutcome::{Perforated, Stopped, Undecided};
 
     /// From 2 (perforated) to 1 (stopped), with undecided shots in between.
-    fn found(low: f64, high: f64) -> (f64, Judged) {
+    fn found(low: f64, high: f64) -> (f64, BracketEnd) {
         let look = &mut |value: f64| {
             Some(match value {
                 _ if value < low => Stopped,

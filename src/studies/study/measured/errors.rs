@@ -108,7 +108,7 @@ pub fn evaluate(measurements: &[Measurement], context: &mut Context<'_>) -> Vec<
     let row = |measurement: &Measurement| {
         Some(Row { measurement: measurement.clone(), computed: computed(measurement) })
     };
-    context.map_items(measurements, row, |context, _| context.goes_on())
+    context.map_items(measurements, row, |context, _| context.should_continue())
 }
 
 /// The classes of the built-in measurements.

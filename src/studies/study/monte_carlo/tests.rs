@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::*;
-use crate::study::context::to_its_end;
+use crate::study::context::never_cancel;
 use crate::study::limit::closed_form;
 use crate::study::testing::rigid;
 
@@ -13,7 +13,7 @@ fn task(vary: Vec<Tolerance>, measures: &[&str], samples: usize) -> Request {
 }
 
 fn sampled(scene: &Scene, task: &Request) -> Report {
-    run(scene, task, &mut Context::new(2, &mut to_its_end)).unwrap()
+    run(scene, task, &mut Context::new(2, &mut never_cancel)).unwrap()
 }
 
 /// Depth p <= R of a rigid mount is a rising function of velocity: V(p) = m/(2c) ln(1 + c v²/S); so its quantiles are those of

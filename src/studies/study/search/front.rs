@@ -16,7 +16,7 @@ use crate::study::search::sampling::{self, Judged, Sample};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::usual::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
-use crate::study::validity::{self, Checked, Plastic};
+use crate::study::validity::{self, DesignValidity, Plastic};
 use crate::study::verdict::Verdict;
 pub use constraint::Constraint;
 
@@ -141,7 +141,7 @@ pub struct Design {
 
 /// Designs without a value of an objective, which cannot be on a front.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Lack {
+pub struct MissingObjective {
     /// The objective's measure.
     pub measure: &'static Quantity,
     /// The outcome of these designs.
@@ -166,7 +166,7 @@ pub struct Report {
     /// Runs stopped after [`STEPS_MAX`] steps.
     pub given_up: usize,
     /// Runs that had no value of an objective.
-    pub lacks: Vec<Lack>,
+    pub lacks: Vec<MissingObjective>,
     /// Runs that were infeasible, by check.
     pub infeasible: Vec<(Check, usize)>,
     /// Runs that were infeasible because the plate is not known to stop the shot.
@@ -200,7 +200,7 @@ pub fn run(
     let names: Vec<&str> = request.measures().iter().map(|measure| measure.name).collect();
     let plan = Plan::for_designs(scene, request.over.clone(), &names)?.limited(STEPS_MAX);
     context.expect(request.samples);
-    let known = Checked::of(scene, request.objectives[0].measure, &[], &mut || true).fails;
+    let known = DesignValidity::of(scene, request.objectives[0].measure, &[], &mut || true).fails;
     let front = Report { request, base: scene.clone(), ..Report::default() };
     Ok(Search { plan, known, front }.run(context))
 }
@@ -227,7 +227,7 @@ impl Search {
         let mut checked = Vec::new();
         for design in &mut self.front.designs {
             let scene = scene_with(&self.front.base, &self.front.request.over, &design.values);
-            let found = Checked::of(&scene, measure, &[], &mut || context.goes_on());
+            let found = DesignValidity::of(&scene, measure, &[], &mut || context.should_continue());
             design.plastic = found.plastic;
             checked.push(found.fails);
         }
@@ -292,7 +292,9 @@ impl Search {
             let fails = validity::infeasible(&scene, &self.known, &mut || !stop.is_set());
             (!stop.is_set()).then_some(fails)
         };
-        context.uncounted(|inner| inner.map_items(candidates, check, |inner, _| inner.goes_on()))
+        context.uncounted(|inner| {
+            inner.map_items(candidates, check, |inner, _| inner.should_continue())
+        })
     }
 
     /// Counts a design that has no value of an objective.
@@ -303,7 +305,7 @@ impl Search {
         let lacks = &mut self.front.lacks;
         match lacks.iter_mut().find(|it| it.measure == measure && it.outcome == outcome) {
             Some(lack) => lack.count += 1,
-            None => lacks.push(Lack { measure, outcome, count: 1 }),
+            None => lacks.push(MissingObjective { measure, outcome, count: 1 }),
         }
     }
 
@@ -311,7 +313,7 @@ impl Search {
     fn value(&self, found: &Point, measure: &Quantity) -> Option<f64> {
         let is_perforated = found.outcome == PointOutcome::Ended(Outcome::Perforated);
         let at = self.plan.outputs().iter().position(|other| *other == measure)?;
-        found.values[at].filter(|_| !is_perforated || measure.tells_of_perforation())
+        found.values[at].filter(|_| !is_perforated || measure.is_defined_when_perforated())
     }
 
     /// The values of a point of the unit cube.

@@ -14,7 +14,7 @@ use crate::model::units::shortest;
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
-use crate::study::validity::Checked;
+use crate::study::validity::DesignValidity;
 use roots::{Crossing, RootScan};
 
 pub mod roots;
@@ -131,7 +131,7 @@ pub struct Report {
     /// Solutions in order of the variable, then jumps, the nearest miss, and gaps.
     pub lines: Vec<SeekResult>,
     /// Validity of each solution.
-    pub checked: Vec<Checked>,
+    pub checked: Vec<DesignValidity>,
     /// The least and the greatest value met with.
     pub range: Option<(SamplePoint, SamplePoint)>,
     /// The scan, for drawing: the variable's value and the measure's.
@@ -205,7 +205,7 @@ pub fn run(
     }
     let designs = found.iter().map(|it| space.scene_of(&[axis.at_share(it.from.at)]));
     let mut check = |design: &Scene, known: &[Check]| {
-        Checked::of(design, goal.measure, known, &mut || context.goes_on())
+        DesignValidity::of(design, goal.measure, known, &mut || context.should_continue())
     };
     let known = check(scene, &[]).fails;
     let checked = designs.map(|design| check(&design, &known)).collect();

@@ -1,12 +1,12 @@
 //! The study on scenes whose answer is known.
 
 use super::*;
-use crate::study::context::{to_its_end, until};
+use crate::study::context::{never_cancel, until};
 use crate::study::plain_run;
 use crate::study::testing::scene;
 
 fn computed(pairs: &str, request: &Request) -> Report {
-    run(&scene(pairs), request, &mut Context::new(2, &mut to_its_end)).unwrap()
+    run(&scene(pairs), request, &mut Context::new(2, &mut never_cancel)).unwrap()
 }
 
 #[test]

@@ -107,7 +107,7 @@ enumeration! {
 
 /// Request for a stability map.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wanted {
+pub struct StabilityMapRequest {
     /// The method.
     pub method: FixedStep,
     /// The variable of the rows.
@@ -117,7 +117,7 @@ pub struct Wanted {
 }
 
 /// The command's name and options.
-impl fmt::Display for Wanted {
+impl fmt::Display for StabilityMapRequest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let quick = if self.size == QUICK { " --quick" } else { "" };
         let (axis, method) = (self.axis.symbol(), self.method.word());
@@ -181,8 +181,8 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 }
 
 /// Compute the map of a valid scene, and show it as it grows. Where it is stopped, the rest is waiting.
-pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map {
-    let Wanted { method, axis, size: (rows, columns) } = wanted;
+pub fn map(scene: &Scene, wanted: StabilityMapRequest, context: &mut Context<'_, Map>) -> Map {
+    let StabilityMapRequest { method, axis, size: (rows, columns) } = wanted;
     let contact_s = Target::of(scene).map_or_else(
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
         |target| target.contact_s,

@@ -35,7 +35,7 @@ fn every_result_of_a_row_is_judged() {
             let mut other = right;
             other.results[at] = wrong;
             let short = shortfall(&run, error_of(&run, &other));
-            assert_eq!(short, Some(Shortfall::Error), "result {at}: {wrong:?}");
+            assert_eq!(short, Some(FailureReason::Error), "result {at}: {wrong:?}");
         }
     }
 }

@@ -50,7 +50,7 @@ impl Plan {
         };
         let at_once = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
         let work = Work { count: plan.points, at_once };
-        context.map(work, worker, |context, _| context.goes_on())
+        context.map(work, worker, |context, _| context.should_continue())
     }
 
     /// Whether designs are simulated one by one: on the plastic law, and where a measure is not known from the contact alone.
@@ -66,14 +66,14 @@ mod tests {
     use crate::model::run::{EndReason, Outcome};
     use crate::model::scene::Scene;
     use crate::model::simulate::Settings;
-    use crate::study::context::to_its_end;
+    use crate::study::context::never_cancel;
     use crate::study::quantities::named;
     use crate::study::run_with;
     use crate::study::sweep::{Failure, PointOutcome};
     use crate::study::testing::axes;
 
     fn whole(space: &Plan, designs: &[Vec<f64>], threads: usize) -> Vec<Point> {
-        space.evaluate(designs, &mut Context::<()>::new(threads, &mut to_its_end))
+        space.evaluate(designs, &mut Context::<()>::new(threads, &mut never_cancel))
     }
 
     const FOUR: [&str; 4] =

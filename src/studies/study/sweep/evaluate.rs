@@ -13,7 +13,7 @@ use crate::study::compare::{self, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
 use crate::study::outcome::{Failure, PointOutcome};
-use crate::study::quantities::{Quantity, Search, Trait};
+use crate::study::quantities::{Quantity, QuantityFlag, Search};
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
 use crate::study::verdict::Verdict;
@@ -56,7 +56,7 @@ pub struct Evaluator<'p> {
 impl<'p> Evaluator<'p> {
     /// An evaluator for a plan; once `stop` is set, the point under way ends early and the rest are not begun.
     pub fn new(plan: &'p Plan, stop: &'p CancelFlag) -> Self {
-        let estimate = plan.outputs().iter().any(|output| output.has(Trait::Estimate));
+        let estimate = plan.outputs().iter().any(|output| output.has(QuantityFlag::Estimate));
         Self {
             plan,
             stop,

@@ -191,7 +191,7 @@ impl Grid {
                 if finished {
                     self.stride = stride;
                 }
-                whole && if finished { context.show(&self) } else { context.goes_on() }
+                whole && if finished { context.show(&self) } else { context.should_continue() }
             });
             if context.is_stopped() {
                 break;

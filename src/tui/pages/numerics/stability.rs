@@ -6,7 +6,7 @@ use crate::report;
 use crate::report::chart::spaced;
 use crate::report::stability::{HOW_IT_RAN, picture, table, title};
 use crate::study::accuracy::reference::ReferenceSource;
-use crate::study::stability::map::{self, Wanted};
+use crate::study::stability::map::{self, StabilityMapRequest};
 use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::cursor_moved;
@@ -156,7 +156,7 @@ pub(super) fn place(app: &App, text: &str) -> Result<Option<(usize, usize)>, Str
 /// The request of the map that is selected.
 fn map_of(app: &App) -> StabilityMap {
     let tab = &app.pages.numerics.stability;
-    StabilityMap(Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE })
+    StabilityMap(StabilityMapRequest { method: tab.method(), axis: tab.axis(), size: map::SIZE })
 }
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

@@ -4,7 +4,7 @@ use super::*;
 use crate::model::run::Warning;
 use crate::model::run::envelope::{self, Direction};
 use crate::model::simulate::Settings;
-use crate::study::context::to_its_end;
+use crate::study::context::never_cancel;
 use crate::study::run_with;
 use crate::study::testing::{axes, scene};
 
@@ -23,7 +23,7 @@ fn at_most(name: &str, bound: f64) -> Constraint {
 }
 
 fn solve(scene: &Scene, request: &Request) -> Report {
-    run(scene, request, &mut Context::new(2, &mut to_its_end)).unwrap()
+    run(scene, request, &mut Context::new(2, &mut never_cancel)).unwrap()
 }
 
 /// A free plate: depth falls and travel of the projectile's momentum rises as gamma falls, so every gamma is on the front; with

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::*;
 use crate::model::run::Outcome;
 use crate::model::scene::Mount;
-use crate::study::context::to_its_end;
+use crate::study::context::never_cancel;
 use crate::study::sweep::Spacing;
 
 fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Request {
@@ -18,7 +18,7 @@ fn found(scene: &Scene, request: &Request) -> Report {
 }
 
 fn on(threads: usize, scene: &Scene, request: &Request) -> Result<Report, SweepError> {
-    run(scene, request, &mut Context::new(threads, &mut to_its_end))
+    run(scene, request, &mut Context::new(threads, &mut never_cancel))
 }
 
 fn close(value: f64, exact: f64, relative: f64) {
