@@ -233,7 +233,7 @@ impl Shared {
         if now.saturating_sub(begun) > LONG || now.saturating_sub(jobs.trimmed) > WHILE {
             jobs.trimmed = now;
             drop(jobs);
-            give_back();
+            trim_heap();
         }
     }
 }
@@ -245,7 +245,7 @@ mod tests;
 /// between pieces still in use: in an hour of searches and sweeps the process would grow to ten times of what it holds.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 #[expect(unsafe_code, reason = "a call of the C library, which no crate wraps")]
-fn give_back() {
+fn trim_heap() {
     // SAFETY: it takes the locks of the heap by itself, and what is in use stays where it is.
     unsafe {
         libc::malloc_trim(0);
@@ -254,4 +254,4 @@ fn give_back() {
 
 /// Nothing to do: these heaps do not grow so.
 #[cfg(not(all(target_os = "linux", target_env = "gnu")))]
-fn give_back() {}
+fn trim_heap() {}

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::pictures::PictureArguments;
+use crate::cli::pictures::ChartArguments;
 use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw};
@@ -40,7 +40,7 @@ pub(super) struct CompareArguments {
     #[arg(long, value_name = "X,Y")]
     map: Option<String>,
     #[command(flatten)]
-    pictures: PictureArguments,
+    pictures: ChartArguments,
     #[command(flatten)]
     study: StudyArguments,
 }

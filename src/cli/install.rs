@@ -6,7 +6,7 @@ use clap::{Args, Command};
 use clap_complete::Shell;
 
 use crate::cli::{CliError, completions, output};
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::paths;
 
 #[derive(Debug, Args)]
@@ -39,7 +39,7 @@ pub(super) fn run(arguments: &InstallArguments, program: &Command) -> Result<(),
     }
     for (path, content) in &files {
         atomic::make_folder_of(path)?;
-        atomic::write(path, content, Existing::Replace)?;
+        atomic::write(path, content, OverwritePolicy::Replace)?;
     }
     output::print(&format!("manual pages  {} ({page_count})\n", pages.display()))?;
     for (shell, path) in SCRIPTS {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::pictures::PictureArguments;
+use crate::cli::pictures::ChartArguments;
 use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging};
 use crate::cli::{CliError, draw};
@@ -19,7 +19,7 @@ use crate::tui::theme::Theme;
 #[derive(Debug, Args)]
 pub(super) struct LimitArguments {
     #[command(flatten)]
-    pictures: PictureArguments,
+    pictures: ChartArguments,
     #[command(flatten)]
     study: StudyArguments,
 }

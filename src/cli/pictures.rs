@@ -12,13 +12,13 @@ use crate::study::context::Reach;
 
 /// `--svg FILE`.
 #[derive(Debug, Args)]
-pub(super) struct PictureArguments {
+pub(super) struct ChartArguments {
     /// Write the charts to this file as SVG; `-` writes them to standard output instead of the page
     #[arg(long, value_name = "FILE", group = "files")]
     svg: Option<PathBuf>,
 }
 
-impl PictureArguments {
+impl ChartArguments {
     pub(super) fn is_wanted(&self) -> bool {
         self.svg.is_some()
     }

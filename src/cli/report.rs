@@ -11,7 +11,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
 use crate::cli::sweep::page::KEPT_MAX;
 use crate::cli::{CliError, output, progress};
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::export;
 use crate::files::report::{html, is_report};
 use crate::model::scene::Scene;
@@ -40,7 +40,7 @@ pub(super) struct ReportArguments {
 /// Write a report; exit status 1 for a run that ended early, or after an interrupt.
 pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
-    let existing = Existing::replaced(arguments.force);
+    let existing = OverwritePolicy::replaced(arguments.force);
     let is_stdout = path.as_os_str() == "-";
     if !is_stdout {
         if !is_report(path) {

@@ -10,7 +10,7 @@ use std::time::Instant;
 use clap::Args;
 
 use crate::cli::amount::above_zero;
-use crate::cli::pictures::PictureArguments;
+use crate::cli::pictures::ChartArguments;
 use crate::cli::progress::{Extent, ProgressLine};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
@@ -58,7 +58,7 @@ pub(super) struct RunArguments {
     #[arg(long, conflicts_with = "json")]
     plain: bool,
     #[command(flatten)]
-    pictures: PictureArguments,
+    pictures: ChartArguments,
     #[command(flatten)]
     table: TableArguments,
     /// Choose the characters of the charts

@@ -27,12 +27,12 @@ pub(super) struct SceneArguments {
     /// A preset's name, the path of a TOML file, or `-` for standard input [default: thesis-baseline]
     scene: Option<OsString>,
     #[command(flatten)]
-    pub(super) changes: Changes,
+    pub(super) changes: SceneOverrides,
 }
 
 /// Entries of the libraries, then `--set`.
 #[derive(Debug, Args)]
-pub(super) struct Changes {
+pub(super) struct SceneOverrides {
     /// Take mass, radius and velocity of a threat (`cmra libraries threats` lists them)
     #[arg(long, value_name = "NAME")]
     threat: Option<String>,
@@ -75,7 +75,7 @@ impl SceneArguments {
     }
 }
 
-impl Changes {
+impl SceneOverrides {
     pub(super) fn apply(&self, scene: &mut Scene) -> Result<(), CliError> {
         for (library, name) in self.entries() {
             let entry = library::find(library, name, Paths::of_user().ok().as_ref())?;

@@ -12,15 +12,15 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::pictures::PictureArguments;
+use crate::cli::pictures::ChartArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::text::fitted;
 use crate::cli::{CliError, output, progress};
-use crate::files::atomic::Growing;
-use crate::files::export::{self, Beside};
+use crate::files::atomic::PartialFile;
+use crate::files::export::{self, Sidecar};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, Piece, SweepWriter, json_tail};
@@ -56,7 +56,7 @@ pub(super) struct SweepArguments {
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
-    pictures: PictureArguments,
+    pictures: ChartArguments,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -171,7 +171,7 @@ impl Job<'_> {
         &self,
         arguments: &SweepArguments,
         columns: Columns,
-        mut file: Option<Growing>,
+        mut file: Option<PartialFile>,
         kept: &mut Option<Grid>,
     ) -> Result<OutcomeCounts, CliError> {
         let (has_csv, has_json) = (arguments.table.is_wanted(), arguments.table.json);
@@ -215,7 +215,7 @@ impl Job<'_> {
             let is_part = self.shard != Shard::WHOLE;
             let part = if is_part { format!(" --shard {}", self.shard) } else { String::new() };
             let command = format!("sweep{part}");
-            let scenes = [Beside { run: None, scene: &scene, notes, command }];
+            let scenes = [Sidecar { run: None, scene: &scene, notes, command }];
             output::note_written(&match missing {
                 None => to.finish(file, &scenes)?,
                 Some(_) => export::leave(&file, &scenes)?,

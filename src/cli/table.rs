@@ -8,11 +8,11 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::Value;
 
 use crate::cli::progress::Extent;
-use crate::cli::scene::Changes;
+use crate::cli::scene::SceneOverrides;
 use crate::cli::{CliError, output, text};
-use crate::files::atomic::Existing;
+use crate::files::atomic::OverwritePolicy;
 use crate::files::error::FileError;
-use crate::files::export::{Beside, Destination};
+use crate::files::export::{Destination, Sidecar};
 use crate::model::run::envelope::OUTSIDE;
 use crate::model::scene::Scene;
 use crate::report::table::{Table, pretty};
@@ -86,8 +86,8 @@ impl TableArguments {
     }
 
     /// The handling of an existing file.
-    pub(super) fn existing(&self) -> Existing {
-        Existing::replaced(self.force)
+    pub(super) fn existing(&self) -> OverwritePolicy {
+        OverwritePolicy::replaced(self.force)
     }
 
     /// Whether the table, and its scene where one goes beside it, can be written where they are to go: checked before a long
@@ -140,7 +140,7 @@ impl TableArguments {
 }
 
 /// The changes that made a scene, the scene, and the command that makes the table of it: its name and options.
-pub(super) type Source<'a> = (&'a Changes, &'a Scene, String);
+pub(super) type Source<'a> = (&'a SceneOverrides, &'a Scene, String);
 
 fn write(
     to: &Destination,
@@ -150,7 +150,7 @@ fn write(
 ) -> Result<(), FileError> {
     let notes = extent.missing().map_or_else(String::new, |missing| format!("# {missing}\n"));
     let is_complete = extent.reach.is_complete();
-    let beside = source.map(|(_, scene, command)| Beside { run: None, scene, notes, command });
+    let beside = source.map(|(_, scene, command)| Sidecar { run: None, scene, notes, command });
     output::note_written(&to.write(text.as_bytes(), beside.as_slice(), is_complete)?);
     Ok(())
 }

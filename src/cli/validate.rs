@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Args;
 use serde_json::Value;
 
-use crate::cli::pictures::PictureArguments;
+use crate::cli::pictures::ChartArguments;
 use crate::cli::progress::Extent;
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
@@ -40,7 +40,7 @@ pub(super) struct ValidateArguments {
     #[arg(long)]
     rows: bool,
     #[command(flatten)]
-    pictures: PictureArguments,
+    pictures: ChartArguments,
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]

@@ -20,14 +20,14 @@ use crate::files::error::FileError;
 
 /// The handling of an existing file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Existing {
+pub enum OverwritePolicy {
     /// Leave it alone and report it.
     Keep,
     /// Replace it.
     Replace,
 }
 
-impl Existing {
+impl OverwritePolicy {
     /// Replace it where that was requested.
     pub fn replaced(is_asked_for: bool) -> Self {
         if is_asked_for { Self::Replace } else { Self::Keep }
@@ -38,8 +38,8 @@ impl Existing {
 ///
 /// # Errors
 /// [`FileError::Exists`] or [`FileError::Write`]; nothing is left behind then.
-pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), FileError> {
-    let mut file = Growing::prepare(path, existing, hidden)?;
+pub fn write(path: &Path, content: &[u8], existing: OverwritePolicy) -> Result<(), FileError> {
+    let mut file = PartialFile::prepare(path, existing, hidden)?;
     file.add(content)?;
     name_all(vec![file], existing)
 }
@@ -52,13 +52,13 @@ pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
 
 /// Whether a file could be written here now: its name is free or may be replaced, and its directory takes files. Nothing is left
 /// behind.
-pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
-    Growing::prepare(path, existing, hidden).map(drop)
+pub fn check(path: &Path, existing: OverwritePolicy) -> Result<(), FileError> {
+    PartialFile::prepare(path, existing, hidden).map(drop)
 }
 
 /// Whether only an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
 /// terminal that is drawn on.
-pub fn ordinary(path: &Path) -> Result<(), FileError> {
+pub fn check_regular_file(path: &Path) -> Result<(), FileError> {
     match fs::metadata(path) {
         Ok(found) if !found.is_file() && !found.is_dir() => Err(FileError::special(path)),
         Ok(_) | Err(_) => Ok(()),
@@ -76,18 +76,18 @@ const PREVIOUS: &str = ".previous";
 
 /// Give all files their names. Those after the first belong to it: the old ones step aside first, so that a program that is killed in
 /// between leaves a file alone, never beside one that belongs to another, and the old one under another name.
-fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
-    for Growing { target, place, .. } in &ready {
-        if let Place::Beside(file) = place {
+fn name_all(ready: Vec<PartialFile>, existing: OverwritePolicy) -> Result<(), FileError> {
+    for PartialFile { target, place, .. } in &ready {
+        if let WriteTarget::Beside(file) = place {
             let synced = file.as_file().sync_all();
             synced.map_err(|source| FileError::write(target, source))?;
         }
     }
     let mut previous = Vec::new();
-    for old in ready.iter().skip(1).filter(|_| existing == Existing::Replace) {
+    for old in ready.iter().skip(1).filter(|_| existing == OverwritePolicy::Replace) {
         let aside = with_end(&old.target, PREVIOUS);
         // Where there is none, or it cannot step aside, naming the new one tells.
-        if matches!(old.place, Place::Beside(_)) && fs::rename(&old.target, &aside).is_ok() {
+        if matches!(old.place, WriteTarget::Beside(_)) && fs::rename(&old.target, &aside).is_ok() {
             previous.push((old.target.clone(), aside));
         }
     }
@@ -100,7 +100,7 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
                 let _ = fs::rename(aside, path);
             }
             // Only files that were not there before are taken back: a replaced one cannot be.
-            for path in named.iter().filter(|_| existing == Existing::Keep) {
+            for path in named.iter().filter(|_| existing == OverwritePolicy::Keep) {
                 let _ = fs::remove_file(path);
             }
             return Err(error);
@@ -143,25 +143,25 @@ const PARTIAL: &str = ".partial";
 
 /// A table that grows piece by piece in `NAME.partial` and takes its name when it is finished. From its first piece on the file stays,
 /// however the program ends.
-pub struct Growing {
+pub struct PartialFile {
     /// Path as given.
     path: PathBuf,
     /// Path that a link of that name points to.
     target: PathBuf,
-    place: Place,
+    place: WriteTarget,
     /// Bytes of the pieces that were added whole.
     length: u64,
 }
 
-enum Place {
+enum WriteTarget {
     Beside(NamedTempFile),
     /// A device or pipe such as `/dev/stdout`: it cannot be replaced, only written to, and is opened when it is.
     Direct(Option<File>),
 }
 
-impl Growing {
+impl PartialFile {
     /// Begin.
-    pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
+    pub fn begin(path: &Path, existing: OverwritePolicy) -> Result<Self, FileError> {
         let mut file = Self::prepare(path, existing, visible)?;
         file.add(b"")?;
         Ok(file)
@@ -169,7 +169,7 @@ impl Growing {
 
     fn prepare(
         path: &Path,
-        existing: Existing,
+        existing: OverwritePolicy,
         temporary: fn(&Path) -> io::Result<NamedTempFile>,
     ) -> Result<Self, FileError> {
         // A link stays a link: what it points to is replaced.
@@ -186,7 +186,7 @@ impl Growing {
                 return Err(FileError::special(path));
             }
             if !found.is_file() {
-                return Ok(placed(target, Place::Direct(None)));
+                return Ok(placed(target, WriteTarget::Direct(None)));
             }
         }
         let is_there = fs::symlink_metadata(&target).is_ok();
@@ -195,7 +195,7 @@ impl Growing {
                 "it is a link to a file that is not there: remove the link, or choose another name";
             return Err(FileError::target(path, problem));
         }
-        if existing == Existing::Keep && is_there {
+        if existing == OverwritePolicy::Keep && is_there {
             return Err(FileError::Exists(path.to_owned()));
         }
         if found.as_ref().is_some_and(|found| found.permissions().readonly()) {
@@ -208,22 +208,22 @@ impl Growing {
             // Not by the builder: the user's mask would be taken off once more.
             file.as_file().set_permissions(found.permissions()).map_err(failed)?;
         }
-        Ok(placed(target, Place::Beside(file)))
+        Ok(placed(target, WriteTarget::Beside(file)))
     }
 
     /// Add a piece.
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
         let written = match &mut self.place {
-            Place::Beside(file) => file.as_file_mut().write_all(content),
-            Place::Direct(Some(device)) => device.write_all(content),
-            Place::Direct(device) => {
+            WriteTarget::Beside(file) => file.as_file_mut().write_all(content),
+            WriteTarget::Direct(Some(device)) => device.write_all(content),
+            WriteTarget::Direct(device) => {
                 let opened = OpenOptions::new().write(true).open(&self.target);
                 opened.and_then(|file| device.insert(file).write_all(content))
             }
         };
         written.map_err(|source| FileError::write(&self.path, source))?;
         self.length += content.len() as u64;
-        if let Place::Beside(file) = &mut self.place {
+        if let WriteTarget::Beside(file) = &mut self.place {
             let is_table = file.path().extension().is_none_or(|end| end != "tmp");
             file.disable_cleanup(is_table && self.length > 0);
         }
@@ -234,14 +234,14 @@ impl Growing {
     /// of a table without a piece.
     pub fn partial(&self) -> Option<PathBuf> {
         match &self.place {
-            Place::Beside(file) if self.length > 0 => {
+            WriteTarget::Beside(file) if self.length > 0 => {
                 // Where a broken last piece cannot be cut off, it can be seen.
                 let _ = file.as_file().set_len(self.length);
                 let is_link = fs::read_link(&self.path).is_ok();
                 let given = if is_link { &self.target } else { &self.path };
                 Some(given.with_file_name(file.path().file_name().unwrap_or_default()))
             }
-            Place::Beside(_) | Place::Direct(_) => None,
+            WriteTarget::Beside(_) | WriteTarget::Direct(_) => None,
         }
     }
 
@@ -249,7 +249,11 @@ impl Growing {
     ///
     /// # Errors
     /// [`FileError::Exists`] when another file has taken a name meanwhile, or [`FileError::Write`].
-    pub fn finish(self, beside: &[(PathBuf, String)], existing: Existing) -> Result<(), FileError> {
+    pub fn finish(
+        self,
+        beside: &[(PathBuf, String)],
+        existing: OverwritePolicy,
+    ) -> Result<(), FileError> {
         let mut ready = vec![self];
         for (path, content) in beside {
             let mut file = Self::prepare(path, existing, hidden)?;
@@ -260,15 +264,15 @@ impl Growing {
     }
 
     /// Take the name; a device has its own.
-    fn name(self, existing: Existing) -> Result<(), FileError> {
-        let (target, Place::Beside(file)) = (self.target, self.place) else { return Ok(()) };
+    fn name(self, existing: OverwritePolicy) -> Result<(), FileError> {
+        let (target, WriteTarget::Beside(file)) = (self.target, self.place) else { return Ok(()) };
         let named = match existing {
-            Existing::Keep => file.persist_noclobber(&target),
-            Existing::Replace => file.persist(&target),
+            OverwritePolicy::Keep => file.persist_noclobber(&target),
+            OverwritePolicy::Replace => file.persist(&target),
         };
         let named = named.map(drop).or_else(|failed| match (existing, failed.error.kind()) {
-            (Existing::Keep, io::ErrorKind::AlreadyExists) => Err(failed.error),
-            (Existing::Keep, _) => persist_reserved(failed.file, &target),
+            (OverwritePolicy::Keep, io::ErrorKind::AlreadyExists) => Err(failed.error),
+            (OverwritePolicy::Keep, _) => persist_reserved(failed.file, &target),
             (_, io::ErrorKind::ResourceBusy) => copy_over(failed.file, &target),
             _ => Err(failed.error),
         });
@@ -416,8 +420,8 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let (first, second) = (place.path().join("a.csv"), place.path().join("a.toml"));
         fs::write(&second, "mine").unwrap();
-        let file = Growing::begin(&first, Existing::Keep).unwrap();
-        assert!(file.finish(&[(second.clone(), "2".to_owned())], Existing::Keep).is_err());
+        let file = PartialFile::begin(&first, OverwritePolicy::Keep).unwrap();
+        assert!(file.finish(&[(second.clone(), "2".to_owned())], OverwritePolicy::Keep).is_err());
         assert_eq!(names(place.path()), ["a.toml"]);
         assert_eq!(fs::read(&second).unwrap(), b"mine");
     }
@@ -426,7 +430,7 @@ mod tests {
     fn a_growing_table_can_be_seen_and_is_left_alone() {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("a.csv");
-        let begin = || Growing::begin(&path, Existing::Keep).unwrap();
+        let begin = || PartialFile::begin(&path, OverwritePolicy::Keep).unwrap();
         let mut first = begin();
         first.add(b"1\n").unwrap();
         let mut second = begin();
@@ -438,10 +442,13 @@ mod tests {
         // As if it had been killed.
         drop(first);
         assert_eq!(fs::read(place.path().join("a.csv.partial")).unwrap(), b"1\n");
-        second.finish(&[], Existing::Keep).unwrap();
+        second.finish(&[], OverwritePolicy::Keep).unwrap();
         assert_eq!(names(place.path()), ["a.csv", "a.csv.partial"]);
         assert_eq!(fs::read(&path).unwrap(), b"2\n");
-        assert!(matches!(Growing::begin(&path, Existing::Keep), Err(FileError::Exists(_))));
+        assert!(matches!(
+            PartialFile::begin(&path, OverwritePolicy::Keep),
+            Err(FileError::Exists(_))
+        ));
     }
 
     #[test]
@@ -475,16 +482,16 @@ mod tests {
             [("a".repeat(251), ".csv"), ("ö".repeat(125), ".csv"), ("b".repeat(255), "")]
         {
             let path = place.path().join(format!("{stem}{end}"));
-            let mut file = Growing::begin(&path, Existing::Keep).unwrap();
+            let mut file = PartialFile::begin(&path, OverwritePolicy::Keep).unwrap();
             file.add(b"1").unwrap();
             let beside = crate::files::export::sidecar_path(&path, Some("A"));
-            file.finish(&[(beside.clone(), "2".to_owned())], Existing::Keep).unwrap();
+            file.finish(&[(beside.clone(), "2".to_owned())], OverwritePolicy::Keep).unwrap();
             assert_eq!(
                 (fs::read(&path).unwrap(), fs::read(&beside).unwrap()),
                 (b"1".to_vec(), b"2".to_vec())
             );
-            let file = Growing::begin(&path, Existing::Replace).unwrap();
-            file.finish(&[(beside, "3".to_owned())], Existing::Replace).unwrap();
+            let file = PartialFile::begin(&path, OverwritePolicy::Replace).unwrap();
+            file.finish(&[(beside, "3".to_owned())], OverwritePolicy::Replace).unwrap();
         }
         assert_eq!(names(place.path()).len(), 6);
     }
@@ -494,11 +501,11 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let (path, stale) = (place.path().join("a"), place.path().join(".cmra-killed.tmp"));
         fs::write(&stale, "1").unwrap();
-        let mut living = Growing::prepare(&path, Existing::Keep, hidden).unwrap();
+        let mut living = PartialFile::prepare(&path, OverwritePolicy::Keep, hidden).unwrap();
         living.add(b"2").unwrap();
         assert!(!stale.exists());
-        write(&place.path().join("b"), b"3", Existing::Keep).unwrap();
-        name_all(vec![living], Existing::Keep).unwrap();
+        write(&place.path().join("b"), b"3", OverwritePolicy::Keep).unwrap();
+        name_all(vec![living], OverwritePolicy::Keep).unwrap();
         assert_eq!(names(place.path()), ["a", "b"]);
         assert_eq!(fs::read(&path).unwrap(), b"2");
     }
@@ -513,7 +520,7 @@ mod tests {
         let is_root = std::os::unix::fs::chown(&path, chosen.0, chosen.1).is_ok();
         let before = fs::metadata(&path).unwrap();
         assert!(!is_root || before.uid() == 12_345);
-        write(&path, b"new", Existing::Replace).unwrap();
+        write(&path, b"new", OverwritePolicy::Replace).unwrap();
         let after = fs::metadata(&path).unwrap();
         assert_eq!((after.uid(), after.gid()), (before.uid(), before.gid()));
     }
@@ -524,9 +531,11 @@ mod tests {
         let (table, scene) = (place.path().join("a.csv"), place.path().join("a.toml"));
         fs::write(&scene, "old").unwrap();
         // A folder takes the table's name meanwhile: it cannot be named.
-        let file = Growing::begin(&table, Existing::Replace).unwrap();
+        let file = PartialFile::begin(&table, OverwritePolicy::Replace).unwrap();
         fs::create_dir(&table).unwrap();
-        assert!(file.finish(&[(scene.clone(), "new".to_owned())], Existing::Replace).is_err());
+        assert!(
+            file.finish(&[(scene.clone(), "new".to_owned())], OverwritePolicy::Replace).is_err()
+        );
         assert_eq!(names(place.path()), ["a.csv", "a.toml"]);
         assert_eq!(fs::read(&scene).unwrap(), b"old");
     }
@@ -553,7 +562,7 @@ mod tests {
         for (path, words) in
             [(&*link, "a link to a file that is not there"), (place.path(), "directory")]
         {
-            for existing in [Existing::Keep, Existing::Replace] {
+            for existing in [OverwritePolicy::Keep, OverwritePolicy::Replace] {
                 let error = write(path, b"1", existing).unwrap_err().to_string();
                 assert!(error.contains(words), "{error}");
             }
@@ -570,13 +579,13 @@ mod tests {
         symlink(&real, &link).unwrap();
         // One that the user's mask would not allow.
         fs::set_permissions(&real, fs::Permissions::from_mode(0o666)).unwrap();
-        write(&link, b"new", Existing::Replace).unwrap();
+        write(&link, b"new", OverwritePolicy::Replace).unwrap();
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         let mode = || fs::metadata(&real).unwrap().permissions().mode() & 0o777;
         assert_eq!((fs::read(&real).unwrap().as_slice(), mode()), (&b"new"[..], 0o666));
         // A read-only file is not replaced, though its folder would allow it.
         fs::set_permissions(&real, fs::Permissions::from_mode(0o444)).unwrap();
-        let refused = write(&link, b"newest", Existing::Replace).unwrap_err().to_string();
+        let refused = write(&link, b"newest", OverwritePolicy::Replace).unwrap_err().to_string();
         assert!(refused.contains("read-only"), "{refused}");
         assert_eq!((fs::read(&real).unwrap().as_slice(), mode()), (&b"new"[..], 0o444));
     }

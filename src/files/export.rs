@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::files::atomic::{self, Existing, Growing};
+use crate::files::atomic::{self, OverwritePolicy, PartialFile};
 use crate::files::clean;
 use crate::files::error::FileError;
 use crate::files::inputs;
@@ -33,11 +33,11 @@ pub struct Destination {
     /// The CSV file.
     pub path: PathBuf,
     /// The handling of an existing file.
-    pub existing: Existing,
+    pub existing: OverwritePolicy,
 }
 
 /// A scene that goes beside a table.
-pub struct Beside<'a> {
+pub struct Sidecar<'a> {
     /// The run that it is of, where the table has several: a part of the file's name.
     pub run: Option<&'a str>,
     /// The scene.
@@ -56,7 +56,7 @@ const FORMATS: [&str; 16] = [
 
 /// Whether a file of the command line can be written in a format, `csv` for example: no input, its name free or to be replaced, and its
 /// end that of no other format.
-pub fn check(path: &Path, format: &str, existing: Existing) -> Result<(), FileError> {
+pub fn check(path: &Path, format: &str, existing: OverwritePolicy) -> Result<(), FileError> {
     inputs::reserve(path)?;
     check_end(path, format)?;
     atomic::check(path, existing)
@@ -94,7 +94,10 @@ impl Destination {
             check_sidecar(&self.path, &beside)?;
         }
         check(&self.path, "csv", self.existing)?;
-        if has_beside && self.existing == Existing::Keep && fs::symlink_metadata(&beside).is_ok() {
+        if has_beside
+            && self.existing == OverwritePolicy::Keep
+            && fs::symlink_metadata(&beside).is_ok()
+        {
             return Err(FileError::Exists(beside));
         }
         Ok(())
@@ -112,7 +115,7 @@ impl Destination {
     pub fn write(
         &self,
         table: &[u8],
-        scenes: &[Beside<'_>],
+        scenes: &[Sidecar<'_>],
         is_complete: bool,
     ) -> Result<Vec<PathBuf>, FileError> {
         inputs::refuse(&self.path)?;
@@ -121,16 +124,16 @@ impl Destination {
             check_sidecar(&self.path, &sidecar_path(&self.path, None))?;
         }
         // A part of a table takes the place of none.
-        let existing = if is_complete { self.existing } else { Existing::Replace };
-        let mut file = Growing::begin(&self.path, existing)?;
+        let existing = if is_complete { self.existing } else { OverwritePolicy::Replace };
+        let mut file = PartialFile::begin(&self.path, existing)?;
         file.add(table)?;
         if is_complete { self.finish(file, scenes) } else { leave(&file, scenes) }
     }
 
     /// Begin a table that is written as it is made, and whose scene goes beside it.
-    pub fn begin(&self) -> Result<Growing, FileError> {
+    pub fn begin(&self) -> Result<PartialFile, FileError> {
         self.check(true)?;
-        Growing::begin(&self.path, self.existing)
+        PartialFile::begin(&self.path, self.existing)
     }
 
     /// Whether this file is the table or the scene beside it.
@@ -144,8 +147,12 @@ impl Destination {
     ///
     /// # Errors
     /// [`FileError`]; no file is new or changed then.
-    pub fn finish(&self, file: Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
-        let beside = |scene: &Beside<'_>| {
+    pub fn finish(
+        &self,
+        file: PartialFile,
+        scenes: &[Sidecar<'_>],
+    ) -> Result<Vec<PathBuf>, FileError> {
+        let beside = |scene: &Sidecar<'_>| {
             let path = sidecar_path(&self.path, scene.run);
             check_sidecar(&self.path, &path)?;
             Ok((path, scene.file(&self.path)))
@@ -162,27 +169,27 @@ impl Destination {
 }
 
 /// Leave a table that is not complete under its name of one that grows, with the scenes beside it; as [`Destination::write`].
-pub fn leave(file: &Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
+pub fn leave(file: &PartialFile, scenes: &[Sidecar<'_>]) -> Result<Vec<PathBuf>, FileError> {
     let Some(path) = file.partial() else { return Ok(Vec::new()) };
     let mut files = vec![path.clone()];
     for scene in scenes {
         let beside = sidecar_path(&path, scene.run);
         check_sidecar(&path, &beside).map_err(|problem| kept(file, problem))?;
-        atomic::write(&beside, scene.file(&path).as_bytes(), Existing::Replace)?;
+        atomic::write(&beside, scene.file(&path).as_bytes(), OverwritePolicy::Replace)?;
         files.push(beside);
     }
     Ok(files)
 }
 
 /// The error of a table that cannot be written further, and where its whole rows are.
-pub fn kept(file: &Growing, problem: FileError) -> FileError {
+pub fn kept(file: &PartialFile, problem: FileError) -> FileError {
     match file.partial() {
         Some(path) => FileError::Kept { path, problem: Box::new(problem) },
         None => problem,
     }
 }
 
-impl Beside<'_> {
+impl Sidecar<'_> {
     /// The scene file beside this table.
     pub fn file(&self, csv: &Path) -> String {
         let own = sidecar_path(csv, self.run);
@@ -208,8 +215,8 @@ fn checksum(text: &str) -> u64 {
 }
 
 /// The scene of each run of a table, with what came out of it: the first one's goes into the sidecar of the CSV's own name.
-pub fn scenes(runs: &[NamedRun]) -> Vec<Beside<'_>> {
-    let scenes = runs.iter().enumerate().map(|(index, (name, run))| Beside {
+pub fn scenes(runs: &[NamedRun]) -> Vec<Sidecar<'_>> {
+    let scenes = runs.iter().enumerate().map(|(index, (name, run))| Sidecar {
         run: (index > 0).then_some(name.as_str()),
         scene: &run.scene,
         notes: outcome(run),
@@ -286,7 +293,7 @@ mod tests {
     fn a_table_that_is_not_complete_replaces_none() {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
-        let to = Destination { path: at("a.csv"), existing: Existing::Keep };
+        let to = Destination { path: at("a.csv"), existing: OverwritePolicy::Keep };
         fs::write(&to.path, "whole").unwrap();
         for partial in ["a.csv.partial", "a.csv.partial-2"] {
             assert_eq!(to.write(b"1\n", &[], false).unwrap(), [at(partial)]);
@@ -305,12 +312,12 @@ mod tests {
     fn a_sidecar_that_someone_edited_is_not_replaced() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        let to = Destination { path, existing: Existing::Replace };
+        let to = Destination { path, existing: OverwritePolicy::Replace };
         let scene = Scene::default();
         for is_complete in [true, false] {
             let write = || {
                 let (notes, command) = (String::new(), "run".to_owned());
-                let beside = Beside { run: None, scene: &scene, notes, command };
+                let beside = Sidecar { run: None, scene: &scene, notes, command };
                 to.write(b"1\n", &[beside], is_complete)
             };
             let own = write().unwrap().remove(1);

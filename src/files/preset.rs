@@ -7,7 +7,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::bundled::{self, BUNDLED, Bundled};
 use crate::files::clean;
 use crate::files::error::{FileError, did_you_mean};
@@ -144,7 +144,7 @@ pub fn save(
     paths: &Paths,
     name: &str,
     scene: &Scene,
-    existing: Existing,
+    existing: OverwritePolicy,
 ) -> Result<PathBuf, FileError> {
     check_name(name)?;
     let path = paths.preset_file(name);
@@ -162,12 +162,14 @@ pub fn is_path(name: &str) -> bool {
 ///
 /// # Errors
 /// [`FileError`]; an existing file is unchanged then.
-pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), FileError> {
+pub fn save_file(path: &Path, scene: &Scene, existing: OverwritePolicy) -> Result<(), FileError> {
     variables::validate(scene).map_err(|error| FileError::target(path, &error.to_string()))?;
     let file = path.display().to_string();
     let titled = |title| Scene { title, ..scene.clone() };
     let text = match read::text_file(path, read::BYTES_MAX) {
-        Ok(_) if existing == Existing::Keep => return Err(FileError::Exists(path.to_owned())),
+        Ok(_) if existing == OverwritePolicy::Keep => {
+            return Err(FileError::Exists(path.to_owned()));
+        }
         Ok(old) => read::scene(&old, &file)
             .and_then(|kept| write::updated(&old, &file, &titled(kept.title)))
             .map_err(|problem| FileError::Unmendable { path: path.to_owned(), problem })?,
@@ -301,7 +303,7 @@ mod tests {
         fs::write(&path, "format = 1\n[plate]\nmass_ration = 2\n").unwrap();
         let problem = list(Some(&paths)).1[0].1.to_string();
         assert!(problem.contains("hurt.toml:3:1"), "{problem}");
-        let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
+        let error = save(&paths, "hurt", &Scene::default(), OverwritePolicy::Replace).unwrap_err();
         assert!(error.to_string().contains("was not replaced"), "{error}");
         assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::error::FileError;
 use crate::files::read;
 use crate::files::session::BYTES_MAX;
@@ -34,7 +34,7 @@ pub fn keep(
     let chosen = files.iter().find(is_same).or_else(older).or_else(free).or_else(oldest);
     let path = chosen.cloned().unwrap_or_else(|| folder.join("unsaved-1.toml"));
     atomic::make_folder_of(&path)?;
-    atomic::write(&path, text.as_bytes(), Existing::Replace)?;
+    atomic::write(&path, text.as_bytes(), OverwritePolicy::Replace)?;
     Ok(path)
 }
 

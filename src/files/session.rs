@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::error::FileError;
 use crate::files::read;
 use crate::files::{recent, write};
@@ -44,10 +44,10 @@ pub struct Session {
 #[serde(default)]
 pub struct View {
     /// The word of the set of characters.
-    #[serde(deserialize_with = "readable")]
+    #[serde(deserialize_with = "value_or_none")]
     pub glyphs: Option<String>,
     /// The word of the number of colours.
-    #[serde(deserialize_with = "readable")]
+    #[serde(deserialize_with = "value_or_none")]
     pub colours: Option<String>,
 }
 
@@ -56,10 +56,10 @@ pub struct View {
 #[serde(default)]
 pub struct Setup {
     /// Setup of Explore.
-    #[serde(deserialize_with = "readable")]
+    #[serde(deserialize_with = "value_or_none")]
     pub explore: Option<Explore>,
     /// Setup of Search.
-    #[serde(deserialize_with = "readable")]
+    #[serde(deserialize_with = "value_or_none")]
     pub search: Option<Search>,
 }
 
@@ -109,7 +109,7 @@ pub struct Loaded {
     /// The error, and the place of the file, for the message row and the log.
     pub notice: Option<String>,
     /// The file as it was read.
-    pub known: Known,
+    pub known: SessionFingerprint,
 }
 
 /// Note among the recent files that a scene file was opened or saved.
@@ -137,7 +137,7 @@ struct SessionFile {
 }
 
 /// Deserialises a value; `None` if it is invalid, so that the rest of the session is kept.
-fn readable<'de, D: Deserializer<'de>, T: DeserializeOwned>(
+fn value_or_none<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     file: D,
 ) -> Result<Option<T>, D::Error> {
     Ok(toml::Value::deserialize(file)?.try_into().ok())
@@ -151,7 +151,7 @@ struct PinRow {
 
 /// Fingerprint of the session file, which detects other writers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Known {
+pub struct SessionFingerprint {
     /// Last content read or written, without the first line.
     body: Option<String>,
     /// This workbench, as its first line names it.
@@ -160,7 +160,7 @@ pub struct Known {
     kept: HashMap<String, (PathBuf, String)>,
 }
 
-impl Default for Known {
+impl Default for SessionFingerprint {
     fn default() -> Self {
         let writer = std::process::id().to_string();
         Self { body: None, writer, kept: HashMap::new() }
@@ -182,7 +182,7 @@ fn parts(text: &str) -> (&str, &str) {
 pub fn save(
     path: &Path,
     session: &Session,
-    known: &mut Known,
+    known: &mut SessionFingerprint,
 ) -> Result<Option<PathBuf>, FileError> {
     atomic::make_folder_of(path)?;
     // Another workbench that saves between the reading and the writing below would be overwritten unseen.
@@ -205,7 +205,7 @@ pub fn save(
     }
     let (version, writer) = (env!("CARGO_PKG_VERSION"), &known.writer);
     let text = format!("# the last session of cmra {version}{WRITER}{writer}\n{body}");
-    atomic::write(path, text.as_bytes(), Existing::Replace)?;
+    atomic::write(path, text.as_bytes(), OverwritePolicy::Replace)?;
     known.body = Some(body);
     Ok(aside)
 }
@@ -271,7 +271,7 @@ pub fn load(path: &Path) -> Loaded {
     });
     // A session that was backed up is gone.
     let body = text.filter(|_| notice.is_none()).map(|text| parts(&text).1.to_owned());
-    let known = Known { body, ..Known::default() };
+    let known = SessionFingerprint { body, ..SessionFingerprint::default() };
     Loaded { session, notice, known }
 }
 
@@ -346,7 +346,7 @@ mod tests {
     /// The session of the example in a folder, and its text.
     fn saved() -> (tempfile::TempDir, PathBuf, String) {
         let (place, path) = place();
-        save(&path, &example(), &mut Known::default()).unwrap();
+        save(&path, &example(), &mut SessionFingerprint::default()).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         (place, path, text)
     }
@@ -360,7 +360,7 @@ mod tests {
     fn the_scene_of_another_workbench_is_kept() {
         let (place, path) = place();
         let count = || recent::list(&place.path().join("recent")).len();
-        save(&path, &of(1.0), &mut Known::default()).unwrap();
+        save(&path, &of(1.0), &mut SessionFingerprint::default()).unwrap();
         let (mut first, mut second) = (load(&path).known, load(&path).known);
         // The second one saves; the first one has done nothing since and leaves.
         assert_eq!(save(&path, &of(2.0), &mut second).unwrap(), None);
@@ -382,7 +382,8 @@ mod tests {
         let (place, path) = place();
         let folder = place.path().join("recent");
         keep(&folder, &of(0.5)).unwrap();
-        let known = |writer: &str| Known { writer: writer.to_owned(), ..load(&path).known };
+        let known =
+            |writer: &str| SessionFingerprint { writer: writer.to_owned(), ..load(&path).known };
         let mut first = known("1");
         save(&path, &of(1.0), &mut first).unwrap();
         let mut second = known("2");
@@ -427,7 +428,7 @@ mod tests {
         session.pins = ["A", "B", "C", "D", "E", "F", "G", "H"]
             .map(|letter| (letter.to_owned(), session.scene.clone()))
             .to_vec();
-        save(&path, &session, &mut Known::default()).unwrap();
+        save(&path, &session, &mut SessionFingerprint::default()).unwrap();
         assert!(fs::metadata(&path).unwrap().len() > 7 * read::BYTES_MAX);
         let loaded = load(&path);
         assert_eq!(loaded.notice, None);

@@ -216,7 +216,7 @@ impl App {
     }
 
     /// Say something good to know.
-    pub(crate) fn tell(&mut self, text: impl Into<String>) {
+    pub(crate) fn report_progress(&mut self, text: impl Into<String>) {
         self.say(Severity::Note, text);
     }
 

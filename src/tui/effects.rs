@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 use super::signals::Incoming;
 use super::start;
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::error::FileError;
 use crate::files::export::Destination;
 use crate::files::library;
@@ -21,7 +21,7 @@ use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::read_traces;
 use crate::files::recent;
-use crate::files::session::{self, Known, Session};
+use crate::files::session::{self, Session, SessionFingerprint};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
 use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask as Task, Message};
@@ -45,7 +45,7 @@ pub(super) enum Request {
 #[derive(Clone, Default)]
 pub(super) struct Unsaved {
     session: Arc<Mutex<Option<Box<Session>>>>,
-    known: Arc<Mutex<Known>>,
+    known: Arc<Mutex<SessionFingerprint>>,
     paths: Option<Paths>,
 }
 
@@ -72,7 +72,7 @@ impl IoThread {
     /// Start the thread, which saves a changed session after this delay. Without paths nothing of the program's own is kept.
     pub(super) fn spawn(
         paths: Option<Paths>,
-        known: Known,
+        known: SessionFingerprint,
         delay: Duration,
         inbox: Sender<Incoming>,
     ) -> std::io::Result<Self> {
@@ -233,7 +233,7 @@ fn save_scene(
     scene: &Scene,
     overwrite: bool,
 ) -> ExportOutcome {
-    let existing = Existing::replaced(overwrite);
+    let existing = OverwritePolicy::replaced(overwrite);
     let saved = match (path, paths) {
         (Some(path), _) => preset::save_file(&path, scene, existing).map(|()| path),
         (None, Some(paths)) => preset::save(paths, name, scene, existing),
@@ -251,7 +251,8 @@ fn written(written: Result<Vec<PathBuf>, FileError>) -> ExportOutcome {
 }
 
 fn export(to: &Destination, content: &Content) -> ExportOutcome {
-    let ready = atomic::ordinary(&to.path).and_then(|()| atomic::make_folder_of(&to.path));
+    let ready =
+        atomic::check_regular_file(&to.path).and_then(|()| atomic::make_folder_of(&to.path));
     let written = ready.and_then(|()| {
         to.write(content.text().as_bytes(), &content.scenes(), content.is_complete())
     });
@@ -304,7 +305,8 @@ mod tests {
         let paths = Paths::below(place.path());
         let (send, receive) = mpsc::channel();
         let io_thread =
-            IoThread::spawn(Some(paths.clone()), Known::default(), delay, send).unwrap();
+            IoThread::spawn(Some(paths.clone()), SessionFingerprint::default(), delay, send)
+                .unwrap();
         (place, paths, io_thread, receive)
     }
 

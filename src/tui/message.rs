@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
-use crate::files::export::{self, Beside, Destination};
+use crate::files::export::{self, Destination, Sidecar};
 use crate::model::scene::Scene;
 use crate::report::run::{self, NamedRun};
 use crate::report::traces::Traces;
@@ -178,9 +178,9 @@ impl PageTable {
         Self { notes, ..self }
     }
 
-    fn beside(&self) -> Option<Beside<'_>> {
+    fn beside(&self) -> Option<Sidecar<'_>> {
         let (notes, command) = (self.notes.clone(), self.command.clone());
-        Some(Beside { run: None, scene: self.scene.as_ref()?, notes, command })
+        Some(Sidecar { run: None, scene: self.scene.as_ref()?, notes, command })
     }
 }
 
@@ -209,7 +209,7 @@ impl Content {
         }
     }
 
-    pub fn scenes(&self) -> Vec<Beside<'_>> {
+    pub fn scenes(&self) -> Vec<Sidecar<'_>> {
         match self {
             Self::Runs(runs) => export::scenes(runs),
             Self::Page(table) => table.beside().into_iter().collect(),

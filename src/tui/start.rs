@@ -9,13 +9,13 @@ use crate::files::config;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Known, Session, View};
+use crate::files::session::{self, Session, SessionFingerprint, View};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::app::{App, Settings, edit};
 use crate::tui::keymap::Keymap;
-use crate::tui::pages::explore::state::{Picture, sweep_of};
+use crate::tui::pages::explore::state::{ChartKind, sweep_of};
 use crate::tui::pages::search::state::Setup;
 use crate::tui::pages::{run, thesis};
 use crate::tui::preset::{Base, PresetEntry};
@@ -23,7 +23,7 @@ use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 
 /// The state to start with, and the session's file as it was found.
-pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
+pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, SessionFingerprint) {
     let detected = Theme::detect(environment);
     let theme = Theme { glyphs: options.glyphs.unwrap_or(detected.glyphs), ..detected };
     let directory = std::env::current_dir().unwrap_or_default();
@@ -179,7 +179,7 @@ impl App {
     pub fn setups(&self) -> session::Setup {
         let (explore, mut sweep) = (&self.pages.explore, sweep_of(&self.scene));
         let picture = session::Explore {
-            is_map: explore.picture == Picture::Surface,
+            is_map: explore.picture == ChartKind::Surface,
             output: sweep.outputs.swap_remove(explore.output_of(&sweep)),
         };
         session::Setup { explore: Some(picture), search: Some(self.pages.search.setup.kept()) }
@@ -195,7 +195,7 @@ impl App {
     fn take_setups(&mut self, kept: session::Setup) {
         let picture = kept.explore.unwrap_or_default();
         let explore = &mut self.pages.explore;
-        explore.picture = if picture.is_map { Picture::Surface } else { Picture::Line };
+        explore.picture = if picture.is_map { ChartKind::Surface } else { ChartKind::Line };
         let outputs = sweep_of(&self.scene).outputs;
         explore.output = outputs.iter().position(|it| *it == picture.output).unwrap_or(0);
         let search = kept.search.map_or_else(Setup::default, |kept| Setup::of(&kept));
@@ -211,7 +211,7 @@ impl App {
         self.base = base;
         self.pins = pins_of(self, session.pins);
         self.take_setups(session.setup);
-        self.tell(format!("{label} (<undo> undoes)"));
+        self.report_progress(format!("{label} (<undo> undoes)"));
         edit::opened(self, before, label);
     }
 }
@@ -283,7 +283,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     let modified = if app.is_modified() { ", modified" } else { "" };
     let pins = counted_pins(app.pins.len());
     let name = &app.base.name;
-    app.tell(format!("session restored: {name}{modified}{pins} (or: cmra --fresh)"));
+    app.report_progress(format!("session restored: {name}{modified}{pins} (or: cmra --fresh)"));
 }
 
 fn pins_of(app: &App, pins: Vec<(String, Scene)>) -> Vec<Pin> {
@@ -425,14 +425,14 @@ mod tests {
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));
         // Nothing in it that a preset does not have: nothing to keep.
-        session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
+        session::save(&paths.session_file(), &last, &mut SessionFingerprint::default()).unwrap();
         let (state, _) = app(FRESH, Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(state.files.recent, last.recent);
         assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
-        session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
+        session::save(&paths.session_file(), &last, &mut SessionFingerprint::default()).unwrap();
         let (state, _) = app(FRESH, Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let text = state.pages.log.messages.last().unwrap().text.clone();
@@ -457,8 +457,12 @@ mod tests {
             Session { scene: of(f64::from(first)), pins, preset, ..Session::default() }
         };
         for first in [100, 200, 300, 400, 500, 600] {
-            session::save(&paths.session_file(), &session_of(first), &mut Known::default())
-                .unwrap();
+            session::save(
+                &paths.session_file(),
+                &session_of(first),
+                &mut SessionFingerprint::default(),
+            )
+            .unwrap();
             app(FRESH, Some(&paths));
         }
         let files = recent::list(&paths.recent_folder());

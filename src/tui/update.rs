@@ -143,7 +143,9 @@ fn paste(app: &mut App, text: &str) {
         None => open_text(app).map(|field| field.insert(&clean)).is_some(),
     };
     if !is_taken {
-        app.tell("pasted text is ignored here: open a field first (<enter> on a variable)");
+        app.report_progress(
+            "pasted text is ignored here: open a field first (<enter> on a variable)",
+        );
     } else if app.dialog.is_none() {
         follow(app);
     }
@@ -245,8 +247,9 @@ fn in_place(app: &mut App, key: KeyEvent) {
 pub(crate) fn open_find(app: &mut App) {
     let page = pages::of(app.tab);
     let Some(text) = page.filter(app).map(|filter| filter.clone()) else {
-        return app
-            .tell("<find> works in the variables, the claims and the log; <palette> elsewhere");
+        return app.report_progress(
+            "<find> works in the variables, the claims and the log; <palette> elsewhere",
+        );
     };
     // A new text replaces the old one.
     app.typing = Some(Typing::Find(TextField::selected(text)));
@@ -321,7 +324,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
     }
     // What is being typed is not taken away by a click.
     if app.typing.is_some() {
-        return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
+        return app.report_progress("a field is open: Enter takes it, Esc leaves it as it was");
     }
     app.history.commit();
     if let Some(pane) = target.pane() {
@@ -367,7 +370,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Saved(name, ExportOutcome::Written(files)) => saved(app, name, &files),
         EffectReport::Exported(_, ExportOutcome::Written(files)) => {
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
-            app.tell(format!("written: {}", names.join(" and ")));
+            app.report_progress(format!("written: {}", names.join(" and ")));
         }
         EffectReport::Saved(_, outcome) | EffectReport::Exported(_, outcome) if !is_heard => {
             app.refuse(outcome.words());
@@ -391,7 +394,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
 /// Reports what quitting would lose, and asks before quitting.
 pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
     match kept {
-        Ok(()) => app.tell("the session is kept again"),
+        Ok(()) => app.report_progress("the session is kept again"),
         Err(why) => {
             let text = format!("the session cannot be kept: {why}; <export> exports the table");
             app.say(Severity::Warning, text);
@@ -402,7 +405,7 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
 
 fn saved(app: &mut App, name: String, files: &[PathBuf]) {
     let Some(path) = files.first() else { return };
-    app.tell(format!("saved {}", path.display()));
+    app.report_progress(format!("saved {}", path.display()));
     let is_mine = !preset::is_path(&name);
     if !is_mine {
         app.note_recent(path);

@@ -15,7 +15,7 @@ use crate::study::context::{Answer, CancelFlag, Progress, Reach, Threads};
 
 /// When a task shows what it has so far.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tempo {
+pub(super) struct ReportInterval {
     pub first: Duration,
     /// Least time between two parts.
     pub between: Duration,
@@ -32,7 +32,7 @@ pub(super) struct Reporter<'a> {
     /// Threads to run on, where the work can be divided.
     pub(super) threads: Threads,
     budget: Option<Duration>,
-    tempo: Tempo,
+    tempo: ReportInterval,
     clock: &'a Clock,
     started: Duration,
     /// How long the computation took, where that is not the time since the start.
@@ -81,7 +81,7 @@ impl<'a> Reporter<'a> {
     }
 
     /// Returns `Break` once the task is cancelled or its time is used up.
-    pub(super) fn goes_on(&self) -> ControlFlow<()> {
+    pub(super) fn check_cancelled(&self) -> ControlFlow<()> {
         let is_over = self.budget.is_some_and(|budget| self.elapsed() >= budget);
         if self.cancel.is_set() || is_over {
             self.is_stopped.set(true);
@@ -91,13 +91,13 @@ impl<'a> Reporter<'a> {
     }
 
     /// Report the progress and the results of now, unless the last report has just been made. Gives whether the study goes on.
-    pub(super) fn tell(
+    pub(super) fn report_progress(
         &self,
         progress: Progress,
         part: &dyn Fn() -> Option<Found>,
     ) -> ControlFlow<()> {
         self.progress.set(progress);
-        self.goes_on()?;
+        self.check_cancelled()?;
         let elapsed = self.elapsed();
         let since = |at: Duration| elapsed.saturating_sub(at);
         let is_due = match self.shown.get() {
@@ -120,7 +120,7 @@ impl<'a> Reporter<'a> {
 
     /// Watches a study that has no parts.
     pub(super) fn progress(&self) -> impl FnMut(Progress, Option<&()>) -> ControlFlow<()> {
-        |progress, _| self.tell(progress, &|| None)
+        |progress, _| self.report_progress(progress, &|| None)
     }
 
     /// Watches a study, and makes findings of its parts.
@@ -128,7 +128,9 @@ impl<'a> Reporter<'a> {
         &self,
         part: impl Fn(&P) -> T,
     ) -> impl FnMut(Progress, Option<&P>) -> ControlFlow<()> {
-        move |progress, so_far| self.tell(progress, &|| so_far.map(|so_far| part(so_far).into()))
+        move |progress, so_far| {
+            self.report_progress(progress, &|| so_far.map(|so_far| part(so_far).into()))
+        }
     }
 
     /// Do the work; a panic becomes an error text.

@@ -46,9 +46,9 @@ pub(super) fn run(
     reporter: &Reporter<'_>,
     compute: impl FnOnce(&Settings, simulate::Observer<'_>) -> Result<Run, String>,
 ) -> Result<Found, Box<dyn Error>> {
-    let mut pulse = Pulse { pause: SLOW, ..Pulse::default() };
+    let mut pulse = ReportSchedule { pause: SLOW, ..ReportSchedule::default() };
     let mut observer = |look: &RunSnapshot<'_>| {
-        reporter.goes_on()?;
+        reporter.check_cancelled()?;
         if let Some(t_s) = pulse.beat(look.t_s, || reporter.elapsed()) {
             let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());
             (reporter.send)(ReportBody::Progress { progress, elapsed });
@@ -73,7 +73,7 @@ pub(super) fn run(
         let mut left = PLASTIC_STEPS;
         let mut observer = |_: &RunSnapshot<'_>| {
             left = left.saturating_sub(1);
-            if left == 0 { ControlFlow::Break(()) } else { reporter.goes_on() }
+            if left == 0 { ControlFlow::Break(()) } else { reporter.check_cancelled() }
         };
         run.plastic = simulate::plastic_beside(scene, &mut observer).map(Arc::new);
     }
@@ -82,7 +82,7 @@ pub(super) fn run(
 
 /// When a run reports; times count from its start.
 #[derive(Default)]
-struct Pulse {
+struct ReportSchedule {
     steps: u32,
     /// The last look at the clock.
     seen: Duration,
@@ -92,7 +92,7 @@ struct Pulse {
     pause: Duration,
 }
 
-impl Pulse {
+impl ReportSchedule {
     /// Whether it is time, by the last look at the clock, for a person to see the curve so far; it then counts as requested.
     fn part_is_due(&mut self) -> bool {
         let is_due = self.seen >= self.asked + self.pause;

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::reporter::{BETWEEN, Reporter, Tempo};
+use super::reporter::{BETWEEN, ReportInterval, Reporter};
 use super::{Slot, clock, runs};
 use crate::model::run::Run;
 use crate::model::scene::Scene;
@@ -20,7 +20,7 @@ use crate::study::sweep::{Plan, SweepError};
 use crate::study::{limit, monte_carlo, sensitivity, stability, thesis};
 
 /// An enum with a variant for each of some types, which a caller takes out again by its type.
-macro_rules! one_of {
+macro_rules! typed_enum {
     ($(#[$doc:meta])* $name:ident, $(#[$about:meta])* $of:ident: $($kind:ident($type:ty),)*) => {
         $(#[$doc])*
         #[derive(Clone, Debug)]
@@ -56,7 +56,7 @@ macro_rules! one_of {
     };
 }
 
-one_of! {
+typed_enum! {
     /// Request of a task.
     Asked,
     /// Variant of a request.
@@ -65,16 +65,16 @@ one_of! {
     Picture(PictureSweep),
     Printed(PrintedSweep),
     Limit(LimitSearch),
-    Spread(Spread),
-    EqualMass(EqualMass),
-    Measurements(Measurements),
+    Spread(V50Study),
+    EqualMass(MassComparison),
+    Measurements(MethodBenchmark),
     StabilityMap(StabilityMap),
     StiffScenes(StiffScenes),
     Claims(Claims),
     Search(SearchRequest),
 }
 
-one_of! {
+typed_enum! {
     /// A result, whole or as far as it is.
     Found,
     /// Variant of a result.
@@ -98,7 +98,7 @@ const BETWEEN_PASSES: Duration = Duration::from_millis(120);
 
 /// How a sweep is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Picture {
+pub enum ChartKind {
     /// Sweep of one axis, with or without a family of curves.
     #[default]
     Line,
@@ -113,7 +113,7 @@ pub struct SceneRun(pub Slot);
 /// Computes the points of a picture: coarse ones come first.
 #[derive(Debug)]
 pub struct PictureSweep {
-    pub picture: Picture,
+    pub picture: ChartKind,
     pub plan: Arc<Plan>,
 }
 
@@ -127,15 +127,15 @@ pub struct LimitSearch;
 
 /// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
 #[derive(Debug, PartialEq)]
-pub struct Spread(pub monte_carlo::Request);
+pub struct V50Study(pub monte_carlo::Request);
 
 /// Compares at equal areal mass, and maps the mass efficiency around the scene.
 #[derive(Debug)]
-pub struct EqualMass;
+pub struct MassComparison;
 
 /// Measures error and run time of every method.
 #[derive(Debug)]
-pub struct Measurements(pub ComparisonOptions);
+pub struct MethodBenchmark(pub ComparisonOptions);
 
 /// Computes where a fixed-step method is stable.
 #[derive(Debug, PartialEq)]
@@ -159,10 +159,10 @@ pub struct Comparison {
 
 impl Asked {
     /// When it shows what it has so far.
-    pub(super) fn tempo(&self) -> Tempo {
+    pub(super) fn tempo(&self) -> ReportInterval {
         match self {
-            Self::Picture(_) => Tempo { first: FIRST, between: BETWEEN_PASSES },
-            _ => Tempo { first: BETWEEN, between: BETWEEN },
+            Self::Picture(_) => ReportInterval { first: FIRST, between: BETWEEN_PASSES },
+            _ => ReportInterval { first: BETWEEN, between: BETWEEN },
         }
     }
 
@@ -207,8 +207,9 @@ impl Asked {
                 thesis::reproduce(&mut Context::new(threads, watch)).into()
             }
             Self::Search(asked) => {
-                let tell =
-                    |progress, part: &dyn Fn() -> Option<Found>| reporter.tell(progress, part);
+                let tell = |progress, part: &dyn Fn() -> Option<Found>| {
+                    reporter.report_progress(progress, part)
+                };
                 asked.run(scene, threads, &tell)?.into()
             }
         })
@@ -222,7 +223,7 @@ fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Erro
     let grid = grid.ok_or("a chart has one axis and a map two: use fewer axes")?;
     let watch = &mut |progress, pass: Option<&Grid>| {
         let pass = pass.filter(|grid| !grid.is_complete());
-        reporter.tell(progress, &|| pass.map(|grid| grid.clone().into()))
+        reporter.report_progress(progress, &|| pass.map(|grid| grid.clone().into()))
     };
     Ok(grid.fill(grid::PIECE, &mut Context::new(reporter.threads.clone(), watch)).into())
 }
@@ -235,7 +236,8 @@ fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison,
     let whole = points + compare::Candidate::ALL.len();
     let of_all =
         |progress: Progress, before: usize| Progress { done: before + progress.done, total: whole };
-    let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
+    let watch =
+        &mut |progress, _: Option<&()>| reporter.report_progress(of_all(progress, 0), &|| None);
     let context = &mut Context::new(1, watch);
     let report = compare::compare(scene, Hardware::default(), context)?;
     let is_stopped = context.is_stopped();
@@ -243,14 +245,15 @@ fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison,
     let Some(axes) = axes.filter(|_| !is_stopped) else { return Ok(first) };
     let part = || Some(first.clone().into());
     let done = whole - points;
-    let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
+    let watch =
+        &mut |progress, _: Option<&()>| reporter.report_progress(of_all(progress, done), &part);
     let context = &mut Context::new(reporter.threads.clone(), watch);
     let map = EfficiencyMap::compute(scene, &axes, Hardware::default(), context).ok();
     Ok(Comparison { map, ..first })
 }
 
 /// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.
-macro_rules! asked_and_found {
+macro_rules! search_studies {
     ($($(#[$doc:meta])* $kind:ident $study:ident,)*) => {
         /// Request of a search.
         #[derive(Clone, Debug, PartialEq)]
@@ -291,7 +294,7 @@ macro_rules! asked_and_found {
         }
     };
 }
-asked_and_found! {
+search_studies! {
     /// Goal seek: values of a variable that give a wanted result.
     Seek seek,
     /// The Pareto front: designs that no other one dominates.

@@ -10,7 +10,7 @@ use std::time::Duration;
 use super::reporter::Reporter;
 use super::runs::run;
 use super::studies::{
-    Asked, Claims, Found, LimitSearch, Picture, PictureSweep, SearchRequest, StiffScenes,
+    Asked, ChartKind, Claims, Found, LimitSearch, PictureSweep, SearchRequest, StiffScenes,
 };
 use super::{JobProgress, Page, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
@@ -350,7 +350,7 @@ fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
     let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
     let plan = Arc::new(Plan::new(&scene, axes, &USUAL_OUTPUTS).unwrap());
     let (worker, reports) = start();
-    worker.submit(study(1, PictureSweep { picture: Picture::Surface, plan }, false));
+    worker.submit(study(1, PictureSweep { picture: ChartKind::Surface, plan }, false));
     let part = loop {
         if let Some(part) = next(&reports).body.found::<Grid>() {
             break part.report;

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use cmra::files::atomic::Existing;
+use cmra::files::atomic::OverwritePolicy;
 use cmra::files::preset::save_file;
 use cmra::files::{read, write};
 use cmra::model::scene::{
@@ -101,18 +101,18 @@ fn comments_order_and_formatting_survive_saving() {
     let place = tempfile::tempdir().unwrap();
     let path = place.path().join("mine.toml");
     fs::write(&path, COMMENTED).unwrap();
-    save_file(&path, &scene, Existing::Keep).unwrap_err();
+    save_file(&path, &scene, OverwritePolicy::Keep).unwrap_err();
     assert_eq!(fs::read_to_string(&path).unwrap(), COMMENTED);
     assert_eq!(write::updated(COMMENTED, "mine", &scene).unwrap(), COMMENTED_AND_CHANGED);
     // A scene that is saved over a file takes its title over.
-    save_file(&path, &scene, Existing::Replace).unwrap();
+    save_file(&path, &scene, OverwritePolicy::Replace).unwrap();
     scene.title = "Two plates".to_owned();
     let kept = COMMENTED_AND_CHANGED.replace("\"Three plates\"", "'Two plates'");
     assert_eq!(fs::read_to_string(&path).unwrap(), kept);
     assert_eq!(scene_file(&path).unwrap(), scene);
     // Saved under a name of its own it is called that.
     let other = place.path().join("my scene.toml");
-    save_file(&other, &scene, Existing::Keep).unwrap();
+    save_file(&other, &scene, OverwritePolicy::Keep).unwrap();
     assert_eq!(scene_file(&other).unwrap().title, "my scene");
 }
 

@@ -7,11 +7,11 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::time::Duration;
 
-use cmra::files::atomic::{Existing, Growing};
+use cmra::files::atomic::{OverwritePolicy, PartialFile};
 use cmra::files::export::{self, Destination};
 use cmra::files::paths::Paths;
 use cmra::files::preset;
-use cmra::files::session::{self, Known, Session};
+use cmra::files::session::{self, Session, SessionFingerprint};
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
 use cmra::report::run::{NamedRun, csv};
@@ -33,7 +33,7 @@ fn table_of(run: Arc<Run>) -> Vec<NamedRun> {
 }
 
 fn destination(place: &Path, name: &str) -> Destination {
-    Destination { path: place.join(name), existing: Existing::Replace }
+    Destination { path: place.join(name), existing: OverwritePolicy::Replace }
 }
 
 fn session_of(scene: Scene) -> Session {
@@ -52,7 +52,7 @@ fn writes_until_it_is_killed() {
     let place = Path::new(&place);
     let paths = Paths::below(place);
     let runs = STATES.map(|state| Arc::new(run(scene(state))));
-    let mut known = Known::default();
+    let mut known = SessionFingerprint::default();
     for state in [0, 1].into_iter().cycle() {
         let scene = scene(STATES[state]);
         let exported = table_of(Arc::clone(&runs[state]));
@@ -60,15 +60,16 @@ fn writes_until_it_is_killed() {
         destination(place, "run.csv")
             .write(text.as_bytes(), &export::scenes(&exported), true)
             .unwrap();
-        preset::save(&paths, "mine", &scene, Existing::Replace).unwrap();
+        preset::save(&paths, "mine", &scene, OverwritePolicy::Replace).unwrap();
         session::save(&paths.session_file(), &session_of(scene), &mut known).unwrap();
         let (rows, beside) = table(state);
-        let mut growing = Growing::begin(&place.join("sweep.csv"), Existing::Replace).unwrap();
+        let mut growing =
+            PartialFile::begin(&place.join("sweep.csv"), OverwritePolicy::Replace).unwrap();
         for piece in rows.chunks(10_000) {
             growing.add(piece).unwrap();
         }
         let beside = [(place.join("sweep.toml"), String::from_utf8(beside).unwrap())];
-        growing.finish(&beside, Existing::Replace).unwrap();
+        growing.finish(&beside, OverwritePolicy::Replace).unwrap();
     }
 }
 

@@ -41,7 +41,7 @@ impl FirstContact {
 
 /// The results of a shot to keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::study) enum Wanted {
+pub(in crate::study) enum ContactOutput {
     /// Whether it goes through, however long that takes.
     Passage,
     Contact,
@@ -52,7 +52,7 @@ pub(in crate::study) enum Wanted {
 /// The end of the first contact to this tolerance, where that alone decides what is wanted.
 pub(in crate::study) fn contact(
     scene: &Scene,
-    wanted: Wanted,
+    wanted: ContactOutput,
     tolerance: f64,
 ) -> Option<ContactEnd> {
     decides(scene, wanted).then(|| Contact::of(scene)?.run(tolerance))?
@@ -65,7 +65,7 @@ pub(in crate::study) fn is_through(scene: &Scene, end: &ContactEnd) -> bool {
 }
 
 /// Whether the first contact alone decides that: what is fused at the first arrest stays. All else takes the simulation.
-pub(in crate::study) fn decides(scene: &Scene, wanted: Wanted) -> bool {
+pub(in crate::study) fn decides(scene: &Scene, wanted: ContactOutput) -> bool {
     let mechanism = &scene.mechanism;
     let sprung = scene.is_sprung();
     let stays = scene.contact.model == ContactModel::Hydrodynamic
@@ -76,9 +76,9 @@ pub(in crate::study) fn decides(scene: &Scene, wanted: Wanted) -> bool {
     stays
         && is_alone
         && match wanted {
-            Wanted::Passage => true,
-            Wanted::Contact => is_free,
-            Wanted::Displacement => is_free && !is_damped,
+            ContactOutput::Passage => true,
+            ContactOutput::Contact => is_free,
+            ContactOutput::Displacement => is_free && !is_damped,
         }
 }
 

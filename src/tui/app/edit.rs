@@ -9,7 +9,7 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::history::{Edit, Snapshot};
 use crate::tui::app::jobs;
 use crate::tui::app::pins::Pin;
-use crate::tui::pages::explore::state::Picture;
+use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::run::editor::shown_in;
 use crate::tui::prelude::*;
 use crate::tui::preset::{Base, LabelledScene};
@@ -99,18 +99,18 @@ pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping:
 pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) {
     match design {
         Ok(design) if design.scene == *app.scene => {
-            app.tell("the scene is this design already: <tab-run> shows its run");
+            app.report_progress("the scene is this design already: <tab-run> shows its run");
         }
         Ok(LabelledScene { scene, label }) => {
             commit_scene(app, scene, format!("load {label}"), None);
-            app.tell(format!("loaded {label}: <tab-run> shows its run, <undo> undoes"));
+            app.report_progress(format!("loaded {label}: <tab-run> shows its run, <undo> undoes"));
         }
         Err(why) => app.refuse(why),
     }
 }
 
 /// Make another scene current, compare it with another preset, and show its sweep so, as one edit.
-pub(crate) fn load(app: &mut App, base: Base, picture: Picture) {
+pub(crate) fn load(app: &mut App, base: Base, picture: ChartKind) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
     app.pages.run.charts.cursor_s = None;
@@ -177,11 +177,11 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
 /// Take the last edit back.
 pub(crate) fn undo(app: &mut App) {
     let Some(at) = app.history.done.checked_sub(1) else {
-        return app.tell("nothing to undo");
+        return app.report_progress("nothing to undo");
     };
     app.history.done = at;
     let Edit { label, states, .. } = app.history.edits[at].clone();
-    app.tell(format!("undone: {label} (<redo> redoes)"));
+    app.report_progress(format!("undone: {label} (<redo> redoes)"));
     make(app, &states.1, states.0);
 }
 
@@ -189,10 +189,10 @@ pub(crate) fn undo(app: &mut App) {
 pub(crate) fn redo(app: &mut App) {
     let at = app.history.done;
     let Some(Edit { label, states, .. }) = app.history.edits.get(at).cloned() else {
-        return app.tell("nothing to redo");
+        return app.report_progress("nothing to redo");
     };
     app.history.done = at + 1;
-    app.tell(format!("redone: {label}"));
+    app.report_progress(format!("redone: {label}"));
     make(app, &states.0, states.1);
 }
 
@@ -225,7 +225,10 @@ pub(crate) fn reset(app: &mut App) {
     let index = app.pages.run.editor.selected;
     let value = VARIABLES[index].value(&app.base.scene);
     if value == VARIABLES[index].value(&app.scene) {
-        return app.tell(format!("{} has the preset's value already", VARIABLES[index].symbol));
+        return app.report_progress(format!(
+            "{} has the preset's value already",
+            VARIABLES[index].symbol
+        ));
     }
     finish(app, index, value, None);
 }
@@ -233,11 +236,11 @@ pub(crate) fn reset(app: &mut App) {
 /// Reset every variable to the preset's value.
 pub(crate) fn reset_all(app: &mut App) {
     if !app.is_modified() {
-        return app.tell("nothing differs from the preset");
+        return app.report_progress("nothing differs from the preset");
     }
     let scene = (*app.base.scene).clone();
     let label = format!("reset all to {}", app.base.name);
-    app.tell(format!("{label}: <undo> undoes"));
+    app.report_progress(format!("{label}: <undo> undoes"));
     commit_scene(app, scene, label, None);
 }
 
@@ -271,7 +274,7 @@ pub(crate) fn step(app: &mut App, press: Press) {
     }
     let way = if press.up { "more" } else { "less" };
     let allowed = variable.allowed();
-    app.tell(format!("{symbol} cannot be stepped to {way}: it must be {allowed}"));
+    app.report_progress(format!("{symbol} cannot be stepped to {way}: it must be {allowed}"));
 }
 
 fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::tui::app::pins::Pin;
-use crate::tui::pages::explore::state::Picture;
+use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::search::state::Setup;
 use crate::tui::preset::Base;
 
@@ -20,7 +20,7 @@ pub struct Snapshot {
     /// The setup of the Search tab.
     pub search: Arc<Setup>,
     /// Whether the Explore tab draws curves or a map.
-    pub picture: Picture,
+    pub picture: ChartKind,
     /// The pinned scenes, without their results: those can be computed again.
     pub pins: Vec<Pin>,
 }

@@ -228,11 +228,11 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
         ReportBody::Ended(Some(Answer { report: Found::Run(run), elapsed, .. })) => {
             let took = Some(elapsed).filter(|_| run.end != EndReason::Cancelled);
             if took.is_none() {
-                app.tell(CANCELLED);
+                app.report_progress(CANCELLED);
             }
             show(app, &run, took);
         }
-        ReportBody::Ended(_) => app.tell("cancelled: <run> runs again"),
+        ReportBody::Ended(_) => app.report_progress("cancelled: <run> runs again"),
     }
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use crate::files::atomic::Existing;
+use crate::files::atomic::OverwritePolicy;
 use crate::files::export::Destination;
 use crate::files::preset;
 use crate::files::report::is_report;
@@ -224,7 +224,7 @@ impl Ask {
         } else {
             content(app).ok_or("the result to write no longer exists")?
         };
-        let existing = Existing::replaced(overwrite);
+        let existing = OverwritePolicy::replaced(overwrite);
         Ok(FileTask::Export(Destination { path, existing }, content))
     }
 

@@ -29,7 +29,7 @@ impl List for Palette {
         match found.get(picker.selected).copied() {
             None => {
                 let typed = picker.filter.value().trim().to_owned();
-                app.tell(format!("nothing is called `{typed}`"));
+                app.report_progress(format!("nothing is called `{typed}`"));
             }
             Some(Item::Command(command)) => return Outcome::Calls(command.call),
             Some(Item::Variable(index)) => {

@@ -38,7 +38,9 @@ impl List for Presets {
         let is_path =
             typed.contains('/') || Path::new(typed).extension().is_some_and(|it| it == "toml");
         if typed.is_empty() && !picker.moved {
-            app.tell("type a name, or move to one: nothing is loaded that was not chosen");
+            app.report_progress(
+                "type a name, or move to one: nothing is loaded that was not chosen",
+            );
             return Outcome::Stays;
         }
         let rows = rows(&app.files.presets, picker.filter.value());
@@ -50,7 +52,7 @@ impl List for Presets {
             return Outcome::Closes;
         } else {
             let path = format!("./{}.toml", clip(typed, 24));
-            app.tell(format!("no preset matches; a file is opened by its path: {path}"));
+            app.report_progress(format!("no preset matches; a file is opened by its path: {path}"));
         }
         Outcome::Stays
     }
@@ -166,7 +168,7 @@ pub(crate) fn take(app: &mut App, entry: PresetEntry) -> Result<(), String> {
     let label = format!("{} {}", part.library.word(), part.name);
     edit::commit_scene(app, scene, label.clone(), None);
     if part.warning.is_empty() {
-        app.tell(format!("{label} (<undo> undoes)"));
+        app.report_progress(format!("{label} (<undo> undoes)"));
     } else {
         app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
     }
@@ -189,7 +191,7 @@ fn ask_for_face(app: &mut App) {
     if by_ratio && is_chosen(&usual) && is_chosen(base) {
         run::focus_on(app, index_of("face"));
         run::open(app);
-        app.tell(
+        app.report_progress(
             "how large is the plate? type the side of its face (150mm), or <back> keeps gamma",
         );
     }

@@ -145,7 +145,9 @@ impl Page for ExploreTab {
             let differs =
                 |grid: &Arc<Grid>| !curves::printed(app, grid, app.shown_output(grid).0).is_empty();
             if found.is_some_and(differs) {
-                app.tell("faint: the thesis's own scheme, as printed; the others: corrected");
+                app.report_progress(
+                    "faint: the thesis's own scheme, as printed; the others: corrected",
+                );
             }
         }
         if PictureSweep::of(&running.asked).is_none() {
@@ -166,7 +168,7 @@ impl Page for ExploreTab {
                     Some("this cannot be swept: press <run> to see why".to_owned());
             }
             ReportBody::Ended(Some(answer)) if !answer.reach.is_complete() && !running.is_look => {
-                app.tell(jobs::CANCELLED);
+                app.report_progress(jobs::CANCELLED);
             }
             ReportBody::Progress { .. } | ReportBody::Ended(_) | ReportBody::Part(_) => {}
         }
@@ -271,7 +273,7 @@ fn compute(app: &mut App, by: Option<Action>) {
 /// Move the cursor by points; the scene stays as it is.
 fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     let Some(grid) = app.pages.explore.found().cloned() else {
-        return app.tell(no_sweep(app));
+        return app.report_progress(no_sweep(app));
     };
     let at = app.cursor_point(&grid);
     // Right and up lead to greater values, also on an axis that runs downward.

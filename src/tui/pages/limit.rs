@@ -13,7 +13,7 @@ use crate::study::validity;
 use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
-use crate::worker::studies::{EqualMass, LimitSearch, Spread};
+use crate::worker::studies::{LimitSearch, MassComparison, V50Study};
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 
@@ -45,16 +45,16 @@ impl Page for LimitTab {
         if app.lacks_limit() {
             jobs::look(app, jobs::LOOK / 2, LimitSearch);
         }
-        if app.jobs.lacks::<EqualMass, _>(&app.pages.limit.comparison, &app.scene) {
-            jobs::look(app, jobs::LOOK / 2, EqualMass);
+        if app.jobs.lacks::<MassComparison, _>(&app.pages.limit.comparison, &app.scene) {
+            jobs::look(app, jobs::LOOK / 2, MassComparison);
         }
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (app.pane(), action) {
             (RESIDUAL, A::Run) => jobs::study(app, action, LimitSearch),
-            (_, A::Run) => jobs::study(app, action, EqualMass),
-            (RESIDUAL, A::View) => jobs::study(app, action, Spread(monte_carlo::Request::v50())),
+            (_, A::Run) => jobs::study(app, action, MassComparison),
+            (RESIDUAL, A::View) => jobs::study(app, action, V50Study(monte_carlo::Request::v50())),
             _ => return false,
         }
         true
@@ -69,7 +69,8 @@ impl Page for LimitTab {
         let done = || part(Severity::Note, "done");
         let words = |it: &Running| format!("comparing{}", it.counted("of", ""));
         if app.pane() != RESIDUAL {
-            let comparing = progress::<EqualMass, _>(app, &tab.comparison, &app.scene, words, "");
+            let comparing =
+                progress::<MassComparison, _>(app, &tab.comparison, &app.scene, words, "");
             let first = comparing.unwrap_or_else(done);
             return std::iter::once(first).chain(app.validity_part()).collect();
         }
@@ -78,12 +79,12 @@ impl Page for LimitTab {
         let finding = progress::<LimitSearch, _>(app, &tab.report, &scene, shots, "shots");
         let mut parts = vec![finding.unwrap_or_else(done)];
         let sampling = |it: &Running| format!("V50{}", it.counted("of", " samples"));
-        parts.extend(app.jobs.running::<Spread>().map(|it| under_way(&sampling(it))));
+        parts.extend(app.jobs.running::<V50Study>().map(|it| under_way(&sampling(it))));
         let spread = Some(&tab.spread).filter(|it| it.found.is_some() && !it.is_complete());
-        let is_shown = app.jobs.running::<Spread>().is_none();
+        let is_shown = app.jobs.running::<V50Study>().is_none();
         parts.extend(spread.filter(|_| is_shown).map(|it| cut(it, "samples of V50")));
         if let Some(report) = &tab.report.found {
-            let comparing = app.jobs.running::<EqualMass>();
+            let comparing = app.jobs.running::<MassComparison>();
             parts.extend(comparing.map(|it| under_way(&words(it))));
             let at_limit = report.at_limit.as_ref();
             parts.extend(at_limit.map_or_else(

@@ -239,7 +239,7 @@ pub(crate) fn lay_beside(app: &mut App, traces: Arc<Traces>) {
     app.pages.run.beside = Some(traces);
     app.tab = Tab::Run;
     let what = if count == 1 { "trace" } else { "traces" };
-    app.tell(format!("{count} {what} of {name}, marked {MARK}: titles have the greatest difference; <beside> changes or removes"));
+    app.report_progress(format!("{count} {what} of {name}, marked {MARK}: titles have the greatest difference; <beside> changes or removes"));
 }
 
 /// Keep what is shown of traces up to date with the run and the charts.

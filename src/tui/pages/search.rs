@@ -332,7 +332,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
         }
         (Row::Objective(at), Input::Step(_)) => setup.objectives[at] = !setup.objectives[at],
         (Row::Feasible, Input::Step(_)) => setup.feasible = !setup.feasible,
-        (_, Input::Step(_)) => app.tell("<enter> types a value here"),
+        (_, Input::Step(_)) => app.report_progress("<enter> types a value here"),
         (_, Input::Text(text)) => read_number(setup, row, text)?,
     }
     Ok(())

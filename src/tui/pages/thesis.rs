@@ -8,7 +8,7 @@ use crate::study::principles;
 use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::pages::explore;
 use crate::tui::pages::explore::plan::is_corrected_figure;
-use crate::tui::pages::explore::state::Picture;
+use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::preset::Base;
@@ -156,7 +156,7 @@ fn open(app: &mut App) {
     let entry = app.files.presets.iter().find(|entry| Some(entry.name.as_str()) == preset);
     match entry.cloned() {
         Some(entry) => show(app, entry.base()),
-        None => app.tell("no preset shows this"),
+        None => app.report_progress("no preset shows this"),
     }
 }
 
@@ -167,7 +167,7 @@ pub(crate) fn show(app: &mut App, base: Base) {
     edit::load(app, base, picture);
     look(app);
     if axes > 0 {
-        app.tell(format!("{name} loaded, here is its sweep (<undo> undoes)"));
+        app.report_progress(format!("{name} loaded, here is its sweep (<undo> undoes)"));
     }
 }
 
@@ -178,11 +178,11 @@ pub(crate) fn axes(scene: &Scene) -> usize {
 
 /// How the sweep of a preset is shown, whatever was looked at before: over two axes as a map, but figures of the thesis as curves, which
 /// have the printed scheme's beside them.
-fn picture_of(app: &App, base: &Base) -> Picture {
+fn picture_of(app: &App, base: &Base) -> ChartKind {
     match axes(&base.scene) {
         0 => app.picture(),
-        2.. if !is_corrected_figure(base) => Picture::Surface,
-        _ => Picture::Line,
+        2.. if !is_corrected_figure(base) => ChartKind::Surface,
+        _ => ChartKind::Line,
     }
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn install(directory: Option<PathBuf>) {
             before(info);
         } else if thread::current().id() == drawing {
             super::restore();
-            tell(&report(info), directory.as_deref());
+            report_progress(&report(info), directory.as_deref());
         } else {
             written(&report(info), directory.as_deref());
         }
@@ -48,7 +48,7 @@ fn written(report: &str, directory: Option<&Path>) -> Option<PathBuf> {
 }
 
 /// Leave the report in a file and say so on the main screen; without a file, print all of it.
-fn tell(report: &str, directory: Option<&Path>) {
+fn report_progress(report: &str, directory: Option<&Path>) {
     let text = match written(report, directory) {
         Some(path) => {
             let first: Vec<&str> = report.lines().take(3).collect();

@@ -27,7 +27,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
     let acts_on_rows = step_of(action).is_some()
         || matches!(action, Action::Enter | Action::Mark | Action::Reset | Action::Copy);
     if acts_on_rows && update::matches_nothing(app) {
-        return app.tell(NO_MATCH);
+        return app.report_progress(NO_MATCH);
     }
     if action == Action::Enter && run::lists_words(app) {
         return dialogs::list_words(app);
@@ -90,14 +90,14 @@ fn anywhere(app: &mut App, action: Action) {
 /// Opens the field of the crosshair's place.
 fn locate(app: &mut App) {
     if pages::of(app.tab).places(app).is_empty() {
-        return app.tell(pages::nothing_yet(app, "point at"));
+        return app.report_progress(pages::nothing_yet(app, "point at"));
     }
     app.typing = Some(Typing::Place(TextField::default()));
 }
 
 /// Say that a key has no meaning here.
 pub(crate) fn does_nothing(app: &mut App, label: &str) {
-    app.tell(format!("`{label}` does nothing here: <help> lists the keys"));
+    app.report_progress(format!("`{label}` does nothing here: <help> lists the keys"));
 }
 
 /// Take the next value of a setting.
@@ -119,7 +119,7 @@ fn change_setting(app: &mut App, action: Action) {
             format!("mouse {}", words[usize::from(*mouse)])
         }
     };
-    app.tell(text);
+    app.report_progress(text);
     app.request(Effect::SaveSession);
 }
 
@@ -159,7 +159,9 @@ fn focus(app: &mut App, by: isize) {
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
         if page.about().pages.is_empty() {
-            app.tell("this tab has one pane; <tab-run>, <tab-explore> and so on change tabs");
+            app.report_progress(
+                "this tab has one pane; <tab-run>, <tab-explore> and so on change tabs",
+            );
         }
         return next_page(app, by);
     }
@@ -229,7 +231,7 @@ fn back(app: &mut App) {
         let kept = if app.files.session_lost { "is not kept" } else { "is kept" };
         format!("nothing to close: <quit> quits (the session {kept})")
     };
-    app.tell(text);
+    app.report_progress(text);
 }
 
 /// Copy the table that the page shows.

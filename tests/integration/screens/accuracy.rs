@@ -12,7 +12,7 @@ use cmra::tui::keymap::Tab;
 use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
-use cmra::worker::studies::{Found, Measurements};
+use cmra::worker::studies::{Found, MethodBenchmark};
 
 /// When the made-up contact ends, s, and how deep it is then, m.
 const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
@@ -124,7 +124,7 @@ fn reports_of_replaced_studies_are_dropped() {
     bench.keys("r");
     let body = ReportBody::Failed("no longer wanted".to_owned());
     bench.reply(first.id, body);
-    assert!(bench.app.jobs.running::<Measurements>().is_some());
+    assert!(bench.app.jobs.running::<MethodBenchmark>().is_some());
     assert!(!bench.message().contains("no longer wanted"));
 }
 

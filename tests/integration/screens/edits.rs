@@ -10,7 +10,7 @@ use cmra::model::scene::PlateSize;
 use cmra::study::accuracy::method::Method;
 use cmra::study::quantities::named;
 use cmra::tui::pages::explore;
-use cmra::tui::pages::explore::state::Picture;
+use cmra::tui::pages::explore::state::ChartKind;
 use cmra::tui::theme::GlyphSet;
 
 #[test]
@@ -87,7 +87,7 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
     let mut bench = Bench::ascii(80, 24);
     keys(&mut bench, "2<Tab>gjj<Enter>face<Enter>");
     keys(&mut bench, "gjl");
-    assert_eq!(bench.app.picture(), Picture::Surface);
+    assert_eq!(bench.app.picture(), ChartKind::Surface);
     let axes = |bench: &Bench| {
         let plan = bench.app.sweep_plan().unwrap();
         plan.axes().iter().map(|axis| axis.symbol().to_owned()).collect::<Vec<_>>()

@@ -12,7 +12,7 @@ use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message}
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{
-    AskedFor, Comparison, EqualMass, LimitSearch, SearchAnswer, SearchRequest,
+    AskedFor, Comparison, LimitSearch, MassComparison, SearchAnswer, SearchRequest,
 };
 use cmra::worker::{Report, ReportBody, Worker};
 
@@ -288,7 +288,7 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     let part = part_of(&bench);
     bench.keys("r");
     let study = bench.studies().remove(0);
-    assert!(EqualMass::of(&study.asked).is_some());
+    assert!(MassComparison::of(&study.asked).is_some());
     bench.keys("<Esc>");
     bench.reply(study.id, stopped((34, 445), part));
     for pane in ["comparison", "mass efficiency"] {
@@ -300,7 +300,7 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     bench.keys("13");
     let again = bench.studies();
     assert!(again.iter().all(|study| LimitSearch::of(&study.asked).is_none()));
-    assert!(again.iter().all(|study| EqualMass::of(&study.asked).is_none()));
+    assert!(again.iter().all(|study| MassComparison::of(&study.asked).is_none()));
     // Its map is written as a part.
     bench.keys("<S-Tab>e<Enter>");
     assert!(writes_a_part(&bench));

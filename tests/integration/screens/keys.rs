@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
 use super::sweep;
-use cmra::files::atomic::Existing;
+use cmra::files::atomic::OverwritePolicy;
 use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
 use cmra::report::series::Channel;
@@ -487,7 +487,7 @@ fn export_asks_for_the_file_of_all_runs() {
     assert_eq!(to.path.to_str(), Some("/home/ada/work/thesis-baseline-x.csv"));
     let names: Vec<&str> = request.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["now", "A"]);
-    assert_eq!(to.existing, Existing::Keep);
+    assert_eq!(to.existing, OverwritePolicy::Keep);
     bench.export_ended(ExportOutcome::Exists("x".into()));
     assert!(bench.screen().contains("o overwrite"), "the dialog stays open");
     bench.export_ended(ExportOutcome::Written(vec!["a.csv".into()]));

@@ -13,7 +13,7 @@ use cmra::study::limit::residual_law::ResidualLaw;
 use cmra::study::limit::{Limit, LimitMethod, Report, Shot};
 use cmra::study::monte_carlo;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{Asked, AskedFor, EqualMass, LimitSearch, Spread};
+use cmra::worker::studies::{Asked, AskedFor, LimitSearch, MassComparison, V50Study};
 use insta::assert_snapshot;
 
 /// The made-up limit, m/s.
@@ -54,7 +54,7 @@ pub(super) fn stop(bench: &mut Bench) {
 
 pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
-        if let Some(Spread(task)) = Spread::of(&study.asked).map(|it| &**it) {
+        if let Some(V50Study(task)) = V50Study::of(&study.asked).map(|it| &**it) {
             let few = monte_carlo::Request { samples: Some(20), ..task.clone() };
             let watch = &mut never_cancel;
             let v50 = monte_carlo::run(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
@@ -181,7 +181,7 @@ fn v_computes_v50_as_the_command_does() {
     bench.keys("v");
     let asked = bench.studies().remove(0).asked;
     let task = monte_carlo::Request::v50();
-    assert_eq!(Spread::of(&asked).map(|it| &**it), Some(&Spread(task)));
+    assert_eq!(V50Study::of(&asked).map(|it| &**it), Some(&V50Study(task)));
 }
 
 /// The limit is that of any shot: another impact velocity starts no second search.
@@ -288,7 +288,7 @@ fn the_tab_and_the_commands_give_the_same_digits() {
                 let own = read(&cmra::report::limit::json(name, &report).to_string());
                 assert_eq!(own["shots"], json("limit")["shots"], "{name}");
                 asked += 1;
-            } else if EqualMass::of(&study.asked).is_some() {
+            } else if MassComparison::of(&study.asked).is_some() {
                 let report = compare(&study.scene, Hardware::default(), context).unwrap();
                 let own = read(&cmra::report::compare::json(name, &report).to_string());
                 let command = json("compare");

@@ -20,7 +20,9 @@ use cmra::tui::keymap::Tab;
 use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::{Page, Row};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{AskedFor, Comparison, EqualMass, Found, SearchAnswer, SearchRequest};
+use cmra::worker::studies::{
+    AskedFor, Comparison, Found, MassComparison, SearchAnswer, SearchRequest,
+};
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
@@ -93,7 +95,7 @@ pub(super) fn found(study: &Study) -> Found {
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     let found = if SearchRequest::of(&study.asked).is_some() {
         found(study)
-    } else if EqualMass::of(&study.asked).is_some() {
+    } else if MassComparison::of(&study.asked).is_some() {
         Found::from(compared(&study.scene))
     } else {
         return false;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::bench::{Bench, ended, made, stopped};
-use cmra::files::atomic::Existing;
+use cmra::files::atomic::OverwritePolicy;
 use cmra::model::scene::Scene;
 use cmra::study::accuracy::reference::ReferenceSource;
 use cmra::study::stability::cases::CASES;
@@ -142,7 +142,7 @@ fn the_stiff_scenes_run_once_can_be_stopped_and_name_failures() {
 /// The table written last, and its path.
 fn exported(bench: &mut Bench) -> (String, String) {
     let (to, text, _) = bench.exported().expect("an export");
-    assert_eq!(to.existing, Existing::Keep);
+    assert_eq!(to.existing, OverwritePolicy::Keep);
     (to.path.display().to_string(), text)
 }
 

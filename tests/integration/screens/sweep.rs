@@ -6,14 +6,14 @@ use std::time::Duration;
 
 use super::at_every_size;
 use super::bench::{Bench, ended, stopped};
-use cmra::files::atomic::Existing;
+use cmra::files::atomic::OverwritePolicy;
 use cmra::files::preset;
 use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::ExportOutcome;
-use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
+use cmra::tui::pages::explore::state::{ChartKind, Part, SetupRow};
 use cmra::tui::preset::Base;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
@@ -68,7 +68,7 @@ pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16
 /// Opens a map.
 pub(super) fn open_map(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = open(figure, count, glyphs, size);
-    bench.app.pages.explore.picture = Picture::Surface;
+    bench.app.pages.explore.picture = ChartKind::Surface;
     bench
 }
 
@@ -91,7 +91,7 @@ fn the_sweep_tabs_at_every_size() {
         let mut bench = open("figure-9.7", 21, glyphs, (columns, rows));
         keys(&mut bench, "2lll");
         assert_snapshot!(format!("lines_{columns}x{rows}_{glyphs}"), bench.screen());
-        bench.app.pages.explore.picture = Picture::Surface;
+        bench.app.pages.explore.picture = ChartKind::Surface;
         keys(&mut bench, "12llkkk");
         assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
     }
@@ -123,7 +123,7 @@ fn a_figure_has_the_curves_of_the_printed_scheme_beside_its_own() {
 fn a_figure_as_a_map_says_where_the_printed_scheme_is_drawn() {
     let mut bench = open("figure-9.8", 7, GlyphSet::Ascii, (80, 24));
     keys(&mut bench, "2<Tab>kl");
-    assert_eq!(bench.app.picture(), Picture::Surface);
+    assert_eq!(bench.app.picture(), ChartKind::Surface);
     assert!(bench.message().contains("the corrected physics alone"), "{}", bench.message());
 }
 
@@ -350,7 +350,7 @@ fn an_edit_taken_back_leaves_the_picture_as_it_is() {
 #[test]
 fn a_scene_without_a_sweep_gets_usual_axes() {
     let mut bench = Bench::ascii(80, 24);
-    bench.app.pages.explore.picture = Picture::Surface;
+    bench.app.pages.explore.picture = ChartKind::Surface;
     keys(&mut bench, "2");
     assert!(bench.screen().contains("% of rigid-mount depth, up: k"), "{}", bench.screen());
     assert!(!bench.app.is_modified(), "looking changes nothing");
@@ -358,9 +358,9 @@ fn a_scene_without_a_sweep_gets_usual_axes() {
     bench.app.pages.explore.row = SetupRow::Picture;
     keys(&mut bench, "<Tab>l");
     assert!(bench.screen().contains("variable  gamma"), "{}", bench.screen());
-    assert_eq!(bench.app.picture(), Picture::Line);
+    assert_eq!(bench.app.picture(), ChartKind::Line);
     keys(&mut bench, "u");
-    assert_eq!(bench.app.picture(), Picture::Surface);
+    assert_eq!(bench.app.picture(), ChartKind::Surface);
 }
 
 #[test]
@@ -371,7 +371,7 @@ fn results_are_exported_and_nothing_is_replaced_without_consent() {
     bench.press("<Enter>");
     let (to, text, has_scene) = bench.exported().expect("an export");
     assert!(has_scene, "runs it again");
-    assert!(to.path.ends_with("figure-9.7-gamma-k.csv") && to.existing == Existing::Keep);
+    assert!(to.path.ends_with("figure-9.7-gamma-k.csv") && to.existing == OverwritePolicy::Keep);
     assert!(text.starts_with(
         "gamma,k,outcome,verdict,percent_of_baseline,max_plate_displacement_m,error\n"
     ));
@@ -379,7 +379,7 @@ fn results_are_exported_and_nothing_is_replaced_without_consent() {
     bench.export_ended(ExportOutcome::Exists("x.csv".into()));
     assert!(bench.screen().contains(" o overwrite"), "{}", bench.screen());
     bench.press("y");
-    assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
+    assert_eq!(bench.exported().expect("asked again").0.existing, OverwritePolicy::Replace);
 }
 
 /// Beyond the rigid plate's own limit there is no baseline to be a percentage of, though the plate still holds.

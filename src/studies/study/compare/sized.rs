@@ -7,7 +7,7 @@ use crate::model::scene::Scene;
 use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Hardware, InstalledSpring, MechanismLoadCase, is_held};
 use crate::study::compare::solid::thickness_of_limit;
-use crate::study::first_contact::{self, Wanted};
+use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::verdict::{ShotOutcome, decide, edge};
 
 /// Relative width to which the thickness is closed in.
@@ -118,7 +118,7 @@ struct Shot {
 /// The shot at a scene, by the contact kernel where that is enough.
 fn shoot(scene: Scene) -> Option<Shot> {
     let tolerance = first_contact::TOLERANCE_FRACTION * scene.run.tolerance;
-    if let Some(end) = first_contact::contact(&scene, Wanted::Displacement, tolerance) {
+    if let Some(end) = first_contact::contact(&scene, ContactOutput::Displacement, tolerance) {
         let demand = MechanismLoadCase::of(&scene, first_contact::max_displacement_m(&scene, &end));
         return Some(Shot { verdict: ShotOutcome::of_contact(&scene, &end), demand });
     }

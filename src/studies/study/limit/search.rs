@@ -8,7 +8,7 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::context::Context;
-use crate::study::first_contact::{self, Wanted};
+use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::closures::jump;
 use crate::study::limit::verdict::{BracketEnd, ShotOutcome, decide, edge};
 use crate::study::limit::{
@@ -54,7 +54,9 @@ impl ShotRunner<'_, '_, '_> {
     /// Whether a shot goes through; `None` when stopped.
     fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
-        if let Some(end) = first_contact::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
+        if let Some(end) =
+            first_contact::contact(&aimed, ContactOutput::Passage, aimed.run.tolerance)
+        {
             return self.should_continue().then_some(ShotOutcome::of_contact(&aimed, &end));
         }
         Some(self.shoot(impact_m_s)?.1)

@@ -12,7 +12,7 @@ use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::option;
 use crate::study::quantities::{Quantity, named};
-use crate::study::search::sampling::{self, Judged, Sample};
+use crate::study::search::sampling::{self, Evaluation, Sample};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::usual::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
@@ -240,10 +240,10 @@ impl Search {
         &mut self,
         points: &[Vec<f64>],
         context: &mut Context<'_, Report>,
-    ) -> Option<Vec<(Judged, Point)>> {
+    ) -> Option<Vec<(Evaluation, Point)>> {
         let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
         let found = self.plan.evaluate(&designs, context);
-        let mut judged: Vec<Judged> = found.iter().map(|found| self.judge(found)).collect();
+        let mut judged: Vec<Evaluation> = found.iter().map(|found| self.judge(found)).collect();
         self.front.runs += found.len();
         let budget = PointOutcome::Failed(Failure::Early(EndReason::StepBudget));
         self.front.given_up += found.iter().filter(|found| found.outcome == budget).count();
@@ -331,7 +331,7 @@ impl Search {
         sorted_by(sampling::front(best).into_iter().map(design).collect(), first)
     }
 
-    fn judge(&self, found: &Point) -> Judged {
+    fn judge(&self, found: &Point) -> Evaluation {
         let Request { objectives, subject_to, .. } = &self.front.request;
         let value = |objective: &Objective| {
             let value = self.value(found, objective.measure)?;
@@ -339,11 +339,11 @@ impl Search {
         };
         let Some(values) = objectives.iter().map(value).collect() else {
             let none = vec![f64::INFINITY; objectives.len()];
-            return Judged { objectives: none, violation: f64::INFINITY };
+            return Evaluation { objectives: none, violation: f64::INFINITY };
         };
         let violation = |it: &Constraint| it.violation(self.value(found, it.measure));
         let violation = subject_to.iter().map(violation).sum();
-        Judged { objectives: values, violation }
+        Evaluation { objectives: values, violation }
     }
 }
 

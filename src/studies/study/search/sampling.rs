@@ -19,14 +19,14 @@ const SHRINK: f64 = 0.7;
 
 /// The result of a point.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Judged {
+pub struct Evaluation {
     /// The objectives, all to be made small.
     pub objectives: Vec<f64>,
     /// By how much constraints are violated, together; 0: not at all; infinite where there is no value.
     pub violation: f64,
 }
 
-impl Judged {
+impl Evaluation {
     /// Whether it keeps every constraint.
     pub fn is_feasible(&self) -> bool {
         self.violation == 0.0
@@ -49,13 +49,14 @@ pub struct Sample<T> {
     /// Where, 0 to 1 along every input.
     pub shares: Vec<f64>,
     /// Result of the design.
-    pub judged: Judged,
+    pub judged: Evaluation,
     /// Further data of the design.
     pub found: T,
 }
 
 /// The function, many points at once, and the best points before them; `None` when it was stopped.
-pub type Function<'a, T> = &'a mut dyn FnMut(&[Vec<f64>], &[Sample<T>]) -> Option<Vec<(Judged, T)>>;
+pub type Function<'a, T> =
+    &'a mut dyn FnMut(&[Vec<f64>], &[Sample<T>]) -> Option<Vec<(Evaluation, T)>>;
 
 /// The best points after about a given number of evaluations, at most [`KEPT_MOST`] of which are on the [`front`]; of a function that
 /// was stopped those of the rounds before. `start` is tried first.

@@ -7,7 +7,8 @@ use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::variables::Group;
 use crate::study::first_contact::{
-    FirstContact, TOLERANCE_FRACTION, Wanted, baseline_m, decides, is_through, max_displacement_m,
+    ContactOutput, FirstContact, TOLERANCE_FRACTION, baseline_m, decides, is_through,
+    max_displacement_m,
 };
 use crate::study::load::holds_still;
 use crate::study::outcome::PointOutcome;
@@ -53,7 +54,8 @@ impl Kernel {
 
     /// The first contact of the scene of a point, where that decides it.
     pub(super) fn answer(&self, scene: &Scene) -> Option<(PointOutcome, FirstContact)> {
-        let wanted = if self.displacement { Wanted::Displacement } else { Wanted::Contact };
+        let wanted =
+            if self.displacement { ContactOutput::Displacement } else { ContactOutput::Contact };
         // The force into the mount, where it is an output, follows from where the plate starts and turns.
         let tells_force = || {
             let sprung = scene.is_sprung();

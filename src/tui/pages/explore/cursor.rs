@@ -4,7 +4,7 @@ use crate::model::units::{self, Bare, Dimension};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{Cell, Grid};
-use crate::tui::pages::explore::state::{Picture, nearest, placed};
+use crate::tui::pages::explore::state::{ChartKind, nearest, placed};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::place::{self, on_axis};
 use crate::tui::widgets::text::fitting;
@@ -12,7 +12,7 @@ use crate::worker::studies::PictureSweep;
 
 impl App {
     /// The display of Explore: curves or a map.
-    pub fn picture(&self) -> Picture {
+    pub fn picture(&self) -> ChartKind {
         self.pages.explore.picture
     }
 

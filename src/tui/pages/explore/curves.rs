@@ -24,8 +24,8 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let old = if is_old(app) { ", of another scene" } else { "" };
     let title = column.title() + old;
     let drawn = match app.picture() {
-        state::Picture::Line => curves(app, grid, output, &title, area, canvas),
-        state::Picture::Surface => map(app, grid, output, &title, area, canvas),
+        state::ChartKind::Line => curves(app, grid, output, &title, area, canvas),
+        state::ChartKind::Surface => map(app, grid, output, &title, area, canvas),
     };
     if drawn.is_none() {
         let inner = PaneFrame::new(title).draw(area, canvas);
@@ -44,7 +44,7 @@ fn is_old(app: &App) -> bool {
 
 /// A pane that has nothing to show yet.
 fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let title = if app.picture() == state::Picture::Line { "Curves" } else { "Map" };
+    let title = if app.picture() == state::ChartKind::Line { "Curves" } else { "Map" };
     let inner = PaneFrame::new(title).draw(area, canvas);
     let why = app.pages.explore.problem.as_ref().map(|_| "see the message below");
     let text = nothing::<PictureSweep>(app, "sweeping the first points", why);

@@ -3,7 +3,7 @@
 use crate::model::scene::ContactModel;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Plan, SweepError};
-use crate::tui::pages::explore::state::{CURVES, Picture, has_family, sweep_of};
+use crate::tui::pages::explore::state::{CURVES, ChartKind, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::preset::Base;
 
@@ -17,7 +17,7 @@ impl App {
     pub(crate) fn printed_plan(&self) -> Option<Plan> {
         if !is_corrected_figure(&self.base)
             || self.scene.contact.model != ContactModel::Hydrodynamic
-            || self.picture() != Picture::Line
+            || self.picture() != ChartKind::Line
         {
             return None;
         }
@@ -37,13 +37,13 @@ impl App {
         let axis = |at: usize| Axis::of(&sweep.axes[at], &GRID_COUNTS);
         let mut axes = vec![axis(0)?];
         match self.picture() {
-            Picture::Line if has_family(scene) => {
+            ChartKind::Line if has_family(scene) => {
                 let second = axis(1)?;
                 let (name, ends) = (second.symbol(), second.ends());
                 axes.push(Axis::new(name, ends, CURVES, second.spacing())?);
             }
-            Picture::Line => {}
-            Picture::Surface => axes.push(axis(1)?),
+            ChartKind::Line => {}
+            ChartKind::Surface => axes.push(axis(1)?),
         }
         let plan = Plan::new(scene, axes, &sweep.outputs)?;
         grid::fits(&plan).map(|()| plan)

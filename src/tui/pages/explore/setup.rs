@@ -7,7 +7,7 @@ use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::tui::pages::explore::plan::is_corrected_figure;
-use crate::tui::pages::explore::state::{Picture, SetupRow, completed, has_family, sweep_of};
+use crate::tui::pages::explore::state::{ChartKind, SetupRow, completed, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::axis::{Part, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_after};
@@ -18,7 +18,7 @@ impl App {
     /// The rows of the setup, headings included.
     fn setup_rows(&self) -> Vec<SetupRow> {
         use SetupRow as R;
-        let is_map = self.picture() == Picture::Surface;
+        let is_map = self.picture() == ChartKind::Surface;
         let has_two = is_map || has_family(&self.scene);
         let mut rows = vec![R::Heading("Show"), R::Output, R::Picture, R::Heading("Along")];
         let along = [Part::Name, Part::From, Part::To, Part::Points, Part::Spacing];
@@ -54,7 +54,7 @@ impl App {
     pub(crate) fn setup_line(&self, row: SetupRow, sweep: &Sweep) -> FormRow {
         let picture = self.picture();
         // A default for the second axis is not shown as chosen.
-        let has_one = picture == Picture::Line && !has_family(&self.scene);
+        let has_one = picture == ChartKind::Line && !has_family(&self.scene);
         match row {
             SetupRow::Heading(text) => FormRow::heading(text),
             SetupRow::Axis(1, Part::Name) if has_one => FormRow::typed("variable", "none").means(
@@ -62,7 +62,7 @@ impl App {
             ),
             SetupRow::Axis(at, part) => part.line(&sweep.axes[at], self.unit_of(&sweep.axes[at].name)),
             SetupRow::Picture => {
-                let word = if picture == Picture::Line { "curves" } else { "map" };
+                let word = if picture == ChartKind::Line { "curves" } else { "map" };
                 FormRow::word("shown as", word).means(
                     "curves: one for each value of the variable across, if any; map: colours over both",
                 )
@@ -79,7 +79,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
     let mut sweep = sweep_of(&app.scene);
     let picture = app.picture();
     match (row, input) {
-        (SetupRow::Axis(1, Part::Name), Input::Text("none")) if picture == Picture::Line => {
+        (SetupRow::Axis(1, Part::Name), Input::Text("none")) if picture == ChartKind::Line => {
             without_family(app, sweep);
         }
         (SetupRow::Axis(at, Part::Name), Input::Step(press)) => {
@@ -91,10 +91,10 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
             checked(app, sweep, at)?;
         }
         (SetupRow::Picture, Input::Step(press)) => {
-            let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
+            let next = around(&[ChartKind::Line, ChartKind::Surface], picture, press.by());
             show_as(app, next)?;
-            if next == Picture::Surface && is_corrected_figure(&app.base) {
-                app.tell("a map shows the corrected physics alone; as curves it has the printed scheme beside it");
+            if next == ChartKind::Surface && is_corrected_figure(&app.base) {
+                app.report_progress("a map shows the corrected physics alone; as curves it has the printed scheme beside it");
             }
         }
         (SetupRow::Output, _) => {
@@ -129,7 +129,7 @@ fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     let is_there = |variable: &&'static Variable| {
         other.is_none_or(|other| !variables::exclude_each_other(other, variable))
     };
-    let has_none = at == 1 && app.picture() == Picture::Line;
+    let has_none = at == 1 && app.picture() == ChartKind::Line;
     let choices = numeric(&app.scene).filter(is_there).map(Some);
     let choices: Vec<Option<&'static Variable>> = choices.chain(has_none.then_some(None)).collect();
     let now = variables::find(&sweep.axes[at].name).ok().filter(|_| has_family || !has_none);
@@ -155,7 +155,7 @@ fn without_family(app: &mut App, mut sweep: Sweep) {
 fn settled(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     if changed == 0 && !has_family(&app.scene) {
         sweep.axes.truncate(1);
-        if app.picture() == Picture::Surface {
+        if app.picture() == ChartKind::Surface {
             sweep = completed(&app.scene, sweep);
         }
     }
@@ -163,14 +163,14 @@ fn settled(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
 }
 
 /// Show curves or a map, unless that cannot be made.
-fn show_as(app: &mut App, picture: Picture) -> Result<(), String> {
+fn show_as(app: &mut App, picture: ChartKind) -> Result<(), String> {
     let state = app.snapshot();
     app.pages.explore.picture = picture;
     if let Err(error) = app.sweep_plan() {
         app.pages.explore.picture = state.picture;
         return Err(error.to_string());
     }
-    let word = if picture == Picture::Line { "curves" } else { "a map" };
+    let word = if picture == ChartKind::Line { "curves" } else { "a map" };
     edit::note(app, state, format!("show {word}"), None);
     Ok(())
 }

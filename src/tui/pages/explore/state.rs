@@ -17,7 +17,7 @@ use crate::tui::widgets::axis::over;
 use crate::worker::studies::{AskedFor, PictureSweep};
 
 pub use crate::tui::widgets::axis::Part;
-pub use crate::worker::studies::Picture;
+pub use crate::worker::studies::ChartKind;
 
 /// The curves or the map.
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
@@ -55,7 +55,7 @@ pub struct Sweeping {
     /// The point under the cursor; `None`: the one nearest to the scene.
     pub cursor: Option<(usize, usize)>,
     pub output: usize,
-    pub picture: Picture,
+    pub picture: ChartKind,
 }
 
 impl Sweeping {

@@ -6,7 +6,7 @@ use crate::report::compare::{picture, reasons, verdict};
 use crate::study::compare;
 use crate::tui::pages::limit::state::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::page::prelude::*;
-use crate::worker::studies::{Comparison, EqualMass};
+use crate::worker::studies::{Comparison, MassComparison};
 
 /// Meaning of the comparison's rows, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring must survive: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";
@@ -66,7 +66,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = frame.draw(area, canvas);
     if lines.is_empty() {
         let running = "comparing with a rigid mount and a solid plate of the same areal mass";
-        canvas.put_centred(inner, &nothing::<EqualMass>(app, running, None));
+        canvas.put_centred(inner, &nothing::<MassComparison>(app, running, None));
     }
     let first = app.pages.limit.scrolled.min(lines.len().saturating_sub(height));
     let shown = whole(&lines[first..], height);
@@ -87,7 +87,8 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some((found, map)) = found.and_then(|found| Some((found, picture(found)?))) else {
         let inner = PaneFrame::new("Mass efficiency").focused(focused).draw(area, canvas);
         let why = found.map(|_| "no point has a mass efficiency");
-        return canvas.put_centred(inner, &nothing::<EqualMass>(app, "computing the map", why));
+        return canvas
+            .put_centred(inner, &nothing::<MassComparison>(app, "computing the map", why));
     };
     let title = format!("mass efficiency, up: {}", found.y().symbol()).into();
     canvas.draw_map(&report::map::Map { title, focused, ..map }, area);

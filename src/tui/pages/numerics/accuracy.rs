@@ -14,7 +14,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::WIDE;
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::wrapped;
-use crate::worker::studies::Measurements;
+use crate::worker::studies::MethodBenchmark;
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
@@ -39,7 +39,7 @@ impl App {
         let count: usize = methods.map(|one| one.points.len()).sum();
         let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
         let scene = self.accuracy_scene();
-        let progress = progress::<Measurements, _>(self, &tab.report, &scene, words, "points");
+        let progress = progress::<MethodBenchmark, _>(self, &tab.report, &scene, words, "points");
         let done = || part(Severity::Note, format!("measured {count} points"));
         let mut parts = vec![progress.unwrap_or_else(done)];
         let Some(report) = &tab.report.found else { return parts };
@@ -62,7 +62,7 @@ impl App {
         let tab = &self.pages.numerics.accuracy;
         let Some(report) = &tab.report.found else { return Vec::new() };
         if !tab.report.is_complete() {
-            let counted = self.jobs.running::<Measurements>().and_then(|it| it.points);
+            let counted = self.jobs.running::<MethodBenchmark>().and_then(|it| it.points);
             let counted = counted.map(|(done, total)| format!(" ({done} of {total})"));
             let counted = counted.unwrap_or_default();
             return vec![format!("error {:.0e}: not computed yet{counted}", TARGETS[0])];
@@ -112,15 +112,17 @@ impl App {
 
 /// The tab is shown: measure, unless this scene has been or is being measured.
 pub(crate) fn enter(app: &mut App) {
-    if app.jobs.lacks::<Measurements, _>(&app.pages.numerics.accuracy.report, &app.accuracy_scene())
+    if app
+        .jobs
+        .lacks::<MethodBenchmark, _>(&app.pages.numerics.accuracy.report, &app.accuracy_scene())
     {
-        jobs::look(app, jobs::LOOK, Measurements(ComparisonOptions::FULL));
+        jobs::look(app, jobs::LOOK, MethodBenchmark(ComparisonOptions::FULL));
     }
 }
 
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
-        Action::Run => jobs::study(app, action, Measurements(ComparisonOptions::FULL)),
+        Action::Run => jobs::study(app, action, MethodBenchmark(ComparisonOptions::FULL)),
         Action::Enter => use_method(app),
         _ => return false,
     }
@@ -138,7 +140,7 @@ fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
     if tab.report.is_old(&app.accuracy_scene()) || tab.report.found.is_none() {
-        return app.refuse(nothing::<Measurements>(app, BEING_COMPUTED, None));
+        return app.refuse(nothing::<MethodBenchmark>(app, BEING_COMPUTED, None));
     }
     let mut scene = (*app.scene).clone();
     let name = method.name();
@@ -153,17 +155,17 @@ fn use_method(app: &mut App) {
     scene.run.tolerance = tolerance;
     let what = format!("{name}: tolerance {tolerance:.0e} gives 1e-6");
     if scene == *app.scene {
-        return app.tell(format!("the scene has this already: {what}"));
+        return app.report_progress(format!("the scene has this already: {what}"));
     }
     edit::commit_scene(app, scene, format!("use {what}"), None);
-    app.tell(format!("{what} (<undo> undoes)"));
+    app.report_progress(format!("{what} (<undo> undoes)"));
 }
 
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.accuracy;
     let is_kept = tab.report.keep(running, news);
     if is_kept && news.is_last() && !tab.report.is_complete() && !running.is_look {
-        app.tell(jobs::CANCELLED);
+        app.report_progress(jobs::CANCELLED);
     }
 }
 
@@ -195,7 +197,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
     let Some(mut chart) = tab.report.found.as_deref().and_then(error_over_time) else {
         let inner = PaneFrame::new("Relative error").draw(area, canvas);
-        let text = nothing::<Measurements>(app, "measuring the first points", None);
+        let text = nothing::<MethodBenchmark>(app, "measuring the first points", None);
         return canvas.put_centred(inner, &text);
     };
     let is_old = tab.report.is_old(&app.accuracy_scene());

@@ -147,7 +147,7 @@ fn window(app: &mut App) {
         Window::Whole => (Window::Contact, "the contact, up to the last change of the depth"),
     };
     *window = next;
-    app.tell(format!("{name}: {words}"));
+    app.report_progress(format!("{name}: {words}"));
 }
 
 #[cfg(test)]

@@ -59,9 +59,9 @@ pub(crate) fn next(app: &mut App) {
         Some(at) => Some(at + 1).filter(|at| *at < OUTPUTS.len()),
     };
     match matters.output {
-        None => app.tell("words again; <view> shows what matters"),
+        None => app.report_progress("words again; <view> shows what matters"),
         Some(at) => {
-            app.tell(format!(
+            app.report_progress(format!(
                 "what matters: {} over the range of each variable; <view> shows the next result",
                 OUTPUTS[at].1
             ));

@@ -138,7 +138,7 @@ pub(crate) fn pin_design(app: &mut App, design: Result<LabelledScene, String>) {
 pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *scene) {
         let text = format!("this scene is pinned already, as {}", pin.letter);
-        return app.tell(text);
+        return app.report_progress(text);
     }
     let is_free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
     let Some(letter) = LETTERS.into_iter().find(is_free) else {
@@ -148,7 +148,7 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
     let shown = app.shown.as_ref().filter(|it| *it.run.scene == *scene && it.took.is_some());
     let run = shown.map(|shown| Arc::clone(&shown.run));
     let pin = Pin { run, ..Pin::new(letter, name, scene) };
-    app.tell(format!("pinned as {}", pin.label()));
+    app.report_progress(format!("pinned as {}", pin.label()));
     edit::pin(app, pin);
 }
 
@@ -156,7 +156,7 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
 fn selected(app: &mut App) -> Option<Pin> {
     let found = app.selected_pin().cloned();
     if found.is_none() {
-        app.tell(if app.pins.is_empty() {
+        app.report_progress(if app.pins.is_empty() {
             "no run is pinned yet: <mark> pins the current one"
         } else {
             "select a pinned run first (<down>, <up>): the first row is the current run"
@@ -173,17 +173,17 @@ pub(crate) fn unpin(app: &mut App) {
 
 fn unpinned(app: &mut App, pin: &Pin) {
     edit::unpin(app, pin);
-    app.tell(format!("unpinned {} (<undo> undoes)", pin.label()));
+    app.report_progress(format!("unpinned {} (<undo> undoes)", pin.label()));
 }
 
 pub(crate) fn load(app: &mut App) {
     let Some(pin) = selected(app) else { return };
     if *pin.scene == *app.scene {
-        return app.tell("the current scene is this one already");
+        return app.report_progress("the current scene is this one already");
     }
     let label = format!("load {}", pin.label());
     let scene = (*pin.scene).clone();
-    app.tell(format!("{label} (<undo> undoes)"));
+    app.report_progress(format!("{label} (<undo> undoes)"));
     edit::commit_scene(app, scene, label, None);
 }
 

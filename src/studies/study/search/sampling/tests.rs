@@ -12,7 +12,7 @@ const CORNER: (f64, f64) = (1.1, 1.1);
 fn solve(inputs: usize, f: impl Fn(&[f64]) -> (Vec<f64>, f64)) -> Vec<Sample<()>> {
     let judge = |x: &Vec<f64>| {
         let (objectives, violation) = f(x);
-        (Judged { objectives, violation }, ())
+        (Evaluation { objectives, violation }, ())
     };
     let function: Function<'_, ()> = &mut |points, _| Some(points.iter().map(judge).collect());
     let best = search(inputs, None, EVALUATIONS, function);
@@ -118,7 +118,7 @@ fn points_without_a_value_lose_and_a_stop_keeps_the_round_before() {
     let mut calls = 0;
     let function: Function<'_, ()> = &mut |points, _| {
         calls += 1;
-        let judge = |x: &Vec<f64>| (Judged { objectives: vec![x[0]], violation: 0.0 }, ());
+        let judge = |x: &Vec<f64>| (Evaluation { objectives: vec![x[0]], violation: 0.0 }, ());
         (calls < 2).then(|| points.iter().map(judge).collect())
     };
     let kept = search(1, Some(vec![0.25]), 80, function);
