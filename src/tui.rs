@@ -43,7 +43,7 @@ use std::io::{self, Write};
 use crate::files::paths::Paths;
 use crate::files::preset::Preset;
 use crate::report::traces::Traces;
-use shell::{Ending, Shell};
+use shell::{EventLoop, ExitReason};
 
 #[derive(Clone, Debug, Default)]
 pub struct Options {
@@ -62,15 +62,15 @@ pub struct Options {
 pub fn run(options: Options) -> io::Result<u8> {
     let paths = Paths::of_user().ok();
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
-    let mut shell = Shell::start(options, paths)?;
+    let mut shell = EventLoop::start(options, paths)?;
     let ending = shell.run();
     if let Some(text) = shell.leave(&ending) {
         // The reader of standard error may be gone; the workbench is over either way.
         let _ = writeln!(io::stderr().lock(), "{text}");
     }
     match ending {
-        Ending::Quit => Ok(0),
-        Ending::Signal(status) => Ok(status),
-        Ending::Broken(error) => Err(error),
+        ExitReason::Quit => Ok(0),
+        ExitReason::Signal(status) => Ok(status),
+        ExitReason::Broken(error) => Err(error),
     }
 }

@@ -6,7 +6,7 @@ use clap::{Args, Command};
 
 use crate::cli::{CliError, output};
 use crate::files::error::did_you_mean;
-use crate::tui::keymap::{EVERYWHERE, KeyHelp, Keymap, LISTED};
+use crate::tui::keymap::{GLOBAL_KEYS, KeyHelp, Keymap, PANE_KEYS};
 use crate::tui::pages::all_panes;
 use crate::tui::widgets::text::wrap;
 
@@ -114,9 +114,9 @@ fn keys() -> String {
         }
     };
     text.push_str("\nIn every pane\n");
-    table(&mut text, EVERYWHERE);
+    table(&mut text, GLOBAL_KEYS);
     text.push_str("\nIn forms, charts and tables\n");
-    table(&mut text, LISTED);
+    table(&mut text, PANE_KEYS);
     for pane in all_panes() {
         let _ = writeln!(text, "\n{}", pane.label);
         for row in pane.keys {

@@ -17,7 +17,7 @@ use std::time::Duration;
 use dialog::Dialog;
 use history::{History, Snapshot};
 use notice::{Notice, Severity};
-use pins::{Pin, RunView, Shown};
+use pins::{DisplayedRun, Pin, RunView};
 use running::Jobs;
 
 use crate::files::clean;
@@ -28,7 +28,7 @@ use crate::tui::keymap::Keymap;
 use crate::tui::message::FileTask;
 use crate::tui::pages::states::States;
 use crate::tui::prelude::*;
-use crate::tui::preset::{Base, PresetEntry};
+use crate::tui::preset::{PresetEntry, ReferencePreset};
 use crate::tui::theme::Theme;
 use crate::tui::widgets::input::TextField;
 
@@ -57,7 +57,7 @@ pub struct Files {
 
 /// Input field that has the keyboard, if no dialog is open.
 #[derive(Clone, Debug)]
-pub enum Typing {
+pub enum ActiveInput {
     /// The field of a row of the pane that has the keys.
     Field(TextField),
     /// The field of `/`.
@@ -73,18 +73,18 @@ pub struct App {
     pub size: (u16, u16),
     pub tab: Tab,
     pub focus: [Pane; Tab::ALL.len()],
-    pub typing: Option<Typing>,
+    pub typing: Option<ActiveInput>,
     pub keymap: Keymap,
     pub settings: Settings,
     /// This is the first start: a line says how to begin, until the first edit.
     pub first_run: bool,
     pub scene: Arc<Scene>,
     /// The preset it came from.
-    pub base: Base,
+    pub base: ReferencePreset,
     /// Edits that can be undone.
     pub history: History,
     /// The result on the screen, if any yet.
-    pub shown: Option<Shown>,
+    pub shown: Option<DisplayedRun>,
     /// The run before the latest edit.
     pub before: Option<Arc<Run>>,
     /// The tasks of the worker.
@@ -102,7 +102,7 @@ pub struct App {
 
 impl App {
     /// A workbench on a scene, which is also what edits are compared with.
-    pub fn new(base: Base, theme: Theme, directory: PathBuf) -> Self {
+    pub fn new(base: ReferencePreset, theme: Theme, directory: PathBuf) -> Self {
         Self {
             size: (80, 24),
             settings: Settings { theme, ..Settings::default() },
@@ -116,17 +116,17 @@ impl App {
 
     /// The open field of a row.
     pub fn field(&self) -> Option<&TextField> {
-        if let Some(Typing::Field(field)) = &self.typing { Some(field) } else { None }
+        if let Some(ActiveInput::Field(field)) = &self.typing { Some(field) } else { None }
     }
 
     /// The open field of `/`.
     pub fn find(&self) -> Option<&TextField> {
-        if let Some(Typing::Find(text)) = &self.typing { Some(text) } else { None }
+        if let Some(ActiveInput::Find(text)) = &self.typing { Some(text) } else { None }
     }
 
     /// The open field of a place.
     pub fn place(&self) -> Option<&TextField> {
-        if let Some(Typing::Place(text)) = &self.typing { Some(text) } else { None }
+        if let Some(ActiveInput::Place(text)) = &self.typing { Some(text) } else { None }
     }
 
     /// Whether a dialog lies on top.
@@ -236,13 +236,13 @@ impl App {
     /// The run before the latest edit, while the result of the edit is on the screen and differs from it.
     pub fn run_before(&self) -> Option<&Run> {
         let before = self.before.as_deref()?;
-        let is_new = |shown: &Shown| *shown.run.scene != *before.scene && !self.is_stale();
+        let is_new = |shown: &DisplayedRun| *shown.run.scene != *before.scene && !self.is_stale();
         self.shown.as_ref().is_some_and(is_new).then_some(before)
     }
 
     /// Keep the run of a scene that is about to be edited, if it is complete.
     pub(crate) fn keep_before(&mut self, scene: &Scene) {
-        let of_scene = |shown: &&Shown| shown.took.is_some() && *shown.run.scene == *scene;
+        let of_scene = |shown: &&DisplayedRun| shown.took.is_some() && *shown.run.scene == *scene;
         self.before = self.shown.as_ref().filter(of_scene).map(|shown| Arc::clone(&shown.run));
     }
 

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use crossterm::event::KeyEvent;
 
-use super::signals::Incoming;
+use super::signals::LoopEvent;
 use crate::tui::message::Message;
 
 /// Most equal keys that wait in a row: about 50 ms of work. A held key that has more of them waiting would go on after its release.
@@ -15,17 +15,17 @@ const OVERTAKEN_MIN: usize = 256;
 
 /// Shortens the queue: a reason to leave comes first, the key that cancels discards what was typed before it, and of equal keys in a row
 /// a limited number stays.
-pub(super) fn shorten(queue: &mut VecDeque<Incoming>, cancels: impl Fn(KeyEvent) -> bool) {
+pub(super) fn shorten(queue: &mut VecDeque<LoopEvent>, cancels: impl Fn(KeyEvent) -> bool) {
     if queue.len() <= OVERTAKEN_MIN {
         return;
     }
-    let ends = |incoming: &Incoming| matches!(incoming, Incoming::End(_));
+    let ends = |incoming: &LoopEvent| matches!(incoming, LoopEvent::End(_));
     if let Some(at) = queue.iter().position(ends)
         && let Some(end) = queue.remove(at)
     {
         queue.push_front(end);
     }
-    let is_cancel = |incoming: &Incoming| key_of(incoming).is_some_and(&cancels);
+    let is_cancel = |incoming: &LoopEvent| key_of(incoming).is_some_and(&cancels);
     let cancel = queue.iter().rposition(is_cancel).filter(|at| *at > OVERTAKEN_MIN).unwrap_or(0);
     let (mut at, mut last, mut repeats) = (0, None, 0);
     queue.retain(|incoming| {
@@ -41,12 +41,15 @@ pub(super) fn shorten(queue: &mut VecDeque<Incoming>, cancels: impl Fn(KeyEvent)
     });
 }
 
-fn key_of(incoming: &Incoming) -> Option<KeyEvent> {
-    if let Incoming::Message(Message::Key(key)) = incoming { Some(*key) } else { None }
+fn key_of(incoming: &LoopEvent) -> Option<KeyEvent> {
+    if let LoopEvent::Message(Message::Key(key)) = incoming { Some(*key) } else { None }
 }
 
-fn is_typed(incoming: &Incoming) -> bool {
-    matches!(incoming, Incoming::Message(Message::Key(_) | Message::Paste(_)) | Incoming::Mouse(_))
+fn is_typed(incoming: &LoopEvent) -> bool {
+    matches!(
+        incoming,
+        LoopEvent::Message(Message::Key(_) | Message::Paste(_)) | LoopEvent::Mouse(_)
+    )
 }
 
 #[cfg(test)]
@@ -57,23 +60,23 @@ mod tests {
 
     const CANCEL: KeyEvent = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
 
-    fn typed(text: &str) -> Vec<Incoming> {
+    fn typed(text: &str) -> Vec<LoopEvent> {
         let key = |c| KeyEvent::new(KeyCode::Char(c), KeyModifiers::NONE);
-        text.chars().map(|c| Incoming::Message(Message::Key(key(c)))).collect()
+        text.chars().map(|c| LoopEvent::Message(Message::Key(key(c)))).collect()
     }
 
-    fn cancel() -> Incoming {
-        Incoming::Message(Message::Key(CANCEL))
+    fn cancel() -> LoopEvent {
+        LoopEvent::Message(Message::Key(CANCEL))
     }
 
     /// The queue as text: keys, `^` for the key that cancels, `$` for the end, `.` for anything else.
-    fn shortened(queue: Vec<Incoming>) -> String {
+    fn shortened(queue: Vec<LoopEvent>) -> String {
         let mut queue = VecDeque::from(queue);
         shorten(&mut queue, |key| key == CANCEL);
-        let word = |incoming: &Incoming| match (incoming, key_of(incoming)) {
+        let word = |incoming: &LoopEvent| match (incoming, key_of(incoming)) {
             (_, Some(key)) if key == CANCEL => '^',
             (_, Some(KeyEvent { code: KeyCode::Char(c), .. })) => c,
-            (Incoming::End(_), _) => '$',
+            (LoopEvent::End(_), _) => '$',
             _ => '.',
         };
         queue.iter().map(word).collect()
@@ -82,7 +85,7 @@ mod tests {
     #[test]
     fn the_key_that_cancels_overtakes_what_was_typed() {
         let mut queue = typed(&"jk".repeat(50_000));
-        queue.insert(7, Incoming::Resized);
+        queue.insert(7, LoopEvent::Resized);
         queue.push(cancel());
         queue.extend(typed("xy"));
         assert_eq!(shortened(queue), ".^xy");
@@ -95,7 +98,7 @@ mod tests {
     #[test]
     fn a_held_key_stops_soon_after_its_release() {
         let mut queue = typed(&"l".repeat(100_000));
-        queue.push(Incoming::Arrived);
+        queue.push(LoopEvent::Arrived);
         queue.extend(typed("lq"));
         assert_eq!(shortened(queue), "l".repeat(REPEATS_MAX) + ".q");
         // Different keys all count.
@@ -106,7 +109,7 @@ mod tests {
     #[test]
     fn a_reason_to_leave_comes_first() {
         let mut queue = typed(&"jk".repeat(2000));
-        queue.push(Incoming::End(143));
+        queue.push(LoopEvent::End(143));
         assert!(shortened(queue).starts_with("$jk"));
     }
 }

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::signals::Incoming;
+use super::signals::LoopEvent;
 use super::start;
 use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::error::FileError;
@@ -31,14 +31,14 @@ use crate::tui::preset::PresetEntry;
 pub(super) const SESSION_DELAY: Duration = Duration::from_secs(1);
 
 /// Whether the session was saved: where that of another workbench was backed up for it, or why it was not, in words.
-type Kept = Result<Option<PathBuf>, String>;
+type SaveResult = Result<Option<PathBuf>, String>;
 
 pub(super) enum Request {
     Task(Task),
     /// The session has changed: it lies in [`Unsaved`].
     SessionChanged,
     /// Save the session now and say so.
-    Finish(Sender<Kept>),
+    Finish(Sender<SaveResult>),
 }
 
 /// The session that has yet to be saved. The caller saves it.
@@ -55,7 +55,7 @@ impl Unsaved {
     }
 
     /// Save what has not been saved; `None` when there is nothing to save, or no place for it.
-    pub(super) fn save(&self) -> Option<Kept> {
+    pub(super) fn save(&self) -> Option<SaveResult> {
         let session = self.lock().take()?;
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let saved = session::save(&self.paths.as_ref()?.session_file(), &session, &mut known);
@@ -74,7 +74,7 @@ impl IoThread {
         paths: Option<Paths>,
         known: SessionFingerprint,
         delay: Duration,
-        inbox: Sender<Incoming>,
+        inbox: Sender<LoopEvent>,
     ) -> std::io::Result<Self> {
         let (requests, receive) = mpsc::channel();
         let unsaved =
@@ -111,7 +111,7 @@ impl IoThread {
     }
 
     /// Finish all tasks and save the session, waiting at most this long.
-    pub(super) fn finish(&self, patience: Duration) -> Kept {
+    pub(super) fn finish(&self, patience: Duration) -> SaveResult {
         let (done, wait) = mpsc::channel();
         let asked = self.requests.send(Request::Finish(done)).is_ok();
         match wait.recv_timeout(patience) {
@@ -124,7 +124,7 @@ impl IoThread {
 
 struct FileQueue {
     unsaved: Unsaved,
-    inbox: Sender<Incoming>,
+    inbox: Sender<LoopEvent>,
     /// How long a changed session may stay unsaved.
     delay: Duration,
     /// Whether the session could be saved the last time.
@@ -173,7 +173,7 @@ impl FileQueue {
     fn save(&self) {
         let Some(saved) = self.unsaved.save() else { return };
         // The loop may be over already.
-        let tell = |report| drop(self.inbox.send(Incoming::Message(Message::Done(report))));
+        let tell = |report| drop(self.inbox.send(LoopEvent::Message(Message::Done(report))));
         if let Ok(Some(aside)) = &saved
             && !self.shares.replace(true)
         {
@@ -189,7 +189,7 @@ impl FileQueue {
         let done = panic::catch_unwind(AssertUnwindSafe(|| self.do_task(task)));
         if let Ok(report) = done {
             // The loop may be over already.
-            let _ = self.inbox.send(Incoming::Message(Message::Done(report)));
+            let _ = self.inbox.send(LoopEvent::Message(Message::Done(report)));
         }
     }
 
@@ -300,7 +300,7 @@ mod tests {
     /// A test that waits so long hangs.
     const HANG: Duration = Duration::from_secs(120);
 
-    fn started(delay: Duration) -> (tempfile::TempDir, Paths, IoThread, Receiver<Incoming>) {
+    fn started(delay: Duration) -> (tempfile::TempDir, Paths, IoThread, Receiver<LoopEvent>) {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         let (send, receive) = mpsc::channel();
@@ -310,10 +310,10 @@ mod tests {
         (place, paths, io_thread, receive)
     }
 
-    fn report(inbox: &Receiver<Incoming>) -> EffectReport {
+    fn report(inbox: &Receiver<LoopEvent>) -> EffectReport {
         loop {
             let incoming = inbox.recv_timeout(HANG).expect("a report in time");
-            if let Incoming::Message(Message::Done(report)) = incoming {
+            if let LoopEvent::Message(Message::Done(report)) = incoming {
                 return report;
             }
         }

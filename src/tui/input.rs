@@ -8,30 +8,30 @@ use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
 
-use super::signals::{HUNG_UP, Incoming};
+use super::signals::{HUNG_UP, LoopEvent};
 use super::terminal;
 use super::terminal::decode::{Decoder, Input};
 use crate::tui::message::Message;
 
 /// How long a lone escape may be the beginning of a key whose rest is under way; over SSH the rest may come in another packet.
-const HOLD: Duration = Duration::from_millis(50);
+const ESCAPE_TIMEOUT: Duration = Duration::from_millis(50);
 const HOLD_OVER_SSH: Duration = Duration::from_millis(100);
 
 /// The time a lone escape is held in this environment.
 pub(super) fn hold(env: impl Fn(&str) -> Option<String>) -> Duration {
     let is_remote = ["SSH_CONNECTION", "SSH_TTY"].into_iter().any(|name| env(name).is_some());
-    if is_remote { HOLD_OVER_SSH } else { HOLD }
+    if is_remote { HOLD_OVER_SSH } else { ESCAPE_TIMEOUT }
 }
 
 /// Start the thread. When it ends, whatever the reason, the terminal counts as gone.
-pub(super) fn spawn(inbox: Sender<Incoming>, hold: Duration) -> io::Result<()> {
+pub(super) fn spawn(inbox: Sender<LoopEvent>, hold: Duration) -> io::Result<()> {
     let reading = move || {
         let decoder = Decoder::new(hold);
         let read = |buffer: &mut [u8], patience| terminal::read(buffer, patience);
         // What ends it, an error or a panic, is the end of the terminal.
         let _ = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, decoder, read)));
         // The loop may be over already.
-        let _ = inbox.send(Incoming::End(HUNG_UP));
+        let _ = inbox.send(LoopEvent::End(HUNG_UP));
     };
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }
@@ -39,7 +39,7 @@ pub(super) fn spawn(inbox: Sender<Incoming>, hold: Duration) -> io::Result<()> {
 /// Pass on what comes until reading fails or the loop is over. `read` waits for bytes, at most as long as it is given, and gives
 /// their number; `None` when the time has passed.
 fn listen(
-    inbox: &Sender<Incoming>,
+    inbox: &Sender<LoopEvent>,
     mut decoder: Decoder,
     mut read: impl FnMut(&mut [u8], Option<Duration>) -> io::Result<Option<usize>>,
 ) -> io::Result<()> {
@@ -52,10 +52,10 @@ fn listen(
         }
         for input in found.drain(..) {
             let incoming = match input {
-                Input::Key(key) => Incoming::Message(Message::Key(key)),
-                Input::Paste(text) => Incoming::Message(Message::Paste(text)),
-                Input::Mouse(mouse) => Incoming::Mouse(mouse),
-                Input::Arrived => Incoming::Arrived,
+                Input::Key(key) => LoopEvent::Message(Message::Key(key)),
+                Input::Paste(text) => LoopEvent::Message(Message::Paste(text)),
+                Input::Mouse(mouse) => LoopEvent::Mouse(mouse),
+                Input::Arrived => LoopEvent::Arrived,
             };
             if inbox.send(incoming).is_err() {
                 return Ok(());
@@ -97,7 +97,7 @@ mod tests {
         listen(&send, Decoder::new(hold), read).unwrap_err();
         drop(send);
         let code = |incoming| match incoming {
-            Incoming::Message(Message::Key(key)) => key.code,
+            LoopEvent::Message(Message::Key(key)) => key.code,
             _ => panic!("no key"),
         };
         inbox.iter().map(code).collect()
@@ -106,16 +106,16 @@ mod tests {
     #[test]
     fn an_escape_is_a_key_once_nothing_follows_within_the_hold() {
         use KeyCode as K;
-        assert_eq!(keys(HOLD, &[(0, b"\x1b"), (20, b"[H")]), [K::Home]);
-        assert_eq!(keys(HOLD, &[(0, b"\x1b"), (60, b"j")]), [K::Esc, K::Char('j')]);
+        assert_eq!(keys(ESCAPE_TIMEOUT, &[(0, b"\x1b"), (20, b"[H")]), [K::Home]);
+        assert_eq!(keys(ESCAPE_TIMEOUT, &[(0, b"\x1b"), (60, b"j")]), [K::Esc, K::Char('j')]);
         assert_eq!(keys(HOLD_OVER_SSH, &[(0, b"\x1b"), (60, b"[D")]), [K::Left]);
-        assert_eq!(keys(HOLD, &[(0, b"\x1b")]), [K::Esc]);
-        assert_eq!(keys(HOLD, &[(0, b"\x1b\x1b")]), [K::Esc; 2]);
+        assert_eq!(keys(ESCAPE_TIMEOUT, &[(0, b"\x1b")]), [K::Esc]);
+        assert_eq!(keys(ESCAPE_TIMEOUT, &[(0, b"\x1b\x1b")]), [K::Esc; 2]);
     }
 
     #[test]
     fn an_escape_is_held_longer_over_ssh() {
-        assert_eq!(hold(|_| None), HOLD);
+        assert_eq!(hold(|_| None), ESCAPE_TIMEOUT);
         let over_ssh =
             |name: &str| (name == "SSH_CONNECTION").then(|| "10.0.0.1 1 10.0.0.2 22".to_owned());
         assert_eq!(hold(over_ssh), HOLD_OVER_SSH);

@@ -33,7 +33,7 @@ enumeration! {
 }
 
 /// The keys that lead to the tabs.
-const TAB_KEYS: &[Bound] = &[
+const TAB_KEYS: &[KeyBinding] = &[
     (A::Tab(Tab::Run), "tab-run", "1"),
     (A::Tab(Tab::Explore), "tab-explore", "2"),
     (A::Tab(Tab::Limit), "tab-limit", "3"),
@@ -114,7 +114,7 @@ impl PaneSpec {
     /// Whether an action means something in the pane.
     pub fn knows(&self, action: Action) -> bool {
         let is_of = |line: &KeyHelp| line.keys.iter().any(|(one, ..)| *one == action);
-        !LISTED.iter().any(is_of) || self.keys.iter().any(|row| row.action == action)
+        !PANE_KEYS.iter().any(is_of) || self.keys.iter().any(|row| row.action == action)
     }
 }
 
@@ -337,7 +337,7 @@ pub fn name(action: Action) -> &'static str {
 
 /// Something that can be called by name.
 pub struct Command {
-    pub call: Call,
+    pub call: CommandTarget,
     /// Name, beginning with a verb.
     pub name: &'static str,
     /// Other words it is found by.
@@ -345,7 +345,7 @@ pub struct Command {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Call {
+pub enum CommandTarget {
     /// An action, in the pane that has the keys.
     Do(Action),
     /// An action of a pane, which is shown first.
@@ -355,31 +355,31 @@ pub enum Call {
 }
 
 impl Command {
-    pub const fn new(call: Call, name: &'static str, synonyms: &'static str) -> Self {
+    pub const fn new(call: CommandTarget, name: &'static str, synonyms: &'static str) -> Self {
         Self { call, name, synonyms }
     }
 }
 
 /// An action, its name in the configuration, and its keys as people write them, the one to show first.
-pub type Bound = (Action, &'static str, &'static str);
+pub type KeyBinding = (Action, &'static str, &'static str);
 
 pub struct KeyHelp {
-    pub keys: &'static [Bound],
+    pub keys: &'static [KeyBinding],
     pub meaning: &'static str,
 }
 
-const fn line(keys: &'static [Bound], meaning: &'static str) -> KeyHelp {
+const fn line(keys: &'static [KeyBinding], meaning: &'static str) -> KeyHelp {
     KeyHelp { keys, meaning }
 }
 
 /// All actions that have a name in the configuration, by which they are bound to keys.
-pub fn bound() -> impl Iterator<Item = &'static Bound> {
-    EVERYWHERE.iter().chain(LISTED).flat_map(|line| line.keys)
+pub fn bound() -> impl Iterator<Item = &'static KeyBinding> {
+    GLOBAL_KEYS.iter().chain(PANE_KEYS).flat_map(|line| line.keys)
 }
 
 /// Keys with the same meaning in all panes.
 #[rustfmt::skip]
-pub static EVERYWHERE: &[KeyHelp] = &[
+pub static GLOBAL_KEYS: &[KeyHelp] = &[
     line(TAB_KEYS, "go to the tab; again: its next page"),
     line(&[(A::FocusNext, "next-pane", "Tab"), (A::FocusPrevious, "previous-pane", "Shift-Tab")], "next pane, previous pane"),
     line(&[(A::Left, "left", "h Left"), (A::Down, "down", "j Down"), (A::Up, "up", "k Up"), (A::Right, "right", "l Right")], "move the selection or cursor, as arrows do; <left> <right> change values"),
@@ -405,7 +405,7 @@ pub static EVERYWHERE: &[KeyHelp] = &[
 
 /// Keys of the panes that list them.
 #[rustfmt::skip]
-pub static LISTED: &[KeyHelp] = &[
+pub static PANE_KEYS: &[KeyHelp] = &[
     line(&[(A::FullPane, "full-pane", "z")], "show this pane alone"),
     line(&[(A::Reset, "reset", "d Del")], "reset this row"),
     line(&[(A::Window, "window", "c")], "show the contact only, or the whole response"),
@@ -426,7 +426,7 @@ mod tests {
         actions.sort();
         actions.dedup();
         assert_eq!(actions.len(), count, "an action stands in two lines");
-        assert!(EVERYWHERE.len() <= 24, "{} lines hold everywhere", EVERYWHERE.len());
+        assert!(GLOBAL_KEYS.len() <= 24, "{} lines hold everywhere", GLOBAL_KEYS.len());
     }
 
     #[test]

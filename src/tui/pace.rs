@@ -36,7 +36,7 @@ const REST: f64 = 2.0;
 /// Rest between frames for a terminal that does not acknowledge frames.
 const REST_UNKNOWN: Duration = Duration::from_millis(250);
 
-pub(super) struct Pace {
+pub(super) struct FrameScheduler {
     /// Whether anything has changed since the last frame.
     dirty: bool,
     /// Whether what moves by itself has changed since the last frame.
@@ -57,7 +57,7 @@ pub(super) struct Pace {
     answers: bool,
 }
 
-impl Pace {
+impl FrameScheduler {
     /// Nothing drawn yet, and everything to draw.
     pub(super) fn new(now: Instant) -> Self {
         Self {
@@ -107,7 +107,7 @@ impl Pace {
     }
 
     /// Whether a frame is to ask for its arrival.
-    pub(super) fn asks(&self) -> bool {
+    pub(super) fn requests_ack(&self) -> bool {
         self.unanswered < if self.answers { UNANSWERED } else { NEVER_ANSWERED }
     }
 
@@ -140,7 +140,7 @@ impl Pace {
                 self.rests_until = now + REST_UNKNOWN;
             }
             self.full_at = self.full_at.max(now) + FRAME;
-            let asked = self.asks();
+            let asked = self.requests_ack();
             self.unanswered += u32::from(self.under_way.is_some());
             self.under_way = asked.then_some(now);
             if asked {
@@ -155,7 +155,7 @@ mod tests {
     use super::*;
 
     /// Frames drawn in `span` when something changes every millisecond.
-    fn frames(pace: &mut Pace, start: Instant, span: Duration) -> u32 {
+    fn frames(pace: &mut FrameScheduler, start: Instant, span: Duration) -> u32 {
         let mut frames = 0;
         let mut now = start;
         while now < start + span {
@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn every_answer_is_awaited_for_some_seconds() {
         let start = Instant::now();
-        let mut pace = Pace::new(start);
+        let mut pace = FrameScheduler::new(start);
         assert_eq!(pace.answers_until(), None);
         let second = start + Duration::from_secs(4);
         for now in [start, second] {
@@ -196,7 +196,7 @@ mod tests {
     #[test]
     fn idle_draws_nothing() {
         let now = Instant::now();
-        let mut pace = Pace::new(now);
+        let mut pace = FrameScheduler::new(now);
         assert!(pace.due().is_some_and(|due| due <= now));
         pace.drawn(now, true);
         assert_eq!(pace.due(), None);
@@ -205,7 +205,7 @@ mod tests {
     #[test]
     fn a_flood_gets_twenty_frames_a_second() {
         let start = Instant::now();
-        let mut pace = Pace { unanswered: UNANSWERED, ..Pace::new(start) };
+        let mut pace = FrameScheduler { unanswered: UNANSWERED, ..FrameScheduler::new(start) };
         let ten = Duration::from_secs(10);
         let drawn = frames(&mut pace, start, ten);
         assert!((200..=200 + BURST).contains(&drawn), "{drawn}");
@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn on_a_slow_line_a_frame_is_drawn_when_the_last_one_has_arrived() {
         let start = Instant::now();
-        let mut pace = Pace::new(start);
+        let mut pace = FrameScheduler::new(start);
         pace.drawn(start, true);
         pace.arrived(start);
         let (mut now, mut frames) = (start, 0);
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn what_moves_by_itself_leaves_a_slow_line_free() {
         let start = Instant::now();
-        let mut pace = Pace::new(start);
+        let mut pace = FrameScheduler::new(start);
         pace.drawn(start, true);
         pace.arrived(start);
         let (mut now, mut frames, mut arrives) = (start, 0, None);
@@ -268,16 +268,16 @@ mod tests {
     #[test]
     fn a_terminal_that_does_not_answer_is_asked_no_more() {
         let start = Instant::now();
-        let mut pace = Pace::new(start);
+        let mut pace = FrameScheduler::new(start);
         let ten = Duration::from_secs(10);
         frames(&mut pace, start, ten);
-        assert!(!pace.asks());
+        assert!(!pace.requests_ack());
         // Leaving waits for the last question's answer, a few seconds after it was asked.
         assert!(pace.answers_until().is_some_and(|until| until < start + ten));
         let drawn = frames(&mut pace, start + ten, ten);
         assert!(drawn >= 200, "{drawn}");
         // One that has answered is given more time.
-        let mut pace = Pace::new(start);
+        let mut pace = FrameScheduler::new(start);
         pace.drawn(start, true);
         pace.arrived(start);
         pace.drawn(start + ten, true);
@@ -288,7 +288,7 @@ mod tests {
     #[test]
     fn a_frame_waits_for_a_result_but_not_for_ever() {
         let start = Instant::now();
-        let mut pace = Pace::new(start);
+        let mut pace = FrameScheduler::new(start);
         pace.expect_result(start);
         let due = pace.due().expect("something to draw");
         assert_eq!(due, start + GRACE);

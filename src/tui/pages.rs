@@ -10,7 +10,7 @@ pub mod search;
 pub mod states;
 pub mod thesis;
 
-use crate::tui::keymap::{Call, Command, PaneSpec};
+use crate::tui::keymap::{Command, CommandTarget, PaneSpec};
 use crate::tui::prelude::*;
 
 pub(crate) use page::{Page, PageSpec, all_jobs, move_by, note, nothing_yet, open_field, pictures};
@@ -38,14 +38,14 @@ pub fn spec(pane: Pane) -> &'static PaneSpec {
 }
 
 const fn named(action: Action, name: &'static str, synonyms: &'static str) -> Command {
-    Command::new(Call::Do(action), name, synonyms)
+    Command::new(CommandTarget::Do(action), name, synonyms)
 }
 
 /// All of them: tabs and pages first, then what acts anywhere, then what acts on a pane.
 pub fn commands() -> impl Iterator<Item = &'static Command> {
     let of = |within: bool| {
         let all = Tab::ALL.into_iter().flat_map(|tab| of(tab).about().commands);
-        all.filter(move |command| matches!(command.call, Call::In(..)) == within)
+        all.filter(move |command| matches!(command.call, CommandTarget::In(..)) == within)
     };
     of(false).chain(GENERAL).chain(of(true))
 }
@@ -74,14 +74,14 @@ static GENERAL: &[Command] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::keymap::{EVERYWHERE, Keymap, LISTED};
+    use crate::tui::keymap::{GLOBAL_KEYS, Keymap, PANE_KEYS};
 
     /// The help of 80 columns shows every key and its meaning in full.
     #[test]
     fn keys_and_meanings_fit_the_help_of_80_columns() {
         let map = Keymap::default();
         let lines =
-            EVERYWHERE.iter().chain(LISTED).map(|line| (map.line_label(line), line.meaning));
+            GLOBAL_KEYS.iter().chain(PANE_KEYS).map(|line| (map.line_label(line), line.meaning));
         let panes = all_panes().flat_map(|pane| pane.keys);
         for (keys, help) in lines.chain(panes.map(|row| (map.label(row.action), row.help))) {
             assert!(keys.len() <= 13 && map.shown(help).len() <= 61, "{keys}: {help}");

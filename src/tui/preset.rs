@@ -9,7 +9,7 @@ use crate::model::variables::{self, VariableError};
 
 /// The reference of the scene: the preset it was loaded from.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Base {
+pub struct ReferencePreset {
     pub name: String,
     /// Whether it is the user's own, in the data directory.
     pub is_mine: bool,
@@ -27,7 +27,7 @@ pub struct PresetEntry {
     /// The entry of a library, where it is one: it changes a part of the present scene.
     pub part: Option<Entry>,
     /// The session that was kept, with the reference of its scene, where it is one.
-    pub session: Option<Box<(Base, Session)>>,
+    pub session: Option<Box<(ReferencePreset, Session)>>,
     /// Why its file cannot be read: then there is no scene to load.
     pub problem: Option<String>,
 }
@@ -53,8 +53,12 @@ impl PresetEntry {
     }
 
     /// Converts it to the reference of edits.
-    pub(crate) fn base(self) -> Base {
-        Base { name: self.name, is_mine: self.origin == "mine", scene: self.scene.into() }
+    pub(crate) fn base(self) -> ReferencePreset {
+        ReferencePreset {
+            name: self.name,
+            is_mine: self.origin == "mine",
+            scene: self.scene.into(),
+        }
     }
 
     /// The scene it makes of the present one.

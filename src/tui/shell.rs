@@ -10,8 +10,8 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::backlog;
 use super::effects::{self, IoThread};
-use super::pace::Pace;
-use super::signals::{self, HUNG_UP, Incoming};
+use super::pace::FrameScheduler;
+use super::signals::{self, HUNG_UP, LoopEvent};
 use super::start::environment;
 use super::terminal::{self, Guard};
 use super::{Options, input, start};
@@ -40,7 +40,7 @@ const STOPPING: Duration = Duration::from_millis(150);
 const FINISH_QUIT: Duration = Duration::from_secs(10);
 const FINISH_FORCED: Duration = Duration::from_millis(900);
 
-pub(super) enum Ending {
+pub(super) enum ExitReason {
     Quit,
     /// A signal, or the terminal is gone: with the exit status that stands for.
     Signal(u8),
@@ -48,38 +48,38 @@ pub(super) enum Ending {
     Broken(io::Error),
 }
 
-impl From<io::Error> for Ending {
+impl From<io::Error> for ExitReason {
     fn from(error: io::Error) -> Self {
         Self::Broken(error)
     }
 }
 
 /// Goes on, unless there is a reason to leave.
-type GoesOn = Result<(), Ending>;
+type LoopResult = Result<(), ExitReason>;
 
 /// Everything the loop has at hand.
-pub(super) struct Shell {
+pub(super) struct EventLoop {
     app: App,
     guard: Guard,
-    inbox: Receiver<Incoming>,
+    inbox: Receiver<LoopEvent>,
     worker: Worker,
     io_thread: IoThread,
-    pace: Pace,
+    pace: FrameScheduler,
     timers: Vec<(Instant, Message)>,
     /// Events that arrived while the process was being stopped.
-    put_off: VecDeque<Incoming>,
+    put_off: VecDeque<LoopEvent>,
     /// Dropped when the loop has left.
     _left: Sender<()>,
 }
 
-impl Shell {
+impl EventLoop {
     /// Take the terminal over and start every thread. The first run is under way before the terminal is touched.
     pub(super) fn start(options: Options, paths: Option<Paths>) -> io::Result<Self> {
         let (sender, inbox) = mpsc::channel();
         let for_reports = sender.clone();
         let worker = Worker::spawn(move |report| {
             // The loop may be over already.
-            let _ = for_reports.send(Incoming::Message(Message::Report(report)));
+            let _ = for_reports.send(LoopEvent::Message(Message::Report(report)));
         });
         let (mut app, known) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
@@ -98,9 +98,9 @@ impl Shell {
             inbox,
             worker,
             io_thread,
-            pace: Pace::new(Instant::now()),
+            pace: FrameScheduler::new(Instant::now()),
             timers: Vec::new(),
-            put_off: VecDeque::from([Incoming::Message(size()?)]),
+            put_off: VecDeque::from([LoopEvent::Message(size()?)]),
             _left: left,
         };
         input::spawn(sender, input::hold(environment))?;
@@ -112,13 +112,13 @@ impl Shell {
     }
 
     /// Go on until there is a reason to leave.
-    pub(super) fn run(&mut self) -> Ending {
+    pub(super) fn run(&mut self) -> ExitReason {
         loop {
             match self.turn() {
                 Ok(()) => {}
                 // A terminal that is gone answers with several different errors.
-                Err(Ending::Broken(_)) if terminal::is_hung_up() => {
-                    return Ending::Signal(HUNG_UP);
+                Err(ExitReason::Broken(_)) if terminal::is_hung_up() => {
+                    return ExitReason::Signal(HUNG_UP);
                 }
                 Err(ending) => return ending,
             }
@@ -126,13 +126,13 @@ impl Shell {
     }
 
     /// Leave: save the session, restore the terminal, and give what a person should know of the session, if anything.
-    pub(super) fn leave(mut self, ending: &Ending) -> Option<String> {
+    pub(super) fn leave(mut self, ending: &ExitReason) -> Option<String> {
         let patience = match ending {
-            Ending::Quit => FINISH_QUIT,
-            Ending::Signal(_) | Ending::Broken(_) => FINISH_FORCED,
+            ExitReason::Quit => FINISH_QUIT,
+            ExitReason::Signal(_) | ExitReason::Broken(_) => FINISH_FORCED,
         };
         self.io_thread.session_changed(start::session(&self.app));
-        if matches!(ending, Ending::Quit) {
+        if matches!(ending, ExitReason::Quit) {
             self.await_arrival();
         }
         // The person sees the prompt while the disk is still busy.
@@ -144,7 +144,7 @@ impl Shell {
     }
 
     /// Wait for something, deal with all that has come, and draw if it is time.
-    fn turn(&mut self) -> GoesOn {
+    fn turn(&mut self) -> LoopResult {
         if self.put_off.is_empty() {
             self.put_off.extend(self.inbox.recv_timeout(self.wait(Instant::now())));
         }
@@ -158,10 +158,10 @@ impl Shell {
         self.fire_timers()?;
         let now = Instant::now();
         if terminal::is_hung_up() {
-            return Err(Ending::Signal(HUNG_UP));
+            return Err(ExitReason::Signal(HUNG_UP));
         }
         if self.pace.due().is_some_and(|due| due <= now) {
-            let (app, asks) = (&self.app, self.pace.asks());
+            let (app, asks) = (&self.app, self.pace.requests_ack());
             let changed = self.guard.draw(app.size, asks, |buffer| view::view(app, buffer))?;
             self.pace.drawn(Instant::now(), changed);
         }
@@ -178,7 +178,7 @@ impl Shell {
             .map_or(LOOK, |wait| wait.min(LOOK))
     }
 
-    fn fire_timers(&mut self) -> GoesOn {
+    fn fire_timers(&mut self) -> LoopResult {
         while let Some(at) = self.timers.iter().position(|(due, _)| *due <= Instant::now()) {
             let (_, message) = self.timers.remove(at);
             self.take(message)?;
@@ -186,22 +186,22 @@ impl Shell {
         Ok(())
     }
 
-    fn receive(&mut self, incoming: Incoming) -> GoesOn {
+    fn receive(&mut self, incoming: LoopEvent) -> LoopResult {
         match incoming {
-            Incoming::Message(message) => self.take(message)?,
-            Incoming::Mouse(mouse) => {
+            LoopEvent::Message(message) => self.take(message)?,
+            LoopEvent::Mouse(mouse) => {
                 if let Some(message) = self.pointed(mouse) {
                     self.take(message)?;
                 }
             }
-            Incoming::Arrived => self.pace.arrived(Instant::now()),
-            Incoming::End(status) => return Err(Ending::Signal(status)),
-            Incoming::Stop => {
+            LoopEvent::Arrived => self.pace.arrived(Instant::now()),
+            LoopEvent::End(status) => return Err(ExitReason::Signal(status)),
+            LoopEvent::Stop => {
                 // Where no shell could continue it, the system would ignore the signal.
                 let _stopped = self.suspend()?;
             }
-            Incoming::Resized => self.take(size()?)?,
-            Incoming::Continued => {
+            LoopEvent::Resized => self.take(size()?)?,
+            LoopEvent::Continued => {
                 self.guard.enter_again()?;
                 self.pace.lost();
                 self.take(size()?)?;
@@ -221,7 +221,7 @@ impl Shell {
     }
 
     /// Let the state take a message, and all that follows from it at once.
-    fn take(&mut self, message: Message) -> GoesOn {
+    fn take(&mut self, message: Message) -> LoopResult {
         let mut queue = VecDeque::from([message]);
         while let Some(message) = queue.pop_front() {
             let is_tick = matches!(message, Message::Tick(_));
@@ -241,7 +241,7 @@ impl Shell {
         Ok(())
     }
 
-    fn carry_out(&mut self, effect: Effect, queue: &mut VecDeque<Message>) -> GoesOn {
+    fn carry_out(&mut self, effect: Effect, queue: &mut VecDeque<Message>) -> LoopResult {
         match effect {
             Effect::Submit(task) => {
                 if task.slot() == Slot::Current {
@@ -270,7 +270,7 @@ impl Shell {
                     )));
                 }
             }
-            Effect::Quit => return Err(Ending::Quit),
+            Effect::Quit => return Err(ExitReason::Quit),
         }
         Ok(())
     }
@@ -306,7 +306,7 @@ impl Shell {
         let mut waits = 0;
         while !stopped && waits < 2 {
             match self.inbox.recv_timeout(STOPPING) {
-                Ok(Incoming::Continued) => stopped = true,
+                Ok(LoopEvent::Continued) => stopped = true,
                 Ok(other) => self.put_off.push_back(other),
                 Err(_) => waits += 1,
             }
@@ -314,14 +314,14 @@ impl Shell {
         self.guard.enter_again()?;
         self.pace.lost();
         // The window may have changed meanwhile.
-        self.put_off.push_front(Incoming::Message(size()?));
+        self.put_off.push_front(LoopEvent::Message(size()?));
         Ok(stopped)
     }
 
     /// Wait for the answers that are under way, as long as they may take: a later one would reach the shell.
     fn await_arrival(&mut self) {
         self.put_off.retain(|incoming| {
-            let has_arrived = matches!(incoming, Incoming::Arrived);
+            let has_arrived = matches!(incoming, LoopEvent::Arrived);
             if has_arrived {
                 self.pace.arrived(Instant::now());
             }
@@ -330,8 +330,8 @@ impl Shell {
         while let Some(deadline) = self.pace.answers_until() {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.inbox.recv_timeout(left) {
-                Ok(Incoming::Arrived) => self.pace.arrived(Instant::now()),
-                Ok(Incoming::End(_)) | Err(_) => return,
+                Ok(LoopEvent::Arrived) => self.pace.arrived(Instant::now()),
+                Ok(LoopEvent::End(_)) | Err(_) => return,
                 Ok(other) => self.put_off.push_back(other),
             }
         }

@@ -27,7 +27,7 @@ const DISCARD_EVERY: Duration = Duration::from_millis(50);
 const DISCARDS: u32 = 12;
 
 /// Message to the event loop.
-pub(super) enum Incoming {
+pub(super) enum LoopEvent {
     Message(Message),
     Mouse(MouseEvent),
     /// The last frame has arrived at the terminal.
@@ -48,7 +48,7 @@ pub(super) const HUNG_UP: u8 = 128 + 1;
 /// Start the thread. `last_resort` is called before it ends the process by itself, which it does not once what is returned has been
 /// dropped: the loop has left.
 pub(super) fn spawn(
-    inbox: Sender<Incoming>,
+    inbox: Sender<LoopEvent>,
     last_resort: impl Fn() + Send + 'static,
 ) -> std::io::Result<Sender<()>> {
     let mut signals = Signals::new(ENDING.into_iter().chain([SIGTSTP, SIGCONT, SIGWINCH]))?;
@@ -56,7 +56,7 @@ pub(super) fn spawn(
     thread::Builder::new().name("signals".to_owned()).spawn(move || {
         for number in signals.forever() {
             let incoming = meaning(number);
-            let status = if let Incoming::End(status) = incoming { Some(status) } else { None };
+            let status = if let LoopEvent::End(status) = incoming { Some(status) } else { None };
             if inbox.send(incoming).is_err() {
                 return;
             }
@@ -83,12 +83,12 @@ fn has_left(loop_left: &mpsc::Receiver<()>) -> bool {
 }
 
 /// Converts a signal to a message; the exit status is 128 + its number, as in shells.
-fn meaning(number: i32) -> Incoming {
+fn meaning(number: i32) -> LoopEvent {
     match number {
-        SIGCONT => Incoming::Continued,
-        SIGTSTP => Incoming::Stop,
-        SIGWINCH => Incoming::Resized,
-        other => Incoming::End(u8::try_from(128 + other).unwrap_or(u8::MAX)),
+        SIGCONT => LoopEvent::Continued,
+        SIGTSTP => LoopEvent::Stop,
+        SIGWINCH => LoopEvent::Resized,
+        other => LoopEvent::End(u8::try_from(128 + other).unwrap_or(u8::MAX)),
     }
 }
 

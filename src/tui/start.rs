@@ -18,7 +18,7 @@ use crate::tui::keymap::Keymap;
 use crate::tui::pages::explore::state::{ChartKind, sweep_of};
 use crate::tui::pages::search::state::Setup;
 use crate::tui::pages::{run, thesis};
-use crate::tui::preset::{Base, PresetEntry};
+use crate::tui::preset::{PresetEntry, ReferencePreset};
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 
@@ -203,7 +203,7 @@ impl App {
     }
 
     /// Opens a session that was kept, whole, as one edit: its scene, its pins and its setups.
-    pub(crate) fn open_session(&mut self, (base, session): (Base, Session)) {
+    pub(crate) fn open_session(&mut self, (base, session): (ReferencePreset, Session)) {
         let before = self.snapshot();
         let label = format!("open {}", label(&session));
         self.pages.run.charts.cursor_s = None;
@@ -218,7 +218,7 @@ impl App {
 
 /// The name of what the scene came from. A path is kept whole: the next start may be in another directory, where a file of the
 /// same name is something else.
-fn kept_name(app: &App, base: &Base) -> String {
+fn kept_name(app: &App, base: &ReferencePreset) -> String {
     let name = &base.name;
     if !base.is_mine && preset::is_path(name) {
         app.files.directory.join(name).to_str().unwrap_or(name).to_owned()
@@ -233,8 +233,8 @@ pub(super) fn environment(name: &str) -> Option<String> {
 }
 
 /// The reference for edits of a preset.
-fn base_of(preset: Preset) -> Base {
-    Base {
+fn base_of(preset: Preset) -> ReferencePreset {
+    ReferencePreset {
         is_mine: matches!(preset.origin, preset::Origin::Mine(_)),
         name: preset.name,
         scene: Arc::new(preset.scene),
@@ -242,17 +242,17 @@ fn base_of(preset: Preset) -> Base {
 }
 
 /// Every bundled preset can be read (a test reads them); the scene's defaults are those of the baseline in any case.
-fn baseline() -> Base {
+fn baseline() -> ReferencePreset {
     preset::baseline().map_or_else(
-        |_| Base { name: BASELINE.to_owned(), is_mine: false, scene: Arc::default() },
+        |_| ReferencePreset { name: BASELINE.to_owned(), is_mine: false, scene: Arc::default() },
         base_of,
     )
 }
 
 /// The preset of this name that a scene came from; where it is gone, the scene itself.
-fn base_named(name: Option<&str>, scene: &Scene, paths: Option<&Paths>) -> Base {
+fn base_named(name: Option<&str>, scene: &Scene, paths: Option<&Paths>) -> ReferencePreset {
     name.and_then(|name| preset::resolve(name, paths).ok()).map_or_else(
-        || Base {
+        || ReferencePreset {
             name: name.unwrap_or("session").to_owned(),
             is_mine: false,
             scene: Arc::new(scene.clone()),
@@ -262,7 +262,7 @@ fn base_named(name: Option<&str>, scene: &Scene, paths: Option<&Paths>) -> Base 
 }
 
 /// The session's scene with the title of what it came from: a copy was saved under another one.
-fn scene_of_session(last: &Session, base: &Base) -> Scene {
+fn scene_of_session(last: &Session, base: &ReferencePreset) -> Scene {
     Scene { title: base.scene.title.clone(), ..last.scene.clone() }
 }
 

@@ -10,13 +10,13 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use crate::files::preset;
 use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::{Dialog, Outcome};
-use crate::tui::app::{Typing, edit, jobs};
+use crate::tui::app::{ActiveInput, edit, jobs};
 use crate::tui::keymap::Key;
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
 use crate::tui::pages::run::{self, impact};
 use crate::tui::prelude::*;
-use crate::tui::preset::Base;
+use crate::tui::preset::ReferencePreset;
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
 use crate::tui::widgets::steps::Input;
 
@@ -89,7 +89,8 @@ fn keys(app: &mut App, key: KeyEvent) {
 
 /// The text that is typed into where no dialog is open, if there is one.
 fn open_text(app: &mut App) -> Option<&mut TextField> {
-    let (Typing::Field(text) | Typing::Find(text) | Typing::Place(text)) = app.typing.as_mut()?;
+    let (ActiveInput::Field(text) | ActiveInput::Find(text) | ActiveInput::Place(text)) =
+        app.typing.as_mut()?;
     Some(text)
 }
 
@@ -213,7 +214,7 @@ fn commit(app: &mut App) {
     let before = app.snapshot();
     if let Err(error) = page.change(app, Input::Text(&text)) {
         field.error = Some(error);
-        app.typing = Some(Typing::Field(field));
+        app.typing = Some(ActiveInput::Field(field));
     } else if let Some(variable) = variable {
         let index = VARIABLES.iter().position(|it| it.key == variable.key).unwrap_or_default();
         edit::show_in_unit_of(app, index, &text, before);
@@ -232,7 +233,7 @@ fn in_place(app: &mut App, key: KeyEvent) {
                 && let Err(error) = pages::of(app.tab).go_to_place(app, text)
             {
                 field.error = Some(error);
-                app.typing = Some(Typing::Place(field));
+                app.typing = Some(ActiveInput::Place(field));
             }
         }
         _ => {
@@ -252,7 +253,7 @@ pub(crate) fn open_find(app: &mut App) {
         );
     };
     // A new text replaces the old one.
-    app.typing = Some(Typing::Find(TextField::selected(text)));
+    app.typing = Some(ActiveInput::Find(TextField::selected(text)));
 }
 
 /// A key while it is open: the list follows every character.
@@ -378,7 +379,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Presets(list) => app.files.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
-            let base = Base { name, is_mine: false, scene: Arc::new(*scene) };
+            let base = ReferencePreset { name, is_mine: false, scene: Arc::new(*scene) };
             let picture = app.picture();
             edit::load(app, base, picture);
         }
@@ -410,7 +411,7 @@ fn saved(app: &mut App, name: String, files: &[PathBuf]) {
     if !is_mine {
         app.note_recent(path);
     }
-    app.base = Base { name, is_mine, scene: Arc::clone(&app.scene) };
+    app.base = ReferencePreset { name, is_mine, scene: Arc::clone(&app.scene) };
     app.list_presets();
     app.request(Effect::SaveSession);
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crossterm::event::KeyEvent;
 
-use crate::tui::keymap::Call;
+use crate::tui::keymap::CommandTarget;
 use crate::tui::message::EffectReport;
 use crate::tui::prelude::*;
 
@@ -15,7 +15,7 @@ pub(crate) enum Outcome {
     Stays,
     Closes,
     /// Closes the dialog and runs a command.
-    Calls(Call),
+    Calls(CommandTarget),
 }
 
 /// A dialog: its keys, how it is drawn, and what comes of it. While it is open it has all keys but those that work everywhere.

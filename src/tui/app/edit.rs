@@ -12,9 +12,9 @@ use crate::tui::app::pins::Pin;
 use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::run::editor::shown_in;
 use crate::tui::prelude::*;
-use crate::tui::preset::{Base, LabelledScene};
+use crate::tui::preset::{LabelledScene, ReferencePreset};
 use crate::tui::widgets::cycled;
-use crate::tui::widgets::steps::{self, Press};
+use crate::tui::widgets::steps::{self, StepKey};
 
 /// Set a variable. `stepping` joins it with the steps just before.
 pub(crate) fn set(
@@ -110,7 +110,7 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
 }
 
 /// Make another scene current, compare it with another preset, and show its sweep so, as one edit.
-pub(crate) fn load(app: &mut App, base: Base, picture: ChartKind) {
+pub(crate) fn load(app: &mut App, base: ReferencePreset, picture: ChartKind) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
     app.pages.run.charts.cursor_s = None;
@@ -245,7 +245,7 @@ pub(crate) fn reset_all(app: &mut App) {
 }
 
 /// Step the selected variable: a number by its rule, a choice or switch to its neighbour.
-pub(crate) fn step(app: &mut App, press: Press) {
+pub(crate) fn step(app: &mut App, press: StepKey) {
     let index = app.pages.run.editor.selected;
     let variable = &VARIABLES[index];
     let (symbol, scene) = (variable.symbol, &app.scene);

@@ -7,14 +7,14 @@ use crate::model::scene::Scene;
 use crate::tui::app::pins::Pin;
 use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::search::state::Setup;
-use crate::tui::preset::Base;
+use crate::tui::preset::ReferencePreset;
 
 /// All that edits change, at one moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     pub scene: Arc<Scene>,
     /// The preset it is compared with.
-    pub base: Base,
+    pub base: ReferencePreset,
     /// The units that variables are shown in.
     pub units: BTreeMap<usize, &'static str>,
     /// The setup of the Search tab.

@@ -9,7 +9,7 @@ use crate::model::scene::Scene;
 use crate::study::context::Answer;
 use crate::study::parallel::cores;
 use crate::tui::app::notice::Notice;
-use crate::tui::app::pins::{Pin, Shown};
+use crate::tui::app::pins::{DisplayedRun, Pin};
 use crate::tui::app::running::Running;
 use crate::tui::message::Message;
 use crate::tui::prelude::*;
@@ -215,7 +215,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             return;
         }
         ReportBody::Part(Answer { report: Found::Run(run), .. }) => {
-            app.shown = Some(Shown { run, took: None });
+            app.shown = Some(DisplayedRun { run, took: None });
             return;
         }
         ReportBody::Progress { .. } | ReportBody::Part(_) => return,
@@ -242,7 +242,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
 }
 
 fn show(app: &mut App, run: &Arc<Run>, took: Option<Duration>) {
-    let before = app.shown.replace(Shown { run: Arc::clone(run), took });
+    let before = app.shown.replace(DisplayedRun { run: Arc::clone(run), took });
     let known = before.as_ref().map_or(&[][..], |shown| &shown.run.warnings);
     let is_known = |it: &&Warning| known.iter().any(|old| discriminant(old) == discriminant(*it));
     // The status row has the new ones in a few words: their sentences are for the Log tab. What comes after the run stands there anyway.

@@ -10,7 +10,7 @@ use crate::model::scene::Scene;
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
 
 #[derive(Clone, Debug)]
-pub struct Shown {
+pub struct DisplayedRun {
     pub run: Arc<Run>,
     /// Wall-clock time of the computation; `None` for a part kept from a cancelled job.
     pub took: Option<Duration>,

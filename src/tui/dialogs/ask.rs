@@ -35,7 +35,7 @@ const BESIDE: &str = "a CSV file: a column of time (s, ms, us) and any of penetr
 
 /// A dialog that asks for a text.
 #[derive(Debug)]
-struct Ask {
+struct PathDialog {
     purpose: Purpose,
     text: TextField,
     /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
@@ -46,7 +46,7 @@ struct Ask {
 pub(super) fn save(app: &mut App) -> Box<dyn Dialog> {
     app.list_presets();
     let text = TextField::selected(proposed_name(app));
-    Box::new(Ask { purpose: Purpose::Save, text, question: false })
+    Box::new(PathDialog { purpose: Purpose::Save, text, question: false })
 }
 
 /// Ask for the file to write what is shown to, if there is anything in it.
@@ -61,16 +61,20 @@ pub(super) fn export(app: &mut App) -> Option<Box<dyn Dialog>> {
     };
     // What is typed replaces the whole name, as it does in every field.
     let text = TextField::selected(file);
-    Some(Box::new(Ask { purpose: Purpose::Export(title), text, question: false }))
+    Some(Box::new(PathDialog { purpose: Purpose::Export(title), text, question: false }))
 }
 
 /// Ask for the file of the traces to draw beside the runs.
 pub(super) fn beside(app: &App) -> Box<dyn Dialog> {
     let text = app.pages.run.beside.as_ref().map_or_else(String::new, |traces| traces.name.clone());
-    Box::new(Ask { purpose: Purpose::Beside, text: TextField::selected(text), question: false })
+    Box::new(PathDialog {
+        purpose: Purpose::Beside,
+        text: TextField::selected(text),
+        question: false,
+    })
 }
 
-impl Dialog for Ask {
+impl Dialog for PathDialog {
     fn footer(&self) -> &'static str {
         match self.purpose {
             _ if self.question => "o overwrite  <back> back",
@@ -154,7 +158,7 @@ impl Dialog for Ask {
     }
 }
 
-impl Ask {
+impl PathDialog {
     fn value(&self) -> &str {
         self.text.value().trim()
     }

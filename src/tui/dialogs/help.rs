@@ -3,7 +3,7 @@
 use crate::model::units::shortest;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
-use crate::tui::keymap::EVERYWHERE;
+use crate::tui::keymap::GLOBAL_KEYS;
 use crate::tui::pages::limit::COMPARISON;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
@@ -52,7 +52,7 @@ impl List for Help {
 fn rows(app: &App) -> impl Iterator<Item = (String, &'static str, Role)> {
     let own = pages::spec(app.pane()).keys.iter();
     let own = own.map(|row| (app.keymap.label(row.action), row.help, Role::Text));
-    let everywhere = EVERYWHERE.iter();
+    let everywhere = GLOBAL_KEYS.iter();
     own.chain(everywhere.map(|line| (app.keymap.line_label(line), line.meaning, Role::Dim)))
 }
 

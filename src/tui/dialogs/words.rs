@@ -10,18 +10,18 @@ use crate::tui::widgets::text::wrapped;
 /// A list of the words of the selected variable.
 pub(crate) fn open(app: &mut App) {
     if let Kind::Choice { get, .. } = app.pages.run.editor.variable().kind {
-        app.dialog = Some(listed(Words, get(&app.scene)));
+        app.dialog = Some(listed(ChoiceDialog, get(&app.scene)));
     }
 }
 
 #[derive(Debug)]
-struct Words;
+struct ChoiceDialog;
 
 const WIDTH: u16 = 58;
 /// Rows for the meaning below the words.
 const NOTE_ROWS: u16 = 3;
 
-impl List for Words {
+impl List for ChoiceDialog {
     const OPENED_BY: Action = Action::Enter;
     const IS_FILTERED: bool = false;
     const FOOTER: &'static str = "<enter> take it  <down>/<up> move  <quit> close";

@@ -44,7 +44,7 @@ const PANES: &[PaneSpec] = &[
 
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Explore)), "Explore tab", "sweep surface map family curves parameter study heat map"),
+    Command::new(CommandTarget::Do(A::Tab(Tab::Explore)), "Explore tab", "sweep surface map family curves parameter study heat map"),
 ];
 
 pub(crate) struct ExploreTab;

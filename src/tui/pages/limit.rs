@@ -28,10 +28,10 @@ const PANES: &[PaneSpec] = &[
 
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
-    Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
-    Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth"),
-    Command::new(Call::Show(EFFICIENCY_MAP, None), "Efficiency map", "mass efficiency compare worth"),
+    Command::new(CommandTarget::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
+    Command::new(CommandTarget::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
+    Command::new(CommandTarget::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth"),
+    Command::new(CommandTarget::Show(EFFICIENCY_MAP, None), "Efficiency map", "mass efficiency compare worth"),
 ];
 
 pub(crate) struct LimitTab;

@@ -3,7 +3,7 @@
 use crate::model::run::envelope;
 use crate::report::run::page::{computation, energy, events, of_first, results, sentence};
 use crate::tui::app::notice::Notice;
-use crate::tui::app::pins::Shown;
+use crate::tui::app::pins::DisplayedRun;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::{broken, counted};
@@ -20,7 +20,7 @@ const PANES: &[PaneSpec] = &[
 
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Log)), "Log tab", "messages warnings events energy paths"),
+    Command::new(CommandTarget::Do(A::Tab(Tab::Log)), "Log tab", "messages warnings events energy paths"),
 ];
 
 pub(crate) struct LogTab;
@@ -119,7 +119,7 @@ fn section(lines: &mut Vec<TextLine>, heading: &str, body: impl IntoIterator<Ite
     }
 }
 
-fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
+fn of_run(lines: &mut Vec<TextLine>, shown: &DisplayedRun, is_stale: bool) {
     let run = &shown.run;
     let plain = |texts: Vec<String>| texts.into_iter().map(|text| (text, Role::Text));
     let which = if is_stale { " (of another scene)" } else { "" };

@@ -35,10 +35,10 @@ const PAGES: &[PageSpec] = &[
 
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Numerics)), "Numerics tab", "method solver integrator"),
-    Command::new(Call::Show(ACCURACY, None), "Accuracy", "error run time cost method tolerance convergence order"),
-    Command::new(Call::Show(STABILITY, None), "Stability", "stable step fixed step map"),
-    Command::new(Call::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
+    Command::new(CommandTarget::Do(A::Tab(Tab::Numerics)), "Numerics tab", "method solver integrator"),
+    Command::new(CommandTarget::Show(ACCURACY, None), "Accuracy", "error run time cost method tolerance convergence order"),
+    Command::new(CommandTarget::Show(STABILITY, None), "Stability", "stable step fixed step map"),
+    Command::new(CommandTarget::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
 ];
 
 pub(crate) struct NumericsTab;

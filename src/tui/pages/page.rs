@@ -13,7 +13,7 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::app::running::Running;
     pub(crate) use crate::tui::app::{edit, jobs};
     pub(crate) use crate::tui::chart::{Scale, ViewRange};
-    pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, key};
+    pub(crate) use crate::tui::keymap::{Action as A, Command, CommandTarget, PaneSpec, key};
     pub(crate) use crate::tui::message::PageTable;
     pub(crate) use crate::tui::prelude::*;
     pub(crate) use crate::tui::preset::LabelledScene;
@@ -27,7 +27,7 @@ use prelude::*;
 use ratatui::buffer::Buffer;
 
 use crate::model::variables::{self, VARIABLES};
-use crate::tui::app::Typing;
+use crate::tui::app::ActiveInput;
 use crate::tui::app::running::Kept;
 use crate::tui::pages;
 use crate::tui::widgets::form::{FieldQuantity, Form};
@@ -263,7 +263,7 @@ pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
 /// Open the field of the selected row of the pane that has the keys, its old text selected.
 pub(crate) fn open_field(app: &mut App) {
     let text = pages::of(app.tab).text(app);
-    app.typing = Some(Typing::Field(TextField::selected(text)));
+    app.typing = Some(ActiveInput::Field(TextField::selected(text)));
 }
 
 /// Move the selection of the pane by rows, stopping at the ends.

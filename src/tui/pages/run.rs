@@ -18,7 +18,7 @@ use crate::tui::widgets::axis::FIELD_DIGITS;
 use crate::tui::widgets::form::FieldQuantity;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
-use crate::tui::widgets::steps::{Input, Press};
+use crate::tui::widgets::steps::{Input, StepKey};
 
 pub use state::{CHARTS, RUNS, VARIABLES};
 
@@ -58,14 +58,14 @@ const PANES: &[PaneSpec] = &[
 
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Run)), "Run tab", "variables charts curves impact simulation"),
-    Command::new(Call::In(VARIABLES, A::Find), "Find a variable", "filter search"),
-    Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
-    Command::new(Call::In(VARIABLES, A::View), "What matters", "sensitivity bars importance effect of each variable"),
-    Command::new(Call::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield stiffness"),
-    Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
-    Command::new(Call::In(CHARTS, A::Play), "Play the impact", "drawing animation animate movie scene picture time"),
-    Command::new(Call::In(CHARTS, A::FullPane), "Show this chart alone", "full enlarge maximise"),
+    Command::new(CommandTarget::Do(A::Tab(Tab::Run)), "Run tab", "variables charts curves impact simulation"),
+    Command::new(CommandTarget::In(VARIABLES, A::Find), "Find a variable", "filter search"),
+    Command::new(CommandTarget::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
+    Command::new(CommandTarget::In(VARIABLES, A::View), "What matters", "sensitivity bars importance effect of each variable"),
+    Command::new(CommandTarget::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield stiffness"),
+    Command::new(CommandTarget::In(CHARTS, A::Window), "Contact or whole response", "window time"),
+    Command::new(CommandTarget::In(CHARTS, A::Play), "Play the impact", "drawing animation animate movie scene picture time"),
+    Command::new(CommandTarget::In(CHARTS, A::FullPane), "Show this chart alone", "full enlarge maximise"),
 ];
 
 pub(crate) struct RunTab;
@@ -274,7 +274,7 @@ pub(crate) fn focus_on(app: &mut App, index: usize) {
 /// Open the selected variable's field; of two words, the other one is taken.
 pub(crate) fn open(app: &mut App) {
     match &app.pages.run.editor.variable().kind {
-        Kind::Choice { .. } | Kind::Switch { .. } => edit::step(app, Press::NEXT),
+        Kind::Choice { .. } | Kind::Switch { .. } => edit::step(app, StepKey::NEXT),
         Kind::Number(_) => {
             open_field(app);
         }

@@ -66,13 +66,13 @@ const fn page(at: usize) -> PageSpec {
 
 const fn command(at: usize) -> Command {
     let page = &STUDIES[at];
-    Command::new(Call::Show(RESULTS, Some(at)), page.title, page.synonyms)
+    Command::new(CommandTarget::Show(RESULTS, Some(at)), page.title, page.synonyms)
 }
 
 const PAGES: &[PageSpec; state::Page::COUNT] = &[page(0), page(1), page(2), page(3)];
 
 const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
+    Command::new(CommandTarget::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
     command(0),
     command(1),
     command(2),

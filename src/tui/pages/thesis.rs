@@ -11,7 +11,7 @@ use crate::tui::pages::explore::plan::is_corrected_figure;
 use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
-use crate::tui::preset::Base;
+use crate::tui::preset::ReferencePreset;
 use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::table::{NO_MATCH, filtered};
 use crate::worker::studies::Claims;
@@ -46,11 +46,11 @@ const PAGES: &[PageSpec] = &[
 
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
-    Command::new(Call::Do(A::Tab(Tab::Thesis)), "Thesis tab", "reproduce"),
-    Command::new(Call::Show(CLAIMS, None), "Claims", "reproduce thesis check verdict"),
-    Command::new(Call::Show(PRINCIPLES, None), "Principles", "families functions"),
-    Command::new(Call::Show(MEASURED, None), "Measured limits", "validate validation measurements class bias scatter"),
-    Command::new(Call::Show(CONCEPTS, None), "Concepts", "screening matrix weights criteria ratings"),
+    Command::new(CommandTarget::Do(A::Tab(Tab::Thesis)), "Thesis tab", "reproduce"),
+    Command::new(CommandTarget::Show(CLAIMS, None), "Claims", "reproduce thesis check verdict"),
+    Command::new(CommandTarget::Show(PRINCIPLES, None), "Principles", "families functions"),
+    Command::new(CommandTarget::Show(MEASURED, None), "Measured limits", "validate validation measurements class bias scatter"),
+    Command::new(CommandTarget::Show(CONCEPTS, None), "Concepts", "screening matrix weights criteria ratings"),
 ];
 
 pub(crate) struct ThesisTab;
@@ -161,7 +161,7 @@ fn open(app: &mut App) {
 }
 
 /// Load a scene and show what it is about: a sweep in Explore, else its run.
-pub(crate) fn show(app: &mut App, base: Base) {
+pub(crate) fn show(app: &mut App, base: ReferencePreset) {
     let (name, axes) = (base.name.clone(), axes(&base.scene));
     let picture = picture_of(app, &base);
     edit::load(app, base, picture);
@@ -178,7 +178,7 @@ pub(crate) fn axes(scene: &Scene) -> usize {
 
 /// How the sweep of a preset is shown, whatever was looked at before: over two axes as a map, but figures of the thesis as curves, which
 /// have the printed scheme's beside them.
-fn picture_of(app: &App, base: &Base) -> ChartKind {
+fn picture_of(app: &App, base: &ReferencePreset) -> ChartKind {
     match axes(&base.scene) {
         0 => app.picture(),
         2.. if !is_corrected_figure(base) => ChartKind::Surface,

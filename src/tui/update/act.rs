@@ -1,15 +1,15 @@
 //! Handles an action: first by the page shown, then by its meaning on every page.
 
-use crate::tui::app::{Settings, Typing, edit};
+use crate::tui::app::{ActiveInput, Settings, edit};
 use crate::tui::dialogs;
-use crate::tui::keymap::Call;
+use crate::tui::keymap::CommandTarget;
 use crate::tui::message::Content;
 use crate::tui::pages::run::{self, VARIABLES, runs};
 use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
 use crate::tui::update;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::steps::{Input, Press};
+use crate::tui::widgets::steps::{Input, StepKey};
 use crate::tui::widgets::table::NO_MATCH;
 use crate::tui::widgets::{around, cycled, rows_moved, step_of};
 
@@ -47,7 +47,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
 fn in_form(app: &mut App, action: Action) -> bool {
     let page = pages::of(app.tab);
     let enters = action == Action::Enter;
-    let press = if enters { Some(Press::NEXT) } else { step_of(action) };
+    let press = if enters { Some(StepKey::NEXT) } else { step_of(action) };
     let Some((form, press)) = page.form(app).zip(press) else { return false };
     let row = form.rows(0).selected;
     page.select(app, row);
@@ -92,7 +92,7 @@ fn locate(app: &mut App) {
     if pages::of(app.tab).places(app).is_empty() {
         return app.report_progress(pages::nothing_yet(app, "point at"));
     }
-    app.typing = Some(Typing::Place(TextField::default()));
+    app.typing = Some(ActiveInput::Place(TextField::default()));
 }
 
 /// Say that a key has no meaning here.
@@ -243,11 +243,11 @@ fn copy(app: &mut App) {
 }
 
 /// Do what was called by its name, in the pane it belongs to.
-pub(crate) fn call(app: &mut App, call: Call) {
+pub(crate) fn call(app: &mut App, call: CommandTarget) {
     match call {
-        Call::Do(action) => act(app, action),
-        Call::Show(pane, page) => show(app, pane, page),
-        Call::In(pane, action) => {
+        CommandTarget::Do(action) => act(app, action),
+        CommandTarget::Show(pane, page) => show(app, pane, page),
+        CommandTarget::In(pane, action) => {
             let before = app.tab;
             app.focus_on(pane);
             if app.tab != before {

@@ -1,7 +1,7 @@
 //! Actions as movements: by rows, along a chart, over a map, round a list of choices, of a value.
 
 use crate::tui::keymap::Action;
-use crate::tui::widgets::steps::Press;
+use crate::tui::widgets::steps::StepKey;
 
 /// By how many rows an action moves in a list that shows this many at once; `None` for other actions.
 pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
@@ -22,7 +22,7 @@ const FAR: isize = 10;
 
 /// How far along an action moves a cursor.
 pub(crate) fn along(action: Action) -> Option<isize> {
-    let Press { up, is_far } = step_of(action)?;
+    let StepKey { up, is_far } = step_of(action)?;
     let by = if is_far { FAR } else { 1 };
     Some(if up { by } else { -by })
 }
@@ -52,7 +52,7 @@ pub(crate) fn moved(
 }
 
 /// Up or down, and by how much, an action steps a value.
-pub(crate) fn step_of(action: Action) -> Option<Press> {
+pub(crate) fn step_of(action: Action) -> Option<StepKey> {
     let (up, is_far) = match action {
         Action::Left => (false, false),
         Action::Right => (true, false),
@@ -60,7 +60,7 @@ pub(crate) fn step_of(action: Action) -> Option<Press> {
         Action::FarRight => (true, true),
         _ => return None,
     };
-    Some(Press { up, is_far })
+    Some(StepKey { up, is_far })
 }
 
 /// The one by this many places further on, round and round.

@@ -22,20 +22,20 @@ pub(crate) fn engineering(value: f64, unit: &'static str) -> String {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Input<'a> {
     /// Arrow keys.
-    Step(Press),
+    Step(StepKey),
     /// Text typed into the field.
     Text(&'a str),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Press {
+pub(crate) struct StepKey {
     /// To the next value; else to the one before.
     pub up: bool,
     /// Ten steps at once.
     pub is_far: bool,
 }
 
-impl Press {
+impl StepKey {
     pub(crate) const NEXT: Self = Self { up: true, is_far: false };
 
     /// The number of values a choice goes on by.
@@ -72,7 +72,7 @@ fn decade_at_zero(variable: &Variable) -> i32 {
 /// The value one press away, `None` where that would make no physical sense.
 ///
 /// `plain` is the decade of a plain linear step ([`decade`]); up and down by the same one come back to the same value.
-pub(crate) fn stepped(variable: &Variable, value: f64, press: Press, plain: i32) -> Option<f64> {
+pub(crate) fn stepped(variable: &Variable, value: f64, press: StepKey, plain: i32) -> Option<f64> {
     let number = variable.number()?;
     let next = if variable.is_log {
         logarithmic(variable, value, press)
@@ -106,7 +106,7 @@ fn linear(value: f64, up: bool, decade: i32) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-fn logarithmic(variable: &Variable, value: f64, Press { up, is_far }: Press) -> f64 {
+fn logarithmic(variable: &Variable, value: f64, StepKey { up, is_far }: StepKey) -> f64 {
     let high = variable.thesis_range.map_or(1e6, |(_, high)| high);
     // The first value above zero.
     let smallest = 10f64.powf((high * 1e-3).log10().floor());
@@ -142,11 +142,11 @@ mod tests {
     use super::*;
     use crate::model::variables::find;
 
-    const BACK: Press = Press { up: false, is_far: false };
+    const BACK: StepKey = StepKey { up: false, is_far: false };
 
     fn up(symbol: &str, value: f64, is_far: bool) -> Option<f64> {
         let variable = find(symbol).unwrap();
-        stepped(variable, value, Press { up: true, is_far }, decade(variable, value))
+        stepped(variable, value, StepKey { up: true, is_far }, decade(variable, value))
     }
 
     #[test]
@@ -165,10 +165,10 @@ mod tests {
         let k = find("k").unwrap();
         let mut value = 1e5;
         for expected in [1.26e5, 1.58e5, 2e5, 2.51e5, 3.16e5] {
-            value = stepped(k, value, Press::NEXT, 0).unwrap();
+            value = stepped(k, value, StepKey::NEXT, 0).unwrap();
             assert_eq!(value.to_bits(), f64::to_bits(expected));
         }
-        assert_eq!(stepped(k, 0.0, Press::NEXT, 0), Some(1e3));
+        assert_eq!(stepped(k, 0.0, StepKey::NEXT, 0), Some(1e3));
         assert_eq!(stepped(k, 1e3, BACK, 0), Some(0.0));
         assert_eq!(stepped(k, 0.0, BACK, 0), None);
     }
@@ -176,11 +176,11 @@ mod tests {
     #[test]
     fn no_step_leads_to_an_impossible_value() {
         let theta = find("theta").unwrap();
-        assert_eq!(stepped(theta, 89.5, Press::NEXT, 0), None);
+        assert_eq!(stepped(theta, 89.5, StepKey::NEXT, 0), None);
         assert_eq!(stepped(theta, 0.5, BACK, 0), Some(0.0));
         let gamma = find("gamma").unwrap();
         assert_eq!(stepped(gamma, 0.1, BACK, -1), None);
         let restitution = find("e").unwrap();
-        assert_eq!(stepped(restitution, 0.95, Press::NEXT, -1), Some(1.0));
+        assert_eq!(stepped(restitution, 0.95, StepKey::NEXT, -1), Some(1.0));
     }
 }

@@ -17,7 +17,7 @@ use cmra::study::context::{Answer, Progress, Reach};
 use cmra::study::sweep::Plan;
 use cmra::tui::app::App;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
-use cmra::tui::preset::{Base, PresetEntry};
+use cmra::tui::preset::{PresetEntry, ReferencePreset};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
@@ -63,7 +63,7 @@ impl Bench {
 
     /// Before anything has been requested.
     pub(crate) fn closed(glyphs: GlyphSet, size: (u16, u16)) -> Self {
-        let base = Base {
+        let base = ReferencePreset {
             name: "thesis-baseline".to_owned(),
             is_mine: false,
             scene: Arc::new(Scene::default()),

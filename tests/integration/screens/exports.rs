@@ -11,7 +11,7 @@ use cmra::files::export::sidecar_path;
 use cmra::model::scene::{PlateSize, Scene};
 use cmra::tui::message::{Effect, FileTask};
 use cmra::tui::pages::search::state::Page;
-use cmra::tui::preset::Base;
+use cmra::tui::preset::ReferencePreset;
 use cmra::worker::{Report, Task, Worker};
 
 /// A bench on a scene whose plate has a face, with a folder that it writes to.
@@ -19,8 +19,11 @@ fn open(folder: &Path) -> Bench {
     let mut bench = Bench::ascii(120, 36);
     let scene = Scene { title: "with a face".to_owned(), ..support::scene("face=0.1") };
     bench.app.scene = Arc::new(scene);
-    bench.app.base =
-        Base { name: "face".to_owned(), is_mine: false, scene: Arc::clone(&bench.app.scene) };
+    bench.app.base = ReferencePreset {
+        name: "face".to_owned(),
+        is_mine: false,
+        scene: Arc::clone(&bench.app.scene),
+    };
     bench.app.files.directory = folder.to_owned();
     let setup = Arc::make_mut(&mut bench.app.pages.search.setup);
     (setup.designs, setup.samples, setup.goal.1) = (64, 40, 90.0);

@@ -9,7 +9,7 @@ use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::model::variables::changed;
 use cmra::tui::message::{Effect, Message};
-use cmra::tui::preset::Base;
+use cmra::tui::preset::ReferencePreset;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::update::start;
 use insta::assert_snapshot;
@@ -37,7 +37,8 @@ const SCENES: [(&str, &str, &str); 12] = [
 fn open(text: &str, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::closed(glyphs, size);
     let scene = Arc::new(changed(Scene::default(), text).expect("a scene"));
-    let base = Base { name: "scene".to_owned(), is_mine: false, scene: Arc::clone(&scene) };
+    let base =
+        ReferencePreset { name: "scene".to_owned(), is_mine: false, scene: Arc::clone(&scene) };
     (bench.app.base, bench.app.scene) = (base, scene);
     let effects = start(&mut bench.app);
     bench.effects.extend(effects);

@@ -14,7 +14,7 @@ use cmra::study::sweep::grid::Grid;
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::ExportOutcome;
 use cmra::tui::pages::explore::state::{ChartKind, Part, SetupRow};
-use cmra::tui::preset::Base;
+use cmra::tui::preset::ReferencePreset;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
 use cmra::worker::studies::{AskedFor, Found, PictureSweep, PrintedSweep};
@@ -61,7 +61,7 @@ pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16
     }
     let scene = Arc::new(scene);
     bench.app.scene = Arc::clone(&scene);
-    bench.app.base = Base { name: figure.to_owned(), is_mine: false, scene };
+    bench.app.base = ReferencePreset { name: figure.to_owned(), is_mine: false, scene };
     bench
 }
 

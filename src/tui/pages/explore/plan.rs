@@ -5,10 +5,10 @@ use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Plan, SweepError};
 use crate::tui::pages::explore::state::{CURVES, ChartKind, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
-use crate::tui::preset::Base;
+use crate::tui::preset::ReferencePreset;
 
 /// Whether a preset is a figure of the thesis, drawn with the corrected physics.
-pub(crate) fn is_corrected_figure(base: &Base) -> bool {
+pub(crate) fn is_corrected_figure(base: &ReferencePreset) -> bool {
     base.name.starts_with("figure-") && base.scene.contact.model == ContactModel::Hydrodynamic
 }
 

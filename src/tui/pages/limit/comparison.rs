@@ -24,8 +24,9 @@ impl App {
 /// The verdict, what to beware of, the candidates beside each other as on the printed page, then what the verdict rests on.
 fn lines(report: &compare::Report, width: usize) -> Vec<TextLine> {
     let sentence = |role: Role, text: &str| -> Vec<TextLine> {
-        let parts = wrap(text, width.saturating_sub(GOES_ON.len())).into_iter().enumerate();
-        let lead = |at: usize| if at == 0 { "" } else { GOES_ON };
+        let parts =
+            wrap(text, width.saturating_sub(CONTINUATION_INDENT.len())).into_iter().enumerate();
+        let lead = |at: usize| if at == 0 { "" } else { CONTINUATION_INDENT };
         parts.map(|(at, part)| (lead(at).to_owned() + &part, role)).collect()
     };
     let mut lines = sentence(Role::Text, &verdict(report));
@@ -46,7 +47,7 @@ fn lines(report: &compare::Report, width: usize) -> Vec<TextLine> {
 }
 
 /// The indentation of the further lines of a sentence.
-const GOES_ON: &str = "  ";
+const CONTINUATION_INDENT: &str = "  ";
 
 /// The verdict first, then the figures beside each other; scrolled by j and k.
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -75,7 +76,8 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// A given number of lines at most, without the beginning of a sentence whose end has no room.
 fn whole(lines: &[TextLine], height: usize) -> &[TextLine] {
-    let ends = |at: &usize| lines.get(*at).is_none_or(|next| !next.0.starts_with(GOES_ON));
+    let ends =
+        |at: &usize| lines.get(*at).is_none_or(|next| !next.0.starts_with(CONTINUATION_INDENT));
     let room = height.min(lines.len());
     &lines[..(1..=room).rev().find(ends).unwrap_or(room)]
 }
