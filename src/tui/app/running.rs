@@ -91,7 +91,7 @@ impl Jobs {
     }
 
     /// Whether the result of a study of this type for a scene is neither kept nor under way.
-    pub fn lacks<S: AskedFor, T>(&self, kept: &Kept<T>, scene: &Scene) -> bool {
+    pub fn lacks<S: AskedFor, T>(&self, kept: &CachedResult<T>, scene: &Scene) -> bool {
         let is_coming = self.running::<S>().is_some_and(|running| *running.scene == *scene);
         !kept.is_settled(scene) && !is_coming
     }
@@ -99,7 +99,7 @@ impl Jobs {
 
 /// The result of a study that a page keeps, as far as it is there; that of a study of no scene has the default scene.
 #[derive(Clone, Debug)]
-pub struct Kept<T> {
+pub struct CachedResult<T> {
     pub scene: Arc<Scene>,
     pub asked: Option<Asked>,
     pub found: Option<Arc<T>>,
@@ -110,14 +110,14 @@ pub struct Kept<T> {
     pub took: Option<Duration>,
 }
 
-impl<T> Default for Kept<T> {
+impl<T> Default for CachedResult<T> {
     fn default() -> Self {
         let (scene, asked, found, reach, is_look, took) = Default::default();
         Self { scene, asked, found, reach, is_look, took }
     }
 }
 
-impl<T> Kept<T> {
+impl<T> CachedResult<T> {
     /// Keeps the answer of a report, if it has this type; returns whether it did.
     pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) -> bool
     where

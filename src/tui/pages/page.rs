@@ -28,7 +28,7 @@ use ratatui::buffer::Buffer;
 
 use crate::model::variables::{self, VARIABLES};
 use crate::tui::app::ActiveInput;
-use crate::tui::app::running::Kept;
+use crate::tui::app::running::CachedResult;
 use crate::tui::pages;
 use crate::tui::widgets::form::{FieldQuantity, Form};
 use crate::tui::widgets::input::TextField;
@@ -54,7 +54,7 @@ pub(crate) fn under_way(what: &str) -> StatusPart {
 }
 
 /// The words for what was stopped before its end, by a person or since it was only looked at; how far it came.
-pub(crate) fn cut<T>(kept: &Kept<T>, items: &str) -> StatusPart {
+pub(crate) fn cut<T>(kept: &CachedResult<T>, items: &str) -> StatusPart {
     let reach = kept.reach.counted(items).map_or_else(String::new, |it| format!(" ({it})"));
     let what = if kept.is_look { "first look" } else { "cancelled" };
     part(Severity::Warning, format!("{what}: press <run>{reach}"))
@@ -63,7 +63,7 @@ pub(crate) fn cut<T>(kept: &Kept<T>, items: &str) -> StatusPart {
 /// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
 pub(crate) fn progress<S: AskedFor, T>(
     app: &App,
-    kept: &Kept<T>,
+    kept: &CachedResult<T>,
     scene: &Scene,
     words: impl FnOnce(&Running) -> String,
     items: &str,

@@ -10,7 +10,7 @@ use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::variables;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, USUAL_OUTPUTS};
-use crate::tui::app::running::Kept;
+use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::preset::LabelledScene;
 use crate::tui::widgets::axis::over;
@@ -46,7 +46,7 @@ impl Default for SetupRow {
 #[derive(Clone, Debug, Default)]
 pub struct Sweeping {
     /// The last result, of one picture or the other.
-    pub result: Kept<Grid>,
+    pub result: CachedResult<Grid>,
     /// The curves of a figure by the scheme that the thesis prints.
     pub printed: Option<Arc<Grid>>,
     /// Why the present axes cannot be swept.

@@ -2,7 +2,7 @@
 
 use crate::study::limit::Report;
 use crate::study::monte_carlo;
-use crate::tui::app::running::Kept;
+use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::worker::studies::Comparison;
 
@@ -14,11 +14,11 @@ pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {
-    pub report: Kept<Report>,
+    pub report: CachedResult<Report>,
     /// V50 and its spread, once they were asked for.
-    pub spread: Kept<monte_carlo::Report>,
+    pub spread: CachedResult<monte_carlo::Report>,
     /// The comparison at equal areal mass.
-    pub comparison: Kept<Comparison>,
+    pub comparison: CachedResult<Comparison>,
     /// The first line shown of the comparison.
     pub scrolled: usize,
     /// Where curve and words have no room together: the first line of the words shown, counted from 1, or 0 for the curve.

@@ -5,7 +5,7 @@ use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::{Measured, MethodReport, Report};
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, FixedStep, Map};
-use crate::tui::app::running::Kept;
+use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
 
@@ -24,7 +24,7 @@ pub struct Numerics {
 
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {
-    pub report: Kept<Report>,
+    pub report: CachedResult<Report>,
     /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
     pub selected: Option<usize>,
 }
@@ -68,10 +68,10 @@ impl Accuracy {
 pub struct Stability {
     /// Index of the map shown: the variables by the first method, then by the second.
     pub view: usize,
-    pub map: Kept<Map>,
+    pub map: CachedResult<Map>,
     /// The crosshair: column and row of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    pub battery: Kept<Vec<Row>>,
+    pub battery: CachedResult<Vec<Row>>,
     /// The selected scene.
     pub selected: usize,
 }

@@ -6,7 +6,7 @@ use crate::model::run::Run;
 use crate::report::chart::Curve;
 use crate::report::series::Channel;
 use crate::report::traces::Traces;
-use crate::tui::app::running::Kept;
+use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::pages::run::editor::Editor;
 use crate::worker::studies::SearchAnswer;
@@ -39,7 +39,7 @@ pub struct Matters {
     /// The result shown, by its place in the list; `None`: words stand in the place of bars.
     pub output: Option<usize>,
     /// The newest report, whole or as far as it is.
-    pub kept: Kept<SearchAnswer>,
+    pub kept: CachedResult<SearchAnswer>,
     /// Counts keys: an older rest is out of date.
     pub serial: u64,
 }

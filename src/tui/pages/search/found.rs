@@ -1,7 +1,7 @@
 //! Results of the Search tab, the selected design, and whether they are stale. No drawing.
 
 use crate::study::search::front::{Design, Report};
-use crate::tui::app::running::Kept;
+use crate::tui::app::running::CachedResult;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::answer::Answer;
@@ -14,7 +14,7 @@ const LEAST_WORDS: u16 = 6;
 
 impl Searching {
     /// The result of the page shown, once there is any.
-    pub fn shown(&self) -> Option<&Kept<SearchAnswer>> {
+    pub fn shown(&self) -> Option<&CachedResult<SearchAnswer>> {
         Some(&self.found[self.page as usize]).filter(|kept| kept.found.is_some())
     }
 

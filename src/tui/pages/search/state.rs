@@ -9,7 +9,7 @@ use crate::study::search::front::{self, Constraint, SAMPLES, USUAL};
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL};
 use crate::study::sensitivity;
 use crate::study::sweep::{Axis, COUNTS};
-use crate::tui::app::running::Kept;
+use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
@@ -50,7 +50,7 @@ pub struct Searching {
     pub row: Row,
     pub setup: Arc<Setup>,
     /// The results, page by page.
-    pub found: [Kept<SearchAnswer>; Page::COUNT],
+    pub found: [CachedResult<SearchAnswer>; Page::COUNT],
     /// Why a page cannot be computed, page by page.
     pub problem: [Option<String>; Page::COUNT],
     /// The selected design or solution by its place among all, or the first line shown, page by page.

@@ -1,7 +1,7 @@
 //! State of the Thesis tab.
 
 use crate::study::thesis::Row;
-use crate::tui::app::running::Kept;
+use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 
 pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
@@ -11,7 +11,7 @@ pub const MEASURED: Pane = Pane::of(Tab::Thesis, 3);
 
 #[derive(Clone, Debug, Default)]
 pub struct Thesis {
-    pub report: Kept<Vec<Row>>,
+    pub report: CachedResult<Vec<Row>>,
     /// The claims shown match this.
     pub find: String,
     pub selected: usize,
