@@ -19,7 +19,9 @@ pub(crate) struct FirstContact {
 
 /// The first contact of a scene, to its own tolerance; `None` when neither arrest nor perforation is found.
 pub(crate) fn first_contact(scene: &Arc<Scene>) -> Option<FirstContact> {
-    if let Some(end) = Contact::of(scene).and_then(|contact| contact.run(scene.run.tolerance)) {
+    if let Some(end) =
+        Contact::from_scene(scene).and_then(|contact| contact.run(scene.run.tolerance))
+    {
         return Some(FirstContact { t_s: end.t_s, depth_m: end.penetration_m, kernel: "kernel" });
     }
     let run = simulate(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(())).ok()?;

@@ -55,12 +55,12 @@ pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
 }
 
 fn surface(out: &mut impl Write, name: &str, scene: &Scene, machine: usize) -> std::io::Result<()> {
-    let exact = Plan::of(&at(scene, 1e-12)).expect("a preset's sweep");
+    let exact = Plan::from_scene(&at(scene, 1e-12)).expect("a preset's sweep");
     let known = simulated(&exact);
     let mut found = None;
     for half in (6..=24).rev() {
         let tolerance = 10f64.powf(-0.5 * f64::from(half));
-        let plan = Plan::of(&at(scene, tolerance)).expect("a preset's sweep");
+        let plan = Plan::from_scene(&at(scene, tolerance)).expect("a preset's sweep");
         let error = worst(&known, &rows(&plan, machine));
         if error > TARGET {
             break;

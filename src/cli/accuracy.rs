@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     table.deliver(extent, Some(source), &page, Some(object), rows)?;
     let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
     Ok(extent.exit_code_after(auto.flat_map(|method| &method.points).filter_map(|point| {
-        let why = point.result.as_ref().err()?.words();
+        let why = point.result.as_ref().err()?.message();
         Some(format!("{name}: auto gave no answer at {}: {why}", point.parameter))
     })))
 }
@@ -124,7 +124,7 @@ fn references(page: &mut String, report: &Report) {
         let sure = reference
             .uncertainty
             .map_or_else(|| "unknown".to_owned(), |uncertainty| format!("{uncertainty:.0e}"));
-        let basis = reference.basis.words();
+        let basis = reference.basis.label();
         let _ = writeln!(page, "  {basis:<23}{depth}, {end}, to {sure}: {letters}");
     }
 }

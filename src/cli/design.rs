@@ -38,7 +38,7 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
         let shown = engineering(*value, unit, 4);
         let _ = writeln!(page, "{shown:>14}  {name} ({source})");
     }
-    let rows = Table::of(&found)
+    let rows = Table::new(&found)
         .field("name", |it| it.0)
         .field("value", |it| it.1)
         .field("unit", |it| it.2)
@@ -60,7 +60,7 @@ fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let common = design::inelastic(m, v, m_2, 0.0);
     let [back, forward] = design::elastic(m, v, m_2, 0.0);
     let left = 0.5 * (m + m_2) * common * common;
-    let drawn = Mechanism::of(scene).spring.energy(0.0 - scene.plate.cocking_m);
+    let drawn = Mechanism::from_scene(scene).spring.energy(0.0 - scene.plate.cocking_m);
     let both = left + drawn;
     let known = scene.mechanism.least_spring_kg(Some(both)).filter(|_| scene.is_sprung());
     let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);

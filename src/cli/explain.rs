@@ -51,7 +51,7 @@ fn pages(name: &str) -> Result<Vec<String>, CliError> {
         return Ok(found);
     }
     let on_screen = SCREEN.iter().filter(|(words, _)| words.contains(&name));
-    let choices = VARIABLES.iter().filter(|it| it.words().contains(&name)).map(variable_page);
+    let choices = VARIABLES.iter().filter(|it| it.keys().contains(&name)).map(variable_page);
     let words: Vec<String> = on_screen
         .map(|(_, about)| hanging(&format!("{name}: "), about, 2))
         .chain(choices)
@@ -150,7 +150,7 @@ fn variable_page(variable: &Variable) -> String {
 /// A value to write: the default, or the first word of a choice that is not.
 fn example(variable: &Variable) -> String {
     let default = variable.show(&Scene::default());
-    let other = variable.words().iter().find(|word| **word != default);
+    let other = variable.keys().iter().find(|word| **word != default);
     other.map_or(default, |word| (*word).to_owned())
 }
 
@@ -250,7 +250,7 @@ mod tests {
             "knee",
             "feasible",
         ];
-        let choices = VARIABLES.iter().flat_map(|it| it.words().iter().copied());
+        let choices = VARIABLES.iter().flat_map(|it| it.keys().iter().copied());
         for word in words.into_iter().chain(choices) {
             let found = pages(word).unwrap_or_else(|error| panic!("{word}: {error}"));
             assert!(found.iter().all(|page| page.len() > 20), "{word}: {found:?}");

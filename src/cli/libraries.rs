@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &LibrariesArguments) -> Result<(), CliError> {
 }
 
 fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> String {
-    let mut text = format!("{}: --{} NAME\n", library.file(), library.word());
+    let mut text = format!("{}: --{} NAME\n", library.file(), library.key());
     for entry in entries {
         let own = if entry.own.is_some() { ", your own" } else { "" };
         let name = clean::line(&entry.name);

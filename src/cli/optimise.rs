@@ -66,8 +66,8 @@ pub(super) struct OptimiseArguments {
 
 impl OptimiseArguments {
     fn request(&self) -> Result<Request, CliError> {
-        let small = self.minimise.iter().map(|name| Objective::of(name, false));
-        let great = self.maximise.iter().map(|name| Objective::of(name, true));
+        let small = self.minimise.iter().map(|name| Objective::new(name, false));
+        let great = self.maximise.iter().map(|name| Objective::new(name, true));
         let mut objectives: Vec<Objective> = small.chain(great).collect::<Result<_, _>>()?;
         if objectives.is_empty() {
             objectives = Objective::usual();
@@ -120,7 +120,7 @@ fn page(name: &str, front: &Report, reach: Reach) -> String {
     let objectives: Vec<String> = request.objectives.iter().map(objective).collect();
     let mut page = format!("{name}: {}\n", objectives.join(", "));
     for constraint in &request.subject_to {
-        let _ = writeln!(page, "  subject to {}", constraint.words());
+        let _ = writeln!(page, "  subject to {}", constraint.label());
     }
     if request.is_feasible {
         let _ = writeln!(page, "  {} (--no-feasibility switches this off)", front::FEASIBLE);

@@ -78,7 +78,7 @@ fn own_sweep(scene: &Scene, threads: usize) -> Result<Option<Grid>, CliError> {
     if scene.sweep.is_none() {
         return Ok(None);
     }
-    let plan = Arc::new(Plan::of(scene)?);
+    let plan = Arc::new(Plan::from_scene(scene)?);
     let grid = Grid::new(Arc::clone(&plan)).filter(|_| plan.points() <= KEPT_MAX);
     Ok(grid.map(|grid| progress::study(threads, "points", |it| grid.fill(PIECE, it)).0))
 }

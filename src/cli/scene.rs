@@ -159,7 +159,7 @@ impl SceneOverrides {
     /// Returns the heading of a changed scene: `threat fsp-22, material aa6061-t651, from thesis-baseline: 2 changes`; `None` without a
     /// change.
     fn heading(&self, name: &str) -> Option<String> {
-        let entries = self.entries().map(|(library, name)| format!("{} {name}", library.word()));
+        let entries = self.entries().map(|(library, name)| format!("{} {name}", library.key()));
         let entries: Vec<String> = entries.collect();
         let set = match self.set.len() {
             0 if entries.is_empty() => return None,
@@ -184,7 +184,7 @@ impl SceneOverrides {
 
     /// The changes as they were typed.
     fn typed(&self) -> Vec<String> {
-        let entries = self.entries().map(|(library, name)| format!("{} {name}", library.word()));
+        let entries = self.entries().map(|(library, name)| format!("{} {name}", library.key()));
         entries.chain(self.set.iter().cloned()).collect()
     }
 

@@ -148,7 +148,7 @@ fn each_case(page: &mut String, report: &[Row]) {
         let ratio = format!("h/D = {}", fixed_significant(row.thickness_ratio, 3));
         let (made_of, pressure) = (case.projectile, engineering(row.pressure_pa, "Pa", 4));
         let lines = [
-            ("measured", format!("{} {}{known}", case.quantity.word(), show(case.measured))),
+            ("measured", format!("{} {}{known}", case.quantity.label(), show(case.measured))),
             ("computed", format!("{computed} by {}", closure_words(row.closure))),
             (
                 "alternative",

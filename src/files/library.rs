@@ -52,7 +52,7 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
             problems.extend(wrong.into_iter().map(FileError::Scene));
             for entry in own {
                 if entries.iter().any(|other| other.name == entry.name) {
-                    let problem = format!("a bundled {} has it; choose another", library.word());
+                    let problem = format!("a bundled {} has it; choose another", library.key());
                     problems.push(FileError::name(&entry.name, &problem));
                 } else {
                     entries.push(entry);
@@ -78,7 +78,7 @@ pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry
     for problem in problems {
         hint = format!("{hint}; {}", problem.to_string().replace('\n', "; "));
     }
-    let (name, word) = (clean::line(name), library.word());
+    let (name, word) = (clean::line(name), library.key());
     Err(FileError::Refused(format!("`{name}` is not one of the {word}s: {hint}")))
 }
 
@@ -117,7 +117,7 @@ fn entry(
     (name, value): (&str, &Spanned<DeValue<'_>>),
     own: Option<PathBuf>,
 ) -> Option<Entry> {
-    let (word, tables) = (library.word(), library.tables());
+    let (word, tables) = (library.key(), library.tables());
     let DeValue::Table(table) = value.get_ref() else {
         let text = format!("`{name}` is not a {word}: write [{name}] and its keys below it");
         reader.problem(value.span(), text);

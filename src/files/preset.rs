@@ -51,7 +51,7 @@ pub enum Origin {
 
 impl Origin {
     /// The word for lists.
-    pub fn word(&self) -> &'static str {
+    pub fn label(&self) -> &'static str {
         match self {
             Self::Bundled => "bundled",
             Self::Mine(_) => "mine",

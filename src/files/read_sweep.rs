@@ -55,7 +55,7 @@ impl AxisRow {
                 return Err(format!("{name} lacks from, to or count; write for example {EXAMPLE}"));
             }
         };
-        let axis = Axis::of(&axis, &COUNTS).map_err(|error| error.to_string())?;
+        let axis = Axis::from_sweep_axis(&axis, &COUNTS).map_err(|error| error.to_string())?;
         Ok(SweepAxis { name: name.clone(), ..axis.to_sweep_axis() })
     }
 }

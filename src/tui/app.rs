@@ -106,7 +106,7 @@ impl App {
         Self {
             size: (80, 24),
             settings: Settings { theme, ..Settings::default() },
-            focus: Tab::ALL.map(|tab| Pane::of(tab, 0)),
+            focus: Tab::ALL.map(|tab| Pane::new(tab, 0)),
             scene: Arc::clone(&base.scene),
             base,
             files: Files { directory, ..Files::default() },

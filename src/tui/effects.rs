@@ -268,7 +268,7 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     // A recent file that is gone or broken is omitted: loading it says why.
     let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
     let entry = |found: Preset| PresetEntry {
-        origin: found.origin.word(),
+        origin: found.origin.label(),
         name: found.name,
         scene: found.scene,
         comment: found.comment,

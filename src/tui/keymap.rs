@@ -65,7 +65,7 @@ pub struct Pane {
 
 impl Pane {
     /// A pane of a tab, each with a number of its own.
-    pub const fn of(tab: Tab, at: u8) -> Self {
+    pub const fn new(tab: Tab, at: u8) -> Self {
         Self { tab, at }
     }
 }
@@ -241,7 +241,7 @@ impl Key {
     }
 
     /// The key of an event. Terminals disagree on whether a capital letter carries Shift: it is dropped for characters.
-    pub fn of(event: KeyEvent) -> Self {
+    pub fn from_event(event: KeyEvent) -> Self {
         match event.code {
             KeyCode::Char(_) | KeyCode::BackTab => {
                 Self(event.code, event.modifiers - KeyModifiers::SHIFT)
@@ -296,7 +296,7 @@ impl Keymap {
 
     /// The action of a key: the same in every pane.
     pub fn action(&self, event: KeyEvent) -> Option<Action> {
-        let pressed = Key::of(event);
+        let pressed = Key::from_event(event);
         self.keys.iter().find(|(_, keys)| keys.contains(&pressed)).map(|(action, _)| *action)
     }
 

@@ -68,7 +68,7 @@ pub enum ExportOutcome {
 
 impl ExportOutcome {
     /// Describes an export that wrote nothing.
-    pub(crate) fn words(&self) -> String {
+    pub(crate) fn message(&self) -> String {
         match self {
             Self::Written(_) => String::new(),
             Self::Exists(path) => {
@@ -166,7 +166,12 @@ impl PageTable {
     }
 
     /// Builds a table of a scene, which a command makes again; the preset is part of the file's name.
-    pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: impl Into<String>) -> Self {
+    pub(crate) fn from_page(
+        self,
+        app: &App,
+        scene: &Arc<Scene>,
+        command: impl Into<String>,
+    ) -> Self {
         let file = format!("{}-{}", app.base_stem(), self.file);
         let missing = self.reach.counted("").map(|after| format!("# not complete: {after}\n"));
         let notes = missing.unwrap_or_default();

@@ -36,7 +36,7 @@ pub(crate) fn map(map: &Map<'_>, (width, height): Size) -> String {
     let drawn = Map { title, ..map.clone() };
     let mut text = drawn.to_lines(width, height, Theme::PLAIN).join("\n") + "\n";
     if let Some(levels) = &map.levels {
-        let range = ViewRange::of(Scale::Linear, map.values()).unwrap_or_default();
+        let range = ViewRange::from_values(Scale::Linear, map.values()).unwrap_or_default();
         let unit = Unit::with_prefix(range.size(), map.unit);
         text += &key(levels, &unit, usize::from(width));
     }

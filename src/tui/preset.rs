@@ -39,7 +39,7 @@ impl PresetEntry {
         let comment = comment.trim_end().to_owned();
         Self {
             name: part.name.clone(),
-            origin: part.library.word(),
+            origin: part.library.key(),
             scene,
             comment,
             part: Some(part),

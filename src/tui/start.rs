@@ -198,7 +198,7 @@ impl App {
         explore.picture = if picture.is_map { ChartKind::Surface } else { ChartKind::Line };
         let outputs = sweep_of(&self.scene).outputs;
         explore.output = outputs.iter().position(|it| *it == picture.output).unwrap_or(0);
-        let search = kept.search.map_or_else(Setup::default, |kept| Setup::of(&kept));
+        let search = kept.search.map_or_else(Setup::default, |kept| Setup::from_session(&kept));
         self.pages.search.setup = Arc::new(search);
     }
 

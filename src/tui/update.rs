@@ -127,7 +127,7 @@ fn press(app: &mut App, key: KeyEvent) {
         return act::act(app, action);
     }
     app.history.commit();
-    act::does_nothing(app, &Key::of(key).label());
+    act::does_nothing(app, &Key::from_event(key).label());
 }
 
 /// Pasted text goes into the open field, without line breaks and control characters; else it is ignored with a note.
@@ -374,7 +374,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
             app.report_progress(format!("written: {}", names.join(" and ")));
         }
         EffectReport::Saved(_, outcome) | EffectReport::Exported(_, outcome) if !is_heard => {
-            app.refuse(outcome.words());
+            app.refuse(outcome.message());
         }
         EffectReport::Presets(list) => app.files.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {

@@ -165,7 +165,7 @@ fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
         // The whole disk is engaged: the hole is deeper than the nose and the plate thicker than the hole.
         let rows = found.series.iter().filter(|row| row.mode == ContactMode::Fused);
         assert!(rows.clone().count() > 2 || found.series.is_empty());
-        let geometry = cmra::model::contact::Geometry::of(&own);
+        let geometry = cmra::model::contact::Geometry::from_scene(&own);
         let area = geometry.area_m2(geometry.travel_m(arrest.penetration_m));
         let exact = m_p * cos / joined * 1e5 * farthest / (area * 2.04e7);
         assert_near(found.interface_demand_ratio.unwrap(), exact, 1e-9);
@@ -181,7 +181,7 @@ fn valid_the_interface_tension_is_that_of_the_swing_back() {
     let found = run(own.clone());
     let arrest = found.first_arrest.unwrap();
     assert!(arrest.plate_displacement_m < 0.0);
-    let geometry = cmra::model::contact::Geometry::of(&own);
+    let geometry = cmra::model::contact::Geometry::from_scene(&own);
     let area = geometry.area_m2(geometry.travel_m(arrest.penetration_m));
     let back_m =
         arrest.plate_displacement_m.hypot(arrest.plate_velocity_m_s * 0.059f64.sqrt() / 1e3);
@@ -276,7 +276,7 @@ fn a_sweep_and_a_run_agree_within_the_tolerance() {
             own.mechanism.spring.exponent = 0.5 + 1.5 * random.unit();
             own.mechanism.damper.coefficient = random.log_or_zero(0.5, 1.0, 2e3);
             own.run.tolerance = tolerance;
-            let end = Contact::of(&own).unwrap().run(0.3 * tolerance);
+            let end = Contact::from_scene(&own).unwrap().run(0.3 * tolerance);
             let (Some(end), Some(arrest)) = (end, without_series(&own).first_arrest) else {
                 continue;
             };

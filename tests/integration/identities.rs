@@ -33,7 +33,7 @@ fn number(random: &mut Random, default: f64) -> f64 {
 fn value(random: &mut Random, variable: &Variable) -> Value {
     match variable.value(&Scene::default()) {
         Value::Switch(_) => Value::Switch(random.unit() < 0.5),
-        Value::Word(_) => Value::Word(random.of(variable.words())),
+        Value::Word(_) => Value::Word(random.of(variable.keys())),
         Value::Number(default) => Value::Number(number(random, default)),
         Value::Absent => Value::Number(number(random, 1e-2)),
     }

@@ -255,8 +255,8 @@ fn random_mechanisms_keep_their_energy() {
 fn the_contact_kernel_leaves_curves_to_the_simulation() {
     for kind in SpringKind::ALL {
         let own = scene(&format!("spring={}", kind.word()));
-        let quick = Contact::of(&own).and_then(|contact| contact.run(own.run.tolerance));
-        let is_curve = Mechanism::of(&own).spring.power().is_none();
+        let quick = Contact::from_scene(&own).and_then(|contact| contact.run(own.run.tolerance));
+        let is_curve = Mechanism::from_scene(&own).spring.power().is_none();
         assert_eq!(quick.is_none(), is_curve, "{}", kind.word());
         if let Some(quick) = quick {
             assert_near(quick.penetration_m, run(own).first_arrest.unwrap().penetration_m, 1e-9);

@@ -33,7 +33,7 @@ fn by_engine(scene: &Arc<Scene>) -> Option<Measure> {
 }
 
 fn by_kernel(scene: &Scene) -> Option<Measure> {
-    let end = Contact::of(scene)?.run(TOLERANCE)?;
+    let end = Contact::from_scene(scene)?.run(TOLERANCE)?;
     Some((end.arrested, if end.arrested { end.penetration_m } else { end.t_s }))
 }
 

@@ -63,7 +63,7 @@ fn valid_the_beam_follows_the_elastic_line() {
     let beam = scene.mechanism.spring.beam;
     let rigidity = beam.modulus_pa * beam.width_m * beam.height_m.powi(3) / 12.0;
     for (load, tip) in [(1.0, 0.30172), (2.0, 0.49346)] {
-        let force_n = Mechanism::of(&scene).spring.force(tip * beam.length_m);
+        let force_n = Mechanism::from_scene(&scene).spring.force(tip * beam.length_m);
         let own = force_n * beam.length_m * beam.length_m / rigidity;
         assert!((own / load - 1.0).abs() < 0.05, "{own} for {load}");
     }

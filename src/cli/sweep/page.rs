@@ -92,9 +92,9 @@ fn table(page: &mut String, grid: &Grid, axis: &Axis) {
     let places = (0..count).map(|row| row * last / (count - 1));
     let shown = places.filter_map(|at| usize::try_from(at).ok());
     let unit = axis.variable().unit();
-    let table = Table::of(shown)
+    let table = Table::new(shown)
         .with("axis", axis.symbol(), unit, |at| axis.value(*at as u64))
-        .with("outcome", "outcome", "", |at| grid.outcome(*at, 0).map(PointOutcome::word));
+        .with("outcome", "outcome", "", |at| grid.outcome(*at, 0).map(PointOutcome::key));
     let outputs = grid.plan().outputs().iter().enumerate();
     let table = outputs.fold(table, |table, (output, column)| {
         table.with(column.name, column.title(), column.unit(), move |at| {

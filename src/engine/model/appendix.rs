@@ -95,8 +95,8 @@ fn runge_kutta<const N: usize>(
 
 impl Scheme {
     /// The scheme of a valid scene under one reading of the listing.
-    pub fn of(scene: &Scene, listing: Listing) -> Self {
-        let geometry = Geometry::of(scene);
+    pub fn from_scene(scene: &Scene, listing: Listing) -> Self {
+        let geometry = Geometry::from_scene(scene);
         let cos = if listing.corrects_obliquity { geometry.nose.cos } else { 1.0 };
         let spring = &scene.mechanism.spring;
         let (velocity_m_s, plate_m_s) = (scene.projectile.velocity_m_s, scene.plate_velocity_m_s());

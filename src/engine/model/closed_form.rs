@@ -240,7 +240,7 @@ impl<'a> Passage<'a> {
 
 /// Whether nothing but the shot moves the plate, or nothing at all, and the contact has the law of these closed forms.
 pub fn is_unsprung(scene: &Scene) -> bool {
-    let mechanism = Mechanism::of(scene);
+    let mechanism = Mechanism::from_scene(scene);
     let acts = !mechanism.is_absent() || mechanism.stop.is_some();
     scene.contact.model == ContactModel::Hydrodynamic && !acts
 }
@@ -256,7 +256,7 @@ pub fn ballistic_limit_m_s(scene: &Scene) -> Option<f64> {
     if !has_limit(scene) {
         return None;
     }
-    let geometry = Geometry::of(scene);
+    let geometry = Geometry::from_scene(scene);
     let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
     let plate_m_s = scene.plate_velocity_m_s() * scene.cos_obliquity();
     Some(passage.limit_velocity_m_s() + plate_m_s)
@@ -268,7 +268,7 @@ pub fn residual_velocity_m_s(scene: &Scene) -> Option<f64> {
     if !has_limit(scene) {
         return None;
     }
-    let geometry = Geometry::of(scene);
+    let geometry = Geometry::from_scene(scene);
     let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
     let left_m_s = passage.left_m_s()?;
     let plate_m_s = passage.plate_m_s(scene, passage.through_m(), left_m_s);
@@ -304,7 +304,7 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
     if !is_unsprung(scene) || is_oblique || scene.run.horizon_s.is_some() {
         return None;
     }
-    let geometry = Geometry::of(scene);
+    let geometry = Geometry::from_scene(scene);
     let passage = Passage::unsprung(scene, &geometry, scene.is_sprung());
     let arrest_m = passage.arrest_m();
     let end_m = arrest_m.unwrap_or_else(|| passage.through_m());
@@ -352,7 +352,7 @@ mod tests {
     fn valid_times_of_rigid_and_free_plates() {
         let time_s = |moves: bool| {
             let scene = scene_with("gamma=1");
-            let geometry = Geometry::of(&scene);
+            let geometry = Geometry::from_scene(&scene);
             let passage = Passage::unsprung(&scene, &geometry, moves);
             passage.time_s(passage.arrest_m())
         };
@@ -424,7 +424,7 @@ mod tests {
             let pairs =
                 format!("k=0 R=1mm m_p={mass_kg} theta={angle_deg}deg h={thickness_mm}mm v_i={v}");
             let scene = scene_with(&pairs);
-            let geometry = Geometry::of(&scene);
+            let geometry = Geometry::from_scene(&scene);
             let passage = Passage::unsprung(&scene, &geometry, true);
             let force_n = |q_m: f64| {
                 let pressure_pa =
@@ -520,7 +520,7 @@ mod tests {
             1e-8
         ));
         let scene = with_laws("nose=blunt Y=276MPa UTS=310MPa");
-        let geometry = Geometry::of(&scene);
+        let geometry = Geometry::from_scene(&scene);
         let mut passage = Passage::rigid(&scene, &geometry);
         let shearing = passage.shearing.as_mut().unwrap();
         (shearing.plug.work_j, shearing.kept) = (0.0, 1.0);
@@ -544,7 +544,7 @@ mod tests {
     fn no_drag_is_the_limit_of_little_drag() {
         let depth = |drag: &str| {
             let scene = scene_with(drag);
-            let geometry = Geometry::of(&scene);
+            let geometry = Geometry::from_scene(&scene);
             geometry.depth_m(Passage::unsprung(&scene, &geometry, true).arrest_m().unwrap())
         };
         assert!((depth("C_d=1e-9") / depth("C_d=0") - 1.0).abs() < 1e-9);

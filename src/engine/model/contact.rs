@@ -106,7 +106,7 @@ enum Section {
 
 impl NoseGeometry {
     /// The nose of a scene's projectile.
-    pub fn of(scene: &Scene) -> Self {
+    pub fn from_scene(scene: &Scene) -> Self {
         let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
         let radius_m = scene.projectile.tip_radius_m;
         let mut nose = Self { radius_m, sin, cos, partial_from_m: 0.0, partial_to_m: 0.0 };
@@ -201,8 +201,8 @@ impl NoseGeometry {
 
 impl Geometry {
     /// The geometry of a scene; with a plug, of the hole ahead of it.
-    pub fn of(scene: &Scene) -> Self {
-        let nose = NoseGeometry::of(scene);
+    pub fn from_scene(scene: &Scene) -> Self {
+        let nose = NoseGeometry::from_scene(scene);
         let thickness_m = scene.effective_thickness_m();
         if let Some(plug) = Plug::of(scene) {
             return Self::ahead_of(&plug, nose, thickness_m);
@@ -409,7 +409,7 @@ mod tests {
     use crate::model::variables::scene_with;
 
     fn nose(degrees: f64) -> NoseGeometry {
-        NoseGeometry::of(&scene_with(&format!("theta={degrees}deg")))
+        NoseGeometry::from_scene(&scene_with(&format!("theta={degrees}deg")))
     }
 
     /// Projected area by counting points of the disk whose surface point lies behind the face. The face's height over the sphere's
@@ -475,7 +475,7 @@ mod tests {
     fn valid_swept_volume_of_the_passage_is_thickness_times_section_without_dishing() {
         // Entry and exit together sweep pi R² h_e whatever the nose and the obliquity.
         for pairs in ["", "h=0.003", "theta=30deg", "theta=60deg h=0.004"] {
-            let geometry = Geometry::of(&scene_with(&format!("dishing=off {pairs}")));
+            let geometry = Geometry::from_scene(&scene_with(&format!("dishing=off {pairs}")));
             let swept = geometry.swept_m3(geometry.exit_m);
             let exact = PI * 0.00635f64.powi(2) * geometry.thickness_m;
             assert!((swept / exact - 1.0).abs() < 1e-11, "{pairs}: {swept} {exact}");
@@ -485,7 +485,7 @@ mod tests {
     #[test]
     fn travel_has_its_inverses_in_depth_and_in_volume() {
         for pairs in ["", "theta=25deg"] {
-            let geometry = Geometry::of(&scene_with(pairs));
+            let geometry = Geometry::from_scene(&scene_with(pairs));
             for part in [1e-6, 0.1, 0.3, geometry.bend_m / geometry.exit_m, 0.7, 0.99] {
                 let q = part * geometry.exit_m;
                 assert!((geometry.travel_m(geometry.depth_m(q)) / q - 1.0).abs() < 1e-14);
@@ -503,7 +503,7 @@ mod tests {
     #[test]
     fn area_of_the_pieces_is_the_area_of_the_faces() {
         for pairs in ["", "h=0.003", "theta=20deg h=0.003", "theta=50deg"] {
-            let geometry = Geometry::of(&scene_with(pairs));
+            let geometry = Geometry::from_scene(&scene_with(pairs));
             for i in 0..1000 {
                 let q = (f64::from(i) + 0.5) / 1000.0 * geometry.exit_m;
                 let p = geometry.depth_m(q);

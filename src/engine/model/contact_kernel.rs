@@ -93,8 +93,8 @@ impl ContactEnd {
 impl Contact {
     /// Prepare the contact of a scene that has been validated; `None` of a spring that is not a power law, a stop, another interaction
     /// model, a nose that shears out a plug, a plate that moves at first contact, an area that does not begin as a polynomial, or a contact without a time scale.
-    pub fn of(scene: &Scene) -> Option<Self> {
-        let mechanism = Mechanism::of(scene);
+    pub fn from_scene(scene: &Scene) -> Option<Self> {
+        let mechanism = Mechanism::from_scene(scene);
         let Mechanism { spring: Spring::Power(spring), damper, stop: None, .. } = mechanism else {
             return None;
         };
@@ -103,7 +103,7 @@ impl Contact {
         if is_other || scene.plate_velocity_m_s() != 0.0 {
             return None;
         }
-        let geometry = Geometry::of(scene);
+        let geometry = Geometry::from_scene(scene);
         let AreaLaw::Quadratic { a, .. } = geometry.pieces().first()?.law else { return None };
         let plate_mobility = if scene.is_sprung() { 1.0 / moving_plate_kg(scene) } else { 0.0 };
         let (cos, v) = (geometry.nose.cos, scene.projectile.velocity_m_s);
@@ -292,7 +292,7 @@ mod tests {
             let scene = scene(pairs);
             let (t_s, depth_m) = full(&scene);
             for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-11] {
-                let end = Contact::of(&scene).unwrap().run(tolerance).unwrap();
+                let end = Contact::from_scene(&scene).unwrap().run(tolerance).unwrap();
                 let error =
                     larger((end.t_s / t_s - 1.0).abs(), (end.penetration_m / depth_m - 1.0).abs());
                 assert!(
@@ -319,7 +319,7 @@ mod tests {
             scene.run.tolerance = 1e-12;
             let (t_s, depth_m) = full(&scene);
             for tolerance in [1e-6, 1e-8, 1e-10] {
-                let end = Contact::of(&scene).unwrap().run(tolerance).unwrap();
+                let end = Contact::from_scene(&scene).unwrap().run(tolerance).unwrap();
                 let errors = [end.t_s / t_s - 1.0, end.penetration_m / depth_m - 1.0];
                 let holds = errors.iter().all(|e| e.abs() < tolerance);
                 assert!(holds, "{pairs} {tolerance:e} {errors:?}");
@@ -336,7 +336,7 @@ mod tests {
         for tolerance in [1e-11, 1e-12, 1e-13] {
             let mut scene = scene("k=1.725e6 n=0.332");
             scene.run.tolerance = tolerance;
-            let kernel = Contact::of(&scene).unwrap().run(1e-9).unwrap().max_displacement_m;
+            let kernel = Contact::from_scene(&scene).unwrap().run(1e-9).unwrap().max_displacement_m;
             let full = bare_run(&scene).max_plate_displacement_m.unwrap();
             assert!((full / kernel - 1.0).abs() < 1e-6, "{tolerance:e}: {full} {kernel}");
         }
@@ -351,7 +351,7 @@ mod tests {
             "b=1e8 k=1e7",
             "k=1e6 n=0.158",
         ] {
-            let end = Contact::of(&scene(pairs)).and_then(|contact| contact.run(1e-9));
+            let end = Contact::from_scene(&scene(pairs)).and_then(|contact| contact.run(1e-9));
             assert_eq!(end, None, "{pairs}");
         }
     }
@@ -359,7 +359,7 @@ mod tests {
     #[test]
     fn valid_the_kernel_against_the_stored_digits() {
         for row in Stored::rows() {
-            let contact = Contact::of(&scene(&row.changes)).unwrap();
+            let contact = Contact::from_scene(&scene(&row.changes)).unwrap();
             let Some(found) = contact.run(1e-9) else {
                 // Held as by a rigid mount: the steps would be too many.
                 assert!(row.changes.contains("n=0.1"), "{}", row.changes);
@@ -397,7 +397,7 @@ mod tests {
             ("k=7417.8 n=0.2 gamma=5.097 v_i=94.479 h=2.108mm", 1e-9),
         ] {
             let scene = scene(pairs);
-            let Some(end) = Contact::of(&scene).unwrap().run(tolerance) else { continue };
+            let Some(end) = Contact::from_scene(&scene).unwrap().run(tolerance) else { continue };
             let error = error(&scene, &end);
             assert!(error <= tolerance, "{pairs} {tolerance:e}: {error:e}");
         }
@@ -422,7 +422,7 @@ mod tests {
             );
             let scene = scene(&pairs);
             for tolerance in [1e-6, 1e-9] {
-                let contact = Contact::of(&scene).unwrap();
+                let contact = Contact::from_scene(&scene).unwrap();
                 let Some(end) = contact.run(tolerance) else {
                     left += 1;
                     continue;

@@ -81,7 +81,7 @@ fn stiffnesses_n_m(scene: &Scene) -> (f64, f64) {
 /// How long the hydrodynamic contact lasts on a rigid mount, s, and how far the projectile travels in it, m. A plate that is
 /// perforated counts with its exit.
 fn hydrodynamic_on_rigid_mount(scene: &Scene) -> (f64, f64) {
-    let geometry = Geometry::of(scene);
+    let geometry = Geometry::from_scene(scene);
     let passage = Passage::rigid(scene, &geometry);
     let arrest_m = passage.arrest_m();
     let end_s = passage.time_s(arrest_m);

@@ -67,7 +67,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
     let struck = run.scene.projectile.velocity_m_s;
     // Both computations creep alike.
     let fastest = larger(struck, run.scene.closing_velocity_m_s());
-    let creep_m_s = Mechanism::of(&run.scene).damper.creep_m_s(fastest);
+    let creep_m_s = Mechanism::from_scene(&run.scene).damper.creep_m_s(fastest);
     run.error_estimates = ESTIMATED
         .iter()
         .filter_map(|(name, scale, get)| {

@@ -17,13 +17,13 @@ worded! {
 
 impl Library {
     /// The word for one of its entries.
-    pub fn word(self) -> &'static str {
+    pub fn key(self) -> &'static str {
         self.file().trim_end_matches('s')
     }
 
     /// The start of the line in a scene's notes that warns of one of its entries.
     fn warning_start(self) -> String {
-        format!("{} warning: ", self.word())
+        format!("{} warning: ", self.key())
     }
 
     /// The tables of a scene whose keys its entries have. A threat brings the closure and the drag coefficient of its nose.
@@ -85,7 +85,7 @@ impl Entry {
             scene.target.drag = DragSource::Closure;
             note_closure(scene);
         }
-        let (start, warns) = (format!("{}: ", self.library.word()), self.library.warning_start());
+        let (start, warns) = (format!("{}: ", self.library.key()), self.library.warning_start());
         let is_other = |line: &&str| !line.starts_with(&start) && !line.starts_with(&warns);
         let mut notes: Vec<String> =
             scene.notes.lines().filter(is_other).map(str::to_owned).collect();

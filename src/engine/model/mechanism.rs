@@ -136,11 +136,11 @@ pub struct Mechanism {
 
 impl Mechanism {
     /// The mechanism of a scene; a rigid mount has none.
-    pub fn of(scene: &Scene) -> Self {
+    pub fn from_scene(scene: &Scene) -> Self {
         let laws = &scene.mechanism;
         let sprung = scene.is_sprung();
         Self {
-            spring: if sprung { Spring::of(laws, 0.0) } else { Spring::NONE },
+            spring: if sprung { Spring::new(laws, 0.0) } else { Spring::NONE },
             damper: laws.damper.only_if(sprung),
             stop: laws.stop.position_m.filter(|_| sprung).map(|_| laws.stop),
         }

@@ -307,11 +307,11 @@ impl Prefix {
         let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
         let is_plain = leading.chars().all(char::is_alphabetic);
         let takes_prefix = is_plain && !matches!(leading, "" | "kg" | "deg" | "rad");
-        if takes_prefix { Self::of(value) } else { Self::NONE }
+        if takes_prefix { Self::for_value(value) } else { Self::NONE }
     }
 
     /// The one that brings a value between 1 and 1000.
-    pub fn of(value: f64) -> Self {
+    pub fn for_value(value: f64) -> Self {
         let magnitude = value.abs();
         if magnitude == 0.0 || !magnitude.is_finite() {
             return Self::NONE;

@@ -295,7 +295,7 @@ impl Variable {
     }
 
     /// The words of a choice, in order; none for a number or a switch.
-    pub fn words(&self) -> &'static [&'static str] {
+    pub fn keys(&self) -> &'static [&'static str] {
         if let Kind::Choice { words, .. } = self.kind { words } else { &[] }
     }
 

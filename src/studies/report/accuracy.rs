@@ -25,7 +25,7 @@ pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
     let measured = |row: &Row<'r>| row.1.result.as_ref().ok();
     let answer = move |row: &Row<'r>| Some(&measured(row)?.answer);
     let warnings = warnings(report).join("; ");
-    let table = Table::of(report.methods.iter().flat_map(rows))
+    let table = Table::new(report.methods.iter().flat_map(rows))
         .field("scene", move |_| name)
         .field("method", |row| row.0.method.name())
         .field("letter", |row| row.0.method.letter().to_string())
@@ -49,8 +49,8 @@ pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
         .field("rejected", move |row| Some(answer(row)?.rejected))
         .field("rhs_evaluations", move |row| Some(answer(row)?.evaluations))
         .field("run_time_s_min", move |row| Some(measured(row)?.min_s))
-        .field("refused", |row| Some(row.1.result.err()?.words()))
-        .field("reference", |row| Some(row.0.reference?.basis.words()))
+        .field("refused", |row| Some(row.1.result.err()?.message()))
+        .field("reference", |row| Some(row.0.reference?.basis.label()))
         .field("reference_uncertainty", |row| row.0.reference?.uncertainty)
         .field(WARNINGS, move |_| warnings.clone())
 }
@@ -69,7 +69,7 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
     let time = |target: f64| move |it: &&MethodReport| Some(it.cheapest(target)?.min_s);
     let in_seconds = |_: &&MethodReport, value: &Value| Some(seconds(value.as_f64()?));
     let brief = |_: &&MethodReport, value: &Value| Some(format!("{:.0e}", value.as_f64()?));
-    Table::of(methods)
+    Table::new(methods)
         .with("letter", "", "", |it| it.method.letter().to_string())
         .with("method", "method", "", |it| it.method.name())
         .with("run_time_s_to_1e-6", "t(1e-6)", "", time(TARGETS[0]))
@@ -114,7 +114,7 @@ pub fn printed_scheme(report: &Report) -> Option<String> {
 /// The gain from omitted terms.
 pub fn savings(savings: &[OmissionGain]) -> Table<'_, &OmissionGain> {
     let in_seconds = |_: &&OmissionGain, value: &Value| Some(seconds(value.as_f64()?));
-    Table::of(savings)
+    Table::new(savings)
         .with("part", "omitted", "", |it| it.part)
         .with("with_s", "with it", "", |it| it.with_s)
         .shown(in_seconds)
@@ -142,7 +142,7 @@ pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
     let References { engine, other } = report.references;
     let references = engine.into_iter().chain(other).map(|reference| {
         json!({
-            "basis": reference.basis.words(),
+            "basis": reference.basis.label(),
             "ending": reference.outcome.word(),
             "penetration_m": reference.results[0],
             "end_time_s": reference.results[1],
@@ -191,8 +191,8 @@ fn levels(report: &Report) -> Vec<Mark<'static>> {
 pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
     let curves: Vec<Curve<'static>> = report.methods.iter().map(curve).collect();
     let points = || curves.iter().flat_map(|curve| curve.points.iter());
-    let times = ViewRange::of(Scale::Log10, points().map(|point| point.0))?;
-    let errors = ViewRange::of(Scale::Log10, points().map(|point| point.1))?;
+    let times = ViewRange::from_values(Scale::Log10, points().map(|point| point.0))?;
+    let errors = ViewRange::from_values(Scale::Log10, points().map(|point| point.1))?;
     let (times, errors) = (times.in_decades(), errors.in_decades());
     // The unit of the fast end: microseconds, of which a person thinks here.
     let unit = Unit::with_prefix(30.0 * times.lo(), "s");

@@ -69,7 +69,7 @@ impl<'a> Axis<'a> {
         scale: Scale,
         values: impl IntoIterator<Item = f64>,
     ) -> Option<Self> {
-        let view = ViewRange::of(scale, values)?;
+        let view = ViewRange::from_values(scale, values)?;
         Some(Self::new(label, view).scale(scale).unit(Unit::with_prefix(view.size(), unit)))
     }
 

@@ -53,10 +53,11 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
     let own = |name| move |it: &&Entry| find(name)?.value(&it.run);
     let preload_j = |it: &&Entry| {
-        (!Mechanism::of(&it.run.scene).is_absent()).then_some(it.run.ledger.initial_spring_j)
+        (!Mechanism::from_scene(&it.run.scene).is_absent())
+            .then_some(it.run.ledger.initial_spring_j)
     };
     let at_limit = |name| move |it: &&Entry| find(name)?.value(it.at_limit.as_ref()?);
-    let table = Table::of(&report.entries)
+    let table = Table::new(&report.entries)
         .field("scene", move |_| name)
         .with("candidate", "", "", |it| it.candidate.word())
         .with("outcome", "at the design velocity", "", |it| it.run.shot_outcome().word())
@@ -137,7 +138,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "scene": name,
         "interface": report.scene.interface.law.word(),
         "design_velocity_m_s": report.scene.projectile.velocity_m_s,
-        "conclusion": report.verdict().words(),
+        "conclusion": report.verdict().message(),
         "pays": report.verdict().pays(),
         "mass_efficiency": own.filter(|it| it.is_held).and_then(Entry::mass_efficiency),
         "mass_not_counted": report.uncounted,
@@ -162,7 +163,7 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
     let (x, y) = (map.x(), map.y());
     let points = (0..x.count()).flat_map(|at| (0..y.count()).map(move |up| (at, up)));
     let cell = |at: &(u64, u64)| map.cell(at.0, at.1);
-    Table::of(points.filter(|at| cell(at).is_some()))
+    Table::new(points.filter(|at| cell(at).is_some()))
         .field("scene", move |_| name)
         .field(x.symbol(), |at| x.value(at.0))
         .field(y.symbol(), |at| y.value(at.1))
@@ -188,7 +189,7 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
         absences.map(|absence| (absence.letter, absence.words.to_owned())).collect();
     marks.sort();
     marks.dedup();
-    let levels = Levels::of(found.cells.iter().filter_map(|cell| cell.ok()))?;
+    let levels = Levels::from_values(found.cells.iter().filter_map(|cell| cell.ok()))?;
     Some(map::Map {
         contour: Some((1.0, LINE.into())),
         marks,
@@ -203,7 +204,7 @@ pub fn verdict(report: &Report) -> String {
         return "cancelled before the scene itself was computed".to_owned();
     };
     let verdict = report.verdict();
-    let words = verdict.words();
+    let words = verdict.message();
     match verdict {
         Verdict::Stops(efficiency) => {
             let (efficiency, counted) = (fixed_significant(efficiency, 4), uncounted(report));

@@ -112,7 +112,7 @@ impl<'a> Books<'a> {
     fn of(run: &'a Run) -> Self {
         let scene = &*run.scene;
         let spring =
-            if scene.is_sprung() { Spring::of(&scene.mechanism, 0.0) } else { Spring::NONE };
+            if scene.is_sprung() { Spring::new(&scene.mechanism, 0.0) } else { Spring::NONE };
         let plate_kg = if scene.is_sprung() { moving_plate_kg(scene) } else { 0.0 };
         let has_friction = scene.contact.model == ContactModel::Hydrodynamic;
         let picked_up = run.events.iter().find(|event| event.kind == EventKind::Plug);
@@ -145,7 +145,7 @@ impl<'a> Books<'a> {
             return self.spring.energy(x_m);
         }
         if crushed.spring.as_ref().is_none_or(|(at_m, _)| at_m.to_bits() != far_m.to_bits()) {
-            crushed.spring = Some((far_m, Spring::of(&self.scene.mechanism, far_m)));
+            crushed.spring = Some((far_m, Spring::new(&self.scene.mechanism, far_m)));
         }
         let returned = crushed
             .spring

@@ -69,7 +69,7 @@ pub fn lacks(front: &Report) -> Vec<String> {
 /// The designs of a front.
 pub fn table<'c>(name: &'c str, front: &'c Report) -> Table<'c, usize> {
     let of = move |at: &usize| &front.designs[*at];
-    let mut table = Table::of(0..front.designs.len())
+    let mut table = Table::new(0..front.designs.len())
         .field("scene", move |_| name)
         .field("interface", move |_| front.base.interface.law.word());
     for (at, axis) in front.request.over.iter().enumerate() {
@@ -83,10 +83,10 @@ pub fn table<'c>(name: &'c str, front: &'c Report) -> Table<'c, usize> {
     }
     // Where the interface holds there is nothing to say.
     let first = front.request.objectives[0].measure;
-    let plastic = move |row: &usize| Some(of(row).plastic?.words(first));
+    let plastic = move |row: &usize| Some(of(row).plastic?.message(first));
     let verdict = move |row: &usize| Verdict::of(&front.scene(of(row))).decision.word();
     let table = table
-        .with("outcome", "outcome", "", move |row| of(row).outcome.word())
+        .with("outcome", "outcome", "", move |row| of(row).outcome.key())
         .with("verdict", "verdict", "", verdict);
     table.with("plastic", "on a plastic interface", "", plastic)
 }

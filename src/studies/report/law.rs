@@ -25,9 +25,9 @@ pub struct Law {
 
 impl Law {
     /// The law of a run whose plate moved; `None` without a spring and an elastic stop.
-    pub fn of(run: &Run) -> Option<Self> {
+    pub fn from_run(run: &Run) -> Option<Self> {
         let scene = Arc::clone(&run.scene);
-        let mechanism = Mechanism::of(&scene);
+        let mechanism = Mechanism::from_scene(&scene);
         let start_m = run.scene.start_m();
         let reached = run.max_plate_displacement_m.or(run.at_least.plate_displacement_m);
         let reached_m = reached.filter(|it| *it > start_m)?;
@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn the_law_is_that_of_spring_and_elastic_stop() {
         let run = plain_run(&scene("k=1e5 x_stop=0.02 stop_kind=elastic k_stop=1e6")).unwrap();
-        let law = Law::of(&run).unwrap();
+        let law = Law::from_run(&run).unwrap();
         for (x_m, force_n, stiffness_n_m) in [(0.01, 1e3, 1e5), (0.025, 2.5e3 + 5e3, 1.1e6)] {
             assert!((law.force(x_m) - force_n).abs() < 1e-9 * force_n, "{}", law.force(x_m));
             assert!((law.stiffness(x_m) - stiffness_n_m).abs() < 1e-9 * stiffness_n_m);

@@ -89,7 +89,8 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
 /// Warns of a limit that ignores the strength of its mechanism; `None` if there is no such mechanism.
 pub fn taken_to_hold(report: &Report) -> Option<Remark> {
     let text = "taken to hold whatever it stores; `cmra compare` gives the limit if the spring must survive";
-    let is_so = report.limit.velocity_m_s().is_some() && !Mechanism::of(&report.scene).is_absent();
+    let is_so =
+        report.limit.velocity_m_s().is_some() && !Mechanism::from_scene(&report.scene).is_absent();
     is_so.then(|| Remark::new("mechanism", text))
 }
 
@@ -110,7 +111,7 @@ fn load(run: &Run) -> Option<String> {
         Some(format!("{label} {}", quantity.show(quantity.value(run)?, 4)))
     };
     let force = part("mount force", "peak_mount_force_n");
-    let is_hit = force.is_none() && Mechanism::of(&run.scene).rigid_stop().is_some();
+    let is_hit = force.is_none() && Mechanism::from_scene(&run.scene).rigid_stop().is_some();
     let parts = [part("stroke", "stroke_m"), part("stored energy", "stored_energy_j"), force];
     let mut known: Vec<String> = parts.into_iter().flatten().collect();
     if is_hit && !known.is_empty() {
@@ -168,7 +169,7 @@ fn closures(closures: &Closures) -> String {
 /// The shots, in order of velocity, with what each fitted law says and the limit.
 pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
     let limit_m_s = report.limit.velocity_m_s();
-    Table::of(&report.shots)
+    Table::new(&report.shots)
         .field("scene", move |_| name)
         .field("impact_velocity_m_s", |shot| shot.impact_m_s)
         .field("outcome", |shot| shot.outcome.word())

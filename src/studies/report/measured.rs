@@ -13,7 +13,7 @@ const MARKERS: [char; 8] = ['o', 'x', '+', 's', 'd', '*', 'v', 'm'];
 /// The measurements with what is computed for each.
 pub fn rows(rows: &[Row]) -> Table<'_, &Row> {
     let measured = |row: &&Row| row.measurement.measured;
-    let table = Table::of(rows)
+    let table = Table::new(rows)
         .with("line", "line", "", |row| row.measurement.line)
         .field("source", |row| row.measurement.source.as_str())
         .with("measured_limit_m_s", "measured", "m/s", move |row| measured(row).limit_m_s)
@@ -62,7 +62,7 @@ pub fn page_keys(rows: &[Row]) -> Vec<&'static str> {
 
 /// The errors by class, and of all rows.
 pub fn error_table(list: &[Errors]) -> Table<'_, &Errors> {
-    Table::of(list)
+    Table::new(list)
         .field("class", |it| it.group.as_deref().unwrap_or("all"))
         .field("rows", |it| it.rows)
         .field("papers", |it| it.papers)

@@ -89,7 +89,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
     // Each row has the unit of its quantity.
     let in_unit =
         |it: &&Summary, value: &Value| Some(it.measure.show_all_digits(value.as_f64()?, DIGITS));
-    let table = Table::of(&report.summaries)
+    let table = Table::new(&report.summaries)
         .field("scene", move |_| name)
         .with("output", "", "", |it| it.measure.name)
         .shown(|it, _| Some(title(report, it)))

@@ -49,7 +49,7 @@ pub fn csv(runs: &[NamedRun]) -> String {
         let own = &events[at.0];
         own.binary_search_by_key(&at.1, |event| event.0).map_or("", |found| &own[found].1)
     };
-    let mut table = Table::of(rows);
+    let mut table = Table::new(rows);
     if runs.len() > 1 {
         table = table.field("run", |at| runs[at.0].0.as_str());
     }
@@ -77,7 +77,7 @@ fn placed(samples: &[Sample], events: &[Event]) -> Vec<(usize, String)> {
 
 /// The results of some runs of a scene of this name, a row each.
 pub fn results<'r>(scene: &'r str, runs: &'r [NamedRun]) -> Table<'r, &'r NamedRun> {
-    let table = Table::of(runs)
+    let table = Table::new(runs)
         .field("run", |it| it.0.as_str())
         .field("scene", move |_| scene)
         .field("outcome", |it| it.1.shot_outcome().word())
@@ -94,7 +94,7 @@ pub type Compared<'c> = (String, Result<&'c Run, &'static str>);
 pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c, Compared<'c>> {
     let outcome =
         |it: &Compared<'_>| it.1.map_or_else(|word| word, |run| run.shot_outcome().word());
-    let table = Table::of(runs).with("name", "run", "", |it| it.0.clone());
+    let table = Table::new(runs).with("name", "run", "", |it| it.0.clone());
     let table = table.with("outcome", "outcome", "", outcome);
     let table = column(table, "final_penetration_m", "depth mm, %", 1e3, |run| Some(depth(run)));
     let table = table.with("plastic", "plastic mm", "", |it: &Compared<'_>| {
@@ -123,13 +123,13 @@ fn column<'c>(
     })
 }
 
-fn is_through(run: &Run) -> bool {
+fn is_perforated(run: &Run) -> bool {
     run.shot_outcome() == Outcome::Perforated
 }
 
 /// The depth, mm, and in brackets its part of that on a rigid mount, %.
 fn depth(run: &Run) -> String {
-    if is_through(run) {
+    if is_perforated(run) {
         return "through".to_owned();
     }
     let Some(depth_m) = run.final_penetration_m else { return "-".to_owned() };

@@ -29,9 +29,9 @@ pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
 pub fn solution(report: &Report, solution: &SeekResult, checked: &DesignValidity) -> String {
     let axis = &report.axis;
     let at = axis.show(solution.place.at, 6);
-    let outcome = solution.outcome.map_or("", PointOutcome::word);
+    let outcome = solution.outcome.map_or("", PointOutcome::key);
     let reached = report.measure.show(solution.place.value, 6);
-    let plastic = checked.plastic.map(|it| format!("; {}", it.words(report.measure)));
+    let plastic = checked.plastic.map(|it| format!("; {}", it.message(report.measure)));
     let plastic = plastic.unwrap_or_default();
     // Where no such shot was measured the outcome by the law is all that is known; the table has the word.
     let verdict = match checked.verdict.decision {
@@ -94,9 +94,9 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult>
     };
     let plastic = |line: &SeekResult| {
         let at = report.solutions().position(|it| it == line)?;
-        Some(report.checked.get(at)?.plastic?.words(report.measure))
+        Some(report.checked.get(at)?.plastic?.message(report.measure))
     };
-    let table = Table::of(&report.lines)
+    let table = Table::new(&report.lines)
         .field("scene", move |_| name)
         .field("kind", |line| line.kind.word())
         .field("variable", |_| report.axis.symbol())
@@ -106,7 +106,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult>
         .field("output", |_| report.measure.name)
         .field("target", |_| report.target)
         .field("value", |line| line.place.value)
-        .field("outcome", |line| line.outcome.map(PointOutcome::word))
+        .field("outcome", |line| line.outcome.map(PointOutcome::key))
         .field("interface", |_| report.law.word())
         .field("plastic", move |line| plastic(line))
         .field("verdict", move |line| Some(verdict(line)?.decision.word()));

@@ -30,9 +30,9 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
     let effect = |at: &usize| &report.effects[*at];
     let axis = move |at: &usize| &effect(at).axis;
     let end = move |at: &usize, place: usize| effect(at).points[place];
-    let outcome = move |at: &usize, place: usize| end(at, place).map(|it| it.outcome.word());
+    let outcome = move |at: &usize, place: usize| end(at, place).map(|it| it.outcome.key());
     let unit = report.output.unit();
-    Table::of(report.order())
+    Table::new(report.order())
         .field("scene", move |_| name)
         .with("output", "quantity", "", |_| report.output.name)
         .with("variable", "", "", move |at| axis(at).symbol())
@@ -62,7 +62,7 @@ pub fn page(report: &Report, levels: [char; 8]) -> Table<'_, usize> {
         let least_and_greatest = span(report, effect(at))?;
         Some(format!("{least_and_greatest}{}", if effect(at).perforates() { " P" } else { "" }))
     };
-    Table::of(report.order())
+    Table::new(report.order())
         .with("variable", "", "", move |at| effect(at).axis.symbol())
         .with("bar", "low to high", "", move |at| {
             scale.map(|scale| format!("|{}|", bar(effect(at), scale, levels)))

@@ -85,14 +85,14 @@ impl Channel {
         match self.source() {
             Source::Time(_) | Source::SceneTime(_) => {
                 let value =
-                    |it| if self.exists_in(it) { self.of(&run.scene, it) } else { f64::NAN };
+                    |it| if self.exists_in(it) { self.value(&run.scene, it) } else { f64::NAN };
                 samples.iter().map(|sample| (sample.t_s, value(sample))).collect()
             }
             Source::Displacement(get) => {
                 let point = |sample: &Sample| (sample.plate_displacement_m, get(sample));
                 samples.iter().map(point).collect()
             }
-            Source::Law(get) => Law::of(run).map_or_else(Vec::new, |law| law.points(get)),
+            Source::Law(get) => Law::from_run(run).map_or_else(Vec::new, |law| law.points(get)),
         }
     }
 
@@ -103,7 +103,7 @@ impl Channel {
     }
 
     /// The value in a sample of a scene, SI; NaN of a quantity that samples do not have.
-    pub fn of(self, scene: &Scene, sample: &Sample) -> f64 {
+    pub fn value(self, scene: &Scene, sample: &Sample) -> f64 {
         match self.source() {
             Source::SceneTime(get) => get(scene, sample),
             Source::Time(get) | Source::Displacement(get) => get(sample),
@@ -115,14 +115,14 @@ impl Channel {
     pub fn at(self, run: &Run, t_s: f64) -> Option<f64> {
         if let Source::Law(get) = self.source() {
             let x_m = Self::PlateDisplacement.at(run, t_s)?;
-            return Some(get(&Law::of(run)?, x_m)).filter(|value| value.is_finite());
+            return Some(get(&Law::from_run(run)?, x_m)).filter(|value| value.is_finite());
         }
         let after = run.series.partition_point(|sample| sample.t_s <= t_s);
         let before = run.series.get(after.checked_sub(1)?).filter(|it| self.exists_in(it))?;
         let Some(next) = run.series.get(after) else {
-            return (t_s <= before.t_s).then(|| self.of(&run.scene, before));
+            return (t_s <= before.t_s).then(|| self.value(&run.scene, before));
         };
-        let (low, high) = (self.of(&run.scene, before), self.of(&run.scene, next));
+        let (low, high) = (self.value(&run.scene, before), self.value(&run.scene, next));
         let width = next.t_s - before.t_s;
         let share = if width > 0.0 { (t_s - before.t_s) / width } else { 0.0 };
         Some(low + share * (high - low))
@@ -130,7 +130,7 @@ impl Channel {
 
     /// Why there is nothing of it to draw in a run of a scene; `None` where there is.
     pub fn absence(self, scene: &Scene) -> Option<&'static str> {
-        let mechanism = Mechanism::of(scene);
+        let mechanism = Mechanism::from_scene(scene);
         let is_sprung = !mechanism.spring.is_absent();
         let (there, absent) = match self {
             Self::SpringForce => (is_sprung, "no spring"),

@@ -29,7 +29,7 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         Outcome::Separated => "sep",
         Outcome::Moving => "mov",
     };
-    Table::of(rows)
+    Table::new(rows)
         .with("scene", "scene", "", |row| row.case.name)
         .field("changes", |row| row.case.changes)
         .with("outcome", "ends", "", |row| row.run.outcome.word())
@@ -40,7 +40,7 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .with("error", "error", "", |row| row.error)
         .shown(|row, value| Some(format!("{}{}", brief(value.as_f64()?), row.basis?.letter())))
         .with("reference", "error against", "", |row| {
-            row.basis.map_or_else(|| "none".to_owned(), ReferenceSource::words)
+            row.basis.map_or_else(|| "none".to_owned(), ReferenceSource::label)
         })
         .field("method", |row| row.run.cost.method)
         .with("steps", "steps", "", |row| row.run.cost.steps)
@@ -64,7 +64,7 @@ pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> 
     let columns = 0..map.dt_s.len();
     let rows =
         (0..map.values.len()).flat_map(|row| columns.clone().map(move |column| (row, column)));
-    Table::of(rows)
+    Table::new(rows)
         .field("scene", move |_| scene)
         .field("method", |_| map.method.name())
         .field("variable", |_| map.axis.symbol())

@@ -94,7 +94,7 @@ impl SweepWriter<'_> {
     ) -> Table<'t, usize> {
         let is_all = self.columns == Columns::All;
         let run = |row: &usize| runs[*row].as_ref();
-        let mut table = Table::of(0..points.len());
+        let mut table = Table::new(0..points.len());
         for (at, axis) in self.plan.axes().iter().enumerate() {
             let value = move |row: &usize| self.plan.coordinate(points[*row], at);
             table = table.field(axis.symbol(), value);
@@ -106,7 +106,7 @@ impl SweepWriter<'_> {
                 .field("model", move |_| word("contact.model"))
                 .field("interface", move |_| word("interface.law"));
         }
-        table = table.field("outcome", move |row| found[*row].outcome.word());
+        table = table.field("outcome", move |row| found[*row].outcome.key());
         let verdicts = points.iter().map(|index| Verdict::of(&self.plan.scene(*index)));
         let verdicts: Rc<[Verdict]> = verdicts.collect();
         let words = Rc::clone(&verdicts);

@@ -45,7 +45,7 @@ pub struct Table<'c, R> {
 
 impl<'c, R> Table<'c, R> {
     /// A table of these rows, which has no column yet.
-    pub fn of(rows: impl IntoIterator<Item = R>) -> Self {
+    pub fn new(rows: impl IntoIterator<Item = R>) -> Self {
         Self { columns: Vec::new(), rows: rows.into_iter().collect() }
     }
 
@@ -181,7 +181,8 @@ impl<'c, R> Table<'c, R> {
         };
         let of = |(column, values): &(&Column<'_, R>, Vec<Value>)| {
             let takes_prefix = matches!(column.unit, "m" | "s" | "N" | "J" | "Pa");
-            let prefix = if takes_prefix { Prefix::of(size(column.unit)) } else { Prefix::NONE };
+            let prefix =
+                if takes_prefix { Prefix::for_value(size(column.unit)) } else { Prefix::NONE };
             let rows = self.rows.iter().zip(values);
             let gap = if column.unit.is_empty() { "" } else { ", " };
             Cells {
@@ -305,7 +306,7 @@ mod tests {
     type Row = (&'static str, Option<f64>, u64);
 
     fn table() -> Table<'static, Row> {
-        Table::of([("a, b", Some(0.1 + 0.2), 3), ("c", Some(f64::NAN), 1200), ("d", None, 0)])
+        Table::new([("a, b", Some(0.1 + 0.2), 3), ("c", Some(f64::NAN), 1200), ("d", None, 0)])
             .with("name", "name", "", |row: &Row| row.0)
             .with("depth_m", "depth", "m", |row: &Row| row.1)
             .with("steps", "steps", "", |row: &Row| row.2)
@@ -316,7 +317,7 @@ mod tests {
     fn a_text_is_no_formula_in_a_file() {
         let rows = ["=1+1.toml", "+1", "-2", "@x", "\tx", "-", "a=b"];
         let rows = rows.map(|name| (name, Some(-1.5), 0));
-        let table = Table::of(rows).with("name", "name", "", |row: &Row| row.0).with(
+        let table = Table::new(rows).with("name", "name", "", |row: &Row| row.0).with(
             "depth_m",
             "depth",
             "m",

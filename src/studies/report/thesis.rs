@@ -6,7 +6,7 @@ use crate::study::thesis::Row;
 
 /// The claims.
 pub fn claims(report: &[Row]) -> Table<'_, &Row> {
-    Table::of(report)
+    Table::new(report)
         .field("id", |row| row.claim.id)
         .field("where", |row| row.claim.place)
         .field("says", |row| row.claim.says)
@@ -20,7 +20,7 @@ pub fn claims(report: &[Row]) -> Table<'_, &Row> {
 
 /// The concepts of Table 7.1 with their printed and computed totals.
 pub fn concepts() -> Table<'static, Concept> {
-    Table::of(CONCEPTS)
+    Table::new(CONCEPTS)
         .field("concept", |it| it.name)
         .field("total", Concept::weighted)
         .field("total_printed", |it| it.total)
@@ -30,7 +30,7 @@ pub fn concepts() -> Table<'static, Concept> {
 
 /// The principles with their families and functions, in the order of Table 4.1.
 pub fn principles() -> Table<'static, Principle> {
-    Table::of(PRINCIPLES)
+    Table::new(PRINCIPLES)
         .field("family", |it| it.family)
         .field("principle", |it| it.name)
         .field("section", |it| it.section)

@@ -201,7 +201,7 @@ impl Traces {
                 },
             )
         };
-        let table = Table::of(rows)
+        let table = Table::new(rows)
             .with("column", "column", "", |row: &Row<'c>| row.0.heading.as_str())
             .with("quantity", "quantity", "", |row| row.0.channel.title().to_lowercase())
             .with("unit", "unit", "", |row| row.0.channel.unit())

@@ -23,7 +23,7 @@ impl ValidationLine<'_> {
     }
 
     fn quantity(&self) -> &'static str {
-        let word = self.case().map(|case| case.quantity.word());
+        let word = self.case().map(|case| case.quantity.label());
         word.or_else(|| Some(self.not_checked?.says)).unwrap_or("mean relative error")
     }
 
@@ -45,7 +45,7 @@ pub fn table(report: &[Row]) -> Table<'_, ValidationLine<'_>> {
     let cases = report.iter().map(|row| line(Some(row), None, None));
     let others = measurements().not_checked.iter().map(|it| line(None, Some(it), None));
     let biases = biases(report).into_iter().map(|it| line(None, None, Some(it)));
-    Table::of(cases.chain(others).chain(biases))
+    Table::new(cases.chain(others).chain(biases))
         .field("case", ValidationLine::id)
         .field("preset", |it| it.case().map(|case| case.preset))
         .field("quantity", ValidationLine::quantity)

@@ -152,7 +152,7 @@ pub fn compare(
     variables::validate(scene)?;
     variables::require_single(scene)?;
     variables::require_hydrodynamic(scene)?;
-    let references = References::of(scene);
+    let references = References::from_scene(scene);
     let end_s = references.any().map_or(f64::NAN, |reference| reference.end_s());
     let plan: Vec<(Method, Vec<Parameter>)> =
         Method::ALL.map(|method| (method, method.parameters(end_s, effort.ladder))).into();
@@ -267,9 +267,9 @@ impl MethodReport {
         let mut reasons: Vec<(&str, Vec<Parameter>)> = Vec::new();
         for Point { parameter, result } in &self.points {
             let Err(refusal) = result else { continue };
-            match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
+            match reasons.iter_mut().find(|(words, _)| *words == refusal.message()) {
                 Some((_, parameters)) => parameters.push(*parameter),
-                None => reasons.push((refusal.words(), vec![*parameter])),
+                None => reasons.push((refusal.message(), vec![*parameter])),
             }
         }
         reasons

@@ -127,7 +127,7 @@ pub enum Verdict {
 
 impl Verdict {
     /// In words, for a page.
-    pub fn words(&self) -> String {
+    pub fn message(&self) -> String {
         match self {
             Self::Stops(efficiency) if is_equal(*efficiency) => {
                 "the mechanism makes no difference to a solid plate".to_owned()
@@ -278,7 +278,7 @@ fn uncounted(scene: &Scene) -> Vec<&'static str> {
     if !scene.is_sprung() {
         return Vec::new();
     }
-    let mechanism = Mechanism::of(scene);
+    let mechanism = Mechanism::from_scene(scene);
     let damper = (!mechanism.damper.is_absent()).then_some("damper");
     damper.into_iter().chain(mechanism.stop.is_some().then_some("stop")).collect()
 }
@@ -307,7 +307,7 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
 
 /// A spring whose mass is counted by the energy of the shot keeps the mass that the design shot gives it.
 fn hold_spring_mass(scene: &mut Scene) {
-    let mass_kg = Inertia::of(scene).spring_mass_kg;
+    let mass_kg = Inertia::from_scene(scene).spring_mass_kg;
     let spring = &mut scene.mechanism.spring;
     if spring.own_mass == OwnMass::Counted {
         spring.mass_kg = spring.mass_kg.or(mass_kg);

@@ -55,11 +55,11 @@ pub(in crate::study) fn contact(
     wanted: ContactOutput,
     tolerance: f64,
 ) -> Option<ContactEnd> {
-    decides(scene, wanted).then(|| Contact::of(scene)?.run(tolerance))?
+    decides(scene, wanted).then(|| Contact::from_scene(scene)?.run(tolerance))?
 }
 
 /// Whether a shot whose first contact ends so has perforated the plate, by the scene's criterion.
-pub(in crate::study) fn is_through(scene: &Scene, end: &ContactEnd) -> bool {
+pub(in crate::study) fn is_perforated(scene: &Scene, end: &ContactEnd) -> bool {
     let by_protrusion = scene.target.criterion == Criterion::Protrusion;
     !end.arrested || by_protrusion && end.penetration_m > scene.effective_thickness_m()
 }
@@ -93,7 +93,7 @@ pub(in crate::study) fn max_displacement_m(scene: &Scene, end: &ContactEnd) -> O
     if !scene.is_sprung() {
         return Some(0.0);
     }
-    let spring = Mechanism::of(scene).spring;
+    let spring = Mechanism::from_scene(scene).spring;
     let w = end.plate_velocity_m_s;
     if spring.is_absent() {
         return (w <= 0.0).then_some(end.max_displacement_m);

@@ -26,7 +26,7 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
     if !run.scene.is_sprung() {
         return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
     }
-    let mechanism = Mechanism::of(&run.scene);
+    let mechanism = Mechanism::from_scene(&run.scene);
     let hit = |kind| run.events.iter().any(|event| event.kind == kind);
     if mechanism.rigid_stop().is_some() && hit(EventKind::StopHit) {
         // It stops the plate in no time.
@@ -40,7 +40,7 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
 
 /// Whether a sprung plate never leaves its place: a singular spring takes whatever comes, like a rigid mount.
 pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f64>) -> bool {
-    let mechanism = Mechanism::of(scene);
+    let mechanism = Mechanism::from_scene(scene);
     scene.is_sprung()
         && !mechanism.is_absent()
         && mechanism.spring.force(scene.start_m()) == 0.0
@@ -67,7 +67,7 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
         };
         return Some(m_p * cos * (struck - left));
     }
-    let mechanism = Mechanism::of(scene);
+    let mechanism = Mechanism::from_scene(scene);
     if mechanism.is_absent() && mechanism.stop.is_none() {
         return None;
     }
@@ -91,7 +91,7 @@ pub(in crate::study) fn spring_energy_j(
     start_m: f64,
     max_displacement_m: Option<f64>,
 ) -> Option<f64> {
-    let spring = Mechanism::of(scene).spring;
+    let spring = Mechanism::from_scene(scene).spring;
     if !scene.is_sprung() || spring.is_absent() {
         return Some(0.0);
     }

@@ -295,13 +295,13 @@ pub fn run(
     report.nominal = nominal.as_ref().map(|found| found.outcome);
     let summary = |(at, values)| {
         let nominal = nominal.as_ref().and_then(|found| found.values[at]);
-        Summary::of(space.outputs()[at], nominal, values)
+        Summary::new(space.outputs()[at], nominal, values)
     };
     report.summaries = values.into_iter().enumerate().map(summary).collect();
     if let Some(at) = limit {
         let bare = report.summaries[at].nominal;
         let nominal = bare.map(|limit_m_s| limit_m_s / (1.0 + model.bias));
-        let summary = Summary::of(space.outputs()[at], nominal, corrected);
+        let summary = Summary::new(space.outputs()[at], nominal, corrected);
         report.summaries.insert(at, Summary { has_model_error: true, ..summary });
     }
     Ok(report)
@@ -377,8 +377,8 @@ fn sample(
 
 /// The part that perforates, of all that came to an end.
 fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
-    let ended = (counts.total() - counts.failed - counts.of(Outcome::Moving)) as f64;
-    let part = counts.of(Outcome::Perforated) as f64 / ended;
+    let ended = (counts.total() - counts.failed - counts.count(Outcome::Moving)) as f64;
+    let part = counts.count(Outcome::Perforated) as f64 / ended;
     (ended > 0.0).then(|| {
         let (low_95, high_95) = wilson(part, ended);
         Estimate { value: part, low_95, high_95 }
@@ -386,7 +386,7 @@ fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
 }
 
 impl Summary {
-    fn of(measure: &'static Quantity, nominal: Option<f64>, mut values: Vec<f64>) -> Self {
+    fn new(measure: &'static Quantity, nominal: Option<f64>, mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         let n = values.len() as f64;
         let mean = |(mean, deviation)| {

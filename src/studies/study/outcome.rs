@@ -27,7 +27,7 @@ pub enum Failure {
 
 impl Failure {
     /// The reason in words.
-    pub fn words(self) -> &'static str {
+    pub fn message(self) -> &'static str {
         match self {
             Self::Early(reason) => reason.words(),
             Self::Refused => "the scene makes no physical sense",
@@ -38,7 +38,7 @@ impl Failure {
 
 impl PointOutcome {
     /// The word used in files and on screens.
-    pub fn word(self) -> &'static str {
+    pub fn key(self) -> &'static str {
         match self {
             Self::Ended(outcome) => outcome.word(),
             Self::Failed(_) => "failed",
@@ -66,7 +66,7 @@ impl PointOutcome {
     }
 
     /// The outcome of a run's shot.
-    pub fn of(run: &Run) -> Self {
+    pub fn from_run(run: &Run) -> Self {
         if run.end.is_complete() {
             Self::Ended(run.shot_outcome())
         } else {
@@ -109,7 +109,7 @@ impl OutcomeCounts {
     }
 
     /// How many shots ended like this.
-    pub fn of(self, outcome: Outcome) -> u64 {
+    pub fn count(self, outcome: Outcome) -> u64 {
         self.ended[outcome as usize]
     }
 

@@ -156,7 +156,7 @@ impl Plan {
     }
 
     /// The sweep kept with a scene.
-    pub fn of(scene: &Scene) -> Result<Self, SweepError> {
+    pub fn from_scene(scene: &Scene) -> Result<Self, SweepError> {
         let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
         Self::new(scene, Axis::all_of(sweep)?, &sweep.outputs)
     }

@@ -75,7 +75,7 @@ struct Check {
 
 impl Check {
     /// Values, what they are of, and whether they bear out the verdict.
-    fn of(what: &str, values: &[f64], unit: &str, holds: bool) -> Self {
+    fn new(what: &str, values: &[f64], unit: &str, holds: bool) -> Self {
         Self { text: format!("{what} {}", list(values, unit)), holds }
     }
 }

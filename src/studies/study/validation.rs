@@ -127,7 +127,7 @@ pub enum MeasuredQuantity {
 
 impl MeasuredQuantity {
     /// The word.
-    pub fn word(self) -> &'static str {
+    pub fn label(self) -> &'static str {
         match self {
             Self::Limit => "ballistic limit",
             Self::RepeatLimit(2) => "ballistic limit of two equal hits at one place",

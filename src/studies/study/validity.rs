@@ -153,7 +153,7 @@ pub struct DesignValidity {
 impl DesignValidity {
     /// Checks a design found by a measure: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the
     /// original scene fails.
-    pub fn of(
+    pub fn from_run(
         design: &Scene,
         measure: &Quantity,
         known: &[Check],
@@ -199,15 +199,15 @@ impl Plastic {
         let mut plastic = design.clone();
         plastic.interface.law = InterfaceLaw::Plastic;
         let run = run_while(&plastic, STEPS_MAX, goes_on)?;
-        let outcome = PointOutcome::of(&run);
+        let outcome = PointOutcome::from_run(&run);
         let value = measure.value(&run).filter(|_| outcome.counts(measure));
         Some(Self { outcome, value })
     }
 
     /// In words: `plastic: 5.269 mm`, `plastic: perforated`.
-    pub fn words(&self, measure: &Quantity) -> String {
+    pub fn message(&self, measure: &Quantity) -> String {
         let shown = self.value.map(|value| measure.show(value, 4));
-        format!("plastic: {}", shown.unwrap_or_else(|| self.outcome.word().to_owned()))
+        format!("plastic: {}", shown.unwrap_or_else(|| self.outcome.key().to_owned()))
     }
 }
 

@@ -136,7 +136,7 @@ impl<T> CachedResult<T> {
     }
 
     /// Whether it belongs to another scene than this one.
-    pub fn is_old(&self, scene: &Scene) -> bool {
+    pub fn is_stale(&self, scene: &Scene) -> bool {
         self.found.is_some() && *self.scene != *scene
     }
 

@@ -192,7 +192,7 @@ mod tests {
     fn no_contour_runs_between_values_equal_within_rounding() {
         let flat = |x: usize, y: usize| Cell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
         let axis = Axis::new("x", ViewRange::new(0.0, 10.0));
-        let levels = Levels::of([0.0, 110.0]);
+        let levels = Levels::from_values([0.0, 110.0]);
         let map = Map {
             contour: Some((100.0 + 3e-14, "".into())),
             ..Map::new("flat", (axis.clone(), axis), (11, 6), levels, flat)
@@ -208,7 +208,7 @@ mod tests {
         {
             let axis = Axis::new("x", ViewRange::new(0.8, 7.0));
             let cell = |x: usize, y: usize| Cell::Value((x * 100 + y) as f64);
-            let levels = Levels::of([0.0, 1.0]);
+            let levels = Levels::from_values([0.0, 1.0]);
             let map = Map::new("map", (axis.clone(), axis), (count, count), levels, cell);
             let area = Rect::new(0, 0, width + 12, height + 4);
             let layout = map.render(area, &mut Buffer::empty(area), Theme::PLAIN);

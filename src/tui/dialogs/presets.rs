@@ -165,7 +165,7 @@ pub(crate) fn take(app: &mut App, entry: PresetEntry) -> Result<(), String> {
         return Ok(());
     };
     let scene = entry.scene_on(&app.scene).map_err(|error| error.to_string())?;
-    let label = format!("{} {}", part.library.word(), part.name);
+    let label = format!("{} {}", part.library.key(), part.name);
     edit::commit_scene(app, scene, label.clone(), None);
     if part.warning.is_empty() {
         app.report_progress(format!("{label} (<undo> undoes)"));

@@ -27,13 +27,13 @@ impl List for ChoiceDialog {
     const FOOTER: &'static str = "<enter> take it  <down>/<up> move  <quit> close";
 
     fn count(&self, app: &App, _: &str) -> usize {
-        app.pages.run.editor.variable().words().len()
+        app.pages.run.editor.variable().keys().len()
     }
 
     /// A word that is refused leaves the list open, with the reason.
     fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
         let index = app.pages.run.editor.selected;
-        let Some(word) = app.pages.run.editor.variable().words().get(picker.selected) else {
+        let Some(word) = app.pages.run.editor.variable().keys().get(picker.selected) else {
             return Outcome::Closes;
         };
         match edit::set(app, index, Value::Word(word), None) {
@@ -47,7 +47,7 @@ impl List for ChoiceDialog {
 
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
         let variable = app.pages.run.editor.variable();
-        let words = variable.words();
+        let words = variable.keys();
         let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
         let size = (WIDTH, count.saturating_add(NOTE_ROWS + 3));
         let pane = PaneFrame::new(variable.symbol);

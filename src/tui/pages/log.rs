@@ -8,7 +8,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::{broken, counted};
 
-pub const LOG: Pane = Pane::of(Tab::Log, 0);
+pub const LOG: Pane = Pane::new(Tab::Log, 0);
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[

@@ -100,7 +100,7 @@ impl Page for NumericsTab {
                     move |reach| accuracy_table::table(&name, &report).with_reach(reach).csv();
                 let title = "Export the measurements to CSV";
                 let table = PageTable::new(title, "accuracy.csv", kept.reach, csv);
-                table.of(app, &kept.scene, "accuracy")
+                table.from_page(app, &kept.scene, "accuracy")
             }
             STIFF_SCENES => {
                 let kept = &tab.stability.battery;
@@ -121,7 +121,7 @@ impl Page for NumericsTab {
                     table.with_warnings(&warnings).with_reach(reach).csv()
                 };
                 let table = PageTable::new("Export the map to CSV", "map.csv", kept.reach, csv);
-                table.of(app, &kept.scene, command)
+                table.from_page(app, &kept.scene, command)
             }
         })
     }

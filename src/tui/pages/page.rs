@@ -70,7 +70,7 @@ pub(crate) fn progress<S: AskedFor, T>(
 ) -> Option<StatusPart> {
     match app.jobs.running::<S>() {
         Some(running) => Some(under_way(&words(running))),
-        None if kept.is_old(scene) => Some(part(Severity::Warning, old("scene"))),
+        None if kept.is_stale(scene) => Some(part(Severity::Warning, old("scene"))),
         None if kept.found.is_none() => Some(part(Severity::Note, NO_RESULTS)),
         None => (!kept.is_complete()).then(|| cut(kept, items)),
     }

@@ -261,7 +261,7 @@ const WORDS_LISTED: usize = 3;
 
 /// Whether the selected variable has so many words that a list is clearer than going to the next one.
 pub(crate) fn is_list(app: &App) -> bool {
-    app.pages.run.editor.variable().words().len() >= WORDS_LISTED
+    app.pages.run.editor.variable().keys().len() >= WORDS_LISTED
 }
 
 /// Select a variable in the list of all.

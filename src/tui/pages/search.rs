@@ -186,7 +186,7 @@ impl Page for SearchTab {
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         let Some(request) = SearchRequest::of(&running.asked) else { return };
-        let (tab, page) = (&mut app.pages.search, state::Page::of(request) as usize);
+        let (tab, page) = (&mut app.pages.search, state::Page::from_request(request) as usize);
         if let ReportBody::Failed(text) = news {
             tab.problem[page] = Some(text.clone());
         } else {
@@ -202,7 +202,7 @@ impl Page for SearchTab {
         let csv = move |reach| answer.csv(&scene, &name, reach);
         let (title, file) = ("Export the results to CSV", app.pages.search.page.study().file);
         let table = PageTable::new(title, file, kept.reach, csv);
-        Some(table.of(app, &kept.scene, command))
+        Some(table.from_page(app, &kept.scene, command))
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -305,7 +305,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
             let mut axis = setup.seek.clone();
             part.change(&mut axis, (&app.scene, &unit), input, &SCAN)?;
             // There can be a scan of it.
-            Axis::of(&axis, &SCAN).map_err(|error| error.to_string())?;
+            Axis::from_sweep_axis(&axis, &SCAN).map_err(|error| error.to_string())?;
             setup.seek = axis;
         }
         (Row::Result, _) => {

@@ -35,7 +35,7 @@ impl Part {
                 text: Some(units::significant(value, FIELD_DIGITS)),
                 unit,
                 quantity: Some(FieldQuantity { unit: unit.to_owned(), variable }),
-                ..FormRow::word(label, shown_number(value, usize::from(VALUE_WIDTH)))
+                ..FormRow::choice(label, shown_number(value, usize::from(VALUE_WIDTH)))
             }
         };
         let line = match self {
@@ -43,7 +43,7 @@ impl Part {
             Self::From => end("from", axis.from),
             Self::To => end("to", axis.to),
             Self::Points => FormRow::typed("points", axis.count.to_string()),
-            Self::Spacing => FormRow::word("spacing", if axis.log { "log" } else { "linear" }),
+            Self::Spacing => FormRow::choice("spacing", if axis.log { "log" } else { "linear" }),
         };
         line.means(variable.map_or_else(|| axis.name.clone(), meaning))
     }

@@ -49,27 +49,27 @@ pub(crate) struct FieldQuantity {
 
 impl FormRow {
     pub(crate) fn heading(label: &str) -> Self {
-        Self { role: Role::Title, ..Self::word(label, "") }
+        Self { role: Role::Title, ..Self::choice(label, "") }
     }
 
     /// A row whose values are gone through.
-    pub(crate) fn word(label: &str, value: impl Into<String>) -> Self {
+    pub(crate) fn choice(label: &str, value: impl Into<String>) -> Self {
         Self { label: label.to_owned(), value: value.into(), ..Self::default() }
     }
 
     pub(crate) fn switch(label: &str, on: bool) -> Self {
-        let row = Self::word(label, if on { "yes" } else { "no" });
+        let row = Self::choice(label, if on { "yes" } else { "no" });
         Self { role: if on { Role::Text } else { Role::Dim }, ..row }
     }
 
     pub(crate) fn typed(label: &str, value: impl Into<String>) -> Self {
-        let row = Self::word(label, value);
+        let row = Self::choice(label, value);
         Self { text: Some(row.value.clone()), ..row }
     }
 
     pub(crate) fn quantity(name: &str) -> Self {
         let title = named(name).map_or_else(|_| name.to_owned(), Quantity::title);
-        Self { text: Some(title.clone()), ..Self::word(&title, "") }.means(quantity_meaning(name))
+        Self { text: Some(title.clone()), ..Self::choice(&title, "") }.means(quantity_meaning(name))
     }
 
     pub(crate) fn means(self, meaning: impl Into<String>) -> Self {

@@ -55,7 +55,7 @@ impl Canvas<'_> {
     /// The bands in one row, each with its lower bound: where all have no room, every second one, every third one, ...
     fn put_bands(&mut self, map: &Map<'_>, area: Rect) {
         let Some(levels) = &map.levels else { return };
-        let range = ViewRange::of(Scale::Linear, map.values()).unwrap_or_default();
+        let range = ViewRange::from_values(Scale::Linear, map.values()).unwrap_or_default();
         let unit = Unit::with_prefix(range.size(), map.unit);
         let contour = map.contour.as_ref().map(|(_, name)| named('O', name));
         let unit_name =

@@ -363,7 +363,7 @@ impl Shape {
 
 /// The force of a power law alone where the plate starts and turns, N; else that of the rows.
 fn mount_n(scene: &Scene) -> f64 {
-    let Mechanism { spring, damper, stop } = Mechanism::of(scene);
+    let Mechanism { spring, damper, stop } = Mechanism::from_scene(scene);
     if spring.power().is_none() || !damper.is_absent() || stop.is_some() {
         return 4e3;
     }

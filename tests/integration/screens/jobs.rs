@@ -22,8 +22,10 @@ const SAMPLES: usize = 2000;
 /// The search that was submitted last.
 fn searched(bench: &mut Bench) -> (u64, Page) {
     let studies = bench.studies();
-    let found =
-        studies.iter().rev().find_map(|it| Some((it.id, Page::of(SearchRequest::of(&it.asked)?))));
+    let found = studies
+        .iter()
+        .rev()
+        .find_map(|it| Some((it.id, Page::from_request(SearchRequest::of(&it.asked)?))));
     found.expect("a search")
 }
 
@@ -127,7 +129,7 @@ fn a_search_goes_on_while_others_are_begun() {
 }
 
 fn page_of(running: &Running) -> Page {
-    Page::of(SearchRequest::of(&running.asked).expect("a search"))
+    Page::from_request(SearchRequest::of(&running.asked).expect("a search"))
 }
 
 /// Monte Carlo and a goal seek in the workbench, on real threads: both run at once, and both end with all of their runs.

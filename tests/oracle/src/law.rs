@@ -93,7 +93,7 @@ impl<'a> Shot<'a> {
         let law = Law::new(&scene.mechanism);
         let mut shot = Self {
             scene,
-            geometry: Geometry::of(scene),
+            geometry: Geometry::from_scene(scene),
             contact: Contact::new(scene),
             corners_m: law.corners_m(),
             law,

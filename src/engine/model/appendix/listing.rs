@@ -62,7 +62,7 @@ pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Ob
 
 /// Runs the listing on a scene, without error estimate and without the rigid-mount run.
 pub fn compute(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>) -> Run {
-    let scheme = Scheme::of(scene, listing);
+    let scheme = Scheme::from_scene(scene, listing);
     let state = scheme.start;
     let mut run = Run { scene: Arc::clone(scene), ..Run::default() };
     (run.cost.method, run.cost.reason) = ("Appendix A", "fixed step, force held over it");

@@ -107,7 +107,7 @@ struct Force {
 }
 
 impl Force {
-    fn of(law: PowerLaw) -> Self {
+    fn new(law: PowerLaw) -> Self {
         Self { law, is_linear: law.is_linear(), inverse: 0.0, terms: [0.0; TERMS] }
     }
 
@@ -158,7 +158,7 @@ impl Contact {
         area: AreaLaw,
     ) -> Option<Series> {
         let AreaLaw::Quadratic { origin_m, a } = area else { return None };
-        let (mut spring, mut damper) = (Force::of(spring), Force::of(damper));
+        let (mut spring, mut damper) = (Force::new(spring), Force::new(damper));
         let zero = [0.0; TERMS];
         let [mut travel, mut slip, mut plate, mut speed] = [zero; 4];
         let [mut offset, mut area, mut pressure, mut slowing, mut driving] = [zero; 5];

@@ -20,7 +20,7 @@ pub(in crate::model) struct History {
 }
 
 impl History {
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(super) fn from_scene(scene: &Scene) -> Self {
         let (mass_kg, velocity_m_s) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
         let duration_s = duration_s(scene);
         Self {

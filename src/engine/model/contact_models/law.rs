@@ -23,12 +23,12 @@ pub(in crate::model) enum ContactLaw {
 
 impl ContactLaw {
     /// Builds the contact law of a valid scene.
-    pub(in crate::model) fn of(scene: &Scene) -> Self {
+    pub(in crate::model) fn from_scene(scene: &Scene) -> Self {
         match scene.contact.model {
             ContactModel::Hydrodynamic | ContactModel::Appendix => Self::Flow,
-            ContactModel::HalfSine => Self::History(History::of(scene)),
+            ContactModel::HalfSine => Self::History(History::from_scene(scene)),
             ContactModel::InitialVelocity => Self::AtOnce,
-            ContactModel::Lumped => Self::Lumped(Lumped::of(scene)),
+            ContactModel::Lumped => Self::Lumped(Lumped::from_scene(scene)),
         }
     }
 

@@ -19,7 +19,7 @@ pub(in crate::model) struct Lumped {
 }
 
 impl Lumped {
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(super) fn from_scene(scene: &Scene) -> Self {
         let (load_n_m, unload_n_m) = stiffnesses_n_m(scene);
         Self {
             load_n_m,
@@ -107,8 +107,8 @@ mod tests {
             ("k_load=1e6 b_2=0", 0.99 * 100.0 * (0.0295f64 / 1e6).sqrt()),
             (&critical, critical_m),
         ] {
-            let found_m =
-                Lumped::of(&scene_with(&format!("model=lumped {pairs}"))).on_rigid_mount_m();
+            let found_m = Lumped::from_scene(&scene_with(&format!("model=lumped {pairs}")))
+                .on_rigid_mount_m();
             assert!((found_m / dent_m - 1.0).abs() < 1e-14, "{pairs}: {found_m} {dent_m}");
         }
     }

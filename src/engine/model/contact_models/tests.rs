@@ -127,8 +127,8 @@ fn valid_a_joined_plate_goes_as_far_on_any_spring_as_its_energy_allows() {
     });
     for pairs in kinds.into_iter().chain(powers) {
         let scene = scene_with(&format!("model=initial-velocity {pairs}"));
-        let spring = Mechanism::of(&scene).spring;
-        let joined_kg = 0.0295 + scene.plate_mass_kg() + Inertia::of(&scene).added_kg;
+        let spring = Mechanism::from_scene(&scene).spring;
+        let joined_kg = 0.0295 + scene.plate_mass_kg() + Inertia::from_scene(&scene).added_kg;
         let energy_j = 0.5 * (0.0295 * scene.projectile.velocity_m_s).powi(2) / joined_kg;
         let run = run_of(&scene);
         assert_eq!((run.final_penetration_m, run.peak_contact_force_n), (None, None));
@@ -214,7 +214,7 @@ fn valid_a_plate_that_moves_at_first_contact() {
     let depth_mm = |pairs: &str| depth_mm(&listed(&format!("dt=1e-7 k=0 {pairs}"), fixed));
     let (moving, resting) = (depth_mm("v_i=100 w_0=20"), depth_mm("v_i=80"));
     assert!(close(moving, resting, 1e-9), "{moving}, not {resting}");
-    let start = Scheme::of(&scene_with("d=0.01 w_0=20"), Listing::default()).start;
+    let start = Scheme::from_scene(&scene_with("d=0.01 w_0=20"), Listing::default()).start;
     assert_eq!((start.plate, start.slip_m_s), ([-0.01, 20.0], 100.0));
 }
 

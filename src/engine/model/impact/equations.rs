@@ -95,11 +95,11 @@ pub(super) struct Equations<'a> {
 
 impl ImpactParameters {
     /// Builds the parameters of a valid scene for steps to a tolerance.
-    pub(super) fn of(scene: &Scene, tolerance: f64) -> Self {
-        let law = ContactLaw::of(scene);
+    pub(super) fn from_scene(scene: &Scene, tolerance: f64) -> Self {
+        let law = ContactLaw::from_scene(scene);
         let flows = law == ContactLaw::Flow;
-        let geometry = Geometry::of(scene);
-        let mechanism = Mechanism::of(scene);
+        let geometry = Geometry::from_scene(scene);
+        let mechanism = Mechanism::from_scene(scene);
         let cos = geometry.nose.cos;
         let closing_m_s = scene.closing_velocity_m_s();
         let velocity_m_s = larger(scene.projectile.velocity_m_s, closing_m_s);
@@ -120,7 +120,7 @@ impl ImpactParameters {
             spring: mechanism.spring,
             projectile_kg,
             plate_kg,
-            turning_kg: Inertia::of(scene).rotation_kg,
+            turning_kg: Inertia::from_scene(scene).rotation_kg,
             joined_kg: plate_kg + projectile_kg * cos * cos,
             cos,
             strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
@@ -204,7 +204,7 @@ impl ImpactParameters {
     pub(super) fn crushed_at(&self, x_m: f64, before_m: f64) -> Option<(Spring, f64)> {
         let mechanism = self.absorber.as_ref()?;
         let crushed_m = mechanism.spring.crush.crushed_by(x_m, before_m)?;
-        Some((Spring::of(mechanism, crushed_m), crushed_m))
+        Some((Spring::new(mechanism, crushed_m), crushed_m))
     }
 
     /// Part of the mechanism's force that the interface carries while the bodies move together.

@@ -6,7 +6,10 @@ use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
 use crate::numerics::larger;
 
 /// The events that can end a mode.
-pub(super) fn of(setup: &ImpactParameters, mode: &HybridMode) -> impl Iterator<Item = Event> {
+pub(super) fn possible_events(
+    setup: &ImpactParameters,
+    mode: &HybridMode,
+) -> impl Iterator<Item = Event> {
     let (below, above) = mode.spring.ends(mode.stretch);
     let is_free = mode.hold == PlateConstraint::Free;
     let of_plate = [
@@ -110,17 +113,21 @@ mod tests {
     #[test]
     fn a_mode_has_the_events_that_can_end_it() {
         for (pairs, contact, is_pressed, expected) in MODES {
-            let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
+            let setup = ImpactParameters::from_scene(&scene_with(pairs), 1e-12);
             let w_side = if is_pressed { -1.0 } else { 1.0 };
             let mode = HybridMode { contact, is_pressed, w_side, ..first(&setup).0 };
-            assert_eq!(of(&setup, &mode).collect::<Vec<_>>(), expected, "{pairs} {contact:?}");
+            assert_eq!(
+                possible_events(&setup, &mode).collect::<Vec<_>>(),
+                expected,
+                "{pairs} {contact:?}"
+            );
         }
-        let setup = ImpactParameters::of(&scene_with("mount=rigid"), 1e-12);
+        let setup = ImpactParameters::from_scene(&scene_with("mount=rigid"), 1e-12);
         let mode = first(&setup).0;
-        assert!(of(&setup, &mode).eq([Event::PieceEnd, Event::SlipZero]));
+        assert!(possible_events(&setup, &mode).eq([Event::PieceEnd, Event::SlipZero]));
         // Where the plate cannot move the slip is zero at the end of the history alone.
-        let setup = ImpactParameters::of(&scene_with("mount=rigid model=half-sine"), 1e-12);
-        assert!(of(&setup, &first(&setup).0).eq([Event::HistoryEnd]));
+        let setup = ImpactParameters::from_scene(&scene_with("mount=rigid model=half-sine"), 1e-12);
+        assert!(possible_events(&setup, &first(&setup).0).eq([Event::HistoryEnd]));
     }
 
     /// Scene, contact and event, and states (q, u, x, w) before and beyond it.
@@ -150,7 +157,7 @@ mod tests {
     #[test]
     fn a_gap_is_above_zero_before_its_event_and_below_beyond_it() {
         for (pairs, contact, event, before, beyond) in GAPS {
-            let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
+            let setup = ImpactParameters::from_scene(&scene_with(pairs), 1e-12);
             let w_side = before[3].signum();
             let mode = HybridMode { contact, deepest_m: 5e-3, w_side, ..first(&setup).0 };
             let at = |[q_m, u_m_s, x_m, w_m_s]: [f64; 4]| {

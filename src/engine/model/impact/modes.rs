@@ -443,7 +443,7 @@ mod tests {
         event: Event,
         [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
     ) -> (HybridMode, State) {
-        let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
+        let setup = ImpactParameters::from_scene(&scene_with(pairs), 1e-12);
         let (first, state) = first(&setup);
         let mut mode = HybridMode { contact, deepest_m: 5e-3, ..first };
         if contact == Contact::Withdrawing {
@@ -495,7 +495,7 @@ mod tests {
             after_event("k=1e5", Contact::Penetrating, Event::PieceEnd, [6e-3, 9.0, 0.0, 1.0]);
         assert_eq!(mode.contact, Contact::Penetrating);
         assert_eq!(mode.piece.from_m.to_bits(), state.q_m.to_bits());
-        let setup = ImpactParameters::of(&scene_with("k=1e5"), 1e-12);
+        let setup = ImpactParameters::from_scene(&scene_with("k=1e5"), 1e-12);
         let mut last = first(&setup).0;
         last.piece = *setup.geometry.pieces().last().unwrap();
         let mut state = State { u_m_s: 9.0, ..State::default() };
@@ -576,13 +576,17 @@ mod tests {
     /// 2.95 kg m/s of both bodies together: at once, and after a history that leaves each the velocity that it has.
     #[test]
     fn valid_bodies_that_become_one_keep_their_momentum() {
-        let (mode, state) =
-            first(&ImpactParameters::of(&scene_with("gamma=1 model=initial-velocity"), 1e-12));
+        let (mode, state) = first(&ImpactParameters::from_scene(
+            &scene_with("gamma=1 model=initial-velocity"),
+            1e-12,
+        ));
         assert_eq!((mode.contact, state.u_m_s.to_bits()), (Contact::Fused, 0));
         assert!((state.w_m_s - 50.0).abs() < 1e-13);
-        let still =
-            first(&ImpactParameters::of(&scene_with("mount=rigid model=initial-velocity"), 1e-12))
-                .1;
+        let still = first(&ImpactParameters::from_scene(
+            &scene_with("mount=rigid model=initial-velocity"),
+            1e-12,
+        ))
+        .1;
         assert_eq!(still.w_m_s.to_bits(), 0);
         let state = [4e-3, -90.0, 1e-4, 95.0];
         let pairs = "gamma=1 model=half-sine";
@@ -607,7 +611,7 @@ mod tests {
 
     #[test]
     fn a_displacement_is_measured_from_the_nearer_of_stop_and_zero() {
-        let mode = first(&ImpactParameters::of(&scene_with("k=1e5 x_stop=1mm"), 1e-12)).0;
+        let mode = first(&ImpactParameters::from_scene(&scene_with("k=1e5 x_stop=1mm"), 1e-12)).0;
         for (x_m, expected) in [(-4e-4, (1e-3, -4e-4)), (-7.5e-4, (0.0, 2.5e-4))] {
             let mut mode = HybridMode { origin_m: 1e-3, ..mode.clone() };
             let mut state = State { x_m, ..State::default() };
@@ -630,7 +634,8 @@ mod tests {
     /// 19 kN against k x^n: a spring of 1 MN/m^0.1 yields by 7e-18 m, one of 100 kN/m by 0.19 m.
     #[test]
     fn a_steep_spring_holds_the_plate_at_first_and_a_soft_one_does_not() {
-        let hold = |pairs: &str| first(&ImpactParameters::of(&scene_with(pairs), 1e-12)).0.hold;
+        let hold =
+            |pairs: &str| first(&ImpactParameters::from_scene(&scene_with(pairs), 1e-12)).0.hold;
         assert_eq!(hold("k=1e6 n=0.1"), PlateConstraint::Spring);
         assert_eq!(hold("k=1e6 n=0.2"), PlateConstraint::Spring);
         for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001", "b=100 m=0.5", "b=1e4 m=0.2"] {

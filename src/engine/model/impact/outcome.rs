@@ -531,7 +531,7 @@ mod tests {
     #[test]
     fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
         let pairs = "k=1e7 gamma=1 interface=plastic g=2";
-        let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
+        let setup = ImpactParameters::from_scene(&scene_with(pairs), 1e-12);
         let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
         let energy_j = 1.001 * 1.001 * holding_j;

@@ -16,7 +16,7 @@ pub(super) struct DenseOutput<'a> {
 
 impl<'a> DenseOutput<'a> {
     /// From what gives the state at a part of the step, 0 to 1.
-    pub(super) fn of(at: &'a dyn Fn(f64) -> State) -> Self {
+    pub(super) fn new(at: &'a dyn Fn(f64) -> State) -> Self {
         Self { at, looks: array::from_fn(|look| at(look as f64 / CELLS as f64)) }
     }
 

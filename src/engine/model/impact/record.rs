@@ -500,7 +500,7 @@ mod tests {
             let at = |s: f64| State { t_s: s, q_m: 5e-3, x_m: far_m * s, ..State::default() };
             let record = look("gamma=1 k=1e7", Contact::Fused, [0.0; 4], |equations, _| {
                 let mut record = Recorder::default();
-                record.step(equations, &DenseOutput::of(&at));
+                record.step(equations, &DenseOutput::new(&at));
                 record
             });
             let t_s = record.loads.exceeded_s[way].unwrap();

@@ -213,7 +213,7 @@ impl ImpactRun<'_> {
         // Once the plug is picked up, the geometry is no longer that of the first contact.
         let of_scene;
         let geometry = if self.setup.shears() {
-            of_scene = Geometry::of(self.scene);
+            of_scene = Geometry::from_scene(self.scene);
             &of_scene
         } else {
             geometry
@@ -224,7 +224,7 @@ impl ImpactRun<'_> {
     fn ledger(&self) -> EnergyLedger {
         let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
         let (setup, state) = (self.setup, &self.state);
-        let added_kg = Inertia::of(self.scene).added_kg;
+        let added_kg = Inertia::from_scene(self.scene).added_kg;
         let x_m = self.equations().displacement_m(state.x_m);
         let stored_j = self.mode.spring.energy(x_m);
         // An absorber that is being crushed gives back less than was spent on it.
@@ -246,7 +246,7 @@ impl ImpactRun<'_> {
 
     fn load(&self, max_displacement_m: Option<f64>) -> MechanismLoad {
         let spring = &self.setup.spring;
-        let inertia = Inertia::of(self.scene);
+        let inertia = Inertia::from_scene(self.scene);
         let ends = max_displacement_m
             .filter(|_| !self.setup.still)
             .map(|far_m| [self.setup.start_m, far_m]);

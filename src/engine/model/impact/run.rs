@@ -204,7 +204,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         }
         let is_behind =
             |event: &Event| event_function(&equations, *event, &self.course.state) < 0.0;
-        let mut events = events::of(self.course.setup, &self.course.mode);
+        let mut events = events::possible_events(self.course.setup, &self.course.mode);
         events.find(|event| is_behind(event) && !self.is_undone_by(*event))
     }
 
@@ -256,7 +256,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
 
     fn advance_by<const D: usize>(&mut self, law: &ReducedSystem<'_, D>) -> Option<EndReason> {
         let ReducedSystem { equations, start } = law;
-        let events: Vec<_> = events::of(self.course.setup, equations.mode).collect();
+        let events: Vec<_> = events::possible_events(self.course.setup, equations.mode).collect();
         let left_s = self.course.horizon_s - self.course.state.t_s;
         let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
         let no_time_s = MIN_STEP_FRACTION * self.course.setup.passage_s();
@@ -279,7 +279,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             }
         };
         let at = |part: f64| law.state(part * h_s, &step.at(part));
-        let path = DenseOutput::of(&at);
+        let path = DenseOutput::new(&at);
         let of_event = |event: &Event| {
             let mut gaps =
                 path.looks.each_ref().map(|state| event_function(equations, *event, state));
@@ -365,7 +365,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             if comes_first {
                 return Err(0.5 * h_s);
             }
-            self.course.record.step(equations, &DenseOutput::of(&|part| at(part * theta)));
+            self.course.record.step(equations, &DenseOutput::new(&|part| at(part * theta)));
             return Ok(state);
         }
         Err(0.5 * h_s)

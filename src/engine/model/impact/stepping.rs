@@ -40,7 +40,7 @@ pub(super) fn run_by(
     stepping: IntegrationMethod,
     observer: Observer<'_>,
 ) -> Run {
-    let setup = |tolerance: f64| ImpactParameters::of(scene, tolerance).by(stepping);
+    let setup = |tolerance: f64| ImpactParameters::from_scene(scene, tolerance).by(stepping);
     match stepping {
         IntegrationMethod::Collocation(tolerance)
         | IntegrationMethod::CollocationInFull(tolerance) => {

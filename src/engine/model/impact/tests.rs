@@ -30,7 +30,7 @@ pub(super) fn look<T>(
     [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
     look: impl Fn(&Equations<'_>, &State) -> T,
 ) -> T {
-    let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
+    let setup = ImpactParameters::from_scene(&scene_with(pairs), 1e-12);
     let mode = HybridMode {
         contact,
         deepest_m: 5e-3,
@@ -177,7 +177,7 @@ fn a_plate_that_creeps_comes_to_rest_on_its_stop() {
 #[test]
 fn valid_the_rim_of_a_plug_carries_its_shear_force() {
     let pairs = "nose=blunt R=10mm h=12mm closure=cylindrical rho=7850 Y=490MPa UTS=567MPa E=200GPa gamma=9";
-    let setup = ImpactParameters::of(&scene_with(pairs), 1e-12);
+    let setup = ImpactParameters::from_scene(&scene_with(pairs), 1e-12);
     let plug = setup.at(0.0);
     let mode = HybridMode { contact: Contact::Fused, deepest_m: 6e-3, ..first(plug).0 };
     let state = State { q_m: 6e-3, ..State::default() };

@@ -29,7 +29,7 @@ pub struct Inertia {
 
 impl Inertia {
     /// Computes the inertia of a valid scene; zero on a rigid mount.
-    pub fn of(scene: &Scene) -> Self {
+    pub fn from_scene(scene: &Scene) -> Self {
         if !scene.is_sprung() {
             return Self::default();
         }
@@ -68,7 +68,7 @@ impl Inertia {
 
 /// The mass that answers when the plate is pushed: `m_2` and what its mechanism adds, kg.
 pub fn moving_plate_kg(scene: &Scene) -> f64 {
-    scene.plate_mass_kg() + Inertia::of(scene).added_kg
+    scene.plate_mass_kg() + Inertia::from_scene(scene).added_kg
 }
 
 /// The wire that stores what a spring holds cocked and what projectile, plate and its own moving part keep at common velocity, kg.
@@ -78,7 +78,7 @@ fn coil_kg(scene: &Scene) -> Option<f64> {
     let spring = &scene.mechanism.spring;
     let energy_j_kg = scene.mechanism.specific_energy_j_kg()?;
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
-    let cocked_j = Spring::of(&alone, 0.0).energy(0.0 - scene.plate.cocking_m);
+    let cocked_j = Spring::new(&alone, 0.0).energy(0.0 - scene.plate.cocking_m);
     let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
     let plate_kg = scene.plate_mass_kg();
     let momentum =

@@ -29,7 +29,7 @@ impl Spring {
     pub const NONE: Self = Self::Power(PowerLaw::NONE);
 
     /// The law of a valid scene's mechanism, whatever the mount, after an absorber was crushed up to a displacement, m.
-    pub fn of(mechanism: &scene::Mechanism, crushed_m: f64) -> Self {
+    pub fn new(mechanism: &scene::Mechanism, crushed_m: f64) -> Self {
         let (first, second) = (&mechanism.spring, mechanism.second_law());
         let curve = || first.law().curve(first, crushed_m);
         match first.power_law() {

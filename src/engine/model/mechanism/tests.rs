@@ -6,7 +6,7 @@ use crate::model::variables::scene_with;
 
 /// The law of a spring alone.
 fn law(spring: Parameters) -> Spring {
-    Spring::of(&scene::Mechanism { spring, ..scene::Mechanism::default() }, 0.0)
+    Spring::new(&scene::Mechanism { spring, ..scene::Mechanism::default() }, 0.0)
 }
 
 /// A kind with its default values.
@@ -25,7 +25,7 @@ fn springs() -> Vec<(&'static str, Spring)> {
         second: PowerLaw { coefficient: 1e7, exponent: 1.5 },
         ..scene::Mechanism::default()
     };
-    list.push(("bistable and power law", Spring::of(&mechanism, 0.0)));
+    list.push(("bistable and power law", Spring::new(&mechanism, 0.0)));
     list
 }
 
@@ -159,7 +159,7 @@ fn valid_a_coil_spring_weighs_5_08_g_a_joule() {
         let scene = scene_with(&format!("own_mass=counted {pairs}"));
         let (shot, d) = (scene.projectile, scene.plate.cocking_m);
         let cos = scene.cos_obliquity();
-        let inertia = Inertia::of(&scene);
+        let inertia = Inertia::from_scene(&scene);
         let mass = inertia.spring_mass_kg.unwrap();
         assert!((inertia.added_kg / (mass / 3.0) - 1.0).abs() < 1e-12);
         let bodies = shot.mass_kg * cos * cos + scene.plate_mass_kg() + inertia.added_kg;
@@ -178,7 +178,7 @@ fn a_known_mass_of_one_spring_hides_no_other() {
         [("k=1e4 m_spring=1g", 0.3748), ("k=1e4 m_spring=1kg", 1.0), ("k=0 m_spring=1g", 0.3748)]
     {
         let scene = scene_with(&format!("combine=parallel k_2=1e6 {pairs}"));
-        let own = Inertia::of(&scene);
+        let own = Inertia::from_scene(&scene);
         assert_eq!((own.spring_mass_kg, own.spring_kg(Some(0.3748))), (None, Some(mass_kg)));
         let (omitted_kg, is_least) = own.omitted_kg(scene.mechanism.least_spring_kg(Some(73.75)));
         assert_eq!(is_least, mass_kg < 1.0, "{pairs}");
@@ -191,18 +191,19 @@ fn a_known_mass_of_one_spring_hides_no_other() {
 fn a_counted_mass_follows_from_the_specific_energy_that_is_given() {
     let scene = |pairs: &str| scene_with(&format!("own_mass=counted {pairs}"));
     for kind in ["power-law", "column", "constant"] {
-        let mass = Inertia::of(&scene(&format!("e_spring=500 spring={kind}"))).spring_mass_kg;
+        let mass =
+            Inertia::from_scene(&scene(&format!("e_spring=500 spring={kind}"))).spring_mass_kg;
         let mass = mass.unwrap();
         assert!((500.0 * mass * (0.059 + mass / 3.0) - 4.351_25).abs() < 1e-9, "{kind}: {mass}");
     }
     for kind in ["column", "constant"] {
-        let own = Inertia::of(&scene(&format!("spring={kind}")));
+        let own = Inertia::from_scene(&scene(&format!("spring={kind}")));
         assert_eq!((own.added_kg, own.spring_mass_kg, own.is_uncounted), (0.0, None, true));
     }
     // 5 kN over 0.1 m at 500 J/kg.
     let crush = "e_spring=500 spring=crush F_crush=5e3 k_crush=1e7 x_crush=0.1";
-    assert!((Inertia::of(&scene(crush)).spring_mass_kg.unwrap() - 1.0).abs() < 1e-12);
-    assert_eq!(Inertia::of(&scene("k=0")), Inertia::default());
+    assert!((Inertia::from_scene(&scene(crush)).spring_mass_kg.unwrap() - 1.0).abs() < 1e-12);
+    assert_eq!(Inertia::from_scene(&scene("k=0")), Inertia::default());
 }
 
 /// The wire of a coil takes up 196.8 J/kg; of aluminium honeycomb 19460 J/kg are known, of a crush force alone nothing.

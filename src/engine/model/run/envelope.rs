@@ -310,7 +310,8 @@ pub fn ricochet(scene: &Scene) -> Option<String> {
 
 /// Whether a scene has a rigid stop under a fused interface, which cannot carry a hit on it.
 fn has_fused_stop(scene: &Scene) -> bool {
-    scene.interface.law == InterfaceLaw::Fused && Mechanism::of(scene).rigid_stop().is_some()
+    scene.interface.law == InterfaceLaw::Fused
+        && Mechanism::from_scene(scene).rigid_stop().is_some()
 }
 
 /// How often a run hits a rigid stop under a fused interface; `None` for a scene without such a stop.
@@ -373,7 +374,7 @@ fn of_plate(run: &Run) -> Vec<Breach> {
 
 /// The springs' own mass where it would slow the plate down and is omitted: the part of it that moves over the plate's mass.
 fn spring_mass(run: &Run) -> Option<(f64, String)> {
-    let (scene, own) = (&run.scene, Inertia::of(&run.scene));
+    let (scene, own) = (&run.scene, Inertia::from_scene(&run.scene));
     if own.is_uncounted {
         let text = "own_mass=counted adds nothing: the mass of a spring that is neither coil nor beam is not known; give m_spring or \
                     e_spring";

@@ -306,7 +306,7 @@ const DRAG: Kind = Kind::Number(Number {
         scene.target.drag_coefficient = value.unwrap_or_default();
         scene.target.give_drag();
     },
-    ..Number::of(Dimension::Number, Allowed::NonNegative)
+    ..Number::new(Dimension::Number, Allowed::NonNegative)
 });
 
 /// The inputs that define the plate's size.
@@ -326,7 +326,7 @@ fn sizes() -> Vec<Variable> {
                     }
                     (None, _) => {}
                 },
-                ..Number::of(Dimension::$quantity, Allowed::Positive)
+                ..Number::new(Dimension::$quantity, Allowed::Positive)
             }
         };
     }

@@ -95,7 +95,7 @@ macro_rules! kind {
         Kind::Number(Number {
             get: |scene| Some(scene.$($field).+),
             set: |scene, value| scene.$($field).+ = value.unwrap_or_default(),
-            ..Number::of($crate::model::units::Dimension::$quantity, Allowed::$($allowed)+)
+            ..Number::new($crate::model::units::Dimension::$quantity, Allowed::$($allowed)+)
         })
     }};
     // An optional number, with the word for its absence.
@@ -105,7 +105,7 @@ macro_rules! kind {
             absent: Some($absent),
             get: |scene| scene.$($field).+,
             set: |scene, value| scene.$($field).+ = value,
-            ..Number::of($crate::model::units::Dimension::$quantity, Allowed::$allowed)
+            ..Number::new($crate::model::units::Dimension::$quantity, Allowed::$allowed)
         })
     }};
     // One of a few words.
@@ -164,7 +164,7 @@ impl Variable {
 
 impl Number {
     /// A number that is required; its access follows.
-    pub(in crate::model) const fn of(quantity: Dimension, allowed: Allowed) -> Self {
+    pub(in crate::model) const fn new(quantity: Dimension, allowed: Allowed) -> Self {
         Self { quantity, allowed, absent: None, get: |_| None, set: |_, _| {} }
     }
 }

@@ -111,7 +111,7 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
     let mut list = Vec::new();
     for variable in VARIABLES.iter().filter(|variable| is_used(variable, base)) {
         let own = variable.value(base);
-        for word in variable.words().iter().filter(|word| Value::Word(word) != own) {
+        for word in variable.keys().iter().filter(|word| Value::Word(word) != own) {
             let mut scene = base.clone();
             if variable.set(&mut scene, Value::Word(word)).is_ok() {
                 list.push((format!("{} = {word}", variable.symbol), scene));

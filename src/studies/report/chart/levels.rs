@@ -14,8 +14,8 @@ pub struct Levels {
 
 impl Levels {
     /// Bands over all values that are finite; `None` when there is none.
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
-        let view = ViewRange::of(Scale::Linear, values)?;
+    pub fn from_values(values: impl IntoIterator<Item = f64>) -> Option<Self> {
+        let view = ViewRange::from_values(Scale::Linear, values)?;
         let mut step = Step::at_least(view.span() / BANDS_MAX as f64);
         loop {
             let size = step.size();
@@ -61,20 +61,20 @@ mod tests {
 
     #[test]
     fn bounds_are_round_and_hold_all_values() {
-        let bounds = |lo: f64, hi: f64| Levels::of([lo, hi]).unwrap().bounds;
+        let bounds = |lo: f64, hi: f64| Levels::from_values([lo, hi]).unwrap().bounds;
         assert_eq!(
             bounds(56.0, 97.5),
             [55.0, 60.0, 65.0, 70.0, 75.0, 80.0, 85.0, 90.0, 95.0, 100.0]
         );
         assert_eq!(bounds(0.0, 1.0).len(), 11);
         assert_eq!(bounds(0.0, 0.5)[6].to_bits(), 0.3f64.to_bits());
-        assert!(Levels::of([f64::NAN]).is_none());
+        assert!(Levels::from_values([f64::NAN]).is_none());
     }
 
     #[test]
     fn every_value_has_a_band() {
         for (lo, hi) in [(0.0, 1.0), (56.0, 97.5), (-3.0, 1e-3), (5.0, 5.0), (1e-9, 1e9)] {
-            let levels = Levels::of([lo, hi]).unwrap();
+            let levels = Levels::from_values([lo, hi]).unwrap();
             assert!((1..=BANDS_MAX).contains(&levels.bands()), "{levels:?}");
             for share in [0.0, 0.1, 0.5, 0.99, 1.0] {
                 let value = lo + (hi - lo) * share;

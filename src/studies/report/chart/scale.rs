@@ -93,7 +93,7 @@ impl ViewRange {
     }
 
     /// The range of all values that have a place on the scale; `None` when there is none.
-    pub fn of(scale: Scale, values: impl IntoIterator<Item = f64>) -> Option<Self> {
+    pub fn from_values(scale: Scale, values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut bounds: Option<(f64, f64)> = None;
         for value in values.into_iter().filter(|value| scale.shows(*value)) {
             let (lo, hi) = bounds.unwrap_or((value, value));
@@ -244,7 +244,7 @@ mod tests {
     /// A hundred times the width to which a mass efficiency is searched, and the noise of one.
     #[test]
     fn values_that_differ_by_noise_alone_are_one() {
-        let span = |values: [f64; 2]| ViewRange::of(Scale::Linear, values).unwrap().span();
+        let span = |values: [f64; 2]| ViewRange::from_values(Scale::Linear, values).unwrap().span();
         assert!(span([1.006_541_778, 1.006_541_780]) > 0.09);
         assert!((span([1.0, 1.000_000_1]) - 1e-7).abs() < 1e-15);
     }

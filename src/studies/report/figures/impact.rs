@@ -148,7 +148,7 @@ impl<'a> Stage<'a> {
     /// The stage for a run up to a time, s; `None` without a series.
     pub fn of(run: &'a Run, end_s: f64, dots: Dots) -> Option<Self> {
         let scene = &*run.scene;
-        let mechanism = Mechanism::of(scene);
+        let mechanism = Mechanism::from_scene(scene);
         let (cos, sin) = (scene.cos_obliquity(), scene.projectile.obliquity_deg.to_radians().sin());
         let (radius_m, thick_m) = (scene.projectile.tip_radius_m, scene.target.thickness_m);
         let length_m = projectile_length_m(run);

@@ -89,7 +89,7 @@ fn over_time(
 /// Force, stiffness and stress of the mechanism over the plate's displacement, with what the run used of it; nothing without a
 /// mechanism.
 pub fn mechanism(run: &Run) -> Vec<Chart<'static>> {
-    let Some(law) = Law::of(run) else { return Vec::new() };
+    let Some(law) = Law::from_run(run) else { return Vec::new() };
     let (low_m, end_m) = law.range_m();
     let chart = |title: &'static str, unit: &'static str, get: fn(&Law, f64) -> f64| {
         let points = law.points(get);

@@ -42,7 +42,7 @@ fn map(grid: &Grid, x: &sweep::Axis, y: &sweep::Axis, output: usize) -> Option<M
     let at = |at_x: usize, at_y: usize| cell(grid.cell(at_x, at_y, output));
     let marks = marks(column, points(grid, output));
     let values = points(grid, output).filter_map(grid::Cell::value);
-    let levels = Levels::of(values)?;
+    let levels = Levels::from_values(values)?;
     let marks = marks.into_iter().map(|(letter, _, words)| (letter, words.to_owned())).collect();
     Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), at) })
 }

@@ -140,7 +140,7 @@ pub fn results(run: &Run) -> Vec<String> {
     let scene = &run.scene;
     // Why there is none.
     let nothing_stops_it =
-        Mechanism::of(scene).is_absent() && scene.mechanism.stop.position_m.is_none();
+        Mechanism::from_scene(scene).is_absent() && scene.mechanism.stop.position_m.is_none();
     let none = if nothing_stops_it {
         "none: nothing stops the plate"
     } else {

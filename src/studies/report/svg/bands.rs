@@ -193,7 +193,7 @@ mod tests {
         let map = Map {
             contour: Some((1.5, "line".into())),
             marks: vec![('P', "perforated".to_owned())],
-            ..Map::new("map", axes, (4, 3), Levels::of([0.0, 3.0]), cell)
+            ..Map::new("map", axes, (4, 3), Levels::from_values([0.0, 3.0]), cell)
         };
         let text = file(&[map.svg()]);
         let read = roxmltree::Document::parse(&text).unwrap();

@@ -70,7 +70,7 @@ pub enum Refusal {
 
 impl Refusal {
     /// The reason for readers.
-    pub fn words(self) -> &'static str {
+    pub fn message(self) -> &'static str {
         match self {
             Self::NeedsSimulation => "left to the simulation, as in a sweep",
             Self::NoPowerLaw => "not applicable: only a massless spring k |x|^n",
@@ -290,7 +290,7 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
 
 /// The kernel follows the first contact: where the interface may yield later, that is not the depth.
 fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
-    let end = Contact::of(scene).and_then(|contact| contact.run(tolerance));
+    let end = Contact::from_scene(scene).and_then(|contact| contact.run(tolerance));
     let end = end.ok_or(Refusal::NeedsSimulation)?;
     let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
     let is_final = end.arrested && scene.interface.law == InterfaceLaw::Fused;

@@ -41,7 +41,7 @@ pub enum ReferenceSource {
 
 impl ReferenceSource {
     /// A short text.
-    pub fn words(self) -> String {
+    pub fn label(self) -> String {
         match self {
             Self::Stored(row) => format!("stored digits, row {row}"),
             Self::Engine => "engine at 1e-13".to_owned(),
@@ -77,7 +77,7 @@ pub struct Reference {
 }
 
 impl Reference {
-    fn of(basis: ReferenceSource, answer: &Answer) -> Self {
+    fn new(basis: ReferenceSource, answer: &Answer) -> Self {
         let Answer { outcome, results, .. } = *answer;
         Self { basis, outcome, results, uncertainty: None }
     }
@@ -118,7 +118,7 @@ pub struct References {
 
 impl References {
     /// Computes the references of a valid scene.
-    pub fn of(scene: &Arc<Scene>) -> Self {
+    pub fn from_scene(scene: &Arc<Scene>) -> Self {
         let by = |stepping: IntegrationMethod| {
             let run = step_by(stepping, scene).ok().flatten()?;
             answer_of(&run).ok()
@@ -130,8 +130,8 @@ impl References {
                 Some((ReferenceSource::Radau, by(IntegrationMethod::Radau5(TIGHT_OF_ORDER_FIVE))?))
             });
         let mut both = Self {
-            engine: engine.map(|answer| Reference::of(ReferenceSource::Engine, &answer)),
-            other: other.map(|(basis, answer)| Reference::of(basis, &answer)),
+            engine: engine.map(|answer| Reference::new(ReferenceSource::Engine, &answer)),
+            other: other.map(|(basis, answer)| Reference::new(basis, &answer)),
         };
         let apart = both.engine.zip(both.other).and_then(|(one, other)| {
             let errors = one.errors(scene, &other.results);

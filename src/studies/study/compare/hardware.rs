@@ -37,7 +37,7 @@ pub(super) struct MechanismLoadCase {
 }
 
 impl MechanismLoadCase {
-    pub(super) fn of(scene: &Scene, max_displacement_m: Option<f64>) -> Self {
+    pub(super) fn from_scene(scene: &Scene, max_displacement_m: Option<f64>) -> Self {
         let stored_j = spring_energy_j(scene, scene.start_m(), max_displacement_m);
         Self { max_displacement_m, stored_j }
     }
@@ -45,12 +45,12 @@ impl MechanismLoadCase {
 
 /// Whether the springs of a scene know their own mass.
 pub(super) fn is_own(scene: &Scene) -> bool {
-    Inertia::of(scene).spring_mass_kg.is_some()
+    Inertia::from_scene(scene).spring_mass_kg.is_some()
 }
 
 /// Whether something stops the plate of a scene.
 pub(super) fn is_held(scene: &Scene) -> bool {
-    let mechanism = Mechanism::of(scene);
+    let mechanism = Mechanism::from_scene(scene);
     !scene.is_sprung() || !mechanism.is_absent() || mechanism.stop.is_some()
 }
 
@@ -65,9 +65,13 @@ pub(super) struct InstalledSpring {
 
 impl InstalledSpring {
     /// For this demand, where the springs do not know their own mass.
-    pub(super) fn of(scene: &Scene, hardware: Hardware, demand: &MechanismLoadCase) -> Self {
+    pub(super) fn from_scene(
+        scene: &Scene,
+        hardware: Hardware,
+        demand: &MechanismLoadCase,
+    ) -> Self {
         let least_kg = scene.mechanism.least_spring_kg(demand.stored_j);
-        let spring_kg = Inertia::of(scene).spring_kg(least_kg);
+        let spring_kg = Inertia::from_scene(scene).spring_kg(least_kg);
         // The law of a beam says itself how far it goes.
         let is_bounded =
             stress_ratio(scene, 0.0).is_none() && (hardware == Hardware::Sized || is_own(scene));

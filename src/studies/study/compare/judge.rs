@@ -76,7 +76,7 @@ impl CandidateEvaluator<'_, '_> {
         // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
         let is_through = run.shot_outcome() == Outcome::Perforated && plate_m_s.is_some();
         let sizing = fastest.as_ref().filter(|_| is_through).unwrap_or(&run);
-        let built = InstalledSpring::of(&scene, self.hardware, &demand(sizing));
+        let built = InstalledSpring::from_scene(&scene, self.hardware, &demand(sizing));
         let at_design = built.failure(&scene, &demand(&run)).map(|failure| (design_m_s, failure));
         let at_design = at_design.filter(|_| top_m_s.is_some_and(|top_m_s| design_m_s < top_m_s));
         let at_top = fastest.as_ref().and_then(|run| built.failure(&scene, &demand(run)));
@@ -154,5 +154,5 @@ impl CandidateEvaluator<'_, '_> {
 }
 
 fn demand(run: &Run) -> MechanismLoadCase {
-    MechanismLoadCase::of(&run.scene, run.max_plate_displacement_m)
+    MechanismLoadCase::from_scene(&run.scene, run.max_plate_displacement_m)
 }

@@ -92,7 +92,7 @@ pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<Siz
     let solid_m = solid.ok_or(Absence::NO_SOLID)?;
     let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
-    let built = InstalledSpring::of(&own, hardware, &shot.demand);
+    let built = InstalledSpring::from_scene(&own, hardware, &shot.demand);
     if let Some(failure) = built.failure(&own, &shot.demand) {
         return Err(Absence::new('F', failure.words));
     }
@@ -119,11 +119,12 @@ struct Shot {
 fn shoot(scene: Scene) -> Option<Shot> {
     let tolerance = first_contact::TOLERANCE_FRACTION * scene.run.tolerance;
     if let Some(end) = first_contact::contact(&scene, ContactOutput::Displacement, tolerance) {
-        let demand = MechanismLoadCase::of(&scene, first_contact::max_displacement_m(&scene, &end));
+        let demand =
+            MechanismLoadCase::from_scene(&scene, first_contact::max_displacement_m(&scene, &end));
         return Some(Shot { verdict: ShotOutcome::of_contact(&scene, &end), demand });
     }
     let (run, verdict) = decide(&Arc::new(scene), &mut |_| ControlFlow::Continue(()))?;
-    let demand = MechanismLoadCase::of(&run.scene, run.max_plate_displacement_m);
+    let demand = MechanismLoadCase::from_scene(&run.scene, run.max_plate_displacement_m);
     Some(Shot { verdict, demand })
 }
 

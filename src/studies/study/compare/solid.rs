@@ -38,14 +38,14 @@ fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> 
     let swept = |thickness_m: f64| {
         let mut own = scene.clone();
         own.target.thickness_m = thickness_m;
-        let geometry = Geometry::of(&own);
+        let geometry = Geometry::from_scene(&own);
         let through_m = match own.target.criterion {
             Criterion::Passage => geometry.exit_m,
             Criterion::Protrusion => geometry.travel_m(own.effective_thickness_m()),
         };
         geometry.swept_m3(through_m)
     };
-    let geometry = Geometry::of(scene);
+    let geometry = Geometry::from_scene(scene);
     let plate_m_s = if moves { scene.plate_velocity_m_s() * scene.cos_obliquity() } else { 0.0 };
     let velocity_m_s = limit_m_s - plate_m_s;
     let mut passage = Passage::unsprung(scene, &geometry, moves);
@@ -68,7 +68,7 @@ fn thickness_that_shears(scene: &Scene, velocity_m_s: f64, moves: bool) -> Optio
         if moves && plug_kg >= own.plate_mass_kg() {
             return f64::INFINITY;
         }
-        let geometry = Geometry::of(&own);
+        let geometry = Geometry::from_scene(&own);
         Passage::unsprung(&own, &geometry, moves).limit_velocity_m_s() - velocity_m_s
     };
     let found_m = root(scene.target.thickness_m, excess_m_s)?;

@@ -28,7 +28,7 @@ pub struct Closures {
 impl Closures {
     /// The limits by the three closures; `None` where the flow strength does not come from a yield stress, under another nose than a
     /// hemisphere, which has one law, or when stopped.
-    pub(super) fn of(scene: &Scene, context: &mut Context<'_>) -> Option<Self> {
+    pub(super) fn from_scene(scene: &Scene, context: &mut Context<'_>) -> Option<Self> {
         let has_one = scene.projectile.nose != Nose::Hemispherical;
         if has_one || scene.closure() == Closure::Given {
             return None;

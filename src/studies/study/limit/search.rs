@@ -103,7 +103,7 @@ impl ShotRunner<'_, '_, '_> {
     pub(super) fn closures(&mut self) -> Option<Closures> {
         let scene = self.scene;
         self.should_continue()
-            .then(|| self.context.uncounted(|context| Closures::of(scene, context)))?
+            .then(|| self.context.uncounted(|context| Closures::from_scene(scene, context)))?
     }
 
     /// The limits between which the limit jumps at h = D; `None` where it does not, or when stopped.

@@ -37,7 +37,7 @@ fn on_a_rigid_mount_both_laws_are_exact() {
     // v_r² = (v² - v_bl²) exp(-2 c V/m): by the closed form.
     let report = found("mount=rigid");
     let scene = scene("mount=rigid");
-    let geometry = Geometry::of(&scene);
+    let geometry = Geometry::from_scene(&scene);
     let volume = geometry.swept_m3(geometry.exit_m);
     let a = (-scene.drag_kg_m3() * volume / scene.projectile.mass_kg).exp();
     let recht_ipson = report.recht_ipson.unwrap();
@@ -67,7 +67,7 @@ fn valid_limits_with_a_rigid_stop_against_the_reference() {
 fn valid_the_limit_by_protrusion_is_where_the_nose_reaches_the_rear_face() {
     let rigid = scene("mount=rigid criterion=protrusion");
     let report = find(&rigid, &mut Context::new(1, &mut never_cancel)).unwrap();
-    let geometry = Geometry::of(&rigid);
+    let geometry = Geometry::from_scene(&rigid);
     let volume = geometry.swept_m3(geometry.travel_m(rigid.target.thickness_m));
     let c = rigid.drag_kg_m3();
     let squared =
@@ -83,7 +83,7 @@ fn undecided_shots_are_not_counted_as_stopped() {
     let verdict = |pairs: &str| {
         let run = plain_run(&scene(pairs)).unwrap();
         assert_eq!(run.outcome, Outcome::Moving, "{pairs}");
-        ShotOutcome::of(&run)
+        ShotOutcome::from_run(&run)
     };
     assert_eq!(verdict("k=1e5 v_i=300 run.horizon_s=1e-5"), ShotOutcome::Undecided);
     let rattles = "k=5e6 gamma=3 interface=plastic v_i=20 run.horizon_s=0.003";

@@ -7,7 +7,7 @@ use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Criterion, Scene};
 use crate::model::simulate::{Observer, Settings, simulate};
 use crate::numerics::smaller;
-use crate::study::first_contact::is_through;
+use crate::study::first_contact::is_perforated;
 
 /// Relative width up to which undecided shots are one limit for any purpose.
 const ONE_POINT: f64 = 1e-6;
@@ -26,11 +26,11 @@ pub(in crate::study) enum ShotOutcome {
 impl ShotOutcome {
     /// Returns the outcome of a shot that the first contact decides.
     pub(in crate::study) fn of_contact(scene: &Scene, end: &ContactEnd) -> Self {
-        if is_through(scene, end) { Self::Perforated } else { Self::Stopped }
+        if is_perforated(scene, end) { Self::Perforated } else { Self::Stopped }
     }
 
     /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
-    pub(in crate::study) fn of(run: &Run) -> Self {
+    pub(in crate::study) fn from_run(run: &Run) -> Self {
         match run.shot_outcome() {
             Outcome::Perforated => Self::Perforated,
             Outcome::Arrested | Outcome::Separated => Self::Stopped,
@@ -55,12 +55,12 @@ pub(in crate::study) fn decide(
     observer: Observer<'_>,
 ) -> Option<(Run, ShotOutcome)> {
     let mut run = simulate(scene, &Settings::BARE, observer).ok()?;
-    if scene.run.horizon_s.is_some() && ShotOutcome::of(&run) == ShotOutcome::Undecided {
+    if scene.run.horizon_s.is_some() && ShotOutcome::from_run(&run) == ShotOutcome::Undecided {
         let mut own = Scene::clone(scene);
         own.run.horizon_s = None;
         run = simulate(&Arc::new(own), &Settings::BARE, observer).ok()?;
     }
-    let verdict = ShotOutcome::of(&run);
+    let verdict = ShotOutcome::from_run(&run);
     Some((run, verdict))
 }
 

@@ -39,7 +39,7 @@ fn valid_quantiles_through_a_monotone_closed_form() {
         assert!((found.value - depth).abs() < width, "{share}: {found:?} {depth}");
         assert!(width < 0.02 * depth);
     }
-    assert_eq!((report.samples, report.outcomes.of(Outcome::Arrested)), (20_000, 20_000));
+    assert_eq!((report.samples, report.outcomes.count(Outcome::Arrested)), (20_000, 20_000));
     let Estimate { value, low_95, high_95 } = report.perforated.unwrap();
     assert!(value == 0.0 && low_95 == 0.0 && (1e-4..3e-4).contains(&high_95), "{high_95}");
 }

@@ -18,7 +18,7 @@ pub(super) fn stopped_displacement_m(run: &Run) -> Option<f64> {
 
 /// The springs' own mass where it is known, else the least, kg.
 fn spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    Inertia::of(scene).spring_kg(least_spring_kg(scene, max_displacement_m))
+    Inertia::from_scene(scene).spring_kg(least_spring_kg(scene, max_displacement_m))
 }
 
 /// Plate and springs, kg.
@@ -40,15 +40,15 @@ pub(super) fn least_peak_n(run: &Run) -> Option<f64> {
 /// Whether the greatest force into the mount follows from where the plate starts and turns: of a power law, which is odd, without
 /// stop, damper and anything that turns.
 pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
-    let mechanism = Mechanism::of(scene);
+    let mechanism = Mechanism::from_scene(scene);
     let is_odd = mechanism.spring.power().is_some();
     let is_alone = mechanism.stop.is_none() && mechanism.damper.coefficient == 0.0;
-    is_odd && is_alone && Inertia::of(scene).rotation_kg == 0.0
+    is_odd && is_alone && Inertia::from_scene(scene).rotation_kg == 0.0
 }
 
 /// The force into the mount of a spring alone, without a simulation, from where the plate starts and turns; `None` where that is not all.
 pub(super) fn force_n(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    let mechanism = Mechanism::of(scene);
+    let mechanism = Mechanism::from_scene(scene);
     if !scene.is_sprung() || mechanism.is_absent() || !turn_tells_force(scene) {
         return None;
     }

@@ -43,13 +43,13 @@ pub struct Objective {
 
 impl Objective {
     /// Builds an objective from the name of its measure.
-    pub fn of(name: &str, maximise: bool) -> Result<Self, SweepError> {
+    pub fn new(name: &str, maximise: bool) -> Result<Self, SweepError> {
         Ok(Self { measure: named(name)?, maximise })
     }
 
     /// [`USUAL`], each to be small.
     pub fn usual() -> Vec<Self> {
-        USUAL.iter().filter_map(|name| Self::of(name, false).ok()).collect()
+        USUAL.iter().filter_map(|name| Self::new(name, false).ok()).collect()
     }
 }
 
@@ -200,7 +200,8 @@ pub fn run(
     let names: Vec<&str> = request.measures().iter().map(|measure| measure.name).collect();
     let plan = Plan::for_designs(scene, request.over.clone(), &names)?.limited(STEPS_MAX);
     context.expect(request.samples);
-    let known = DesignValidity::of(scene, request.objectives[0].measure, &[], &mut || true).fails;
+    let known =
+        DesignValidity::from_run(scene, request.objectives[0].measure, &[], &mut || true).fails;
     let front = Report { request, base: scene.clone(), ..Report::default() };
     Ok(Search { plan, known, front }.run(context))
 }
@@ -227,7 +228,8 @@ impl Search {
         let mut checked = Vec::new();
         for design in &mut self.front.designs {
             let scene = scene_with(&self.front.base, &self.front.request.over, &design.values);
-            let found = DesignValidity::of(&scene, measure, &[], &mut || context.should_continue());
+            let found =
+                DesignValidity::from_run(&scene, measure, &[], &mut || context.should_continue());
             design.plastic = found.plastic;
             checked.push(found.fails);
         }

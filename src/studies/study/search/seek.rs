@@ -205,7 +205,7 @@ pub fn run(
     }
     let designs = found.iter().map(|it| space.scene_of(&[axis.at_share(it.from.at)]));
     let mut check = |design: &Scene, known: &[Check]| {
-        DesignValidity::of(design, goal.measure, known, &mut || context.should_continue())
+        DesignValidity::from_run(design, goal.measure, known, &mut || context.should_continue())
     };
     let known = check(scene, &[]).fails;
     let checked = designs.map(|design| check(&design, &known)).collect();

@@ -46,7 +46,7 @@ fn results_are_those_of_single_runs() {
                     (found, exact) => found == exact,
                 };
                 assert!(is_same, "{symbol} {at}: {pair:?}");
-                assert_eq!(point.unwrap().outcome, PointOutcome::of(&run), "{symbol} {at}");
+                assert_eq!(point.unwrap().outcome, PointOutcome::from_run(&run), "{symbol} {at}");
             }
         }
     }

@@ -183,7 +183,7 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 /// Compute the map of a valid scene, and show it as it grows. Where it is stopped, the rest is waiting.
 pub fn map(scene: &Scene, wanted: StabilityMapRequest, context: &mut Context<'_, Map>) -> Map {
     let StabilityMapRequest { method, axis, size: (rows, columns) } = wanted;
-    let contact_s = Target::of(scene).map_or_else(
+    let contact_s = Target::from_scene(scene).map_or_else(
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
         |target| target.contact_s,
     );
@@ -202,7 +202,7 @@ pub fn map(scene: &Scene, wanted: StabilityMapRequest, context: &mut Context<'_,
     let row = |value: &f64| {
         let mut own = scene.clone();
         (axis.set())(&mut own, *value);
-        let target = Target::of(&own);
+        let target = Target::from_scene(&own);
         let cell =
             |dt_s: &f64| (!stop.is_set()).then(|| cell(&own, method, *dt_s, target.as_ref()));
         steps.iter().map(cell).collect::<Option<Vec<Cell>>>()
@@ -232,7 +232,7 @@ struct Target {
 type ContactEnd = (Outcome, f64);
 
 impl Target {
-    fn of(scene: &Scene) -> Option<Self> {
+    fn from_scene(scene: &Scene) -> Option<Self> {
         let run = run_with(scene, Settings::SERIES)?;
         let (contact_s, end) = match run.first_arrest {
             Some(arrest) => (arrest.t_s, (Outcome::Arrested, arrest.penetration_m)),
@@ -250,7 +250,7 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
     };
     // The listing as meant, with the thesis's scheme or Runge-Kutta on both bodies.
     let corrects_scheme = method.corrects_scheme();
-    let scheme = Scheme::of(scene, Listing { corrects_scheme, ..Listing::coupled(dt_s) });
+    let scheme = Scheme::from_scene(scene, Listing { corrects_scheme, ..Listing::coupled(dt_s) });
     let fastest_m_s = RUNS_AWAY_FROM * target.speed_m_s;
     let mut state = scheme.start;
     for step in 1..=STEPS_MAX {
@@ -278,7 +278,7 @@ mod tests {
     fn a_plate_on_its_spring_blows_up_beyond_the_limit_and_not_below() {
         let mut scene = Scene::default();
         scene.mechanism.spring.coefficient = 1e11;
-        let target = Target::of(&scene).unwrap();
+        let target = Target::from_scene(&scene).unwrap();
         // Hairer and Wanner II, section IV.2: Runge-Kutta's region reaches 2 sqrt(2) up the imaginary axis.
         let limit_s = 8f64.sqrt() / (1e11f64 / 0.0295).sqrt();
         for method in [FixedStep::Rk4, FixedStep::Thesis] {

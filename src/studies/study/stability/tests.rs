@@ -28,7 +28,7 @@ fn every_result_of_a_row_is_judged() {
     let case = cases::CASES.iter().find(|case| case.name == "gamma 0.8, plastic").unwrap();
     let scene = case.scene().unwrap();
     let run = plain_run(&scene).unwrap();
-    let right = References::of(&scene).other.unwrap();
+    let right = References::from_scene(&scene).other.unwrap();
     assert_eq!(shortfall(&run, error_of(&run, &right)), None);
     for at in 0..right.results.len() {
         for wrong in [right.results[at].map(|result| result * (1.0 + 1e-6)), None] {

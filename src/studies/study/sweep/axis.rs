@@ -70,11 +70,17 @@ impl Axis {
     ) -> Result<Self, SweepError> {
         let count = usize::try_from(count).unwrap_or(usize::MAX);
         let log = spacing == Spacing::Log;
-        Self::of(&SweepAxis { log, ..SweepAxis::linear(name, from, to, count) }, &COUNTS)
+        Self::from_sweep_axis(
+            &SweepAxis { log, ..SweepAxis::linear(name, from, to, count) },
+            &COUNTS,
+        )
     }
 
     /// The axis a scene requests, where it may have a given number of points.
-    pub fn of(asked: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
+    pub fn from_sweep_axis(
+        asked: &SweepAxis,
+        counts: &RangeInclusive<u64>,
+    ) -> Result<Self, SweepError> {
         let (variable, number) = numeric(&asked.name)?;
         let mut range = SweepAxis { name: variable.symbol.to_owned(), ..asked.clone() };
         if !range.values.is_empty() {
@@ -94,7 +100,7 @@ impl Axis {
 
     /// The axes of a sweep as a scene keeps it.
     pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
-        sweep.axes.iter().map(|axis| Self::of(axis, &COUNTS)).collect()
+        sweep.axes.iter().map(|axis| Self::from_sweep_axis(axis, &COUNTS)).collect()
     }
 
     /// The variable's value in a scene; `None` where it is absent.

@@ -55,7 +55,7 @@ impl Plan {
 
     /// Whether designs are simulated one by one: on the plastic law, and where a measure is not known from the contact alone.
     fn runs_whole(&self) -> bool {
-        self.base.interface.law == InterfaceLaw::Plastic || Kernel::of(self).is_none()
+        self.base.interface.law == InterfaceLaw::Plastic || Kernel::from_plan(self).is_none()
     }
 }
 
@@ -104,7 +104,7 @@ mod tests {
             let energy = 0.5 * design[1] * farthest * farthest;
             let kg = design[0] * 0.0295 + SPRING_FOR_TEST * energy;
             close(found.values[2], Some(kg));
-            let damper = Mechanism::of(&scene).damper;
+            let damper = Mechanism::from_scene(&scene).damper;
             let force = |row: &crate::model::run::Sample| {
                 design[1] * row.plate_displacement_m + damper.force(row.plate_velocity_m_s)
             };

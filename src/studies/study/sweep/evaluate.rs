@@ -31,14 +31,14 @@ pub struct Point {
 
 impl Point {
     /// With these outputs.
-    pub(super) fn of(outcome: PointOutcome, values: impl Iterator<Item = Option<f64>>) -> Self {
+    pub(super) fn new(outcome: PointOutcome, values: impl Iterator<Item = Option<f64>>) -> Self {
         Self { outcome, values: values.collect(), reason: String::new() }
     }
 
     /// Why it has no result, or lacks one that takes many shots.
     pub fn reason(&self) -> Option<&str> {
         match self.outcome {
-            PointOutcome::Failed(failure) => Some(failure.words()),
+            PointOutcome::Failed(failure) => Some(failure.message()),
             PointOutcome::Ended(_) => Some(&*self.reason).filter(|reason| !reason.is_empty()),
         }
     }
@@ -61,7 +61,7 @@ impl<'p> Evaluator<'p> {
             plan,
             stop,
             scene: Arc::new(plan.base().clone()),
-            kernel: Kernel::of(plan),
+            kernel: Kernel::from_plan(plan),
             settings: Settings { estimate, ..Settings::BARE },
         }
     }
@@ -83,7 +83,7 @@ impl<'p> Evaluator<'p> {
         let answer = catch_unwind(AssertUnwindSafe(|| kernel.answer(scene)));
         let (outcome, answer) = answer.ok().flatten()?;
         let values = self.plan.outputs().iter().map(|output| output.of_contact(&answer, scene));
-        Some(Point::of(outcome, values))
+        Some(Point::new(outcome, values))
     }
 
     /// The full simulation of a point, and its run where it has one; `None` when it was stopped.
@@ -102,7 +102,7 @@ impl<'p> Evaluator<'p> {
                 }
                 PointOutcome::Failed(Failure::Early(EndReason::StepBudget))
             }
-            Ok(run) => PointOutcome::of(run),
+            Ok(run) => PointOutcome::from_run(run),
             Err(failure) => PointOutcome::Failed(*failure),
         };
         let reasons = found.iter().filter_map(|it| it.as_ref().err()).filter(|it| !it.is_empty());

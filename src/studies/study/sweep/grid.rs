@@ -134,7 +134,7 @@ impl Grid {
         let there = self.outcomes.iter().enumerate().filter_map(|(at, outcome)| {
             let values = self.values[at * outputs..][..outputs].iter();
             let values = values.map(|value| Some(*value).filter(|value| !value.is_nan()));
-            Some((at as u64, Point::of((*outcome)?, values)))
+            Some((at as u64, Point::new((*outcome)?, values)))
         });
         there.unzip()
     }

@@ -7,7 +7,7 @@ use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::variables::Group;
 use crate::study::first_contact::{
-    ContactOutput, FirstContact, TOLERANCE_FRACTION, baseline_m, decides, is_through,
+    ContactOutput, FirstContact, TOLERANCE_FRACTION, baseline_m, decides, is_perforated,
     max_displacement_m,
 };
 use crate::study::load::holds_still;
@@ -33,7 +33,7 @@ pub(super) struct Kernel {
 
 impl Kernel {
     /// The kernel for a plan whose outputs all follow from the first contact.
-    pub(super) fn of(plan: &Plan) -> Option<Self> {
+    pub(super) fn from_plan(plan: &Plan) -> Option<Self> {
         let ways = || plan.outputs().iter().map(|output| output.from_contact);
         if ways().any(|way| matches!(way, FromContact::No)) {
             return None;
@@ -45,7 +45,7 @@ impl Kernel {
             displacement: ways().any(displaces),
             force: plan.outputs().iter().any(|output| output.name == "peak_mount_force_n"),
             baseline: if fixed {
-                Baseline::Fixed(baseline_m(plan.base(), &Geometry::of(plan.base())))
+                Baseline::Fixed(baseline_m(plan.base(), &Geometry::from_scene(plan.base())))
             } else {
                 Baseline::ByPoint
             },
@@ -59,12 +59,14 @@ impl Kernel {
         // The force into the mount, where it is an output, follows from where the plate starts and turns.
         let tells_force = || {
             let sprung = scene.is_sprung();
-            !self.force || (sprung && turn_tells_force(scene) && !Mechanism::of(scene).is_absent())
+            !self.force
+                || (sprung && turn_tells_force(scene) && !Mechanism::from_scene(scene).is_absent())
         };
         if !(decides(scene, wanted) && tells_force()) {
             return None;
         }
-        let (contact, tolerance) = (Contact::of(scene)?, TOLERANCE_FRACTION * scene.run.tolerance);
+        let (contact, tolerance) =
+            (Contact::from_scene(scene)?, TOLERANCE_FRACTION * scene.run.tolerance);
         let end = contact.run(tolerance)?;
         let max_displacement_m =
             if self.displacement { max_displacement_m(scene, &end) } else { None };
@@ -74,9 +76,10 @@ impl Kernel {
         }
         let baseline_m = match self.baseline {
             Baseline::Fixed(depth_m) => depth_m,
-            Baseline::ByPoint => baseline_m(scene, &Geometry::of(scene)),
+            Baseline::ByPoint => baseline_m(scene, &Geometry::from_scene(scene)),
         };
-        let outcome = if is_through(scene, &end) { Outcome::Perforated } else { Outcome::Arrested };
+        let outcome =
+            if is_perforated(scene, &end) { Outcome::Perforated } else { Outcome::Arrested };
         let start_m = scene.start_m();
         let contact = FirstContact { end, baseline_m, max_displacement_m, start_m };
         Some((PointOutcome::Ended(outcome), contact))

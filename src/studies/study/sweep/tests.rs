@@ -58,7 +58,7 @@ fn single(scene: &Scene, name: &str) -> (PointOutcome, Option<f64>) {
     // A tenth of the tolerance of the sweep: the contact kernel is tested, not this run.
     scene.run.tolerance *= 0.1;
     let run = plain_run(&scene).unwrap();
-    (PointOutcome::of(&run), named(name).unwrap().value(&run))
+    (PointOutcome::from_run(&run), named(name).unwrap().value(&run))
 }
 
 /// Surfaces that between them take every way through the evaluator.

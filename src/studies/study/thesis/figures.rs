@@ -41,7 +41,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let curve = shots.travels("", &COCKING);
             let slope = curve.slope() / 1e3;
-            Check::of("slope", &[slope], "m/m", curve.rises() && (slope - 1.0).abs() < 0.1)
+            Check::new("slope", &[slope], "m/m", curve.rises() && (slope - 1.0).abs() < 0.1)
         },
     ),
     claim(
@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let curve = shots.depths("k=0", &DAMPING);
             let printed = at(&shots.printed().depths("k=0", &DAMPING));
             let holds = curve.rises() && !levels(at(&curve)) && levels(printed);
-            Check::of("b = 0, 1000, 2000:", &at(&curve), "%", holds)
+            Check::new("b = 0, 1000, 2000:", &at(&curve), "%", holds)
         },
     ),
     claim(
@@ -101,7 +101,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let steps = [26, 101, 401].map(step);
             let unit = "% with dn = 0.02, 0.005, 0.00125";
             let holds = steps[1] < 0.5 * steps[0] && steps[2] < 0.5 * steps[1];
-            Check::of("k = 1e6: greatest step", &steps, unit, holds)
+            Check::new("k = 1e6: greatest step", &steps, unit, holds)
         },
     ),
     claim(
@@ -114,7 +114,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let [_, one, more, most] = values;
             let holds =
                 one - more < 0.15 * curve.span() && (more - most).abs() < 0.01 * curve.span();
-            Check::of("k = 1e6, n = 0.1, 1, 1.5, 3:", &values, "%", holds)
+            Check::new("k = 1e6, n = 0.1, 1, 1.5, 3:", &values, "%", holds)
         },
     ),
     claim(
@@ -131,7 +131,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let mass = shots.depths("", &FEW_GAMMAS).span();
             let stiffness = shots.depths("", &FEW_STIFFNESSES).span();
             let spans = [mass, stiffness];
-            Check::of("change over all gamma, over all k:", &spans, "%", mass > stiffness)
+            Check::new("change over all gamma, over all k:", &spans, "%", mass > stiffness)
         },
     ),
     claim(
@@ -159,7 +159,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let depths =
                 ["k=1e5", "k=1e6"].map(|k| shots.percent(&format!("gamma=0.8 n=0.45 {k}")));
             let holds = depths[0] < 90.0 && depths[1] > 90.0;
-            Check::of("gamma = 0.8, n = 0.45, k = 1e5, 1e6:", &depths, "%", holds)
+            Check::new("gamma = 0.8, n = 0.45, k = 1e5, 1e6:", &depths, "%", holds)
         },
     ),
     claim(
@@ -169,7 +169,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| {
             let spans =
                 [0.5, 1.0, 2.0, 3.0].map(|n| shots.travels(&format!("n={n}"), &FEW_GAMMAS).span());
-            Check::of("change over gamma at n = 0.5, 1, 2, 3:", &spans, "mm", spans.is_sorted())
+            Check::new("change over gamma at n = 0.5, 1, 2, 3:", &spans, "mm", spans.is_sorted())
         },
     ),
     claim(
@@ -180,7 +180,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let plateau = range("n", 0.1, 1.5, 57);
             let edges = ["k=1e5", "k=1e6", "k=7.5e6"].map(|k| shots.depths(k, &plateau).edge());
             let what = "half way down with k = 1e5, 1e6, 7.5e6 at n =";
-            Check::of(what, &edges, "", edges.is_sorted())
+            Check::new(what, &edges, "", edges.is_sorted())
         },
     ),
     claim(
@@ -191,7 +191,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let corners = ["k=1e5 n=0.3", "k=1e5 n=3", "k=7.5e6 n=0.3", "k=7.5e6 n=3"]
                 .map(|it| shots.travel_mm(it));
             let holds = [0, 2, 3].iter().all(|other| corners[1] > corners[*other]);
-            Check::of("low k at n = 0.3, 3, high k at n = 0.3, 3:", &corners, "mm", holds)
+            Check::new("low k at n = 0.3, 3, high k at n = 0.3, 3:", &corners, "mm", holds)
         },
     ),
     claim(
@@ -203,7 +203,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                 [0.8, 2.0, 7.0].map(|gamma| shots.depths(&format!("gamma={gamma}"), &COCKING));
             let spans: Vec<f64> = curves.iter().map(Curve::span).collect();
             let holds = curves.iter().all(Curve::falls) && spans.is_sorted_by(|a, b| a > b);
-            Check::of("change over d at gamma = 0.8, 2, 7:", &spans, "%", holds)
+            Check::new("change over d at gamma = 0.8, 2, 7:", &spans, "%", holds)
         },
     ),
     claim(
@@ -219,7 +219,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let spans = [0.0, 0.5].map(|d| shots.travels(&format!("d={d}"), &FEW_GAMMAS).span());
             let change = format!("times; change over gamma {}", list(&spans, "mm"));
             let holds = ratios.iter().all(|ratio| *ratio < 100.0) && spans[1] < spans[0];
-            Check::of("d = 0.5 m against uncocked at gamma = 0.8, 1, 7:", &ratios, &change, holds)
+            Check::new("d = 0.5 m against uncocked at gamma = 0.8, 1, 7:", &ratios, &change, holds)
         },
     ),
     claim(
@@ -240,7 +240,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             let slopes =
                 ["k=1e5", "k=1e6", "k=7.5e6"].map(|k| shots.travels(k, &COCKING).slope() / 1e3);
             let holds = slopes.iter().all(|slope| (slope - 1.0).abs() < 0.1);
-            Check::of("slope at k = 1e5, 1e6, 7.5e6:", &slopes, "m/m", holds)
+            Check::new("slope at k = 1e5, 1e6, 7.5e6:", &slopes, "m/m", holds)
         },
     ),
     claim(

@@ -194,7 +194,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the effective stiffness grows a little with deflection, to 0.111 MN/m at d = 0.03 m",
         "the stated value is the stiffness at rest",
         |shots| {
-            let spring = Mechanism::of(&shots.scene("spring=prbm-cantilever")).spring;
+            let spring = Mechanism::from_scene(&shots.scene("spring=prbm-cantilever")).spring;
             let (rest, at_yield) = (spring.tangent(0.0), spring.tangent(0.03));
             let [low, high] = [rest, at_yield].map(|it| engineering(it, "N/m", 4));
             let text = format!("{low} at rest, {high} at 0.03 m");

@@ -34,7 +34,7 @@ impl App {
     /// Builds the sweep plan for another scene.
     pub fn sweep_plan_of(&self, scene: &Scene) -> Result<Plan, SweepError> {
         let sweep = sweep_of(scene);
-        let axis = |at: usize| Axis::of(&sweep.axes[at], &GRID_COUNTS);
+        let axis = |at: usize| Axis::from_sweep_axis(&sweep.axes[at], &GRID_COUNTS);
         let mut axes = vec![axis(0)?];
         match self.picture() {
             ChartKind::Line if has_family(scene) => {

@@ -63,7 +63,7 @@ impl App {
             SetupRow::Axis(at, part) => part.line(&sweep.axes[at], self.unit_of(&sweep.axes[at].name)),
             SetupRow::Picture => {
                 let word = if picture == ChartKind::Line { "curves" } else { "map" };
-                FormRow::word("shown as", word).means(
+                FormRow::choice("shown as", word).means(
                     "curves: one for each value of the variable across, if any; map: colours over both",
                 )
             }
@@ -179,7 +179,7 @@ fn show_as(app: &mut App, picture: ChartKind) -> Result<(), String> {
 fn checked(app: &mut App, sweep: Sweep, changed: usize) -> Result<(), String> {
     let sweep = settled(app, sweep, changed);
     for axis in &sweep.axes {
-        Axis::of(axis, &GRID_COUNTS).map_err(|error| error.to_string())?;
+        Axis::from_sweep_axis(axis, &GRID_COUNTS).map_err(|error| error.to_string())?;
     }
     let edited = Scene { sweep: Some(sweep.clone()), ..Scene::clone(&app.scene) };
     app.sweep_plan_of(&edited).map_err(|error| error.to_string())?;

@@ -20,8 +20,8 @@ pub use crate::tui::widgets::axis::Part;
 pub use crate::worker::studies::ChartKind;
 
 /// The curves or the map.
-pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
-pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
+pub const RESULTS: Pane = Pane::new(Tab::Explore, 0);
+pub const SETUP: Pane = Pane::new(Tab::Explore, 1);
 
 /// Curves of a family.
 pub(crate) const CURVES: u64 = 5;

@@ -53,7 +53,7 @@ const CONTINUATION_INDENT: &str = "  ";
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let focused = app.has_focus(COMPARISON);
     let old =
-        if app.pages.limit.comparison.is_old(&app.scene) { " (of another scene)" } else { "" };
+        if app.pages.limit.comparison.is_stale(&app.scene) { " (of another scene)" } else { "" };
     let title = format!("Does moving armour pay?{old}");
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     let height = usize::from(area.height.saturating_sub(2));

@@ -63,7 +63,7 @@ impl App {
     /// V50 of the scene on the screen, once it was asked for.
     fn v50(&self) -> Option<&monte_carlo::Report> {
         let spread = &self.pages.limit.spread;
-        spread.found.as_deref().filter(|_| !spread.is_old(&self.scene))
+        spread.found.as_deref().filter(|_| !spread.is_stale(&self.scene))
     }
 
     /// Whether what is wanted of the limit is neither there nor under way.
@@ -78,7 +78,7 @@ impl App {
     /// Whether the limit belongs to another scene than the one on the screen.
     pub fn limit_is_old(&self) -> bool {
         let report = &self.pages.limit.report;
-        report.is_old(&self.limit_scene(&report.scene))
+        report.is_stale(&self.limit_scene(&report.scene))
     }
 
     /// The velocity of the shot that the limit is compared with: of its own scene, m/s.

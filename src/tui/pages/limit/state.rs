@@ -7,10 +7,10 @@ use crate::tui::keymap::{Pane, Tab};
 use crate::worker::studies::Comparison;
 
 /// The residual velocity over the impact velocity.
-pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
+pub const RESIDUAL: Pane = Pane::new(Tab::Limit, 0);
 /// The comparison at equal areal mass.
-pub const COMPARISON: Pane = Pane::of(Tab::Limit, 1);
-pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
+pub const COMPARISON: Pane = Pane::new(Tab::Limit, 1);
+pub const EFFICIENCY_MAP: Pane = Pane::new(Tab::Limit, 2);
 
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {

@@ -45,7 +45,7 @@ impl App {
         let Some(report) = &tab.report.found else { return parts };
         if let Some(reference) = report.references.any() {
             let sure = reference.uncertainty.map(|it| format!(", to {it:.0e}"));
-            let words = reference.basis.words();
+            let words = reference.basis.label();
             let text = format!("reference {words}{}", sure.unwrap_or_default());
             parts.push(part(Severity::Note, text));
             let ending = match reference.results[0] {
@@ -86,7 +86,7 @@ impl App {
         let method = tab.method();
         let mut lines = vec![(format!("{} {}", method.letter(), method.name()), Role::Title)];
         let mut add = |role, text: String| lines.push((text, role));
-        let Some(report) = tab.of(method) else {
+        let Some(report) = tab.method_report(method) else {
             add(Role::Text, "not measured yet".to_owned());
             return lines;
         };
@@ -132,14 +132,14 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 /// Whether the selected method is one that a scene is run by, and its tolerance is known for this scene.
 pub(crate) fn can_use(app: &App) -> bool {
     let tab = &app.pages.numerics.accuracy;
-    tab.usable().is_some() && !tab.report.is_old(&app.accuracy_scene())
+    tab.usable().is_some() && !tab.report.is_stale(&app.accuracy_scene())
 }
 
 /// Give the scene the tolerance by which `auto` reaches the accuracy requested first.
 fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
-    if tab.report.is_old(&app.accuracy_scene()) || tab.report.found.is_none() {
+    if tab.report.is_stale(&app.accuracy_scene()) || tab.report.found.is_none() {
         return app.refuse(nothing::<MethodBenchmark>(app, BEING_COMPUTED, None));
     }
     let mut scene = (*app.scene).clone();
@@ -200,7 +200,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = nothing::<MethodBenchmark>(app, "measuring the first points", None);
         return canvas.put_centred(inner, &text);
     };
-    let is_old = tab.report.is_old(&app.accuracy_scene());
+    let is_old = tab.report.is_stale(&app.accuracy_scene());
     chart.title = if is_old { "Relative error, of another scene" } else { "Relative error" }.into();
     for (method, curve) in Method::ALL.into_iter().zip(&mut chart.curves) {
         curve.emphasis = emphasis(is_old, method == tab.method());

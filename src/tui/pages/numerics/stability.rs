@@ -18,7 +18,7 @@ use crate::worker::studies::{StabilityMap, StiffScenes};
 /// Explains the columns of the stiff scenes, for `?`.
 pub(crate) fn stiff_scenes_words() -> String {
     let computed = [ReferenceSource::Dop853, ReferenceSource::Radau, ReferenceSource::Engine];
-    let bases = computed.map(|it| format!("{}: {}", it.letter(), it.words())).join(", ");
+    let bases = computed.map(|it| format!("{}: {}", it.letter(), it.label())).join(", ");
     let stored = ReferenceSource::Stored("").letter();
     format!(
         "The letter behind an error names what it is measured against: {stored}: stored digits, {bases}."
@@ -161,7 +161,7 @@ fn map_of(app: &App) -> StabilityMap {
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.stability;
-    let old = if tab.map.is_old(&app.scene) { ", old" } else { "" };
+    let old = if tab.map.is_stale(&app.scene) { ", old" } else { "" };
     let focused = app.has_focus(STABILITY);
     let Some(found) = &tab.map.found else {
         let pane = PaneFrame::new("Map").right(app.keymap.shown("<next-pane>: stiff scenes"));

@@ -10,9 +10,9 @@ use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
 
 /// Error against run time.
-pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
-pub const STABILITY: Pane = Pane::of(Tab::Numerics, 1);
-pub const STIFF_SCENES: Pane = Pane::of(Tab::Numerics, 2);
+pub const ACCURACY: Pane = Pane::new(Tab::Numerics, 0);
+pub const STABILITY: Pane = Pane::new(Tab::Numerics, 1);
+pub const STIFF_SCENES: Pane = Pane::new(Tab::Numerics, 2);
 
 #[derive(Clone, Debug, Default)]
 pub struct Numerics {
@@ -51,13 +51,13 @@ impl Accuracy {
         self.tolerance().filter(|_| self.method() == Method::Auto)
     }
 
-    pub fn of(&self, method: Method) -> Option<&MethodReport> {
+    pub fn method_report(&self, method: Method) -> Option<&MethodReport> {
         self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
     /// The point of the selected method that can be used, else its most accurate one.
     pub fn example(&self) -> Option<(Parameter, &Measured)> {
-        let report = self.of(self.method())?;
+        let report = self.method_report(self.method())?;
         let usable = self.usable().map(Parameter::Tolerance);
         let used = report.measured().find(|point| Some(point.0) == usable);
         used.or_else(|| report.measured().min_by(|a, b| a.1.error().total_cmp(&b.1.error())))

@@ -11,9 +11,9 @@ use crate::tui::keymap::{Pane, Tab};
 use crate::tui::pages::run::editor::Editor;
 use crate::worker::studies::SearchAnswer;
 
-pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
-pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
-pub const RUNS: Pane = Pane::of(Tab::Run, 2);
+pub const VARIABLES: Pane = Pane::new(Tab::Run, 0);
+pub const CHARTS: Pane = Pane::new(Tab::Run, 1);
+pub const RUNS: Pane = Pane::new(Tab::Run, 2);
 
 #[derive(Clone, Debug, Default)]
 pub struct RunPage {

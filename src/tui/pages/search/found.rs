@@ -99,7 +99,7 @@ pub(super) fn place(front: &Report, design: &Design) -> Option<(f64, f64)> {
 impl App {
     /// The search of a page that has not ended.
     pub fn searching(&self, page: Page) -> Option<&Running> {
-        let is_own = |request: &Arc<SearchRequest>| Page::of(request) == page;
+        let is_own = |request: &Arc<SearchRequest>| Page::from_request(request) == page;
         let mut studies = self.jobs.studies.iter();
         studies.find(|running| SearchRequest::of(&running.asked).is_some_and(is_own))
     }

@@ -39,7 +39,7 @@ fn request(app: &App) -> Result<SearchRequest, String> {
     let over = app.varied()?;
     let setup = &app.pages.search.setup;
     let chosen = USUAL.into_iter().zip(setup.objectives).filter(|(_, is_chosen)| *is_chosen);
-    let objectives = chosen.map(|(name, _)| Objective::of(name, false));
+    let objectives = chosen.map(|(name, _)| Objective::new(name, false));
     let objectives: Vec<Objective> =
         objectives.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
     if objectives.is_empty() {

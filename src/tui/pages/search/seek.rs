@@ -33,7 +33,8 @@ fn rows(_: &App) -> Vec<Row> {
 
 fn request(app: &App) -> Result<SearchRequest, String> {
     let setup = &app.pages.search.setup;
-    let over = sweep::Axis::of(&setup.seek, &SCAN).map_err(|error| error.to_string())?;
+    let over =
+        sweep::Axis::from_sweep_axis(&setup.seek, &SCAN).map_err(|error| error.to_string())?;
     let measure = named(setup.goal.0).map_err(|error| error.to_string())?;
     let goal = Goal { measure, target: setup.goal.1 };
     Ok(SearchRequest::Seek(seek::Request { over, goal }))

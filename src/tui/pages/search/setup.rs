@@ -36,7 +36,7 @@ fn usual_bounds(scene: &Scene) -> Vec<Bound> {
         let is_model = variable.group != Group::Run && variables::is_listed(variable, scene);
         positive && is_model && variables::is_used(variable, scene) && !is_there(variable)
     });
-    let usual = |variable| Axis::of(&over(scene, variable, 2).ok()?, &COUNTS).ok();
+    let usual = |variable| Axis::from_sweep_axis(&over(scene, variable, 2).ok()?, &COUNTS).ok();
     let others = others.filter_map(usual).map(|axis| Bound { axis, on: false });
     let others: Vec<Bound> = others.collect();
     thesis.into_iter().map(|axis| Bound { axis, on: true }).chain(others).collect()
@@ -100,7 +100,7 @@ impl App {
                     .means(quantity_meaning(setup.goal.0))
             }
             Row::Bound(at) => bounds.get(at).map_or_else(
-                || FormRow::word("", ""),
+                || FormRow::choice("", ""),
                 |bound| bound_line(bound, self.unit_of(bound.axis.symbol())),
             ),
             Row::Objective(at) => {
@@ -116,7 +116,7 @@ impl App {
                 let (shown, text) = (written(&short_words), written(&Constraint::to_string));
                 let unit = "the unit that QUANTITY ends in".to_owned();
                 let quantity = Some(FieldQuantity { unit, variable: None });
-                FormRow { text: Some(text.clone()), quantity, ..FormRow::word("bounds", shown) }
+                FormRow { text: Some(text.clone()), quantity, ..FormRow::choice("bounds", shown) }
                     .means(format!("{text} ({how}: peak_mount_force_n<=20kN)"))
             }
             Row::Feasible => FormRow::switch("feasible", setup.feasible).means(
@@ -177,7 +177,7 @@ pub(crate) fn bound_line(bound: &Bound, unit: &'static str) -> FormRow {
         text: Some(format!("{}{log}", range(FIELD_DIGITS))),
         quantity: Some(FieldQuantity { unit: unit.to_owned(), variable: Some(variable) }),
         role: if bound.on { Role::Text } else { Role::Dim },
-        ..FormRow::word(bound.axis.symbol(), shown)
+        ..FormRow::choice(bound.axis.symbol(), shown)
     }
     .means(format!("{meaning} (<enter>: LO..HI, LO..HI:log; <left>/<right> held or varied)"))
 }

@@ -14,8 +14,8 @@ use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 
-pub const SETUP: Pane = Pane::of(Tab::Search, 0);
-pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
+pub const SETUP: Pane = Pane::new(Tab::Search, 0);
+pub const RESULTS: Pane = Pane::new(Tab::Search, 1);
 
 /// A page of the tab: a study.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,7 +34,7 @@ impl Page {
     pub const COUNT: usize = Self::ALL.len();
 
     /// The page that asks for it.
-    pub fn of(request: &SearchRequest) -> Self {
+    pub fn from_request(request: &SearchRequest) -> Self {
         match request {
             SearchRequest::Seek(_) => Self::Seek,
             SearchRequest::Front(_) => Self::Front,
@@ -109,7 +109,8 @@ impl Setup {
         let goal = quantities::find(name).map(|measure| Goal { measure, target });
         let chosen = USUAL.iter().zip(self.objectives).filter(|(_, is_chosen)| *is_chosen);
         Search {
-            seek: Axis::of(&self.seek, &SCAN).map_or_else(|_| String::new(), |it| it.to_string()),
+            seek: Axis::from_sweep_axis(&self.seek, &SCAN)
+                .map_or_else(|_| String::new(), |it| it.to_string()),
             goal: goal.map_or_else(String::new, |goal| goal.to_string()),
             bounds: self.bounds.iter().map(|it| (it.axis.to_string(), it.on)).collect(),
             minimise: Some(chosen.map(|(name, _)| (*name).to_owned()).collect()),
@@ -124,7 +125,7 @@ impl Setup {
     }
 
     /// The setup that was kept, as far as that still means something.
-    pub(crate) fn of(kept: &Search) -> Self {
+    pub(crate) fn from_session(kept: &Search) -> Self {
         let usual = Self::default();
         let bound = |(text, on): &(String, bool)| {
             let axis = Axis::read_range(text, Some(*COUNTS.start()), &COUNTS).ok()?;
@@ -199,7 +200,7 @@ mod tests {
             percent: Some(0.0),
             ..Search::default()
         };
-        let kept = Setup::of(&odd);
+        let kept = Setup::from_session(&odd);
         let usual = Setup::default();
         assert_eq!((kept.seek, kept.goal, kept.output), (usual.seek, usual.goal, usual.output));
         assert!(kept.bounds.len() == 1 && kept.percent > 0.0);

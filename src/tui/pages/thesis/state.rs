@@ -4,10 +4,10 @@ use crate::study::thesis::Row;
 use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 
-pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
-pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
-pub const CONCEPTS: Pane = Pane::of(Tab::Thesis, 2);
-pub const MEASURED: Pane = Pane::of(Tab::Thesis, 3);
+pub const CLAIMS: Pane = Pane::new(Tab::Thesis, 0);
+pub const PRINCIPLES: Pane = Pane::new(Tab::Thesis, 1);
+pub const CONCEPTS: Pane = Pane::new(Tab::Thesis, 2);
+pub const MEASURED: Pane = Pane::new(Tab::Thesis, 3);
 
 #[derive(Clone, Debug, Default)]
 pub struct Thesis {

@@ -55,7 +55,7 @@ impl Constraint {
     }
 
     /// In words: `stroke <= 50 mm`.
-    pub fn words(&self) -> String {
+    pub fn label(&self) -> String {
         format!("{} {} {}", self.measure.title(), self.sign(), self.measure.show(self.bound, 4))
     }
 }

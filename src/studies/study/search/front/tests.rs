@@ -11,7 +11,7 @@ use crate::study::testing::{axes, scene};
 fn request(list: &[(&str, f64, f64)], minimise: &[&str]) -> Request {
     Request {
         over: axes(list),
-        objectives: minimise.iter().map(|name| Objective::of(name, false).unwrap()).collect(),
+        objectives: minimise.iter().map(|name| Objective::new(name, false).unwrap()).collect(),
         subject_to: Vec::new(),
         is_feasible: false,
         samples: 1024,

@@ -45,7 +45,7 @@ impl Axis {
             let (from, to) = ends(low, high, quantity, bare).map_err(refuse)?;
             let count = usize::try_from(count).unwrap_or(usize::MAX);
             let axis = SweepAxis { log, ..SweepAxis::linear(name, from, to, count) };
-            return Self::of(&axis, counts);
+            return Self::from_sweep_axis(&axis, counts);
         }
         let parts: Vec<&str> = rest.split(',').map(str::trim).collect();
         let [first, others @ ..] = &parts[..] else { return Err(form()) };
@@ -57,7 +57,7 @@ impl Axis {
         if others.iter().any(|it| units::one_bare_end(first, it, quantity).is_some()) {
             return Err(refuse("give all values of the list a unit, or none".to_owned()));
         }
-        Self::of(&SweepAxis { values, ..SweepAxis::linear(name, 0.0, 0.0, 0) }, counts)
+        Self::from_sweep_axis(&SweepAxis { values, ..SweepAxis::linear(name, 0.0, 0.0, 0) }, counts)
     }
 
     /// Parses a range; a list of values is an error.

@@ -276,7 +276,7 @@ fn over_displacement<'a>(
 ) -> Chart<'a> {
     let quantity = app.pages.run.charts.quantities[index];
     let run = app.shown.as_ref().map(|shown| &shown.run);
-    let law = run.and_then(|run| Law::of(run));
+    let law = run.and_then(|run| Law::from_run(run));
     let points = || data.iter().flat_map(|curve| curve.points.iter());
     let limits = law.iter().flat_map(|law| <[f64; 2]>::from(law.range_m()));
     let x = Axis::over("x", "m", Scale::Linear, points().map(|point| point.0).chain(limits));

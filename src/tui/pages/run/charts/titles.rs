@@ -55,7 +55,7 @@ pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
 
 /// The greatest magnitude of a quantity over a run.
 fn greatest(quantity: Channel, run: &Run) -> f64 {
-    let values = run.series.iter().map(|sample| quantity.of(&run.scene, sample).abs());
+    let values = run.series.iter().map(|sample| quantity.value(&run.scene, sample).abs());
     values.filter(|value| value.is_finite()).fold(0.0, f64::max)
 }
 
