@@ -13,7 +13,7 @@ use crate::tui::plain as draw;
 use crate::worker::clock::Clock;
 
 mod accuracy;
-mod amount;
+mod charts;
 mod commands;
 mod compare;
 mod completions;
@@ -27,7 +27,6 @@ mod limit;
 mod monte_carlo;
 mod optimise;
 mod output;
-mod pictures;
 mod presets;
 mod progress;
 mod report;
@@ -43,6 +42,7 @@ mod table;
 mod text;
 mod usage;
 mod validate;
+mod value_parsers;
 mod workbench;
 
 pub use error::CliError;

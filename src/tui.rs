@@ -19,9 +19,9 @@ pub(crate) mod widgets;
 
 mod backlog;
 mod effects;
+mod event_loop;
+mod frame_scheduler;
 mod input;
-mod pace;
-mod shell;
 mod signals;
 mod start;
 mod terminal;
@@ -43,7 +43,7 @@ use std::io::{self, Write};
 use crate::files::paths::Paths;
 use crate::files::preset::Preset;
 use crate::report::traces::Traces;
-use shell::{EventLoop, ExitReason};
+use event_loop::{EventLoop, ExitReason};
 
 #[derive(Clone, Debug, Default)]
 pub struct Options {

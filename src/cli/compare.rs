@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::pictures::ChartArguments;
+use crate::cli::charts::ChartArguments;
 use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw};

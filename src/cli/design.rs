@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 use clap::Args;
 
 use crate::cli::CliError;
-use crate::cli::amount::above_zero;
 use crate::cli::progress::Extent;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
+use crate::cli::value_parsers::above_zero;
 use crate::model::design;
 use crate::model::library;
 use crate::model::mechanism::Mechanism;

@@ -6,9 +6,9 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::CliError;
-use crate::cli::amount::{deviation, part};
 use crate::cli::study::{Random, StudyArguments};
 use crate::cli::text::width;
+use crate::cli::value_parsers::{deviation, part};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo::{self, perforation, table};
 use crate::report::verdict::sentence;

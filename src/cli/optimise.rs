@@ -6,9 +6,9 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::CliError;
-use crate::cli::amount::count;
 use crate::cli::study::{StudyArguments, axes};
 use crate::cli::text::{hanging, width};
+use crate::cli::value_parsers::count;
 use crate::model::units::significant;
 use crate::report::front;
 use crate::report::table::{Cells, grid};

@@ -9,13 +9,13 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::amount::above_zero;
-use crate::cli::pictures::ChartArguments;
+use crate::cli::charts::ChartArguments;
 use crate::cli::progress::{Extent, ProgressLine};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::TableArguments;
 use crate::cli::text::{chart_size, fitted, hanging, width};
+use crate::cli::value_parsers::above_zero;
 use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
 use crate::files::export::scenes;

@@ -12,7 +12,7 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::pictures::ChartArguments;
+use crate::cli::charts::ChartArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;

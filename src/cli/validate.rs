@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Args;
 use serde_json::Value;
 
-use crate::cli::pictures::ChartArguments;
+use crate::cli::charts::ChartArguments;
 use crate::cli::progress::Extent;
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;

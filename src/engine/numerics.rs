@@ -9,14 +9,14 @@
 //! is bounded.
 
 pub(crate) mod collocation;
-pub(crate) mod crossing;
+pub(crate) mod event_location;
 pub(crate) mod explicit;
-pub(crate) mod locate;
 pub mod maximum;
 pub(crate) mod monotone;
 pub mod quadrature;
 pub mod random;
 pub mod root;
+pub(crate) mod series_root;
 pub mod sobol;
 pub mod statistics;
 pub(crate) mod step;

@@ -1,17 +1,17 @@
 //! The dialogs on top of the panes: each with its keys, how it is drawn, and what comes of it.
 
-mod ask;
+mod choice;
 mod help;
 pub(crate) mod list;
 pub mod palette;
+mod path;
 mod presets;
-mod words;
 
 use crate::tui::app::dialog::Dialog;
 use crate::tui::dialogs::list::listed;
 use crate::tui::prelude::*;
 
-pub(crate) use words::open as list_words;
+pub(crate) use choice::open as list_words;
 
 /// Opens a dialog; one that has nothing to show says why instead.
 type Open = fn(&mut App) -> Option<Box<dyn Dialog>>;
@@ -24,9 +24,9 @@ const OPENED: &[(Action, Open)] = &[
         app.list_presets();
         Some(listed(presets::Presets, 0))
     }),
-    (Action::Save, |app| Some(ask::save(app))),
-    (Action::Export, ask::export),
-    (Action::Beside, |app| Some(ask::beside(app))),
+    (Action::Save, |app| Some(path::save(app))),
+    (Action::Export, path::export),
+    (Action::Beside, |app| Some(path::beside(app))),
 ];
 
 /// Open the dialog of an action; false where it has none here.

@@ -18,7 +18,7 @@ use crate::tui::pages::run::{self, impact};
 use crate::tui::prelude::*;
 use crate::tui::preset::ReferencePreset;
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
-use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::value_steps::Input;
 
 /// The first requests: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {

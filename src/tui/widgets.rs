@@ -6,11 +6,11 @@ pub(crate) mod form;
 pub(crate) mod input;
 pub(crate) mod layout;
 mod map;
-mod moves;
+mod navigation;
 pub(crate) mod place;
-pub(crate) mod steps;
 pub(crate) mod table;
 pub(crate) mod text;
+pub(crate) mod value_steps;
 
 use std::ops::{Deref, DerefMut};
 
@@ -27,7 +27,7 @@ use crate::tui::theme::{PaneFrame, Role, Theme};
 use crate::tui::widgets::text::{TextLine, first_row};
 
 pub(crate) use layout::{split_bottom, split_left, split_top};
-pub(crate) use moves::{along, around, cursor_moved, cycled, moved, rows_moved, step_of};
+pub(crate) use navigation::{along, around, cursor_moved, cycled, moved, rows_moved, step_of};
 
 /// The cells that are drawn on, and what the drawing says beside: where the cursor stands, and what is under the mouse.
 pub(crate) struct Canvas<'a> {

@@ -10,12 +10,12 @@
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::mechanism::{Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::crossing::{dips, rise, zero};
+use crate::numerics::series_root::{dips, rise, zero};
 use crate::numerics::{larger, smaller};
 use expansion::State;
 
 mod expansion;
-mod start;
+mod singular_start;
 
 /// Part of the force that is reached at least, if it grew as at first contact.
 const GROWN_PART: f64 = 0.3;

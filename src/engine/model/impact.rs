@@ -14,20 +14,20 @@ use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Se
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
-pub use stepping::IntegrationMethod;
-use stepping::run_by;
+pub use method::IntegrationMethod;
+use method::run_by;
 
+mod dense_output;
 mod equations;
 mod events;
-mod hold;
+mod method;
 mod modes;
-mod moving;
 mod outcome;
-mod path;
-mod record;
-mod report;
+mod plate_lock;
+mod recorder;
+mod reduced_system;
+mod results;
 mod run;
-mod stepping;
 #[cfg(test)]
 mod tests;
 

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use crate::model::labelled_enum::worded;
 use crate::model::scene::{Closure, DragSource, Nose, Scene, Target};
 use crate::model::variables::{self, Value, VariableError};
-use crate::model::worded::worded;
 
 worded! {
     /// Library, named after its file.

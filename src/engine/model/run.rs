@@ -6,8 +6,8 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::labelled_enum::worded;
 use crate::model::scene::{Criterion, Scene};
-use crate::model::worded::worded;
 use crate::numerics::larger;
 
 mod check;

@@ -8,13 +8,13 @@ use std::sync::LazyLock;
 
 use thiserror::Error;
 
+use crate::model::labelled_enum::worded;
 use crate::model::mechanism::kinds::spring_rows;
 use crate::model::scene::{
     Contact, Interface, Listing, Mechanism, Plate, Projectile, RunSettings, Scene, Stack, Stop,
     Target, damper_rows, second_rows,
 };
 use crate::model::units::{self, Bare, Dimension};
-use crate::model::worded::worded;
 
 use part::placed;
 use visible::{has_second, is_hydrodynamic, is_listing, may_stop};

@@ -30,17 +30,17 @@ use crate::study::limit::Limit;
 use crate::study::sweep::Axis;
 use crate::study::verdict::{Decision, Verdict as ShotVerdict};
 
+mod candidate;
 mod hardware;
-mod judge;
 pub mod map;
-mod sized;
+mod sizing;
 mod solid;
 
+pub use candidate::limit_if_spring_survives_m_s;
 pub use hardware::{Failure, Hardware};
-pub use judge::limit_if_spring_survives_m_s;
-pub use sized::{Absence, SizedArmour, THINNEST_M, WIDTH, mass_efficiency};
+pub use sizing::{Absence, SizedArmour, THINNEST_M, WIDTH, mass_efficiency};
 
-use judge::CandidateEvaluator;
+use candidate::CandidateEvaluator;
 
 enumeration! {
     /// Who is compared.

@@ -18,7 +18,7 @@ use search::{BESIDE, ShotRunner};
 mod closures;
 pub mod residual_law;
 mod search;
-pub(in crate::study) mod verdict;
+pub(in crate::study) mod shot_outcome;
 
 pub use crate::model::closed_form::ballistic_limit_m_s as closed_form;
 pub use closures::Closures;

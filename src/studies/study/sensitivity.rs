@@ -15,7 +15,7 @@ use crate::study::context::Context;
 use crate::study::option;
 use crate::study::outcome::PointOutcome;
 use crate::study::quantities::{Quantity, named};
-use crate::study::sweep::usual::{or_usual, thesis_ends};
+use crate::study::sweep::default_axes::{or_usual, thesis_ends};
 use crate::study::sweep::{Axis, Plan, Point, Spacing, SweepError};
 use crate::study::validity;
 

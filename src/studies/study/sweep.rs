@@ -6,11 +6,11 @@
 //! the outcome of the point is reported beside it. Knows no files, no screen, no command line and no clock.
 
 pub mod axis;
+pub mod default_axes;
 mod designs;
 pub mod evaluate;
 pub mod grid;
 pub(in crate::study) mod kernel;
-pub mod usual;
 
 use std::sync::Arc;
 

@@ -14,7 +14,7 @@ use crate::tui::pages::run::editor::shown_in;
 use crate::tui::prelude::*;
 use crate::tui::preset::{LabelledScene, ReferencePreset};
 use crate::tui::widgets::cycled;
-use crate::tui::widgets::steps::{self, StepKey};
+use crate::tui::widgets::value_steps::{self, StepKey};
 
 /// Set a variable. `stepping` joins it with the steps just before.
 pub(crate) fn set(
@@ -262,12 +262,12 @@ pub(crate) fn step(app: &mut App, press: StepKey) {
             // While the arrows go on, the step stays as it is.
             let plain = match app.pages.run.editor.stepped {
                 Some((same, decade)) if same == index => decade,
-                _ => steps::decade(variable, value),
+                _ => value_steps::decade(variable, value),
             };
             app.pages.run.editor.stepped = Some((index, plain));
-            steps::stepped(variable, value, press, plain)
+            value_steps::stepped(variable, value, press, plain)
         }
-        None => press.up.then(|| steps::first_value(variable, number, scene)),
+        None => press.up.then(|| value_steps::first_value(variable, number, scene)),
     };
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(index));

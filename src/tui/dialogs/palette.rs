@@ -3,7 +3,7 @@
 use crate::model::variables::{VARIABLES, Variable, is_offered};
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
-use crate::tui::dialogs::{presets, words};
+use crate::tui::dialogs::{choice, presets};
 use crate::tui::keymap::Command;
 use crate::tui::pages::{commands, run};
 use crate::tui::prelude::*;
@@ -35,7 +35,7 @@ impl List for Palette {
             Some(Item::Variable(index)) => {
                 run::focus_on(app, index);
                 if run::is_list(app) {
-                    words::open(app);
+                    choice::open(app);
                 } else {
                     run::open(app);
                 }

@@ -19,7 +19,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::Form;
-use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::value_steps::Input;
 use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{PictureSweep, PrintedSweep};
 

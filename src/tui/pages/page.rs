@@ -33,7 +33,7 @@ use crate::tui::pages;
 use crate::tui::widgets::form::{FieldQuantity, Form};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::{Layout, layout};
-use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::value_steps::Input;
 
 /// The refusal of what needs results that are under way.
 pub(crate) const BEING_COMPUTED: &str = "being computed";

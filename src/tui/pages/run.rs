@@ -18,7 +18,7 @@ use crate::tui::widgets::axis::FIELD_DIGITS;
 use crate::tui::widgets::form::FieldQuantity;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
-use crate::tui::widgets::steps::{Input, StepKey};
+use crate::tui::widgets::value_steps::{Input, StepKey};
 
 pub use state::{CHARTS, RUNS, VARIABLES};
 

@@ -1,14 +1,14 @@
 //! The Search tab: goal seek, Pareto front, sensitivity, Monte Carlo.
 
-pub(crate) mod answer;
 pub(crate) mod draw;
-mod found;
 mod front;
 mod monte_carlo;
+mod results;
 mod seek;
 mod sensitivity;
 pub mod setup;
 pub mod state;
+pub(crate) mod study_page;
 
 use crate::study::quantities::{Needs, named};
 use crate::study::search::front::SAMPLES as DESIGNS;
@@ -19,14 +19,14 @@ use crate::tui::app::notice::outside_at_ends;
 use crate::tui::pages::page::move_by;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::search::answer::Answer;
 use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Bound, Row, Setup};
+use crate::tui::pages::search::study_page::Answer;
 use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
-use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::value_steps::Input;
 use crate::worker::studies::SearchRequest;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.

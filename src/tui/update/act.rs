@@ -9,8 +9,8 @@ use crate::tui::pages::{self, move_by};
 use crate::tui::prelude::*;
 use crate::tui::update;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::steps::{Input, StepKey};
 use crate::tui::widgets::table::NO_MATCH;
+use crate::tui::widgets::value_steps::{Input, StepKey};
 use crate::tui::widgets::{around, cycled, rows_moved, step_of};
 
 /// Do it, in the pane that has the keys.

@@ -9,7 +9,7 @@ use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Allowed, Number, VARIABLES, Variable};
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{FieldQuantity, FormRow, VALUE_WIDTH};
-use crate::tui::widgets::steps::{self, Input, shown_number};
+use crate::tui::widgets::value_steps::{self, Input, shown_number};
 
 /// Digits of a field: as many as a number that was typed may have.
 pub(crate) const FIELD_DIGITS: usize = 12;
@@ -92,8 +92,8 @@ fn changed_end(
         Input::Text(text) => units::parse_relative(text, end, number.quantity, Bare::In(unit))
             .map_err(|problem| format!("{}: {problem}", variable.symbol)),
         Input::Step(press) => {
-            let plain = steps::decade(variable, greatest);
-            steps::stepped(variable, end, press, plain).ok_or_else(|| {
+            let plain = value_steps::decade(variable, greatest);
+            value_steps::stepped(variable, end, press, plain).ok_or_else(|| {
                 format!("{} cannot go further: it must be {}", variable.symbol, variable.allowed())
             })
         }
@@ -113,8 +113,8 @@ pub(crate) fn over(
 ) -> Result<SweepAxis, String> {
     let number = number_of(variable)?;
     let (from, to) = variable.thesis_range.unwrap_or_else(|| {
-        let value =
-            (number.get)(scene).unwrap_or_else(|| steps::first_value(variable, number, scene));
+        let value = (number.get)(scene)
+            .unwrap_or_else(|| value_steps::first_value(variable, number, scene));
         let (from, to) = if value == 0.0 { (0.0, 1.0) } else { (0.5 * value, 2.0 * value) };
         let most = match number.allowed {
             Allowed::Between(_, high) => high,

@@ -8,9 +8,9 @@ use crate::tui::keymap::{Pane, Target};
 use crate::tui::theme::Role;
 use crate::tui::widgets::find::quantity_called;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::steps::Input;
 use crate::tui::widgets::text::clip;
 use crate::tui::widgets::text::columns;
+use crate::tui::widgets::value_steps::Input;
 use crate::tui::widgets::{Canvas, RowList, Rows, cycled};
 
 /// Columns within a row: cursor, label, value, unit.

@@ -14,7 +14,7 @@ use cmra::study::compare::{self, Hardware};
 use cmra::study::context::{Context, never_cancel};
 use cmra::study::search::front::{self, Design, Report};
 use cmra::study::sweep::PointOutcome;
-use cmra::study::sweep::usual::{or_usual, thesis_axes};
+use cmra::study::sweep::default_axes::{or_usual, thesis_axes};
 
 use cmra::tui::keymap::Tab;
 use cmra::tui::pages::search;

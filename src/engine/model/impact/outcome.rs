@@ -2,8 +2,8 @@
 
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, PlateConstraint};
-use crate::model::impact::stepping::IntegrationMethod;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
+use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
 use crate::model::impact::events::{self, event_function};
 use crate::model::impact::modes::{self, Event, PlateConstraint};
-use crate::model::impact::moving::ReducedSystem;
-use crate::model::impact::path::DenseOutput;
-use crate::model::impact::record::{Loads, Recorder};
-use crate::model::impact::report::{self, GROWTH, ImpactRun};
+use crate::model::impact::recorder::{Loads, Recorder};
+use crate::model::impact::reduced_system::ReducedSystem;
+use crate::model::impact::results::{self, GROWTH, ImpactRun};
 use crate::model::run::{Cost, EndReason, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::Scene;
-use crate::numerics::locate::{EventSearch, first_crossing};
+use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::step::{StagePredictor, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
@@ -92,7 +92,7 @@ pub(super) fn run<const S: usize>(
     // Results are those of when all was decided; rows, events and loads those of the run that went on.
     let Recorder { series, events, loads, .. } = progress.course.record;
     (course.record.series, course.record.events, course.record.loads) = (series, events, loads);
-    report::gather(course, end)
+    results::gather(course, end)
 }
 
 impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
@@ -133,7 +133,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
     /// Advances by one step or one event.
     fn advance_once(&mut self, observer: Observer<'_>) -> Option<EndReason> {
         let missed = self.pending_event();
-        let so_far = || Some(report::gather(self.course.clone(), EndReason::Cancelled));
+        let so_far = || Some(results::gather(self.course.clone(), EndReason::Cancelled));
         let look = RunSnapshot { t_s: self.course.state.t_s, so_far: &so_far };
         // An event replaces the row of the state on it.
         if missed.is_none() && observer(&look).is_break() {

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::equations::{Equations, ImpactParameters, State};
+use super::method::{IntegrationMethod, run_by};
 use super::modes::{Contact, HybridMode, first};
-use super::stepping::{IntegrationMethod, run_by};
 use crate::model::run::{EndReason, Run, Sample, Settings};
 use crate::model::scene::Scene;
 use crate::model::simulate::simulate;

@@ -3,13 +3,13 @@
 //! A kind is one file: its parameters, its force law, its own mass, and its range of validity. Chapters 5, 6, 9.4 and 9.5 of
 //! the thesis name the kinds.
 
+use crate::model::labelled_enum::worded;
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{LEAST_EXPONENT, PowerLaw};
 use crate::model::scene::{OwnMass, Scene, Wire};
 use crate::model::variables::part::{NO_VALUES, parts, placed};
 use crate::model::variables::{Group, Variable, VariableError};
-use crate::model::worded::worded;
 
 mod beam;
 mod bistable;

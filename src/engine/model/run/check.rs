@@ -1,6 +1,6 @@
 //! The table of the envelope of validity: its rows, the variable at which each is marked, and what each means.
 
-use crate::model::worded::worded;
+use crate::model::labelled_enum::worded;
 
 worded! {
     /// Check of validity.

@@ -9,6 +9,7 @@ use std::fmt;
 pub use crate::model::run::check::Check;
 
 use crate::model::design::critical_obliquity_deg;
+use crate::model::labelled_enum::worded;
 use crate::model::library;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EventKind, Run, Warning};
@@ -17,7 +18,6 @@ use crate::model::scene::{
 };
 use crate::model::units::{engineering, significant};
 use crate::model::variables;
-use crate::model::worded::worded;
 use Direction::{Conservative, Unconservative, Unknown};
 
 /// Up to this h/D plates are validated with dishing, from this on without; a tenth of it is "about".

@@ -2,10 +2,10 @@
 
 use std::fmt;
 
+use crate::model::labelled_enum::worded;
 use crate::model::mechanism::load::Limit;
 use crate::model::run::{AtLeast, EndReason, Outcome};
 use crate::model::units::{engineering, significant};
-use crate::model::worded::worded;
 
 /// A warning about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]

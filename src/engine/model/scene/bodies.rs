@@ -1,11 +1,11 @@
 //! The projectile, and the plate as a target and as a body.
 
+use crate::model::labelled_enum::worded;
 use crate::model::scene::Scene;
 use crate::model::units::Dimension;
 use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts, rows};
 use crate::model::variables::visible::{has_stop, is_oblique, penetrates, resists};
 use crate::model::variables::{Allowed, Kind, Number, Variable};
-use crate::model::worded::worded;
 
 parts! {
     /// A rigid projectile.

@@ -1,9 +1,9 @@
 //! The force between projectile and plate: which of the models of thesis section 8.2, what each of them needs, and the interface
 //! that holds both together afterwards.
 
+use crate::model::labelled_enum::worded;
 use crate::model::scene::ContactModel::{HalfSine, Lumped};
 use crate::model::variables::part::parts;
-use crate::model::worded::worded;
 
 parts! {
     /// The interaction model and its parameters.

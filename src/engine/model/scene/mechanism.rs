@@ -1,11 +1,11 @@
 //! Mechanism that carries the plate: springs, damper and stop.
 
+use crate::model::labelled_enum::worded;
 use crate::model::mechanism::kinds::{Spring, SpringKind};
 use crate::model::mechanism::{LEAST_EXPONENT, PowerLaw};
 use crate::model::variables::Variable;
 use crate::model::variables::part::{TABLE_9_2, parts, rows};
 use crate::model::variables::visible::{has_stop, has_stop_of};
-use crate::model::worded::worded;
 
 parts! {
     /// Springs, damper and stop.

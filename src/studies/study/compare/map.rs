@@ -7,7 +7,7 @@ use crate::model::variables;
 use crate::numerics::larger;
 use crate::study::compare::hardware::Hardware;
 use crate::study::compare::hold_spring_mass;
-use crate::study::compare::sized::{Absence, mass_efficiency};
+use crate::study::compare::sizing::{Absence, mass_efficiency};
 use crate::study::context::{Context, Work};
 use crate::study::sweep::axis::numeric;
 use crate::study::sweep::{Axis, Plan, Spacing, SweepError};

@@ -73,7 +73,7 @@ fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
 #[test]
 fn undecided_runs_of_thicker_plates_do_not_hide_the_thinnest_that_stops_the_shot() {
     let sized =
-        |pairs: &str, width: f64| sized::sized(&scene(pairs), Hardware::default(), width).unwrap();
+        |pairs: &str, width: f64| sizing::sized(&scene(pairs), Hardware::default(), width).unwrap();
     let found = sized("interface=plastic v_i=84 gamma=4", WIDTH);
     assert!((found.scene.target.thickness_m - 1.504_89e-3).abs() < 5e-8, "{found:?}");
     assert!((found.mass_efficiency() - 0.670).abs() < 2e-3, "{}", found.mass_efficiency());

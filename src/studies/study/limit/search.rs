@@ -10,7 +10,7 @@ use crate::numerics::smaller;
 use crate::study::context::Context;
 use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::closures::jump;
-use crate::study::limit::verdict::{BracketEnd, ShotOutcome, decide, edge};
+use crate::study::limit::shot_outcome::{BracketEnd, ShotOutcome, decide, edge};
 use crate::study::limit::{
     ABOVE, BELOW, BESIDE_LIMIT, CURVE, Closures, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
     closed_form,

@@ -1,6 +1,6 @@
 //! Limits against closed forms, and the absence of a limit said as such.
 
-use super::verdict::ShotOutcome;
+use super::shot_outcome::ShotOutcome;
 
 use super::*;
 use crate::model::contact::Geometry;

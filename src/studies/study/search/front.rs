@@ -14,7 +14,7 @@ use crate::study::option;
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::sampling::{self, Evaluation, Sample};
 use crate::study::sweep::axis::scene_with;
-use crate::study::sweep::usual::{or_usual, thesis_axes};
+use crate::study::sweep::default_axes::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity::{self, DesignValidity, Plastic};
 use crate::study::verdict::Verdict;

@@ -11,7 +11,7 @@ use crate::tui::pages::explore::state::{ChartKind, SetupRow, completed, has_fami
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::axis::{Part, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_after};
-use crate::tui::widgets::steps::Input;
+use crate::tui::widgets::value_steps::Input;
 use crate::tui::widgets::{around, cycled};
 
 impl App {

@@ -9,8 +9,8 @@ use crate::tui::chart::MARKERS;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::state::RUNS;
-use crate::tui::widgets::steps::shown_number;
 use crate::tui::widgets::table::{Grid, NAME_LEAST};
+use crate::tui::widgets::value_steps::shown_number;
 
 impl App {
     /// The current run and the pinned ones beside each other.

@@ -7,7 +7,7 @@ use crate::study::verdict::{Decision, Verdict};
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
 use crate::tui::pages::page::prelude::*;
-use crate::tui::widgets::steps::engineering;
+use crate::tui::widgets::value_steps::engineering;
 
 impl App {
     /// Explains the selected variable, with its source if it fits.

@@ -5,8 +5,8 @@ use crate::study::monte_carlo::{Report, Request, Summary, USUAL_DEVIATION, usual
 use crate::tui::chart::{Axis, Chart, Curve, Mark};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
-use crate::tui::pages::search::answer::{Answer, note, table_lines};
 use crate::tui::pages::search::state::{Row, Searching, Setup};
+use crate::tui::pages::search::study_page::{Answer, note, table_lines};
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
 

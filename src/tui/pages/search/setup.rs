@@ -4,7 +4,7 @@ use crate::model::units;
 use crate::model::variables::{self, Group, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::front::{Constraint, USUAL};
-use crate::study::sweep::usual::thesis_axes;
+use crate::study::sweep::default_axes::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::STUDIES;

@@ -14,7 +14,7 @@ use crate::tui::pages::run::charts::titles::title;
 use crate::tui::pages::run::charts::{Curve as Data, is_held};
 use crate::tui::pages::run::impact;
 use crate::tui::pages::run::state::{CHARTS, Charts};
-use crate::tui::widgets::steps::engineering;
+use crate::tui::widgets::value_steps::engineering;
 
 /// Rows of a chart that can be read.
 const LEAST: u16 = 3;

@@ -9,8 +9,8 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::is_free;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::state::Window;
-use crate::tui::widgets::steps::engineering;
 use crate::tui::widgets::text::fitting;
+use crate::tui::widgets::value_steps::engineering;
 
 /// The name of a chart with the number of the current run, in a given number of columns.
 pub(super) fn title(app: &App, chart: usize, room: usize) -> String {

@@ -3,13 +3,13 @@
 use std::array;
 
 use crate::model::contact_models::ContactLaw;
+use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
-use crate::model::impact::path::DenseOutput;
 use crate::model::run::{
     Arrest, Cost, Departure, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Sample,
 };
-use crate::numerics::locate::{EventSearch, first_crossing};
+use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::quadrature::GAUSS_10;
 use crate::numerics::{larger, smaller};
 

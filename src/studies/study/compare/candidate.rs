@@ -7,7 +7,7 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables;
 use crate::study::compare::hardware::{InstalledSpring, MechanismLoadCase, is_held};
-use crate::study::compare::sized::{self, sized};
+use crate::study::compare::sizing::{self, sized};
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, hold_spring_mass};
 use crate::study::context::{Context, never_cancel};
 use crate::study::limit::{self, BESIDE_LIMIT, Limit};
@@ -112,7 +112,7 @@ impl CandidateEvaluator<'_, '_> {
             perforation,
             limit_m_s,
             failure,
-            sized: sized(&scene, self.hardware, sized::WIDTH),
+            sized: sized(&scene, self.hardware, sizing::WIDTH),
             at_limit,
             run,
         })

@@ -1,7 +1,7 @@
 //! Actions as movements: by rows, along a chart, over a map, round a list of choices, of a value.
 
 use crate::tui::keymap::Action;
-use crate::tui::widgets::steps::StepKey;
+use crate::tui::widgets::value_steps::StepKey;
 
 /// By how many rows an action moves in a list that shows this many at once; `None` for other actions.
 pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {

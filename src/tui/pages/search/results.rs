@@ -4,8 +4,8 @@ use crate::study::search::front::{Design, Report};
 use crate::tui::app::running::CachedResult;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::search::answer::Answer;
 use crate::tui::pages::search::state::{Page, Searching};
+use crate::tui::pages::search::study_page::Answer;
 use crate::tui::widgets::layout::CHART_ROWS;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 

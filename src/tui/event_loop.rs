@@ -10,7 +10,7 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::backlog;
 use super::effects::{self, IoThread};
-use super::pace::FrameScheduler;
+use super::frame_scheduler::FrameScheduler;
 use super::signals::{self, HUNG_UP, LoopEvent};
 use super::start::environment;
 use super::terminal::{self, Guard};

@@ -3,7 +3,7 @@
 use std::array;
 
 use crate::model::impact::equations::State;
-use crate::numerics::locate::CELLS;
+use crate::numerics::event_location::CELLS;
 use crate::numerics::maximum;
 
 /// The states on a step.

@@ -8,7 +8,7 @@ use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Hardware, InstalledSpring, MechanismLoadCase, is_held};
 use crate::study::compare::solid::thickness_of_limit;
 use crate::study::first_contact::{self, ContactOutput};
-use crate::study::limit::verdict::{ShotOutcome, decide, edge};
+use crate::study::limit::shot_outcome::{ShotOutcome, decide, edge};
 
 /// Relative width to which the thickness is closed in.
 pub const WIDTH: f64 = 1e-9;

@@ -6,10 +6,10 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, HybridMode};
 use crate::model::impact::outcome::NEGLIGIBLE;
-use crate::model::impact::record::Recorder;
-use crate::model::impact::stepping::IntegrationMethod;
+use crate::model::impact::recorder::Recorder;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
