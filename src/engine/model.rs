@@ -14,13 +14,13 @@
 //! 2. `impact::equations` derives the constants of the impact once (masses, [`contact::Geometry`], [`contact_models`],
 //!    [`mechanism::Mechanism`]) and has the motion: forces, accelerations and their derivatives. [`strength`] and [`plug`] contain the
 //!    laws of the plate's metal; once a plug is picked up, a second set of constants holds.
-//! 3. `impact::modes` says what moves and what acts between two events (penetrating, joined, apart, held, on a stop), and what follows
-//!    each event; `impact::hold` when a spring that is infinitely steep holds the plate. Both are pure functions of mode and state.
-//! 4. `impact::run` is the loop. Each pass decides by energy whether the result can still change (`outcome`); takes one step
-//!    (`numerics::collocation`, or another method of `stepping`), which is a polynomial; finds the first event of the mode on it
-//!    (`events`, `numerics::locate`); lands on that by a step of its own; lets `modes` react; and keeps rows, work and greatest forces
-//!    (`record`).
-//! 5. `impact::report` makes the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings. [`run::envelope`] has the
+//! 3. `impact::modes` contains the discrete states between two events (penetrating, sticking, apart, locked, on a stop) and the transition
+//!    at each event; `impact::plate_lock` treats the plate as fixed while a singular spring holds it. Functions of mode and state only.
+//! 4. `impact::run` is the integration loop. Each pass decides by energy whether the result can still change (`outcome`). It takes one
+//!    step (`numerics::collocation`, or another method of `impact::method`), whose result is a polynomial, and finds the first event on it
+//!    (`events`, `numerics::event_location`). A shortened step ends at the event, `modes` applies the transition, and `recorder` keeps
+//!    rows, work and peak forces.
+//! 5. `impact::results` builds the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings. [`run::envelope`] has the
 //!    range of validity of the model, and warns outside.
 //! 6. The [`closed_form`] of a plate that is rigid or free, or else a second computation by another member of the family of methods,
 //!    gives [`estimate::set`] the error of each result.

@@ -1,7 +1,7 @@
 //! Numerical methods that know no plate, no projectile, no metre and no screen.
 //!
 //! `collocation` is the one method of the engine for smooth, stiff and steep alike, `explicit` the Runge-Kutta methods that it is
-//! compared with; both give a `step` as polynomials, on which `locate` finds the first event. [`root`] finds a zero in a bracket,
+//! compared with; both give a `step` as polynomials, on which `event_location` finds the first event. [`root`] finds a zero in a bracket,
 //! [`quadrature`] integrates, [`maximum`] searches maxima, `monotone` interpolates data; [`random`], [`sobol`] and
 //! [`statistics`] serve samples.
 //!

@@ -21,8 +21,18 @@ const WORKBENCH: [&[&str]; 9] = [
     &["pages"],
     &["dialogs"],
     &[
-        "complete", "effects", "input", "backlog", "pace", "plain", "shell", "signals", "start",
-        "terminal", "update", "view",
+        "complete",
+        "effects",
+        "input",
+        "backlog",
+        "frame_scheduler",
+        "plain",
+        "event_loop",
+        "signals",
+        "start",
+        "terminal",
+        "update",
+        "view",
     ],
 ];
 

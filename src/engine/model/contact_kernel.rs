@@ -3,7 +3,7 @@
 //!
 //! The contact is expanded in Taylor series from step to step (`expansion.rs`). A law that is singular where the plate starts is put
 //! in a moment later (`start.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back
-//! through a singular point, one that a spring or damper holds too stiffly for its steps) are left to the simulation: [`Contact::of`]
+//! through a singular point, one that a spring or damper holds too stiffly for its steps) are left to the simulation: [`Contact::from_scene`]
 //! or [`Contact::run`] returns `None`. Free and rigid plates are integrated like others: their closed form takes longer, for its time
 //! is a quadrature.
 

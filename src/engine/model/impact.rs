@@ -1,9 +1,9 @@
 //! Impact from first contact to its end: a pure function without clock, file or thread.
 //!
 //! `equations` contains the equations of motion. `modes` contains the discrete states and their transitions, `events` the event functions
-//! of each state. `moving` selects the active degrees of freedom; `hold` locks the plate while a stiff spring holds it. `run` is the
-//! integration loop, and `stepping` lists the methods. `outcome` decides by energy when the run ends. `path` is the dense output of a step,
-//! `record` accumulates rows, work and peak forces, and `report` builds the [`Run`].
+//! of each state. `reduced_system` selects the active degrees of freedom; `plate_lock` locks the plate while a stiff spring holds it. `run`
+//! is the integration loop, and `method` lists the methods. `outcome` decides by energy when the run ends. `dense_output` has the states on
+//! a step, `recorder` accumulates rows, work and peak forces, and `results` builds the [`Run`].
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

@@ -2,7 +2,7 @@
 
 /// Defines enums, their variants and the words of these in order, and the method that gives a variant's. The words are its
 /// documentation where they say enough.
-macro_rules! worded {
+macro_rules! labelled_enum {
     ($(
         $(#[$meta:meta])*
         pub enum $name:ident: $method:ident {
@@ -29,4 +29,4 @@ macro_rules! worded {
     )+};
 }
 
-pub(in crate::model) use worded;
+pub(in crate::model) use labelled_enum;

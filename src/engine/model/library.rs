@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::{Closure, DragSource, Nose, Scene, Target};
 use crate::model::variables::{self, Value, VariableError};
 
-worded! {
+labelled_enum! {
     /// Library, named after its file.
     pub enum Library: file {
         Threats = "threats",
@@ -36,7 +36,7 @@ impl Library {
     }
 }
 
-worded! {
+labelled_enum! {
     /// How well the values of an entry are known.
     pub enum Status: word {
         Measured = "measured",

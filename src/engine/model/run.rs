@@ -6,7 +6,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::{Criterion, Scene};
 use crate::numerics::larger;
 
@@ -121,7 +121,7 @@ pub struct Run {
     pub warnings: Vec<Warning>,
 }
 
-worded! {
+labelled_enum! {
     /// The outcome of the shot.
     #[derive(Default)]
     pub enum Outcome: word {
@@ -178,7 +178,7 @@ pub struct Departure {
     pub velocity_m_s: f64,
 }
 
-worded! {
+labelled_enum! {
     /// The mode of motion.
     #[derive(Default)]
     pub enum ContactMode: word {
@@ -237,7 +237,7 @@ pub struct Event {
     pub kind: EventKind,
 }
 
-worded! {
+labelled_enum! {
     /// The kinds of events a person wants marked on a chart.
     pub enum EventKind: words {
         FirstArrest = "projectile first stops",

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use thiserror::Error;
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::kinds::spring_rows;
 use crate::model::scene::{
     Contact, Interface, Listing, Mechanism, Plate, Projectile, RunSettings, Scene, Stack, Stop,
@@ -89,7 +89,7 @@ pub struct Variable {
     pub kind: Kind,
 }
 
-worded! {
+labelled_enum! {
     /// The groups of the editor, in order.
     pub enum Group: title {
         Projectile = "Projectile",
@@ -152,7 +152,7 @@ const LEAST: f64 = 1e-15;
 /// The values that make physical sense.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Allowed {
-    /// Greater than zero: [`LEAST`] or more.
+    /// Greater than zero: `LEAST` or more.
     Positive,
     /// This or more.
     From(f64),

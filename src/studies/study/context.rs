@@ -157,7 +157,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
         !self.is_stopped()
     }
 
-    /// Returns [`Context::goes_on`] as a control flow.
+    /// Returns [`Context::should_continue`] as a control flow.
     pub fn flow(&mut self) -> ControlFlow<()> {
         self.should_continue();
         self.stop.flow()

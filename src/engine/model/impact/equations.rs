@@ -462,16 +462,13 @@ impl Equations<'_> {
         }
         self.setup.interface_fraction() * self.mechanism_n(state.x_m, state.w_m_s)
     }
-}
 
-impl Equations<'_> {
     /// A velocity of the plate that is lost among errors, m/s.
     pub(super) fn unresolved_m_s(&self) -> f64 {
         VELOCITY_RESOLUTION * self.setup.velocity_m_s
     }
 
-    /// Returns the smallest error scales. Travel and relative velocity: 1e-3 of the reference length and of the impact velocity.
-    /// Displacement and velocity of the plate: 1e-9 and 1e-6 of these; smaller ones do not affect the projectile.
+    /// Returns the smallest error scales: 1e-3 of the reference length and velocity; for the plate 1e-9 and 1e-6 of these.
     fn least_sizes(&self) -> Point<2> {
         let (r, v) = (self.setup.length_m, self.setup.velocity_m_s);
         ([1e-3 * r, 1e-9 * r], [1e-3 * v, 1e-6 * v])
@@ -484,8 +481,7 @@ impl Equations<'_> {
         (places, [larger(state.u_m_s.abs(), u_m_s), larger(state.w_m_s.abs(), w_m_s)])
     }
 
-    /// Returns the rounding error of the mechanism's forces, N: spring, damper and stop, whose forces may cancel, and a spring whose
-    /// displacement is measured from a distant origin.
+    /// Returns the rounding error of the mechanism's forces, N: cancelling forces, and a distant origin of the displacement.
     fn mechanism_rounding_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         let (mode, at_m) = (self.mode, self.displacement_m(x_m));
         let spring_n = mode.spring.force_in(mode.stretch, at_m).abs();

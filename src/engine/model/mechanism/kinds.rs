@@ -3,7 +3,7 @@
 //! A kind is one file: its parameters, its force law, its own mass, and its range of validity. Chapters 5, 6, 9.4 and 9.5 of
 //! the thesis name the kinds.
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{LEAST_EXPONENT, PowerLaw};
@@ -43,7 +43,7 @@ macro_rules! kinds {
             }
         }
 
-        worded! {
+        labelled_enum! {
             /// The spring's force law.
             pub enum SpringKind: word {
                 $(#[$plain_meta])*

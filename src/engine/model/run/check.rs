@@ -1,8 +1,8 @@
 //! The table of the envelope of validity: its rows, the variable at which each is marked, and what each means.
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 
-worded! {
+labelled_enum! {
     /// Check of validity.
     pub enum Check: label {
         Thickness = "h/D",

@@ -9,7 +9,7 @@ use std::fmt;
 pub use crate::model::run::check::Check;
 
 use crate::model::design::critical_obliquity_deg;
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::library;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EventKind, Run, Warning};
@@ -54,7 +54,7 @@ const SPRING_MASS_MOST: f64 = 0.1;
 /// Prefix of the text of a breach.
 pub const OUTSIDE: &str = "outside validity: ";
 
-worded! {
+labelled_enum! {
     /// On which side the answer errs.
     pub enum Direction: word {
         /// The real plate resists more: limits come out too low, depths too great.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::load::Limit;
 use crate::model::run::{AtLeast, EndReason, Outcome};
 use crate::model::units::{engineering, significant};
@@ -29,7 +29,7 @@ pub enum Warning {
     PlateMeetsNext { plate: usize, travel_m: f64, gap_m: f64 },
 }
 
-worded! {
+labelled_enum! {
     /// Effect that the contact model neglects although it occurs in the scene or the run.
     pub enum NotModelled: words {
         RearFace = "the depth is beyond the rear face, of which this model knows nothing: the plate would be perforated",

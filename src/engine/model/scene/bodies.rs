@@ -1,6 +1,6 @@
 //! The projectile, and the plate as a target and as a body.
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::Scene;
 use crate::model::units::Dimension;
 use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts, rows};
@@ -92,7 +92,7 @@ parts! {
     }
 }
 
-worded! {
+labelled_enum! {
     /// The shape of a projectile's nose.
     pub enum Nose: word {
         Hemispherical = "hemispherical",

@@ -1,7 +1,7 @@
 //! The force between projectile and plate: which of the models of thesis section 8.2, what each of them needs, and the interface
 //! that holds both together afterwards.
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::ContactModel::{HalfSine, Lumped};
 use crate::model::variables::part::parts;
 
@@ -63,7 +63,7 @@ parts! {
     }
 }
 
-worded! {
+labelled_enum! {
     /// The interface between projectile and plate.
     pub enum InterfaceLaw: word {
         /// The thesis: once together, together for good.

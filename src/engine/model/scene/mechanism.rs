@@ -1,6 +1,6 @@
 //! Mechanism that carries the plate: springs, damper and stop.
 
-use crate::model::labelled_enum::worded;
+use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::kinds::{Spring, SpringKind};
 use crate::model::mechanism::{LEAST_EXPONENT, PowerLaw};
 use crate::model::variables::Variable;
@@ -56,7 +56,7 @@ parts! {
     }
 }
 
-worded! {
+labelled_enum! {
     /// How the first and the second spring act together.
     pub enum Combination: word {
         Alone = "alone",
