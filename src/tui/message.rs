@@ -166,7 +166,7 @@ impl PageTable {
     }
 
     /// Builds a table of a scene, which a command makes again; the preset is part of the file's name.
-    pub(crate) fn from_page(
+    pub(crate) fn for_scene(
         self,
         app: &App,
         scene: &Arc<Scene>,

@@ -188,7 +188,7 @@ impl Page for ExploreTab {
         let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
         let csv = move |reach| sweep::grid_csv(&name, &grid, reach);
         let table = PageTable::new("Export the sweep to CSV", file, reach, csv);
-        Some(table.from_page(app, &scene, "sweep").noted(notes))
+        Some(table.for_scene(app, &scene, "sweep").noted(notes))
     }
 
     fn form(&self, app: &App) -> Option<Form> {

@@ -116,7 +116,7 @@ impl Page for LimitTab {
             };
             let title = "Export the shots to CSV";
             let table = PageTable::new(title, "limit.csv", limit.reach, csv);
-            return Some(table.from_page(app, &limit.scene, COMMAND));
+            return Some(table.for_scene(app, &limit.scene, COMMAND));
         }
         let (found, name) = (comparison.found.clone()?, app.name_of(&comparison.scene));
         let mut request = compare::Request::default();
@@ -136,7 +136,7 @@ impl Page for LimitTab {
             let csv = move |reach| report::compare::map_table(&name, &map).with_reach(reach).csv();
             PageTable::new("Export the map to CSV", "mass-efficiency.csv", comparison.reach, csv)
         };
-        Some(table.from_page(app, &comparison.scene, request.to_string()))
+        Some(table.for_scene(app, &comparison.scene, request.to_string()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

@@ -100,7 +100,7 @@ impl Page for NumericsTab {
                     move |reach| accuracy_table::table(&name, &report).with_reach(reach).csv();
                 let title = "Export the measurements to CSV";
                 let table = PageTable::new(title, "accuracy.csv", kept.reach, csv);
-                table.from_page(app, &kept.scene, "accuracy")
+                table.for_scene(app, &kept.scene, "accuracy")
             }
             STIFF_SCENES => {
                 let kept = &tab.stability.battery;
@@ -121,7 +121,7 @@ impl Page for NumericsTab {
                     table.with_warnings(&warnings).with_reach(reach).csv()
                 };
                 let table = PageTable::new("Export the map to CSV", "map.csv", kept.reach, csv);
-                table.from_page(app, &kept.scene, command)
+                table.for_scene(app, &kept.scene, command)
             }
         })
     }

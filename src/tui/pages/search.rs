@@ -202,7 +202,7 @@ impl Page for SearchTab {
         let csv = move |reach| answer.csv(&scene, &name, reach);
         let (title, file) = ("Export the results to CSV", app.pages.search.page.study().file);
         let table = PageTable::new(title, file, kept.reach, csv);
-        Some(table.from_page(app, &kept.scene, command))
+        Some(table.for_scene(app, &kept.scene, command))
     }
 
     fn form(&self, app: &App) -> Option<Form> {

@@ -358,10 +358,10 @@ impl Recorder {
         }
         match (old.hold, new.hold) {
             (PlateConstraint::Free, PlateConstraint::OnStop) => {
-                self.note(to.t_s, EventKind::StopHold)
+                self.note(to.t_s, EventKind::StopHold);
             }
             (PlateConstraint::OnStop, PlateConstraint::Free) => {
-                self.note(to.t_s, EventKind::StopRelease)
+                self.note(to.t_s, EventKind::StopRelease);
             }
             _ => {}
         }

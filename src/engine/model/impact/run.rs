@@ -269,8 +269,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             over: h_s / before_s,
         });
         let evaluations = &mut self.course.record.cost.rhs_evaluations;
-        let (step, next_s) = match self.stepper.step(law, law.point(start), h_s, near, evaluations)
-        {
+        let taken = self.stepper.step(law, law.point(start), h_s, near, evaluations);
+        let (step, next_s) = match taken {
             Ok(taken) => taken,
             Err(shorter_s) => {
                 self.course.record.cost.rejected += 1;
@@ -289,15 +289,14 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             gaps
         };
         let gaps: Vec<_> = events.iter().map(of_event).collect();
-        let found = first_crossing(&gaps, |part, which| {
-            event_function(equations, events[which], &path.at(part))
-        });
+        let gap =
+            |part: f64, which: usize| event_function(equations, events[which], &path.at(part));
+        let found = first_crossing(&gaps, gap);
         match found {
             EventSearch::Nothing => {
                 self.course.record.step(equations, &path);
-                let end = law.state(h_s, &step.end);
-                self.course.record.reach(equations, &end);
-                self.course.state = end;
+                self.course.state = law.state(h_s, &step.end);
+                self.course.record.reach(equations, &self.course.state);
                 modes::rebase_displacement(&mut self.course.mode, &mut self.course.state);
                 self.last = None;
                 let mut acceleration = [[0.0; S]; 2];
@@ -306,7 +305,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                 self.h_s = next_s;
             }
             EventSearch::Unresolved(which) if h_s < no_time_s => {
-                self.apply_transition(events[which], *start)
+                self.apply_transition(events[which], *start);
             }
             EventSearch::Unresolved(_) => self.h_s = UNRESOLVED_EVENT_CUT * h_s,
             EventSearch::Fall(which, _) if !self.stepper.locates() => {
