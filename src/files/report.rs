@@ -148,7 +148,7 @@ fn ballistic_limit(page: &mut Document, report: &limit::Report) {
     }
 }
 
-/// The errors of expected limits, of papers that are left out, with their picture.
+/// Appends the leave-one-paper-out errors of expected limits, with their picture.
 fn measured_limits(page: &mut Document) {
     let rows = left_out();
     let percent = |value: f64| format!("{:+.1} %", 100.0 * value);

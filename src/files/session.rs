@@ -81,7 +81,7 @@ pub struct Search {
     pub seek: String,
     /// Goal of the search.
     pub goal: String,
-    /// The variables of fronts, and whether each is varied; none where nobody changed them.
+    /// Variables of fronts, and whether each is varied; empty until the selection is changed.
     pub bounds: Vec<(String, bool)>,
     /// The objectives of a front.
     pub minimise: Option<Vec<String>>,

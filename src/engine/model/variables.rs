@@ -370,7 +370,7 @@ impl Variable {
             None => "omit it to have none".to_owned(),
         };
         let written = if value.is_finite() { units::shortest(value) } else { value.to_string() };
-        // What is greater than 0 is told how small it may be.
+        // A positive variable has a stated minimum.
         let is_tiny = *allowed == Allowed::Positive && value > 0.0;
         let rule = if is_tiny { Allowed::From(LEAST) } else { *allowed };
         let (value, allowed) = (format!("{written} {}", quantity.unit()), rule.describe(*quantity));

@@ -311,7 +311,7 @@ fn value_at(axis: &Axis, at: usize) -> f64 {
     }
 }
 
-/// Computes the slopes at the scene; gives whether the study goes on.
+/// Computes the slopes at the scene; returns `false` once cancelled.
 fn slopes(
     scene: &Scene,
     plans: &[Plan],

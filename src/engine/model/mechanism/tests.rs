@@ -221,7 +221,7 @@ fn only_coils_have_a_least_mass_without_a_specific_energy() {
     assert_eq!(least_g("spring=crush e_spring=19460"), Some(3.8));
 }
 
-/// Beyond its points, 0, 1 mm and 1.1 mm, the table goes on along the tangent, three times the last secant of -10 N/m. Both bodies at
+/// Beyond its points, 0, 1 mm and 1.1 mm, the table continues along its tangent, three times the last secant of -10 N/m. Both bodies at
 /// 72.5 m/s spend their energy on it before its zero at 3.3 m, 3000 times the table's width; a cubic's energy is the trapezoid's and a
 /// twelfth of the squared width times the difference of the slopes.
 #[test]

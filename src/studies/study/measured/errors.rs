@@ -1,4 +1,4 @@
-//! Errors of the law and of the expected limit, by row, by class, and for papers that are left out.
+//! Errors of the law and of the expected limit: by row, by class, and leaving one paper out.
 
 use crate::model::run::envelope::thickness_ratio;
 use crate::model::scene::Scene;

@@ -86,7 +86,7 @@ fn valid_classes_of_the_built_in_table() {
     }
 }
 
-/// Independent: the same Python program, one paper left out at a time. Rods and balls deform: without them the error is 33.27 m/s.
+/// Leave-one-paper-out errors by the same independent Python program. Rods and balls deform: without them the error is 33.27 m/s.
 #[test]
 fn valid_errors_of_papers_left_out() {
     let rows = leave_out(built_in());
