@@ -26,4 +26,4 @@ pub mod read_table;
 pub mod read_traces;
 mod reader;
 
-pub use crate::report::clean;
+pub use cmra_studies::report::clean;

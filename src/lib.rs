@@ -6,9 +6,6 @@
 //! Modules import only what stands to their right:
 //! `cli -> tui -> worker -> files -> report -> study -> model -> numerics`. A test reads the source and holds them to it.
 
-pub use cmra_engine::{model, numerics};
-pub use cmra_studies::{report, study};
-
 pub mod cli;
 pub mod files;
 // Public for the tests only.

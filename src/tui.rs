@@ -42,7 +42,7 @@ use std::io::{self, Write};
 
 use crate::files::paths::Paths;
 use crate::files::preset::Preset;
-use crate::report::traces::Traces;
+use cmra_studies::report::traces::Traces;
 use event_loop::{EventLoop, ExitReason};
 
 #[derive(Clone, Debug, Default)]

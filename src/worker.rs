@@ -21,9 +21,9 @@ use clock::Clock;
 use reporter::Reporter;
 use studies::{Asked, Finding, Found, SearchRequest};
 
-use crate::model::scene::Scene;
-use crate::study::context::{Answer, CancelFlag, SharedCores};
-use crate::study::parallel::cores;
+use cmra_engine::model::scene::Scene;
+use cmra_studies::study::context::{Answer, CancelFlag, SharedCores};
+use cmra_studies::study::parallel::cores;
 
 pub use studies::SceneRun;
 

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use cmra::model::scene::Scene;
+use cmra_engine::model::scene::Scene;
 
 /// Below this the tangent of a power law is taken there: at zero it is infinite.
 const TANGENT_FROM: f64 = 1e-30;

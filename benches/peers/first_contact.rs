@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::contact_kernel::Contact;
-use cmra::model::scene::Scene;
-use cmra::model::simulate::{Settings, simulate};
+use cmra_engine::model::contact_kernel::Contact;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
 
 /// How the first contact ends: arrest, or the nose clear of the rear face.
 pub(crate) struct FirstContact {

@@ -6,12 +6,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
-use cmra::model::scene::Scene;
-use cmra::model::variables::changed;
-use cmra::report::accuracy::{TARGETS, gain, seconds};
-use cmra::study::accuracy::method::Method;
-use cmra::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
-use cmra::study::context::Context;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables::changed;
+use cmra_studies::report::accuracy::{TARGETS, gain, seconds};
+use cmra_studies::study::accuracy::method::Method;
+use cmra_studies::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
+use cmra_studies::study::context::Context;
 
 /// Name and changes to the default scene.
 const SCENES: [(&str, &str); 12] = [

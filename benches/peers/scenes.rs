@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use cmra::model::impact::IntegrationMethod;
-use cmra::model::impact::step_by;
-use cmra::model::reference::Stored;
-use cmra::model::run::Outcome;
-use cmra::model::scene::{Mount, Scene};
-use cmra::model::variables::changed_free_plate;
+use cmra_engine::model::impact::IntegrationMethod;
+use cmra_engine::model::impact::step_by;
+use cmra_engine::model::reference::Stored;
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::scene::{Mount, Scene};
+use cmra_engine::model::variables::changed_free_plate;
 
 /// Name and changes to Table 9.1 with gamma = 1 and neither spring nor damper. A prime marks a scene that replaces one of an earlier
 /// comparison, whose parameters were not recorded.

@@ -12,14 +12,14 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use cmra::files::preset;
-use cmra::model::scene::Scene;
-use cmra::model::simulate::{Settings, simulate};
-use cmra::study::context::CancelFlag;
-use cmra::study::parallel::{self, Work, cores};
-use cmra::study::quantities::named;
-use cmra::study::sweep::evaluate::{Evaluator, Point};
-use cmra::study::sweep::grid::PIECE;
-use cmra::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_studies::study::context::CancelFlag;
+use cmra_studies::study::parallel::{self, Work, cores};
+use cmra_studies::study::quantities::named;
+use cmra_studies::study::sweep::evaluate::{Evaluator, Point};
+use cmra_studies::study::sweep::grid::PIECE;
+use cmra_studies::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
 
 use crate::equations::Equations;
 use crate::explicit;

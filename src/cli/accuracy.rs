@@ -11,17 +11,17 @@ use crate::cli::table::TableArguments;
 use crate::cli::text::{chart_size, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
-use crate::model::run::Outcome;
-use crate::model::units::engineering;
-use crate::report::accuracy::{
-    self, ANSWERS, TARGETS, advice, by, error_over_time, methods, printed_scheme, savings, seconds,
-};
-use crate::study::accuracy::method::Method;
-use crate::study::accuracy::reference::Reference;
-use crate::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
-use crate::study::context::Reach;
 use crate::tui::theme::Theme;
 use crate::worker::clock;
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::units::engineering;
+use cmra_studies::report::accuracy::{
+    self, ANSWERS, TARGETS, advice, by, error_over_time, methods, printed_scheme, savings, seconds,
+};
+use cmra_studies::study::accuracy::method::Method;
+use cmra_studies::study::accuracy::reference::Reference;
+use cmra_studies::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
+use cmra_studies::study::context::Reach;
 
 const SIZE: draw::Size = (80, 20);
 /// Columns of the table of methods.

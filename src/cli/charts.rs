@@ -7,8 +7,8 @@ use clap::Args;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::{atomic, export};
-use crate::report::svg::{self, Picture, Svg};
-use crate::study::context::Reach;
+use cmra_studies::report::svg::{self, Picture, Svg};
+use cmra_studies::study::context::Reach;
 
 /// `--svg FILE`.
 #[derive(Debug, Args)]

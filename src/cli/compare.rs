@@ -11,15 +11,15 @@ use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw};
 use crate::files::preset::Preset;
-use crate::model::scene::{Criterion, Scene};
-use crate::model::units::{fixed_significant, significant};
-use crate::report::compare as tables;
-use crate::report::compare::beside;
-use crate::report::svg::Picture;
-use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
-use crate::study::compare::{Candidate, Hardware, Report, Request, compare};
-use crate::study::sweep::Axis;
-use crate::study::validity;
+use cmra_engine::model::scene::{Criterion, Scene};
+use cmra_engine::model::units::{fixed_significant, significant};
+use cmra_studies::report::compare as tables;
+use cmra_studies::report::compare::beside;
+use cmra_studies::report::svg::Picture;
+use cmra_studies::study::compare::map::{COUNT_USUAL, Map, usual_axis};
+use cmra_studies::study::compare::{Candidate, Hardware, Report, Request, compare};
+use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::validity;
 
 /// Columns by which the further lines of a sentence are indented.
 const INDENT: usize = 2;

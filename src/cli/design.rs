@@ -9,14 +9,14 @@ use crate::cli::progress::Extent;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::value_parsers::above_zero;
-use crate::model::design;
-use crate::model::library;
-use crate::model::mechanism::Mechanism;
-use crate::model::run::envelope;
-use crate::model::scene::{Scene, Wire};
-use crate::model::units::{Dimension, engineering};
-use crate::model::variables;
-use crate::report::table::Table;
+use cmra_engine::model::design;
+use cmra_engine::model::library;
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::envelope;
+use cmra_engine::model::scene::{Scene, Wire};
+use cmra_engine::model::units::{Dimension, engineering};
+use cmra_engine::model::variables;
+use cmra_studies::report::table::Table;
 
 #[derive(Debug, Args)]
 pub(super) struct DesignArguments {

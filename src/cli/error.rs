@@ -6,8 +6,8 @@ use std::process::ExitCode;
 use thiserror::Error;
 
 use crate::files::error::FileError;
-use crate::model::variables::VariableError;
-use crate::study::sweep::SweepError;
+use cmra_engine::model::variables::VariableError;
+use cmra_studies::study::sweep::SweepError;
 
 /// The error of a command.
 #[derive(Debug, Error)]

@@ -6,12 +6,12 @@ use clap::Args;
 
 use crate::cli::text::{self, hanging};
 use crate::cli::{CliError, output};
-use crate::model::run::envelope::Check;
-use crate::model::scene::Scene;
-use crate::model::units::shortest;
-use crate::model::variables::{Group, VARIABLES, Variable, find, nearest, used_where};
-use crate::study::quantities::{self, QUANTITIES, Quantity};
 use crate::tui::widgets::text::wrap;
+use cmra_engine::model::run::envelope::Check;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::shortest;
+use cmra_engine::model::variables::{Group, VARIABLES, Variable, find, nearest, used_where};
+use cmra_studies::study::quantities::{self, QUANTITIES, Quantity};
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {

@@ -9,7 +9,7 @@ use crate::cli::text::labelled_each;
 use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
 use crate::files::{clean, library};
-use crate::model::library::{Entry, Library};
+use cmra_engine::model::library::{Entry, Library};
 
 #[derive(Debug, Args)]
 pub(super) struct LibrariesArguments {

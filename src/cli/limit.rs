@@ -10,11 +10,11 @@ use crate::cli::charts::ChartArguments;
 use crate::cli::study::StudyArguments;
 use crate::cli::text::{chart_size, hanging};
 use crate::cli::{CliError, draw};
-use crate::model::units::velocity;
-use crate::report::limit::{self, meaning, remarks, residual, taken_to_hold};
-use crate::report::svg::Picture;
-use crate::study::limit::{COMMAND, Limit, Report, find};
 use crate::tui::theme::Theme;
+use cmra_engine::model::units::velocity;
+use cmra_studies::report::limit::{self, meaning, remarks, residual, taken_to_hold};
+use cmra_studies::report::svg::Picture;
+use cmra_studies::study::limit::{COMMAND, Limit, Report, find};
 
 #[derive(Debug, Args)]
 pub(super) struct LimitArguments {

@@ -9,14 +9,14 @@ use crate::cli::CliError;
 use crate::cli::study::{Random, StudyArguments};
 use crate::cli::text::width;
 use crate::cli::value_parsers::{deviation, part};
-use crate::model::scene::Scene;
-use crate::report::monte_carlo::{self, perforation, table};
-use crate::report::verdict::sentence;
-use crate::study::context::Reach;
-use crate::study::monte_carlo::{LIMIT, Report, Request, Tolerance, run as study};
-use crate::study::quantities::{Quantity, named};
-use crate::study::sweep::PointOutcome;
-use crate::study::verdict::Verdict;
+use cmra_engine::model::scene::Scene;
+use cmra_studies::report::monte_carlo::{self, perforation, table};
+use cmra_studies::report::verdict::sentence;
+use cmra_studies::study::context::Reach;
+use cmra_studies::study::monte_carlo::{LIMIT, Report, Request, Tolerance, run as study};
+use cmra_studies::study::quantities::{Quantity, named};
+use cmra_studies::study::sweep::PointOutcome;
+use cmra_studies::study::verdict::Verdict;
 
 #[derive(Debug, Args)]
 #[command(

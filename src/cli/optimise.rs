@@ -9,14 +9,14 @@ use crate::cli::CliError;
 use crate::cli::study::{StudyArguments, axes};
 use crate::cli::text::{hanging, width};
 use crate::cli::value_parsers::count;
-use crate::model::units::significant;
-use crate::report::front;
-use crate::report::table::{Cells, grid};
-use crate::study::context::Reach;
-use crate::study::search::front::{
+use cmra_engine::model::units::significant;
+use cmra_studies::report::front;
+use cmra_studies::report::table::{Cells, grid};
+use cmra_studies::study::context::Reach;
+use cmra_studies::study::search::front::{
     Constraint, Objective, Report, Request, SAMPLES, STEPS_MAX, run as search, usual_bounds,
 };
-use crate::study::sweep::Spacing;
+use cmra_studies::study::sweep::Spacing;
 
 /// Designs of a front that are listed.
 const LISTED: usize = 16;

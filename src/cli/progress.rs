@@ -17,9 +17,9 @@ use signal_hook::iterator::Signals;
 
 use crate::cli::output;
 use crate::cli::sweep::page::duration;
-use crate::model::run::{EndReason, Run};
-use crate::study::context::{CancelFlag, Context, Progress, Reach};
 use crate::worker::clock::{Clock, wall};
+use cmra_engine::model::run::{EndReason, Run};
+use cmra_studies::study::context::{CancelFlag, Context, Progress, Reach};
 
 /// Set by the first interrupt. Global, as signals are.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();

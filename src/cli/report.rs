@@ -14,10 +14,10 @@ use crate::cli::{CliError, output, progress};
 use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::export;
 use crate::files::report::{html, is_report};
-use crate::model::scene::Scene;
-use crate::study::limit;
-use crate::study::sweep::Plan;
-use crate::study::sweep::grid::{Grid, PIECE};
+use cmra_engine::model::scene::Scene;
+use cmra_studies::study::limit;
+use cmra_studies::study::sweep::Plan;
+use cmra_studies::study::sweep::grid::{Grid, PIECE};
 
 #[derive(Debug, Args)]
 #[command(

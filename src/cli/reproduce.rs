@@ -9,8 +9,8 @@ use crate::cli::progress::Extent;
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, progress, text};
-use crate::report::thesis as tables;
-use crate::study::thesis::{self, ClaimVerdict, Row};
+use cmra_studies::report::thesis as tables;
+use cmra_studies::study::thesis::{self, ClaimVerdict, Row};
 
 #[derive(Debug, Args)]
 #[command(after_help = "Exit status 1 if a computation no longer bears out its verdict.")]

@@ -21,20 +21,20 @@ use crate::files::clean;
 use crate::files::export::scenes;
 use crate::files::preset::Preset;
 use crate::files::read_traces::traces;
-use crate::model::run::envelope::warnings;
-use crate::model::run::{EVERY_ROWS_MAX, Run};
-use crate::model::scene::{ContactModel, Scene};
-use crate::model::simulate::{self, RunSnapshot, Settings};
-use crate::model::units::{Dimension, engineering};
-use crate::model::variables::{self, VariableError};
-use crate::report::figures::run::{mechanism, response, selected};
-use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
-use crate::report::run::{self as report, NamedRun};
-use crate::report::svg::Picture;
-use crate::report::traces::Traces;
-use crate::report::verdict;
-use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
+use cmra_engine::model::run::envelope::warnings;
+use cmra_engine::model::run::{EVERY_ROWS_MAX, Run};
+use cmra_engine::model::scene::{ContactModel, Scene};
+use cmra_engine::model::simulate::{self, RunSnapshot, Settings};
+use cmra_engine::model::units::{Dimension, engineering};
+use cmra_engine::model::variables::{self, VariableError};
+use cmra_studies::report::figures::run::{mechanism, response, selected};
+use cmra_studies::report::run::page::{computation, energy, events_in_brief, results, sentence};
+use cmra_studies::report::run::{self as report, NamedRun};
+use cmra_studies::report::svg::Picture;
+use cmra_studies::report::traces::Traces;
+use cmra_studies::report::verdict;
+use cmra_studies::study::stack;
 
 #[derive(Debug, Args)]
 #[command(

@@ -7,11 +7,11 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::study::StudyArguments;
-use crate::model::units::shortest;
-use crate::report::seek::{self, remarks, solution};
-use crate::study::context::Reach;
-use crate::study::search::seek::{Goal, Report, Request, SCAN, SCAN_USUAL, run as solve};
-use crate::study::sweep::{Axis, Spacing};
+use cmra_engine::model::units::shortest;
+use cmra_studies::report::seek::{self, remarks, solution};
+use cmra_studies::study::context::Reach;
+use cmra_studies::study::search::seek::{Goal, Report, Request, SCAN, SCAN_USUAL, run as solve};
+use cmra_studies::study::sweep::{Axis, Spacing};
 
 #[derive(Debug, Args)]
 #[command(

@@ -8,12 +8,12 @@ use clap::Args;
 use crate::cli::study::{StudyArguments, axes};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, Glyphs};
-use crate::report::sensitivity::{self, ASCII, BLOCKS, table};
-use crate::study::quantities::named;
-use crate::study::sensitivity::{Effect, OUTPUT, Report, Request, run as analyse};
-use crate::study::sweep::Axis;
-use crate::study::validity;
 use crate::tui::theme::GlyphSet;
+use cmra_studies::report::sensitivity::{self, ASCII, BLOCKS, table};
+use cmra_studies::study::quantities::named;
+use cmra_studies::study::sensitivity::{Effect, OUTPUT, Report, Request, run as analyse};
+use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::validity;
 
 /// The columns of the page.
 const KEYS: [&str; 5] = ["variable", "range", "bar", "span", "slope"];

@@ -10,12 +10,12 @@ use crate::cli::progress::Extent;
 use crate::cli::study::StudyArguments;
 use crate::cli::table::choice;
 use crate::cli::{CliError, draw, text};
-use crate::model::library;
-use crate::report::stability as tables;
-use crate::report::stability::{HOW_IT_RAN, table};
-use crate::study::stability;
-use crate::study::stability::map::{self, Axis, FixedStep, Map, StabilityMapRequest};
-use crate::study::stability::{ERROR_MAX, RESIDUAL_MAX, Row};
+use cmra_engine::model::library;
+use cmra_studies::report::stability as tables;
+use cmra_studies::report::stability::{HOW_IT_RAN, table};
+use cmra_studies::study::stability;
+use cmra_studies::study::stability::map::{self, Axis, FixedStep, Map, StabilityMapRequest};
+use cmra_studies::study::stability::{ERROR_MAX, RESIDUAL_MAX, Row};
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;

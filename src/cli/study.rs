@@ -8,11 +8,11 @@ use crate::cli::progress::{self, Extent};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::files::preset::Preset;
-use crate::model::scene::Scene;
-use crate::report::table::Table;
-use crate::study::context::Context;
-use crate::study::parallel::cores;
-use crate::study::sweep::{Axis, COUNTS};
+use cmra_engine::model::scene::Scene;
+use cmra_studies::report::table::Table;
+use cmra_studies::study::context::Context;
+use cmra_studies::study::parallel::cores;
+use cmra_studies::study::sweep::{Axis, COUNTS};
 
 /// Arguments of every study of a scene.
 #[derive(Debug, Args)]

@@ -22,15 +22,15 @@ use crate::cli::{CliError, output, progress};
 use crate::files::atomic::PartialFile;
 use crate::files::export::{self, Sidecar};
 use crate::files::preset::Preset;
-use crate::model::scene::Scene;
-use crate::report::sweep::{Columns, Piece, SweepWriter, json_tail};
-use crate::study::context::{Context, Progress, Reach, Work};
-use crate::study::outcome::OutcomeCounts;
-use crate::study::quantities;
-use crate::study::sweep::grid::{Grid, PIECE};
-use crate::study::sweep::{Evaluator, Plan, Shard};
-use crate::study::validity;
 use axes::PointArguments;
+use cmra_engine::model::scene::Scene;
+use cmra_studies::report::sweep::{Columns, Piece, SweepWriter, json_tail};
+use cmra_studies::study::context::{Context, Progress, Reach, Work};
+use cmra_studies::study::outcome::OutcomeCounts;
+use cmra_studies::study::quantities;
+use cmra_studies::study::sweep::grid::{Grid, PIECE};
+use cmra_studies::study::sweep::{Evaluator, Plan, Shard};
+use cmra_studies::study::validity;
 
 #[derive(Debug, Args)]
 #[command(

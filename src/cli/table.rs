@@ -13,10 +13,10 @@ use crate::cli::{CliError, output, text};
 use crate::files::atomic::OverwritePolicy;
 use crate::files::error::FileError;
 use crate::files::export::{Destination, Sidecar};
-use crate::model::run::envelope::OUTSIDE;
-use crate::model::scene::Scene;
-use crate::report::table::{Table, pretty};
 use crate::tui::widgets::text::wrap;
+use cmra_engine::model::run::envelope::OUTSIDE;
+use cmra_engine::model::scene::Scene;
+use cmra_studies::report::table::{Table, pretty};
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Default, Args)]

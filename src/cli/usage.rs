@@ -7,7 +7,7 @@ use clap::{Command, Error};
 
 use crate::files::clean;
 use crate::files::error::did_you_mean;
-use crate::model::variables;
+use cmra_engine::model::variables;
 
 /// The line of an error; `None` for help and version, which are results.
 pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Option<String> {

@@ -13,14 +13,14 @@ use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, progress, text};
 use crate::files::validation;
-use crate::model::scene::Closure;
-use crate::model::units::{engineering, fixed_significant};
-use crate::report::measured as limits;
-use crate::report::svg::Picture;
-use crate::report::validation as tables;
-use crate::study::context::Context;
-use crate::study::measured;
-use crate::study::validation::{MeasuredQuantity, NOT_COUNTED, Row, biases, measurements};
+use cmra_engine::model::scene::Closure;
+use cmra_engine::model::units::{engineering, fixed_significant};
+use cmra_studies::report::measured as limits;
+use cmra_studies::report::svg::Picture;
+use cmra_studies::report::validation as tables;
+use cmra_studies::study::context::Context;
+use cmra_studies::study::measured;
+use cmra_studies::study::validation::{MeasuredQuantity, NOT_COUNTED, Row, biases, measurements};
 
 #[derive(Debug, Args)]
 #[command(

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use clap::builder::{RangedU64ValueParser, TypedValueParser};
 
-use crate::model::units::{self, Bare, Dimension};
+use cmra_engine::model::units::{self, Bare, Dimension};
 
 /// Reads an amount above zero, SI.
 pub(super) fn above_zero(

@@ -15,8 +15,8 @@ use crate::files::bundled;
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::preset::Preset;
 use crate::files::read_traces::traces;
-use crate::report::traces::Traces;
 use crate::tui;
+use cmra_studies::report::traces::Traces;
 
 #[derive(Debug, Args)]
 pub(super) struct WorkbenchArguments {

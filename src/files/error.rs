@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::files::clean;
-use crate::model::variables;
+use cmra_engine::model::variables;
 
 /// Why a file could not be read, written or found.
 #[derive(Debug, Error)]

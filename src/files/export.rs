@@ -14,13 +14,13 @@ use crate::files::error::FileError;
 use crate::files::inputs;
 use crate::files::read;
 use crate::files::write;
-use crate::model::run::{Run, envelope};
-use crate::model::scene::Scene;
-use crate::model::units;
-use crate::report::run::NamedRun;
-use crate::study::quantities::of_runs;
-use crate::study::sweep::Plan;
-use crate::study::validity;
+use cmra_engine::model::run::{Run, envelope};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units;
+use cmra_studies::report::run::NamedRun;
+use cmra_studies::study::quantities::of_runs;
+use cmra_studies::study::sweep::Plan;
+use cmra_studies::study::validity;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";

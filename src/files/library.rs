@@ -15,9 +15,9 @@ use crate::files::inputs;
 use crate::files::paths::Paths;
 use crate::files::read;
 use crate::files::reader::{self, Reader};
-use crate::model::library::{Entry, Library, Status};
-use crate::model::scene::Scene;
-use crate::model::variables::VARIABLES;
+use cmra_engine::model::library::{Entry, Library, Status};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables::VARIABLES;
 
 /// The fields of an entry besides the keys of a scene.
 const KEYS: [&str; 5] = ["title", "status", "source", "note", "warning"];
@@ -177,7 +177,7 @@ fn leaves(path: &str, value: &Spanned<DeValue<'_>>, keys: &mut Vec<String>) {
 mod tests {
 
     use super::*;
-    use crate::model::library::warnings;
+    use cmra_engine::model::library::warnings;
 
     #[test]
     fn bundled_entries_are_all_read_and_cite_a_source() {
@@ -190,7 +190,7 @@ mod tests {
             assert!(!entry.values.is_empty() && entry.source.len() > 10, "{}", entry.name);
             let mut scene = Scene::default();
             entry.apply(&mut scene).unwrap();
-            crate::model::variables::validate(&scene).unwrap();
+            cmra_engine::model::variables::validate(&scene).unwrap();
             assert!(scene.notes.contains(&entry.source), "{}", entry.name);
         }
     }

@@ -16,8 +16,8 @@ use crate::files::paths::Paths;
 use crate::files::read;
 use crate::files::session;
 use crate::files::write;
-use crate::model::scene::Scene;
-use crate::model::variables;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables;
 
 /// A scene with its name and where it comes from.
 #[derive(Clone, Debug, PartialEq)]

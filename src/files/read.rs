@@ -15,9 +15,9 @@ use toml::de::{DeTable, DeValue};
 use crate::files::error::{FileError, SceneErrors, nearest, shown};
 use crate::files::reader::{Reader, kind_of, syntax};
 use crate::files::{clean, read_stack, read_sweep, read_table};
-use crate::model::scene::{PlateSize, Scene, SpringKind};
-use crate::model::units::{self, Bare};
-use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
+use cmra_engine::model::scene::{PlateSize, Scene, SpringKind};
+use cmra_engine::model::units::{self, Bare};
+use cmra_engine::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
 /// The version of the scene format this program reads and writes.
 pub const FORMAT: i64 = 1;

@@ -4,7 +4,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use crate::files::reader::{Reader, kind_of};
-use crate::model::scene::{LAYERS_MAX, Layer, Scene};
+use cmra_engine::model::scene::{LAYERS_MAX, Layer, Scene};
 
 /// The key of the list.
 pub(super) const KEY: &str = "stack.layer";

@@ -6,10 +6,10 @@ use toml::de::{DeValue, ValueDeserializer};
 
 use crate::files::clean;
 use crate::files::reader::{Reader, misfit};
-use crate::model::scene::{Sweep, SweepAxis};
-use crate::model::variables;
-use crate::study::quantities;
-use crate::study::sweep::{Axis, COUNTS};
+use cmra_engine::model::scene::{Sweep, SweepAxis};
+use cmra_engine::model::variables;
+use cmra_studies::study::quantities;
+use cmra_studies::study::sweep::{Axis, COUNTS};
 
 const EXAMPLE: &str = r#"axes = [{ name = "gamma", from = 0.8, to = 7.0, count = 101 }]"#;
 

@@ -12,8 +12,8 @@ use crate::files::error::FileError;
 use crate::files::inputs;
 use crate::files::read;
 use crate::files::reader::{self, Reader};
-use crate::model::units::{self, Bare, Dimension};
-use crate::study::csv::Csv;
+use cmra_engine::model::units::{self, Bare, Dimension};
+use cmra_studies::study::csv::Csv;
 
 /// The table of the spring, and the key of its measured points.
 pub(super) const SPRING: &str = "mechanism.spring";

@@ -7,10 +7,10 @@ use std::path::Path;
 use crate::files::clean;
 use crate::files::error::{FileError, shown};
 use crate::files::read;
-use crate::model::units::{self, Bare, Dimension};
-use crate::report::series::Channel;
-use crate::report::traces::{Trace, Traces};
-use crate::study::csv::Csv;
+use cmra_engine::model::units::{self, Bare, Dimension};
+use cmra_studies::report::series::Channel;
+use cmra_studies::report::traces::{Trace, Traces};
+use cmra_studies::study::csv::Csv;
 
 /// Size of the largest file that is read: some millions of rows.
 const BYTES_MAX: u64 = 1 << 26;

@@ -58,7 +58,7 @@ mod tests {
     use super::*;
     use crate::files::preset;
     use crate::files::session::{self, Session};
-    use crate::model::scene::{PlateSize, Scene};
+    use cmra_engine::model::scene::{PlateSize, Scene};
 
     #[test]
     fn five_sessions_are_kept_and_their_scenes_open_by_their_paths() {

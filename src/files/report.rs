@@ -3,24 +3,24 @@
 use std::path::Path;
 
 use crate::files::{clean, write};
-use crate::model::library;
-use crate::model::run::{Run, envelope};
-use crate::model::scene::Scene;
-use crate::model::units;
-use crate::model::variables::{VARIABLES, Variable, is_used};
-use crate::report::document::Document;
-use crate::report::figures::run::selected;
-use crate::report::figures::sweeps::picture;
-use crate::report::limit::{answer, meaning, remarks, residual, taken_to_hold};
-use crate::report::measured;
-use crate::report::run::page::{of_first, sentence};
-use crate::report::svg::Picture;
-use crate::study::limit;
-use crate::study::measured::{Errors, errors, left_out};
-use crate::study::quantities::{Quantity, of_runs};
-use crate::study::stack;
-use crate::study::sweep::grid::Grid;
-use crate::study::validity;
+use cmra_engine::model::library;
+use cmra_engine::model::run::{Run, envelope};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units;
+use cmra_engine::model::variables::{VARIABLES, Variable, is_used};
+use cmra_studies::report::document::Document;
+use cmra_studies::report::figures::run::selected;
+use cmra_studies::report::figures::sweeps::picture;
+use cmra_studies::report::limit::{answer, meaning, remarks, residual, taken_to_hold};
+use cmra_studies::report::measured;
+use cmra_studies::report::run::page::{of_first, sentence};
+use cmra_studies::report::svg::Picture;
+use cmra_studies::study::limit;
+use cmra_studies::study::measured::{Errors, errors, left_out};
+use cmra_studies::study::quantities::{Quantity, of_runs};
+use cmra_studies::study::stack;
+use cmra_studies::study::sweep::grid::Grid;
+use cmra_studies::study::validity;
 
 /// Digits of a result.
 const DIGITS: usize = 6;

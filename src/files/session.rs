@@ -14,7 +14,7 @@ use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::error::FileError;
 use crate::files::read;
 use crate::files::{recent, write};
-use crate::model::scene::Scene;
+use cmra_engine::model::scene::Scene;
 
 /// How many recent files are kept.
 const RECENT_MAX: usize = 10;
@@ -316,7 +316,7 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scene::PlateSize;
+    use cmra_engine::model::scene::PlateSize;
 
     /// A session with this mass ratio.
     fn of(ratio: f64) -> Session {

@@ -5,10 +5,10 @@ use std::path::Path;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::{clean, library, preset, read};
-use crate::model::library::Library;
-use crate::study::context::Context;
-use crate::study::measured::{self, FindEntry, Measurement};
-use crate::study::validation::{Row, compute, measurements};
+use cmra_engine::model::library::Library;
+use cmra_studies::study::context::Context;
+use cmra_studies::study::measured::{self, FindEntry, Measurement};
+use cmra_studies::study::validation::{Row, compute, measurements};
 
 /// The measurements in a CSV file, with the user's own threats and materials.
 ///

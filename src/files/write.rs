@@ -9,9 +9,9 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
 use crate::files::{read, read_table};
-use crate::model::scene::{Layer, Scene, SpringKind, Sweep, SweepAxis};
-use crate::model::units;
-use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
+use cmra_engine::model::scene::{Layer, Scene, SpringKind, Sweep, SweepAxis};
+use cmra_engine::model::units;
+use cmra_engine::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
 /// Columns of a value before the comment beside it.
 const VALUE_WIDTH: usize = 27;

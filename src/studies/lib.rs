@@ -1,11 +1,8 @@
 //! Studies of the simulation (`study`), and their tables, charts and pages (`report`).
 //!
-//! A crate of its own, so that it is compiled beside the terminal's parts and again only when it changes. `cmra` re-exports both
-//! modules.
+//! A crate of its own, so that it is compiled beside the terminal's parts and again only when it changes.
 
 #![forbid(unsafe_code)]
-
-pub use cmra_engine::{model, numerics};
 
 /// Defines an enum whose variants are the rows of a table: a method for each column gives a variant's entry.
 #[macro_export]

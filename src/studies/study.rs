@@ -33,10 +33,10 @@ use std::fmt::Display;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::run::Run;
-use crate::model::scene::Scene;
-use crate::model::simulate::{Settings, simulate};
-use crate::model::variables::{changed, changed_free_plate};
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::variables::{changed, changed_free_plate};
 
 /// An option of a command: ` --samples 64`; nothing where it has no value.
 fn option(name: &str, value: Option<impl Display>) -> String {

@@ -22,8 +22,6 @@ use running::Jobs;
 
 use crate::files::clean;
 use crate::files::session;
-use crate::model::run::Run;
-use crate::model::scene::Scene;
 use crate::tui::keymap::Keymap;
 use crate::tui::message::FileTask;
 use crate::tui::pages::states::States;
@@ -31,6 +29,8 @@ use crate::tui::prelude::*;
 use crate::tui::preset::{PresetEntry, ReferencePreset};
 use crate::tui::theme::Theme;
 use crate::tui::widgets::input::TextField;
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
@@ -260,7 +260,7 @@ impl App {
 
     /// The variables that differ between two scenes, by index into the table.
     pub fn differing(a: &Scene, b: &Scene) -> Vec<usize> {
-        crate::model::variables::VARIABLES
+        cmra_engine::model::variables::VARIABLES
             .iter()
             .enumerate()
             .filter(|(_, variable)| variable.value(a) != variable.value(b))
@@ -271,5 +271,5 @@ impl App {
 
 /// How long the computation took, in a few characters: `0.21 ms`.
 pub fn show_duration(took: Duration) -> String {
-    crate::model::units::engineering(took.as_secs_f64(), "s", 2)
+    cmra_engine::model::units::engineering(took.as_secs_f64(), "s", 2)
 }

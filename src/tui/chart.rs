@@ -25,14 +25,14 @@ use layout::{frame_of, plan};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::report::svg::Svg;
 use crate::tui::theme::{GlyphSet, Theme, ascii_pass, columns};
+use cmra_studies::report::svg::Svg;
 
-pub use crate::report::chart::levels::Levels;
-pub use crate::report::chart::{
+pub use canvas::MARKERS;
+pub use cmra_studies::report::chart::levels::Levels;
+pub use cmra_studies::report::chart::{
     Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Mark, Scale, Unit, ViewRange,
 };
-pub use canvas::MARKERS;
 pub use layout::Layout;
 
 /// Drawing in a terminal.

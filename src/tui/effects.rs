@@ -22,10 +22,10 @@ use crate::files::preset::{self, Preset};
 use crate::files::read_traces;
 use crate::files::recent;
 use crate::files::session::{self, Session, SessionFingerprint};
-use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
 use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask as Task, Message};
 use crate::tui::preset::PresetEntry;
+use cmra_engine::model::scene::Scene;
 
 /// How long a changed session may stay unsaved.
 pub(super) const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -295,7 +295,7 @@ mod tests {
     use std::fs;
 
     use super::*;
-    use crate::model::scene::PlateSize;
+    use cmra_engine::model::scene::PlateSize;
 
     /// A test that waits so long hangs.
     const HANG: Duration = Duration::from_secs(120);

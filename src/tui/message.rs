@@ -8,13 +8,13 @@ use std::time::Duration;
 use crossterm::event::KeyEvent;
 
 use crate::files::export::{self, Destination, Sidecar};
-use crate::model::scene::Scene;
-use crate::report::run::{self, NamedRun};
-use crate::report::traces::Traces;
-use crate::study::context::Reach;
 use crate::tui::prelude::*;
 use crate::tui::preset::PresetEntry;
 use crate::worker::{Report, Task};
+use cmra_engine::model::scene::Scene;
+use cmra_studies::report::run::{self, NamedRun};
+use cmra_studies::report::traces::Traces;
+use cmra_studies::study::context::Reach;
 
 #[derive(Clone, Debug)]
 pub enum Message {

@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
-use crate::model::units::significant;
-use crate::report::chart::levels::Levels;
-use crate::report::chart::{Chart, Scale, Unit, ViewRange};
-use crate::report::map::Map;
-use crate::report::svg::Picture;
 use crate::tui::chart::{Draw, heatmap::swatch};
 use crate::tui::theme::Theme;
+use cmra_engine::model::units::significant;
+use cmra_studies::report::chart::levels::Levels;
+use cmra_studies::report::chart::{Chart, Scale, Unit, ViewRange};
+use cmra_studies::report::map::Map;
+use cmra_studies::report::svg::Picture;
 
 /// Columns and rows.
 pub(crate) type Size = (u16, u16);

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::files::session::Session;
-use crate::model::library::Entry;
-use crate::model::scene::Scene;
-use crate::model::variables::{self, VariableError};
+use cmra_engine::model::library::Entry;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables::{self, VariableError};
 
 /// The reference of the scene: the preset it was loaded from.
 #[derive(Clone, Debug, Default, PartialEq)]

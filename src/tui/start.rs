@@ -10,7 +10,6 @@ use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Session, SessionFingerprint, View};
-use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::app::{App, Settings, edit};
@@ -21,6 +20,7 @@ use crate::tui::pages::{run, thesis};
 use crate::tui::preset::{PresetEntry, ReferencePreset};
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
+use cmra_engine::model::scene::Scene;
 
 /// The state to start with, and the session's file as it was found.
 pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, SessionFingerprint) {
@@ -310,11 +310,11 @@ mod tests {
 
     use super::*;
     use crate::files::recent;
-    use crate::model::scene::PlateSize;
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
     use crate::tui::update;
     use crate::worker::studies::Asked;
+    use cmra_engine::model::scene::PlateSize;
 
     const FRESH: Options = Options { scene: None, with: None, fresh: true, glyphs: None };
 

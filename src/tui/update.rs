@@ -8,7 +8,6 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::files::preset;
-use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::app::{ActiveInput, edit, jobs};
 use crate::tui::keymap::Key;
@@ -19,6 +18,7 @@ use crate::tui::prelude::*;
 use crate::tui::preset::ReferencePreset;
 use crate::tui::widgets::input::{TEXT_MAX, TextField};
 use crate::tui::widgets::value_steps::Input;
+use cmra_engine::model::variables::VARIABLES;
 
 /// The first requests: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {

@@ -11,7 +11,7 @@ use std::time::Duration;
 use super::clock::Clock;
 use super::studies::Found;
 use super::{JobProgress, ReportBody, Shared, Task};
-use crate::study::context::{Answer, CancelFlag, Progress, Reach, Threads};
+use cmra_studies::study::context::{Answer, CancelFlag, Progress, Reach, Threads};
 
 /// When a task shows what it has so far.
 #[derive(Clone, Copy, Debug)]

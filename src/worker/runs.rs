@@ -8,10 +8,10 @@ use std::time::Duration;
 use super::reporter::{BETWEEN, Reporter};
 use super::studies::Found;
 use super::{JobProgress, ReportBody, Slot};
-use crate::model::run::Run;
-use crate::model::scene::Scene;
-use crate::model::simulate::{self, RunSnapshot, Settings};
-use crate::study::context::{Answer, Progress, Reach};
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{self, RunSnapshot, Settings};
+use cmra_studies::study::context::{Answer, Progress, Reach};
 
 /// A run that ends before this reports only that it has ended: no frame is spent on its beginning.
 const QUIET: Duration = Duration::from_millis(20);

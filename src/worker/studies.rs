@@ -7,17 +7,17 @@ use std::time::Duration;
 
 use super::reporter::{BETWEEN, ReportInterval, Reporter};
 use super::{Slot, clock, runs};
-use crate::model::run::Run;
-use crate::model::scene::Scene;
-use crate::study::accuracy::{self, ComparisonOptions};
-use crate::study::compare::map::{Map as EfficiencyMap, usual_axes};
-use crate::study::compare::{self, Hardware};
-use crate::study::context::{Context, Progress, Threads};
-use crate::study::search::{front, seek};
-use crate::study::stability::map::{self, Map as StabilityCells, StabilityMapRequest};
-use crate::study::sweep::grid::{self, Grid};
-use crate::study::sweep::{Plan, SweepError};
-use crate::study::{limit, monte_carlo, sensitivity, stability, thesis};
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
+use cmra_studies::study::accuracy::{self, ComparisonOptions};
+use cmra_studies::study::compare::map::{Map as EfficiencyMap, usual_axes};
+use cmra_studies::study::compare::{self, Hardware};
+use cmra_studies::study::context::{Context, Progress, Threads};
+use cmra_studies::study::search::{front, seek};
+use cmra_studies::study::stability::map::{self, Map as StabilityCells, StabilityMapRequest};
+use cmra_studies::study::sweep::grid::{self, Grid};
+use cmra_studies::study::sweep::{Plan, SweepError};
+use cmra_studies::study::{limit, monte_carlo, sensitivity, stability, thesis};
 
 /// An enum with a variant for each of some types, which a caller takes out again by its type.
 macro_rules! typed_enum {

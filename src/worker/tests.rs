@@ -13,15 +13,15 @@ use super::studies::{
     Asked, ChartKind, Claims, Found, LimitSearch, PictureSweep, SearchRequest, StiffScenes,
 };
 use super::{JobProgress, Page, Report, ReportBody, SceneRun, Slot, Task, Worker};
-use crate::model::run::{EndReason, Run};
-use crate::model::scene::{InterfaceLaw, Scene};
-use crate::model::simulate::{self, RunSnapshot};
-use crate::study::context::{Answer, Context, Progress, Reach};
-use crate::study::monte_carlo;
-use crate::study::search::seek;
-use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
-use crate::study::thesis::{Row, claims};
+use cmra_engine::model::run::{EndReason, Run};
+use cmra_engine::model::scene::{InterfaceLaw, Scene};
+use cmra_engine::model::simulate::{self, RunSnapshot};
+use cmra_studies::study::context::{Answer, Context, Progress, Reach};
+use cmra_studies::study::monte_carlo;
+use cmra_studies::study::search::seek;
+use cmra_studies::study::sweep::grid::Grid;
+use cmra_studies::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
+use cmra_studies::study::thesis::{Row, claims};
 
 /// A test that waits so long hangs.
 const HANG: Duration = Duration::from_secs(120);
@@ -369,7 +369,7 @@ fn an_invalid_scene_is_refused_with_the_reason() {
     let (worker, receive) = start();
     let mut wrong = Scene::default();
     wrong.projectile.mass_kg = -1.0;
-    let refused = crate::model::variables::validate(&wrong);
+    let refused = cmra_engine::model::variables::validate(&wrong);
     let expected = refused.expect_err("a negative mass is refused").to_string();
     worker.submit(run_of(1, Slot::Current, wrong));
     let report = next(&receive);

@@ -378,9 +378,9 @@ fn csv_reads_back_the_same_floats() {
 
     // The same run inside this process, for floats to compare with.
     let preset = cmra::files::preset::resolve("free-plate", None).unwrap();
-    let run = cmra::model::simulate::simulate(
+    let run = cmra_engine::model::simulate::simulate(
         &std::sync::Arc::new(preset.scene),
-        &cmra::model::simulate::Settings::default(),
+        &cmra_engine::model::simulate::Settings::default(),
         &mut |_| std::ops::ControlFlow::Continue(()),
     )
     .unwrap();

@@ -1,6 +1,6 @@
 //! An absorber that is crushed: closed forms of a constant force, and what it does not give back.
 
-use cmra::model::run::{Outcome, Run};
+use cmra_engine::model::run::{Outcome, Run};
 
 use crate::support::{assert_near, run, scene};
 

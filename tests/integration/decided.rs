@@ -1,6 +1,6 @@
 //! Decided and undecided results at the end of a run.
 
-use cmra::model::run::{AtLeast, ContactMode, EndReason, Outcome, Run};
+use cmra_engine::model::run::{AtLeast, ContactMode, EndReason, Outcome, Run};
 
 use crate::support::{assert_near, run, scene};
 

@@ -6,12 +6,12 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::impact::IntegrationMethod;
-use cmra::model::impact::step_by;
-use cmra::model::run::{EstimateBasis, Outcome, Run};
-use cmra::model::scene::{InterfaceLaw, Scene};
-use cmra::model::simulate::{Settings, simulate};
-use cmra::study::quantities;
+use cmra_engine::model::impact::IntegrationMethod;
+use cmra_engine::model::impact::step_by;
+use cmra_engine::model::run::{EstimateBasis, Outcome, Run};
+use cmra_engine::model::scene::{InterfaceLaw, Scene};
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_studies::study::quantities;
 
 use crate::random::{Random, scene, typed};
 
@@ -199,7 +199,7 @@ const EXIT_TIME_S: f64 = 0.000_571_271_081_253_093;
 #[test]
 fn the_time_of_an_exit_just_above_the_rigid_limit_is_right_to_rounding() {
     let mut own = Scene::default();
-    own.plate.mount = cmra::model::scene::Mount::Rigid;
+    own.plate.mount = cmra_engine::model::scene::Mount::Rigid;
     own.projectile.velocity_m_s = 232.7;
     for series in [true, false] {
         let settings = Settings { series, ..Settings::default() };
@@ -221,7 +221,7 @@ fn an_estimate_from_two_outcomes_is_unknown() {
     second.outcome = Outcome::Perforated;
     second.exit_time_s = Some(1.0);
     run.error_estimates.clear();
-    cmra::model::estimate::set(&mut run, &second, EstimateBasis::SecondComputation);
+    cmra_engine::model::estimate::set(&mut run, &second, EstimateBasis::SecondComputation);
     assert_eq!(run.estimate_basis, Some(EstimateBasis::OutcomeDiffers(Outcome::Perforated)));
     assert_eq!(quantities::find("error_estimate").unwrap().value(&run), None);
     assert!(run.error_estimates.is_empty());
@@ -235,7 +235,7 @@ fn a_rigid_or_free_plate_is_held_against_its_closed_form() {
         ("k=1e5", EstimateBasis::SecondComputation),
         ("mount=rigid horizon=1ms", EstimateBasis::SecondComputation),
     ] {
-        let scene = cmra::model::variables::changed(Scene::default(), changes).unwrap();
+        let scene = cmra_engine::model::variables::changed(Scene::default(), changes).unwrap();
         let run = run_of(&Arc::new(scene));
         assert_eq!(run.estimate_basis, Some(basis), "{changes}");
         assert!(run.error_of("peak_contact_force_n").unwrap() <= LEAST, "{changes}");

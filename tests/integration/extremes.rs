@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::contact_kernel::Contact;
-use cmra::model::run::{ContactMode, EndReason, Run, Sample, Warning};
-use cmra::model::scene::{PlateSize, Scene};
-use cmra::model::simulate::{Settings, simulate};
+use cmra_engine::model::contact_kernel::Contact;
+use cmra_engine::model::run::{ContactMode, EndReason, Run, Sample, Warning};
+use cmra_engine::model::scene::{PlateSize, Scene};
+use cmra_engine::model::simulate::{Settings, simulate};
 
 use crate::random::{Random, scene as random_scene, typed};
 use crate::support::{assert_near, run, scene};
@@ -107,7 +107,7 @@ fn the_force_into_the_mount_bounds_the_rows_and_does_not_depend_on_them() {
         own.mechanism.damper.coefficient += 10.0;
         if index % 2 == 0 {
             own.mechanism.stop.position_m = Some(1e-3);
-            own.mechanism.stop.kind = cmra::model::scene::StopKind::Elastic;
+            own.mechanism.stop.kind = cmra_engine::model::scene::StopKind::Elastic;
         }
         let found = run(own.clone());
         if !found.end.is_complete() {
@@ -165,7 +165,7 @@ fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
         // The whole disk is engaged: the hole is deeper than the nose and the plate thicker than the hole.
         let rows = found.series.iter().filter(|row| row.mode == ContactMode::Fused);
         assert!(rows.clone().count() > 2 || found.series.is_empty());
-        let geometry = cmra::model::contact::Geometry::from_scene(&own);
+        let geometry = cmra_engine::model::contact::Geometry::from_scene(&own);
         let area = geometry.area_m2(geometry.travel_m(arrest.penetration_m));
         let exact = m_p * cos / joined * 1e5 * farthest / (area * 2.04e7);
         assert_near(found.interface_demand_ratio.unwrap(), exact, 1e-9);
@@ -181,14 +181,14 @@ fn valid_the_interface_tension_is_that_of_the_swing_back() {
     let found = run(own.clone());
     let arrest = found.first_arrest.unwrap();
     assert!(arrest.plate_displacement_m < 0.0);
-    let geometry = cmra::model::contact::Geometry::from_scene(&own);
+    let geometry = cmra_engine::model::contact::Geometry::from_scene(&own);
     let area = geometry.area_m2(geometry.travel_m(arrest.penetration_m));
     let back_m =
         arrest.plate_displacement_m.hypot(arrest.plate_velocity_m_s * 0.059f64.sqrt() / 1e3);
     let exact = 0.5 * 1e6 * back_m / (0.1 * area * 1.52e8);
     assert!(exact > 1.0, "{exact}");
     assert_near(found.interface_tension_ratio.unwrap(), exact, 1e-9);
-    let exact = cmra::model::units::significant(exact, 4);
+    let exact = cmra_engine::model::units::significant(exact, 4);
     let text = format!("interface pull is {exact} times its strength g A S_y");
     assert!(found.warnings.iter().any(|warning| warning.to_string().contains(&text)));
     let gripless = run(scene("d=0.1 k=1e6 grip=0"));

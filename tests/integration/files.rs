@@ -5,10 +5,10 @@ use std::fs;
 use cmra::files::atomic::OverwritePolicy;
 use cmra::files::preset::save_file;
 use cmra::files::{read, write};
-use cmra::model::scene::{
+use cmra_engine::model::scene::{
     Closure, Combination, ContactModel, Nose, PlateSize, Scene, Sweep, SweepAxis,
 };
-use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
+use cmra_engine::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
 use crate::support::{files_in, in_repository, scene_file};
@@ -97,7 +97,7 @@ fn comments_order_and_formatting_survive_saving() {
     assert_eq!(write::updated(COMMENTED, "mine", &scene).unwrap(), COMMENTED);
     scene.title = "Three plates".to_owned();
     scene.plate.cocking_m = 0.06;
-    scene.interface.law = cmra::model::scene::InterfaceLaw::Plastic;
+    scene.interface.law = cmra_engine::model::scene::InterfaceLaw::Plastic;
     let place = tempfile::tempdir().unwrap();
     let path = place.path().join("mine.toml");
     fs::write(&path, COMMENTED).unwrap();

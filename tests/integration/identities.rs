@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-use cmra::model::run::{ContactMode, Run, Warning};
-use cmra::model::scene::{ContactModel, Scene};
-use cmra::model::variables::{VARIABLES, Value, Variable, validate};
-use cmra::report::run::json;
-use cmra::report::run::page::{results, sentence};
+use cmra_engine::model::run::{ContactMode, Run, Warning};
+use cmra_engine::model::scene::{ContactModel, Scene};
+use cmra_engine::model::variables::{VARIABLES, Value, Variable, validate};
+use cmra_studies::report::run::json;
+use cmra_studies::report::run::page::{results, sentence};
 use serde_json::Value as Json;
 
 use crate::random::Random;
@@ -115,7 +115,7 @@ fn faults(run: &Run) -> Vec<String> {
             faults.push(format!("{name} = {peak:?}, and a row has {rows}"));
         }
     };
-    let greatest = |f: &dyn Fn(&cmra::model::run::Sample) -> f64| {
+    let greatest = |f: &dyn Fn(&cmra_engine::model::run::Sample) -> f64| {
         run.series.iter().map(f).fold(f64::NEG_INFINITY, f64::max)
     };
     let turns = run.mechanism.added_kg.is_some();
@@ -127,7 +127,7 @@ fn faults(run: &Run) -> Vec<String> {
         let rows = greatest(&|row| row.plate_displacement_m);
         exceeds("max_plate_displacement_m", rows, key("max_plate_displacement_m"));
     }
-    let pushed = |row: &cmra::model::run::Sample| match row.mode {
+    let pushed = |row: &cmra_engine::model::run::Sample| match row.mode {
         ContactMode::Penetrating => row.contact_force_n,
         _ => 0.0,
     };

@@ -12,9 +12,9 @@ use cmra::files::export::{self, Destination};
 use cmra::files::paths::Paths;
 use cmra::files::preset;
 use cmra::files::session::{self, Session, SessionFingerprint};
-use cmra::model::run::Run;
-use cmra::model::scene::Scene;
-use cmra::report::run::{NamedRun, csv};
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
+use cmra_studies::report::run::{NamedRun, csv};
 
 use crate::random::Random;
 use crate::support::{run, scene, scene_file};

@@ -1,11 +1,11 @@
 //! Whole runs on every kind of mechanism, against closed forms and against each other.
 
 use cmra::files::read;
-use cmra::model::contact_kernel::Contact;
-use cmra::model::mechanism::Mechanism;
-use cmra::model::run::{Outcome, Run};
-use cmra::model::scene::{Scene, SpringKind};
-use cmra::model::variables;
+use cmra_engine::model::contact_kernel::Contact;
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::scene::{Scene, SpringKind};
+use cmra_engine::model::variables;
 
 use crate::support::{assert_near, run, scene, scene_file};
 
@@ -215,7 +215,7 @@ fn a_soft_column_gives_way_at_its_onset() {
 /// Impossible numbers never come out of any mixture: the run ends with a closed ledger or says why not.
 #[test]
 fn random_mechanisms_keep_their_energy() {
-    use cmra::numerics::random::Random;
+    use cmra_engine::numerics::random::Random;
     let mut random = Random::new(20_070_401);
     let kinds = SpringKind::ALL;
     for _ in 0..300 {
@@ -237,7 +237,7 @@ fn random_mechanisms_keep_their_energy() {
         spring.exponent = 0.4 + 2.0 * random.unit();
         mechanism.second.exponent = 0.4 + 2.0 * random.unit();
         if random.unit() < 0.3 {
-            own.mechanism.combination = cmra::model::scene::Combination::Parallel;
+            own.mechanism.combination = cmra_engine::model::scene::Combination::Parallel;
         }
         own.plate.cocking_m = if random.unit() < 0.5 { 0.0 } else { 0.02 * random.unit() };
         own.mechanism.damper.coefficient = if random.unit() < 0.5 { 0.0 } else { 200.0 };

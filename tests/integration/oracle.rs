@@ -4,9 +4,9 @@
 //! program has to be where they are at its own times, within a few times their difference, and what it says of all time to come, run
 //! without a horizon, must not be contradicted up to there.
 
-use cmra::model::run::{EndReason, EventKind, Outcome, Run, Sample};
-use cmra::model::scene::{ContactModel, Scene};
-use cmra::model::simulate::{Settings, simulate};
+use cmra_engine::model::run::{EndReason, EventKind, Outcome, Run, Sample};
+use cmra_engine::model::scene::{ContactModel, Scene};
+use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_oracle::Shot;
 
 use crate::random::Random;

@@ -100,9 +100,9 @@ fn helps_have_no_marks_of_the_source() {
 
 #[test]
 fn rows_that_texts_cite_exist() {
-    let claims: Vec<&str> = cmra::study::thesis::claims().map(|claim| claim.id).collect();
+    let claims: Vec<&str> = cmra_studies::study::thesis::claims().map(|claim| claim.id).collect();
     let mut cited = 0;
-    for it in &cmra::study::validation::measurements().not_checked {
+    for it in &cmra_studies::study::validation::measurements().not_checked {
         for text in [it.says, it.why, it.source] {
             let Some((_, rows)) = text.split_once("rows ") else { continue };
             let rows = rows.split("of `cmra reproduce`").next().unwrap();

@@ -6,10 +6,10 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files;
-use cmra::model::run::{ContactMode, EndReason, EventKind, Outcome, Run, Warning};
-use cmra::model::scene::{ContactModel, PlateSize, Scene};
-use cmra::model::simulate::{Settings, simulate};
-use cmra::model::variables;
+use cmra_engine::model::run::{ContactMode, EndReason, EventKind, Outcome, Run, Warning};
+use cmra_engine::model::scene::{ContactModel, PlateSize, Scene};
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::variables;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -127,7 +127,7 @@ fn obliquity_goes_to_zero_smoothly() {
 #[test]
 fn valid_oblique_rigid_shot_sweeps_the_stopping_volume() {
     let run = run("mount=rigid theta=35deg");
-    let geometry = cmra::model::contact::Geometry::from_scene(&run.scene);
+    let geometry = cmra_engine::model::contact::Geometry::from_scene(&run.scene);
     let c = run.scene.drag_kg_m3();
     let volume = 0.0295 / (2.0 * c) * (c * 1e4 / 1.52e8).ln_1p();
     assert_near(geometry.swept_m3(geometry.travel_m(depth(&run))), volume, 1e-10);
@@ -177,7 +177,7 @@ fn valid_rigid_stop_at_common_speed_takes_64_to_83_percent() {
     let run = run("x_stop=0.01 interface=plastic");
     let percent = run.percent_of_baseline().unwrap();
     assert!((before - 64.2).abs() < 0.1 && (percent - 83.0).abs() < 1.0, "{before} {percent}");
-    let geometry = cmra::model::contact::Geometry::from_scene(&run.scene);
+    let geometry = cmra_engine::model::contact::Geometry::from_scene(&run.scene);
     let c = run.scene.drag_kg_m3();
     let volume = |mass: f64, v: f64| mass / (2.0 * c) * (c * v * v / 1.52e8).ln_1p();
     let swept = volume(0.01475, 100.0) + volume(0.0295, 50.0);
@@ -400,7 +400,7 @@ proptest! {
         scene.projectile.velocity_m_s = 10f64.powf(v);
         scene.projectile.obliquity_deg = if plastic { theta } else { 0.0 };
         if plastic {
-            scene.interface.law = cmra::model::scene::InterfaceLaw::Plastic;
+            scene.interface.law = cmra_engine::model::scene::InterfaceLaw::Plastic;
         }
         let run = run_with(scene, Settings::SERIES);
         prop_assert!(run.ledger.residual().abs() < 1e-8, "{:e} {:?}", run.ledger.residual(), run.end);

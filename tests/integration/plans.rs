@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::contact_kernel::Contact;
-use cmra::model::run::Run;
-use cmra::model::scene::Scene;
-use cmra::model::simulate::{Settings, simulate};
+use cmra_engine::model::contact_kernel::Contact;
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
 
 use crate::random::{Random, scene, typed};
 

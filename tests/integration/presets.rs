@@ -8,11 +8,11 @@ use std::sync::Arc;
 use cmra::files::bundled::{BASELINE, BUNDLED};
 use cmra::files::preset::{self, Preset};
 use cmra::files::{read, write};
-use cmra::model::run::Sample;
-use cmra::model::scene::{ContactModel, Scene};
-use cmra::model::simulate::{RunSnapshot, Settings, simulate};
-use cmra::model::variables::{VARIABLES, changed, validate};
-use cmra::study::quantities;
+use cmra_engine::model::run::Sample;
+use cmra_engine::model::scene::{ContactModel, Scene};
+use cmra_engine::model::simulate::{RunSnapshot, Settings, simulate};
+use cmra_engine::model::variables::{VARIABLES, changed, validate};
+use cmra_studies::study::quantities;
 
 use serde::Deserialize;
 
@@ -274,7 +274,7 @@ fn numbers_in_the_texts_of_presets_are_those_of_runs() {
             let unit = words.split(' ').nth(1).unwrap();
             let scene = changed(preset.scene.clone(), changes).unwrap();
             let result = if *key == "limit" {
-                cmra::study::limit::velocity_m_s(&scene).unwrap()
+                cmra_studies::study::limit::velocity_m_s(&scene).unwrap()
             } else {
                 let scene = Arc::new(scene);
                 let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());

@@ -3,8 +3,8 @@
 
 use std::sync::Arc;
 
-use cmra::model::scene::Scene;
-use cmra::model::variables;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables;
 
 /// `SplitMix64`: Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
 pub(crate) struct Random(pub(crate) u64);

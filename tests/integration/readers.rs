@@ -10,10 +10,10 @@ use std::time::{Duration, Instant};
 
 use cmra::files::read;
 use cmra::files::{read_table, session, write};
-use cmra::model::scene::{PlateSize, Scene};
-use cmra::model::units::{self, Bare, Dimension};
-use cmra::model::variables;
-use cmra::study::monte_carlo::Tolerance;
+use cmra_engine::model::scene::{PlateSize, Scene};
+use cmra_engine::model::units::{self, Bare, Dimension};
+use cmra_engine::model::variables;
+use cmra_studies::study::monte_carlo::Tolerance;
 
 use crate::random::Random;
 use crate::support::{files_in, in_repository};

@@ -1,6 +1,6 @@
 //! Plates that oscillate through the zero of a power law that is not smooth there, against closed forms.
 
-use cmra::model::run::{ContactMode, EndReason, Outcome, Run, Sample, Warning};
+use cmra_engine::model::run::{ContactMode, EndReason, Outcome, Run, Sample, Warning};
 
 use crate::support::{assert_near, run, says, scene};
 

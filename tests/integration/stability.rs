@@ -8,11 +8,11 @@ use std::panic::catch_unwind;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use cmra::model::run::{EndReason, Outcome, Run};
-use cmra::model::scene::Scene;
-use cmra::model::simulate::{Settings, simulate};
-use cmra::study::context::{Context, never_cancel};
-use cmra::study::stability::map::{self, Axis, FixedStep};
+use cmra_engine::model::run::{EndReason, Outcome, Run};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_studies::study::context::{Context, never_cancel};
+use cmra_studies::study::stability::map::{self, Axis, FixedStep};
 
 use crate::support::says;
 
@@ -426,7 +426,8 @@ fn the_sequence_fills_every_range_and_reads_back_as_typed() {
         light += usize::from(scene.mass_ratio() < 0.1);
         singular += usize::from(scene.mechanism.spring.exponent < 1.0);
         stops += usize::from(scene.mechanism.stop.position_m.is_some());
-        plastic += usize::from(scene.interface.law == cmra::model::scene::InterfaceLaw::Plastic);
+        plastic +=
+            usize::from(scene.interface.law == cmra_engine::model::scene::InterfaceLaw::Plastic);
     }
     for (share, low, high) in
         [(light, 250, 350), (singular, 450, 650), (stops, 350, 450), (plastic, 450, 550)]

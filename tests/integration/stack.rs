@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use cmra::files::{read, write};
-use cmra::model::run::{Outcome, Run, Warning};
-use cmra::model::variables;
+use cmra_engine::model::run::{Outcome, Run, Warning};
+use cmra_engine::model::variables;
 
 use crate::support::{assert_near, run, says, scene};
 
@@ -175,7 +175,7 @@ fn an_element_of_a_given_face_keeps_its_mass_under_another_projectile() {
                 [[stack.layer]]\ntarget.thickness_m = 0.005\n";
     let mut own = read::scene(text, "own.toml").unwrap();
     variables::set_by_name(&mut own, "m_p", "50g").unwrap();
-    let element = &cmra::model::stack::plates(&own)[1];
+    let element = &cmra_engine::model::stack::plates(&own)[1];
     assert!((element.plate_mass_kg() - 0.1355).abs() < 1e-15, "{}", element.plate_mass_kg());
 }
 

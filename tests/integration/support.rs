@@ -7,10 +7,10 @@ use std::sync::Arc;
 use assert_cmd::Command;
 use cmra::files::error::FileError;
 use cmra::files::preset;
-use cmra::model::run::Run;
-use cmra::model::scene::Scene;
-use cmra::model::simulate::{Settings, simulate};
-use cmra::model::variables;
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::variables;
 
 /// The default scene with some variables changed: `gamma=2 k=1e5`.
 pub(crate) fn scene(pairs: &str) -> Scene {

@@ -3,11 +3,11 @@
 use std::collections::HashSet;
 
 use cmra::files::bundled::BUNDLED;
-use cmra::model::mechanism::Mechanism;
-use cmra::model::scene::Scene;
-use cmra::model::variables;
-use cmra::study::principles::{CONCEPTS, PRINCIPLES};
-use cmra::study::thesis;
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables;
+use cmra_studies::study::principles::{CONCEPTS, PRINCIPLES};
+use cmra_studies::study::thesis;
 
 fn cmra(arguments: &[&str]) -> (String, i32) {
     let output = crate::support::program().args(arguments).output().unwrap();

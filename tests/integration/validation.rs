@@ -1,10 +1,10 @@
 //! Measurements from outside the thesis: the table is computed, and agrees with an independent computation of the same law.
 
 use cmra::files::validation;
-use cmra::model::scene::{Closure, Scene};
-use cmra::model::variables;
-use cmra::study::context::{Context, never_cancel};
-use cmra::study::validation::{NOT_COUNTED, Row, measurements};
+use cmra_engine::model::scene::{Closure, Scene};
+use cmra_engine::model::variables;
+use cmra_studies::study::context::{Context, never_cancel};
+use cmra_studies::study::validation::{NOT_COUNTED, Row, measurements};
 
 fn row(id: &str) -> Row {
     let report = validation::report(&mut Context::new(2, &mut never_cancel)).unwrap();
@@ -175,7 +175,7 @@ fn valid_hits_at_the_same_place() {
 #[test]
 fn bias_and_scatter_are_of_the_rows_and_stale_statements_are_gone() {
     let report = validation::report(&mut Context::new(2, &mut never_cancel)).unwrap();
-    let biases = cmra::study::validation::biases(&report);
+    let biases = cmra_studies::study::validation::biases(&report);
     let mild = biases.iter().find(|it| it.class == Some("AP core on mild steel")).unwrap();
     // The mean of -5, -3, -4, -5, -7, -18 and -20 percent.
     assert!(mild.points == 7 && (mild.mean + 0.089).abs() < 5e-3, "{}", mild.mean);

@@ -1,6 +1,6 @@
 //! Values of runs, each from a source of its own: closed forms, momentum, energy, or the oracle's tiny steps.
 
-use cmra::model::run::{EndReason, Outcome};
+use cmra_engine::model::run::{EndReason, Outcome};
 use cmra_oracle::Shot;
 use serde_json::Value;
 

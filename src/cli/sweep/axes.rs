@@ -4,10 +4,10 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::files::preset::Preset;
-use crate::model::scene::Scene;
-use crate::report::sweep::Columns;
-use crate::study::quantities::of_every_run;
-use crate::study::sweep::{Axis, COUNTS, Plan, USUAL_OUTPUTS};
+use cmra_engine::model::scene::Scene;
+use cmra_studies::report::sweep::Columns;
+use cmra_studies::study::quantities::of_every_run;
+use cmra_studies::study::sweep::{Axis, COUNTS, Plan, USUAL_OUTPUTS};
 
 /// Arguments for the points of a sweep and the outputs at each.
 #[derive(Debug, Args)]

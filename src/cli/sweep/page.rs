@@ -4,14 +4,14 @@ use std::fmt::Write as _;
 
 use crate::cli::draw;
 use crate::cli::text::{chart_size, width};
-use crate::model::units::{self, engineering};
-use crate::report::figures::sweeps::picture;
-use crate::report::svg::Picture;
-use crate::report::sweep::Columns;
-use crate::report::table::Table;
-use crate::study::outcome::OutcomeCounts;
-use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, USUAL_OUTPUTS};
+use cmra_engine::model::units::{self, engineering};
+use cmra_studies::report::figures::sweeps::picture;
+use cmra_studies::report::svg::Picture;
+use cmra_studies::report::sweep::Columns;
+use cmra_studies::report::table::Table;
+use cmra_studies::study::outcome::OutcomeCounts;
+use cmra_studies::study::sweep::grid::Grid;
+use cmra_studies::study::sweep::{Axis, Plan, PointOutcome, Spacing, USUAL_OUTPUTS};
 
 /// Most rows of the table of one axis.
 const TABLE_ROWS: u64 = 13;

@@ -2,14 +2,14 @@
 
 use serde_json::{Value, json};
 
-use crate::model::library;
-use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::reference::References;
 use crate::study::accuracy::{Cheapest, MethodReport, OmissionGain, Point, RESULTS, Report};
 use crate::study::context::Reach;
+use cmra_engine::model::library;
+use cmra_engine::model::units::engineering;
 
 /// A point of a method.
 pub type Row<'r> = (&'r MethodReport, &'r Point);

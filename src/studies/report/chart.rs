@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use crate::model::units::Prefix;
+use cmra_engine::model::units::Prefix;
 
 pub mod levels;
 pub mod scale;

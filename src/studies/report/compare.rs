@@ -3,11 +3,6 @@
 
 use serde_json::{Map as Object, Value, json};
 
-use crate::model::library;
-use crate::model::mechanism::Mechanism;
-use crate::model::run::envelope;
-use crate::model::scene::{PlateSize, Scene};
-use crate::model::units::{fixed_significant, velocity};
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, Tone};
@@ -17,6 +12,11 @@ use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Hardware, Report, SizedArmour, THINNEST_M, Verdict};
 use crate::study::limit::RANGE_M_S;
 use crate::study::quantities::find;
+use cmra_engine::model::library;
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::envelope;
+use cmra_engine::model::scene::{PlateSize, Scene};
+use cmra_engine::model::units::{fixed_significant, velocity};
 
 /// The meaning of the contour on a map.
 const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";

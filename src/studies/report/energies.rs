@@ -3,11 +3,11 @@
 //! Kinetic energies and the energy of the spring follow from a row of the series in closed form. The rest of the energy at the start has
 //! been dissipated. Each part of it is booked where forces do work between two rows.
 
-use crate::model::mechanism::{Spring, moving_plate_kg};
-use crate::model::plug::Plug;
-use crate::model::run::{ContactMode, EventKind, Run, Sample};
-use crate::model::scene::{ContactModel, Scene, SpringKind};
-use crate::numerics::larger;
+use cmra_engine::model::mechanism::{Spring, moving_plate_kg};
+use cmra_engine::model::plug::Plug;
+use cmra_engine::model::run::{ContactMode, EventKind, Run, Sample};
+use cmra_engine::model::scene::{ContactModel, Scene, SpringKind};
+use cmra_engine::numerics::larger;
 
 /// Distance to the stop, relative to its position and the plate's thickness, below which a jump of the velocity is an impact on it.
 const AT_STOP: f64 = 1e-6;
@@ -227,9 +227,9 @@ impl<'a> Books<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::simulate::Settings;
     use crate::study::run_with;
     use crate::study::testing::scene;
+    use cmra_engine::model::simulate::Settings;
 
     /// The ledger integrates every work by Gauss's rule on the steps of the run.
     #[test]

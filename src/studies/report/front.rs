@@ -2,15 +2,15 @@
 
 use serde_json::{Value, json};
 
-use crate::model::library;
-use crate::model::run::Outcome;
-use crate::model::units::{significant, velocity};
 use crate::report::table::Table;
 use crate::study::context::Reach;
 use crate::study::search::front::{MissingObjective, Report};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
+use cmra_engine::model::library;
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::units::{significant, velocity};
 
 /// The constraint that is kept unless a search is without it.
 pub const FEASIBLE: &str =

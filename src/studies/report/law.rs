@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::model::mechanism::{Mechanism, load};
-use crate::model::run::Run;
-use crate::model::scene::Scene;
-use crate::numerics::{larger, smaller};
 use crate::report::chart::Mark;
+use cmra_engine::model::mechanism::{Mechanism, load};
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::numerics::{larger, smaller};
 
 /// How far the law is drawn, over how far the plate came, and up to which multiple of it the yield point is still shown.
 const BEYOND: f64 = 1.15;

@@ -2,10 +2,6 @@
 
 use serde_json::{Value, json};
 
-use crate::model::mechanism::Mechanism;
-use crate::model::run::{Outcome, Run, envelope};
-use crate::model::scene::Scene;
-use crate::model::units::{engineering, fixed_significant, significant, velocity};
 use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit};
 use crate::report::table::Table;
@@ -14,6 +10,10 @@ use crate::study::limit::residual_law::ResidualLaw;
 use crate::study::limit::{Closures, Limit, RANGE_M_S, Report, Shot};
 use crate::study::quantities::find;
 use crate::study::validity;
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::{Outcome, Run, envelope};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::{engineering, fixed_significant, significant, velocity};
 
 const LAW_POINTS: usize = 400;
 /// The scene's velocity is in view up to a given number of limits.
@@ -274,9 +274,9 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::variables::changed_free_plate;
     use crate::study::context::{Context, never_cancel};
     use crate::study::limit;
+    use cmra_engine::model::variables::changed_free_plate;
 
     /// Residual velocities just above the limit. A free plate has half of the limit, 347.708 m/s; the second value is from two independent
     /// integrations at `v_bl (1 + 1e-9)`.

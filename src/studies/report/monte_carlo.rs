@@ -2,8 +2,6 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::model::scene::Scene;
-use crate::model::units::significant;
 use crate::report::table::Table;
 use crate::report::verdict;
 use crate::study::context::Reach;
@@ -11,6 +9,8 @@ use crate::study::limit::RANGE_M_S;
 use crate::study::monte_carlo::{Distribution, Estimate, LIMIT, ModelError, Report, Summary};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::significant;
 
 const DIGITS: usize = 4;
 

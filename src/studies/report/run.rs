@@ -5,16 +5,16 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use crate::model::run::envelope::{fused_stop_hits, warnings};
-use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample, StackRun};
-use crate::model::scene::{Scene, Stack};
-use crate::model::units::fixed_significant;
-use crate::model::variables::{self, VARIABLES, Variable};
 use crate::report::table::{Table, pretty};
 use crate::report::traces::Traces;
 use crate::report::verdict;
 use crate::study::quantities::{Quantity, QuantityFlag, find, of_runs};
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::envelope::{fused_stop_hits, warnings};
+use cmra_engine::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample, StackRun};
+use cmra_engine::model::scene::{Scene, Stack};
+use cmra_engine::model::units::fixed_significant;
+use cmra_engine::model::variables::{self, VARIABLES, Variable};
 
 pub mod page;
 
@@ -278,7 +278,7 @@ fn all_variables(scene: &Scene) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::run::{ContactMode, EventKind};
+    use cmra_engine::model::run::{ContactMode, EventKind};
 
     fn sample(t_s: f64, penetration_m: f64, mode: ContactMode) -> Sample {
         Sample { t_s, mode, penetration_m, ..Sample::default() }

@@ -2,9 +2,6 @@
 
 use serde_json::{Value, json};
 
-use crate::model::library;
-use crate::model::scene::Scene;
-use crate::model::units::significant;
 use crate::report::Remark;
 use crate::report::table::Table;
 use crate::report::verdict::expected_columns;
@@ -13,6 +10,9 @@ use crate::study::search::seek::{Kind, Report, SamplePoint, SeekResult};
 use crate::study::sweep::{PointOutcome, Spacing};
 use crate::study::validity::DesignValidity;
 use crate::study::verdict::Decision;
+use cmra_engine::model::library;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::significant;
 
 /// Warnings about the rows: those of the solutions, and of the library's entries.
 pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {

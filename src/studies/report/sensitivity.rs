@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use crate::model::units::{Dimension, in_unit, significant};
 use crate::report::table::Table;
 use crate::study::sensitivity::{Effect, POINTS, Report};
+use cmra_engine::model::units::{Dimension, in_unit, significant};
 
 /// Cells of a bar.
 pub const CELLS: usize = 8;

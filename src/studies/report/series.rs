@@ -1,9 +1,9 @@
 //! The quantities that a chart of a run can show: name, symbol, unit, and where it is found in a sample.
 
-use crate::model::mechanism::Mechanism;
-use crate::model::run::{ContactMode, Run, Sample};
-use crate::model::scene::Scene;
 use crate::report::law::Law;
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::{ContactMode, Run, Sample};
+use cmra_engine::model::scene::Scene;
 
 /// More points than these are thinned before they are drawn.
 const POINTS_MANY: usize = 16_384;
@@ -227,9 +227,9 @@ pub(crate) fn thinned_to(points: &[(f64, f64)], parts: f64) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::simulate::Settings;
     use crate::study::run_with;
     use crate::study::testing::scene;
+    use cmra_engine::model::simulate::Settings;
 
     /// After the first arrest projectile and plate move as one on the spring: of equal masses the
     /// projectile needs half of the spring's force k x.

@@ -2,15 +2,15 @@
 
 use serde_json::{Value, json};
 
-use crate::model::run::Outcome;
-use crate::model::units::engineering;
-use crate::model::variables::find;
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::report::map::{self, Tone};
 use crate::report::table::Table;
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
 use crate::study::stability::{FailureReason, Row};
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::units::engineering;
+use cmra_engine::model::variables::find;
 
 /// Columns of a page that say how a scene has run.
 pub const HOW_IT_RAN: [&str; 5] = ["outcome", "energy_residual", "error", "steps", "run_time_s"];

@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
-use crate::numerics::statistics::sorted_by;
 use crate::report::chart::ticks::Along;
 use crate::report::chart::{Axis, Chart, Curve, Mark};
 use crate::report::map::Map;
 use crate::report::series::thinned;
+use cmra_engine::numerics::statistics::sorted_by;
 
 mod bands;
 

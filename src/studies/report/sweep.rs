@@ -7,9 +7,6 @@ use std::rc::Rc;
 
 use serde_json::{Value, json};
 
-use crate::model::run::{Run, envelope};
-use crate::model::scene::{Scene, Sweep};
-use crate::model::variables;
 use crate::report::table::{Table, pretty};
 use crate::report::verdict;
 use crate::study::context::Reach;
@@ -17,6 +14,9 @@ use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Evaluator, Plan, Point, Shard, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::{Run, envelope};
+use cmra_engine::model::scene::{Scene, Sweep};
+use cmra_engine::model::variables;
 
 /// Columns after the axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,8 +8,8 @@ use std::borrow::Cow;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use crate::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
 use crate::study::context::Reach;
+use cmra_engine::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
 
 const DIGITS: usize = 4;
 /// Blanks between two columns of a page.

@@ -5,12 +5,12 @@
 
 use serde_json::{Value, json};
 
-use crate::model::run::Run;
-use crate::model::units::engineering;
-use crate::numerics::larger;
 use crate::report::chart::Curve;
 use crate::report::series::{Channel, thinned_to};
 use crate::report::table::Table;
+use cmra_engine::model::run::Run;
+use cmra_engine::model::units::engineering;
+use cmra_engine::numerics::larger;
 
 /// Mark of measured points in charts.
 pub const MARK: char = 'M';
@@ -265,9 +265,9 @@ impl Traces {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::simulate::Settings;
     use crate::study::run_with;
     use crate::study::testing::scene;
+    use cmra_engine::model::simulate::Settings;
 
     fn run() -> Run {
         run_with(&scene(""), Settings::SERIES).unwrap()

@@ -2,11 +2,11 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::model::run::{Outcome, Run};
-use crate::model::scene::Scene;
-use crate::model::units::{fixed_significant, velocity};
 use crate::report::table::Table;
 use crate::study::verdict::{Decision, Expected, Verdict};
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::{fixed_significant, velocity};
 
 /// Meaning of a ballistic limit, shown beside each verdict.
 pub const V50: &str = "a limit is a V50: at it half of the shots perforate";

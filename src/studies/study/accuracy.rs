@@ -8,13 +8,13 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::IntegrationMethod;
-use crate::model::impact::step_by;
-use crate::model::scene::Scene;
-use crate::model::simulate::{Settings, simulate};
-use crate::model::variables::{self, VariableError};
-use crate::numerics::larger;
 use crate::study::context::Context;
+use cmra_engine::model::impact::IntegrationMethod;
+use cmra_engine::model::impact::step_by;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::variables::{self, VariableError};
+use cmra_engine::numerics::larger;
 
 pub mod method;
 pub mod reference;

@@ -21,14 +21,14 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::{Outcome, Run};
-use crate::model::scene::{Mount, OwnMass, Scene};
-use crate::model::variables::{self, VariableError};
 use crate::study::context::{Context, Progress};
 use crate::study::limit::Limit;
 use crate::study::sweep::Axis;
 use crate::study::verdict::{Decision, Verdict as ShotVerdict};
+use cmra_engine::model::mechanism::{Inertia, Mechanism};
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::scene::{Mount, OwnMass, Scene};
+use cmra_engine::model::variables::{self, VariableError};
 
 mod candidate;
 mod hardware;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use crate::model::simulate::RunSnapshot;
 use crate::study::parallel;
 pub use crate::study::parallel::{SharedCores, Threads, Work};
+use cmra_engine::model::simulate::RunSnapshot;
 
 /// Steps of a run after which a study looks again whether to stop: a run may have millions of steps.
 const STEPS_PER_POLL: u64 = 64;

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::model::variables::VariableError;
+use cmra_engine::model::variables::VariableError;
 
 /// Why a sweep, or another study over variables, is refused before anything runs: axis, value, rule, cure.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

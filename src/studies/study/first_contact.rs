@@ -6,12 +6,12 @@
 //! The answers agree with those of the simulation within the scene's tolerance, not to the last digit: the contact is integrated
 //! by other steps.
 
-use crate::model::closed_form::Passage;
-use crate::model::contact::Geometry;
-use crate::model::contact_kernel::{Contact, ContactEnd};
-use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::scene::{ContactModel, Criterion, InterfaceLaw, Scene};
-use crate::numerics::larger;
+use cmra_engine::model::closed_form::Passage;
+use cmra_engine::model::contact::Geometry;
+use cmra_engine::model::contact_kernel::{Contact, ContactEnd};
+use cmra_engine::model::mechanism::{Mechanism, moving_plate_kg};
+use cmra_engine::model::scene::{ContactModel, Criterion, InterfaceLaw, Scene};
+use cmra_engine::numerics::larger;
 
 /// Fraction of the scene's tolerance that the contact may use up.
 pub(in crate::study) const TOLERANCE_FRACTION: f64 = 0.3;

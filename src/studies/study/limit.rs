@@ -5,13 +5,13 @@
 
 use std::sync::Arc;
 
-use crate::model::run::envelope::oblique_error;
-use crate::model::run::{Outcome, Run};
-use crate::model::scene::Scene;
-use crate::model::units::fixed_significant;
-use crate::model::variables::{self, VariableError};
 use crate::study::context::{Context, never_cancel};
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::envelope::oblique_error;
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::fixed_significant;
+use cmra_engine::model::variables::{self, VariableError};
 use residual_law::ResidualLaw;
 use search::{BESIDE, ShotRunner};
 
@@ -20,8 +20,8 @@ pub mod residual_law;
 mod search;
 pub(in crate::study) mod shot_outcome;
 
-pub use crate::model::closed_form::ballistic_limit_m_s as closed_form;
 pub use closures::Closures;
+pub use cmra_engine::model::closed_form::ballistic_limit_m_s as closed_form;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);

@@ -1,9 +1,9 @@
 //! The load of the mount in a run: the greatest force, the impulse, and the energy in the springs.
 
-use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::run::{ContactMode, EventKind, Outcome, Run, Sample};
-use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::larger;
+use cmra_engine::model::mechanism::{Mechanism, moving_plate_kg};
+use cmra_engine::model::run::{ContactMode, EventKind, Outcome, Run, Sample};
+use cmra_engine::model::scene::{ContactModel, Scene};
+use cmra_engine::numerics::larger;
 
 /// Part of the greatest displacement at which it is reached.
 const REACHED: f64 = 1e-9;

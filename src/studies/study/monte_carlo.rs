@@ -7,11 +7,6 @@
 
 use std::fmt;
 
-use crate::model::run::Outcome;
-use crate::model::scene::{OwnMass, Scene, SpringKind};
-use crate::model::variables::{self, Number, VARIABLES, Variable};
-use crate::numerics::random::Random;
-use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
 use crate::study::limit;
 use crate::study::option;
@@ -19,6 +14,11 @@ use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities::{self, Needs, Quantity, find};
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::scene::{OwnMass, Scene, SpringKind};
+use cmra_engine::model::variables::{self, Number, VARIABLES, Variable};
+use cmra_engine::numerics::random::Random;
+use cmra_engine::numerics::statistics::{Z95, moments, quantile, wilson};
 pub use tolerance::{Distribution, Kind, Tolerance};
 
 mod tolerance;

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use crate::model::run::{EndReason, Outcome, Run};
 use crate::study::quantities::{Quantity, QuantityFlag};
+use cmra_engine::model::run::{EndReason, Outcome, Run};
 
 /// The outcome of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

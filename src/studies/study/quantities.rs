@@ -5,15 +5,15 @@
 //! costs: nothing is computed for a quantity that is not requested. Nothing here knows files or screens; the time a run took is
 //! measured by whoever ran it.
 
-use crate::model::mechanism::load;
-use crate::model::run::{Run, envelope};
-use crate::model::scene::Scene;
-use crate::model::units::{self, Bare, Dimension, engineering};
 use crate::study::error::SweepError;
 use crate::study::first_contact::FirstContact;
 use crate::study::load::{impulse_n_s, peak_n};
 use crate::study::measured::Key;
 use crate::study::verdict::Expected;
+use cmra_engine::model::mechanism::load;
+use cmra_engine::model::run::{Run, envelope};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::{self, Bare, Dimension, engineering};
 
 mod mount;
 mod names;

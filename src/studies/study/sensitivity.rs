@@ -5,12 +5,6 @@
 
 use std::fmt;
 
-use crate::model::run::Outcome;
-use crate::model::run::envelope::Check;
-use crate::model::scene::Scene;
-use crate::model::variables::{self, Allowed, Variable};
-use crate::numerics::statistics::{quantile, sorted_by};
-use crate::numerics::{larger, smaller};
 use crate::study::context::Context;
 use crate::study::option;
 use crate::study::outcome::PointOutcome;
@@ -18,6 +12,12 @@ use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::default_axes::{or_usual, thesis_ends};
 use crate::study::sweep::{Axis, Plan, Point, Spacing, SweepError};
 use crate::study::validity;
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::run::envelope::Check;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables::{self, Allowed, Variable};
+use cmra_engine::numerics::statistics::{quantile, sorted_by};
+use cmra_engine::numerics::{larger, smaller};
 
 /// The variables of the study where none are named: those that the thesis designs with, then those that it is given.
 pub const VARIABLES: [&str; 14] =

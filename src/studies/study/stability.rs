@@ -2,13 +2,13 @@
 //!
 //! The requirements on `auto` are the constants below. Must not know files, threads, screens or the clock itself.
 
-use crate::model::run::Run;
-use crate::model::simulate::{Settings, simulate};
-use crate::model::variables::VariableError;
 use crate::study::accuracy::method::answer_of;
 use crate::study::accuracy::reference::{Reference, ReferenceSource, References};
 use crate::study::context::{CancelFlag, Context};
 use cases::Case;
+use cmra_engine::model::run::Run;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::variables::VariableError;
 
 pub mod cases;
 pub mod map;

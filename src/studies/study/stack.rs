@@ -1,9 +1,9 @@
 //! A stack as a table for people: the same lines on the command line and in the workbench.
 
-use crate::model::run::StackRun;
-use crate::model::run::{Outcome, Run};
-use crate::model::units;
 use crate::study::load::peak_n;
+use cmra_engine::model::run::StackRun;
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::units;
 
 /// The sentence, and a line for every plate that was struck, at most 76 columns wide.
 pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {

@@ -14,14 +14,14 @@ pub(in crate::study) mod kernel;
 
 use std::sync::Arc;
 
-use crate::model::library;
-use crate::model::scene::Scene;
-use crate::model::units;
-use crate::model::variables;
 pub use crate::study::error::SweepError;
 pub use crate::study::outcome::{Failure, PointOutcome};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
+use cmra_engine::model::library;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units;
+use cmra_engine::model::variables;
 pub use evaluate::{Evaluator, Point};
 
 /// The most points of a sweep: what a count in floating point still distinguishes.

@@ -1,8 +1,8 @@
 //! Scenes and axes that several tests need.
 
-use crate::model::scene::{Mount, Scene};
 use crate::study::changed;
 use crate::study::sweep::{Axis, Spacing};
+use cmra_engine::model::scene::{Mount, Scene};
 
 /// The default scene with some variables changed: `gamma=2 k=1e5`.
 pub(crate) fn scene(pairs: &str) -> Scene {

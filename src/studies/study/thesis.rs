@@ -5,14 +5,14 @@
 
 use std::sync::Arc;
 
-use crate::model::run::{Outcome, Run};
-use crate::model::scene::{ContactModel, Listing, Scene};
-use crate::model::simulate::{self, Settings};
-use crate::model::units::significant;
-use crate::model::variables;
-use crate::numerics::statistics;
-use crate::numerics::{larger, smaller};
 use crate::study::context::{CancelFlag, Context};
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::scene::{ContactModel, Listing, Scene};
+use cmra_engine::model::simulate::{self, Settings};
+use cmra_engine::model::units::significant;
+use cmra_engine::model::variables;
+use cmra_engine::numerics::statistics;
+use cmra_engine::numerics::{larger, smaller};
 
 mod figures;
 mod tables;

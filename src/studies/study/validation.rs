@@ -8,12 +8,12 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use crate::model::run::envelope::{self, Check};
-use crate::model::scene::{Closure, Scene};
-use crate::model::simulate::Settings;
-use crate::model::variables;
 use crate::study::quantities::{Quantity, find};
 use crate::study::{changed, limit, plain_run, run_with};
+use cmra_engine::model::run::envelope::{self, Check};
+use cmra_engine::model::scene::{Closure, Scene};
+use cmra_engine::model::simulate::Settings;
+use cmra_engine::model::variables;
 
 mod bias;
 

@@ -3,17 +3,17 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::library;
-use crate::model::run::envelope::{self, Breach, Check, Direction};
-use crate::model::run::{EndReason, Run};
-use crate::model::scene::{InterfaceLaw, Scene};
-use crate::model::simulate::{Settings, simulate};
-use crate::model::units::{shortest, significant};
-use crate::model::variables;
 use crate::study::quantities::{Quantity, QuantityFlag, Search};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Plan, PointOutcome};
 use crate::study::verdict::Verdict;
+use cmra_engine::model::library;
+use cmra_engine::model::run::envelope::{self, Breach, Check, Direction};
+use cmra_engine::model::run::{EndReason, Run};
+use cmra_engine::model::scene::{InterfaceLaw, Scene};
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::units::{shortest, significant};
+use cmra_engine::model::variables;
 
 /// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
 const STEPS_MAX: usize = 30_000;

@@ -3,10 +3,10 @@
 //! Every command, page and file takes its answer from here. A shot below the band of the expected limit is stopped, a shot above it
 //! perforates. Without a class of measurements the law decides, and the verdict says so.
 
-use crate::model::scene::Scene;
-use crate::model::units::{fixed_significant, velocity};
 use crate::study::limit;
 use crate::study::measured::{Class, Expectation, known};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::{fixed_significant, velocity};
 
 enumeration! {
     /// The answer to "does this armour stop this shot?".

@@ -2,10 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::model::run::envelope;
-use crate::model::scene::{Scene, SpringKind, Table};
-use crate::model::units::Bare;
-use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::history::{Edit, Snapshot};
 use crate::tui::app::jobs;
 use crate::tui::app::pins::Pin;
@@ -15,6 +11,10 @@ use crate::tui::prelude::*;
 use crate::tui::preset::{LabelledScene, ReferencePreset};
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::value_steps::{self, StepKey};
+use cmra_engine::model::run::envelope;
+use cmra_engine::model::scene::{Scene, SpringKind, Table};
+use cmra_engine::model::units::Bare;
+use cmra_engine::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
 /// Set a variable. `stepping` joins it with the steps just before.
 pub(crate) fn set(

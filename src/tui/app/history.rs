@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::model::scene::Scene;
 use crate::tui::app::pins::Pin;
 use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::search::state::Setup;
 use crate::tui::preset::ReferencePreset;
+use cmra_engine::model::scene::Scene;
 
 /// All that edits change, at one moment.
 #[derive(Clone, Debug, PartialEq)]

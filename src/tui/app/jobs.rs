@@ -4,10 +4,6 @@ use std::mem::discriminant;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::run::{EndReason, Run, Warning};
-use crate::model::scene::Scene;
-use crate::study::context::Answer;
-use crate::study::parallel::cores;
 use crate::tui::app::notice::Notice;
 use crate::tui::app::pins::{DisplayedRun, Pin};
 use crate::tui::app::running::Running;
@@ -15,6 +11,10 @@ use crate::tui::message::Message;
 use crate::tui::prelude::*;
 use crate::worker::studies::{Asked, AskedFor, Found};
 use crate::worker::{JobProgress, Page, Report, ReportBody, SceneRun, Slot, Task};
+use cmra_engine::model::run::{EndReason, Run, Warning};
+use cmra_engine::model::scene::Scene;
+use cmra_studies::study::context::Answer;
+use cmra_studies::study::parallel::cores;
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);

@@ -2,11 +2,11 @@
 
 use cmra_studies::enumeration;
 
-use crate::model::run::envelope::{self, Breach, Check};
-use crate::model::run::{Run, Warning};
-use crate::model::units::{fixed_significant, scientific};
 use crate::tui::app::App;
 use crate::tui::theme::Role;
+use cmra_engine::model::run::envelope::{self, Breach, Check};
+use cmra_engine::model::run::{Run, Warning};
+use cmra_engine::model::units::{fixed_significant, scientific};
 
 enumeration! {
     pub enum Severity in SeverityRow {

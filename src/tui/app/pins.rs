@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::run::Run;
-use crate::model::scene::Scene;
+use cmra_engine::model::run::Run;
+use cmra_engine::model::scene::Scene;
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];

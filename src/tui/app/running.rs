@@ -3,11 +3,11 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::scene::Scene;
-use crate::study::context::{Answer, Reach};
 use crate::tui::keymap::{Action, Tab};
 use crate::worker::studies::{Asked, AskedFor, Finding};
 use crate::worker::{Page, ReportBody};
+use cmra_engine::model::scene::Scene;
+use cmra_studies::study::context::{Answer, Reach};
 
 /// A task that has not ended.
 #[derive(Clone, Debug)]

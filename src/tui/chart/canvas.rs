@@ -2,9 +2,9 @@
 //!
 //! Coordinates run in dots, x to the right and y upward from the lower left corner of the lower left dot.
 
-use crate::report::chart::scale::whole_below;
-use crate::report::chart::{Curve, Emphasis, Mapping};
 use crate::tui::theme::{GlyphSet, Role};
+use cmra_studies::report::chart::scale::whole_below;
+use cmra_studies::report::chart::{Curve, Emphasis, Mapping};
 
 /// The bits of a braille character, in rows of two dots: 1 4 / 2 5 / 3 6 / 7 8.
 const BRAILLE: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];

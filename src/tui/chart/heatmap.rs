@@ -22,10 +22,10 @@ use ratatui::layout::{Offset, Position, Rect};
 use ratatui::style::{Color, Modifier, Style};
 
 use super::{Chart, Draw, Layout, Mapping};
-use crate::report::chart::levels::BANDS_MAX;
-use crate::report::map::{Cell, Map, Tone};
 use crate::tui::theme::colours::ink_on;
 use crate::tui::theme::{GlyphSet, Role, Theme};
+use cmra_studies::report::chart::levels::BANDS_MAX;
+use cmra_studies::report::map::{Cell, Map, Tone};
 
 /// Values nearer to each other, relative to the contour's, are the same.
 const NOISE: f64 = 1e-9;

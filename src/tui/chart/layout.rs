@@ -4,12 +4,12 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::role;
-use crate::report::chart::ticks::{Along, Tick, Ticks};
-use crate::report::chart::{
+use crate::tui::theme::{PaneFrame, Theme};
+use cmra_studies::report::chart::ticks::{Along, Tick, Ticks};
+use cmra_studies::report::chart::{
     Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale, ViewRange,
 };
-use crate::report::steps::{Step, decade};
-use crate::tui::theme::{PaneFrame, Theme};
+use cmra_studies::report::steps::{Step, decade};
 
 /// Room kept at the left for labels, so that the plot does not jump when "9" becomes "10".
 const LEAST_GUTTER: u16 = 3;

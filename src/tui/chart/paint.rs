@@ -6,9 +6,9 @@ use ratatui::text::Span;
 
 use super::canvas::{Canvas, role, trace};
 use super::layout::Layout;
-use crate::report::chart::ticks::label_start;
-use crate::report::chart::{Chart, Curve, Emphasis, Frame, Mark};
 use crate::tui::theme::{GlyphSet, Role, Theme};
+use cmra_studies::report::chart::ticks::label_start;
+use cmra_studies::report::chart::{Chart, Curve, Emphasis, Frame, Mark};
 
 /// Vertical dotted line: an event.
 const EVENT: char = ':';

@@ -1,11 +1,11 @@
 //! The words that the selected variable can be.
 
-use crate::model::variables::{Kind, Value};
 use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
 use crate::tui::dialogs::list::{List, Picker, frame, listed};
 use crate::tui::prelude::*;
 use crate::tui::widgets::text::wrapped;
+use cmra_engine::model::variables::{Kind, Value};
 
 /// A list of the words of the selected variable.
 pub(crate) fn open(app: &mut App) {

@@ -1,6 +1,5 @@
 //! Help: what the selected variable or the pane means, then the keys of the pane, then those that work everywhere.
 
-use crate::model::units::shortest;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::keymap::GLOBAL_KEYS;
@@ -12,6 +11,7 @@ use crate::tui::pages::{self, run};
 use crate::tui::prelude::*;
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
+use cmra_engine::model::units::shortest;
 
 #[derive(Debug)]
 pub(super) struct Help;

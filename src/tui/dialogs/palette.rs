@@ -1,6 +1,5 @@
 //! Command palette (`:`): pages and actions, variables, presets and library entries, by name or synonym.
 
-use crate::model::variables::{VARIABLES, Variable, is_offered};
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::dialogs::{choice, presets};
@@ -11,6 +10,7 @@ use crate::tui::preset::PresetEntry;
 use crate::tui::widgets::find::{rank, rank_variable, ranked};
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::clip;
+use cmra_engine::model::variables::{VARIABLES, Variable, is_offered};
 
 #[derive(Debug)]
 pub(super) struct Palette;

@@ -8,8 +8,6 @@ use crate::files::atomic::OverwritePolicy;
 use crate::files::export::Destination;
 use crate::files::preset;
 use crate::files::report::is_report;
-use crate::report::run::NamedRun;
-use crate::report::svg;
 use crate::tui::app::dialog::{Dialog, Outcome};
 use crate::tui::dialogs::list::{frame, is_text};
 use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask};
@@ -17,6 +15,8 @@ use crate::tui::pages;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{TextLine, wrapped};
+use cmra_studies::report::run::NamedRun;
+use cmra_studies::report::svg;
 
 /// Purpose of the path.
 #[derive(Clone, Copy, Debug)]

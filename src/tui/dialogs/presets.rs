@@ -3,8 +3,6 @@
 use std::path::Path;
 
 use crate::files::session::Session;
-use crate::model::scene::{PlateSize, Scene, Target};
-use crate::model::variables::VARIABLES;
 use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
 use crate::tui::dialogs::list::{List, Picker, frame};
@@ -17,6 +15,8 @@ use crate::tui::preset::PresetEntry;
 use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 use crate::tui::widgets::{split_left, split_top};
+use cmra_engine::model::scene::{PlateSize, Scene, Target};
+use cmra_engine::model::variables::VARIABLES;
 
 #[derive(Debug)]
 pub(super) struct Presets;

@@ -7,9 +7,6 @@ pub mod setup;
 pub mod state;
 
 use crate::files::export;
-use crate::report::sweep::{self, Columns};
-use crate::study::sweep::Axis;
-use crate::study::sweep::grid::Grid;
 use crate::tui::app::notice::outside;
 use crate::tui::app::show_duration;
 use crate::tui::pages::explore::cursor::no_sweep;
@@ -22,6 +19,9 @@ use crate::tui::widgets::form::Form;
 use crate::tui::widgets::value_steps::Input;
 use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{PictureSweep, PrintedSweep};
+use cmra_studies::report::sweep::{self, Columns};
+use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::sweep::grid::Grid;
 
 pub use state::{RESULTS, SETUP};
 

@@ -4,16 +4,16 @@ pub mod comparison;
 pub mod residual;
 pub mod state;
 
-use crate::model::run::envelope;
-use crate::report::{self, limit};
-use crate::study::compare;
-use crate::study::limit::COMMAND;
-use crate::study::monte_carlo;
-use crate::study::validity;
 use crate::tui::app::notice::outside;
 use crate::tui::pages::limit::residual::area;
 use crate::tui::pages::page::prelude::*;
 use crate::worker::studies::{LimitSearch, MassComparison, V50Study};
+use cmra_engine::model::run::envelope;
+use cmra_studies::report::{self, limit};
+use cmra_studies::study::compare;
+use cmra_studies::study::limit::COMMAND;
+use cmra_studies::study::monte_carlo;
+use cmra_studies::study::validity;
 
 pub use state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 

@@ -1,12 +1,12 @@
 //! The Log tab: messages of this session, and all about the run on the screen.
 
-use crate::model::run::envelope;
-use crate::report::run::page::{computation, energy, events, of_first, results, sentence};
 use crate::tui::app::notice::Notice;
 use crate::tui::app::pins::DisplayedRun;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::{broken, counted};
+use cmra_engine::model::run::envelope;
+use cmra_studies::report::run::page::{computation, energy, events, of_first, results, sentence};
 
 pub const LOG: Pane = Pane::new(Tab::Log, 0);
 
@@ -127,7 +127,11 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &DisplayedRun, is_stale: bool) {
     let warnings = warnings.map(|warning| (format!("! {warning}"), Role::Warning));
     section(lines, &format!("Warnings of the run{which}"), warnings);
     if let Some(stack) = &run.stack {
-        section(lines, "Stack: plate by plate", plain(crate::study::stack::table(run, stack)));
+        section(
+            lines,
+            "Stack: plate by plate",
+            plain(cmra_studies::study::stack::table(run, stack)),
+        );
     }
     let first = of_first(run);
     section(lines, &format!("Events{first}"), plain(events(run)));

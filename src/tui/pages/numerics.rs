@@ -4,11 +4,11 @@ pub mod accuracy;
 pub mod stability;
 pub mod state;
 
-use crate::model::library;
-use crate::model::variables;
-use crate::report::{accuracy as accuracy_table, stability as stability_table};
-use crate::study::accuracy::method::Method;
 use crate::tui::pages::page::prelude::*;
+use cmra_engine::model::library;
+use cmra_engine::model::variables;
+use cmra_studies::report::{accuracy as accuracy_table, stability as stability_table};
+use cmra_studies::study::accuracy::method::Method;
 
 pub use state::{ACCURACY, STABILITY, STIFF_SCENES};
 

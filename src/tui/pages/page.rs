@@ -6,9 +6,6 @@ pub(crate) mod prelude {
 
     pub(crate) use super::{About, Page, PageSpec};
     pub(crate) use super::{BEING_COMPUTED, cut, note, nothing, progress, under_way};
-    pub(crate) use crate::model::scene::Scene;
-    pub(crate) use crate::model::units::significant;
-    pub(crate) use crate::study::context::Reach;
     pub(crate) use crate::tui::app::notice::{StatusPart, old, part};
     pub(crate) use crate::tui::app::running::Running;
     pub(crate) use crate::tui::app::{edit, jobs};
@@ -21,12 +18,14 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::widgets::{RowList, Rows, split_bottom, split_left, split_top};
     pub(crate) use crate::worker::ReportBody;
     pub(crate) use crate::worker::studies::AskedFor;
+    pub(crate) use cmra_engine::model::scene::Scene;
+    pub(crate) use cmra_engine::model::units::significant;
+    pub(crate) use cmra_studies::study::context::Reach;
 }
 
 use prelude::*;
 use ratatui::buffer::Buffer;
 
-use crate::model::variables::{self, VARIABLES};
 use crate::tui::app::ActiveInput;
 use crate::tui::app::running::CachedResult;
 use crate::tui::pages;
@@ -34,6 +33,7 @@ use crate::tui::widgets::form::{FieldQuantity, Form};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::{Layout, layout};
 use crate::tui::widgets::value_steps::Input;
+use cmra_engine::model::variables::{self, VARIABLES};
 
 /// The refusal of what needs results that are under way.
 pub(crate) const BEING_COMPUTED: &str = "being computed";

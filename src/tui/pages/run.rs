@@ -8,9 +8,6 @@ pub mod runs;
 pub mod state;
 mod status;
 
-use crate::model::variables::Kind;
-use crate::report::series::Channel;
-use crate::report::traces::{MARK, Traces};
 use crate::tui::chart::Unit;
 use crate::tui::pages::page::open_field;
 use crate::tui::pages::page::prelude::*;
@@ -19,6 +16,9 @@ use crate::tui::widgets::form::FieldQuantity;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::widgets::step_of;
 use crate::tui::widgets::value_steps::{Input, StepKey};
+use cmra_engine::model::variables::Kind;
+use cmra_studies::report::series::Channel;
+use cmra_studies::report::traces::{MARK, Traces};
 
 pub use state::{CHARTS, RUNS, VARIABLES};
 

@@ -10,10 +10,6 @@ pub mod setup;
 pub mod state;
 pub(crate) mod study_page;
 
-use crate::study::quantities::{Needs, named};
-use crate::study::search::front::SAMPLES as DESIGNS;
-use crate::study::search::seek::SCAN;
-use crate::study::sweep::Axis;
 use crate::tui::app::history::Snapshot;
 use crate::tui::app::notice::outside_at_ends;
 use crate::tui::pages::page::move_by;
@@ -28,6 +24,10 @@ use crate::tui::widgets::form::{Form, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::value_steps::Input;
 use crate::worker::studies::SearchRequest;
+use cmra_studies::study::quantities::{Needs, named};
+use cmra_studies::study::search::front::SAMPLES as DESIGNS;
+use cmra_studies::study::search::seek::SCAN;
+use cmra_studies::study::sweep::Axis;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;

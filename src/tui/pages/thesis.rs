@@ -2,10 +2,6 @@
 
 pub mod state;
 
-use crate::report::{measured as limits, thesis};
-use crate::study::measured::{errors, left_out};
-use crate::study::principles;
-use crate::study::thesis::{ClaimVerdict, Row, tally};
 use crate::tui::pages::explore;
 use crate::tui::pages::explore::plan::is_corrected_figure;
 use crate::tui::pages::explore::state::ChartKind;
@@ -15,6 +11,10 @@ use crate::tui::preset::ReferencePreset;
 use crate::tui::widgets::find::{rank, ranked};
 use crate::tui::widgets::table::{NO_MATCH, filtered};
 use crate::worker::studies::Claims;
+use cmra_studies::report::{measured as limits, thesis};
+use cmra_studies::study::measured::{errors, left_out};
+use cmra_studies::study::principles;
+use cmra_studies::study::thesis::{ClaimVerdict, Row, tally};
 
 pub use state::{CLAIMS, CONCEPTS, MEASURED, PRINCIPLES};
 

@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Widget};
 
 use super::{Role, Theme, columns};
-use crate::report::chart::{Below, Frame};
+use cmra_studies::report::chart::{Below, Frame};
 
 #[must_use]
 #[derive(Clone, Debug, Default)]

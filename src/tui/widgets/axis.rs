@@ -4,12 +4,12 @@ use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-use crate::model::scene::{Scene, SweepAxis};
-use crate::model::units::{self, Bare};
-use crate::model::variables::{self, Allowed, Number, VARIABLES, Variable};
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::{FieldQuantity, FormRow, VALUE_WIDTH};
 use crate::tui::widgets::value_steps::{self, Input, shown_number};
+use cmra_engine::model::scene::{Scene, SweepAxis};
+use cmra_engine::model::units::{self, Bare};
+use cmra_engine::model::variables::{self, Allowed, Number, VARIABLES, Variable};
 
 /// Digits of a field: as many as a number that was typed may have.
 pub(crate) const FIELD_DIGITS: usize = 12;

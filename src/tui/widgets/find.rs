@@ -1,7 +1,7 @@
 //! Finding by text: how well a text matches.
 
-use crate::model::variables::Variable;
-use crate::study::quantities::{QUANTITIES, Quantity, named};
+use cmra_engine::model::variables::Variable;
+use cmra_studies::study::quantities::{QUANTITIES, Quantity, named};
 
 /// How well what was typed matches something with these names, described by this text: smaller is better, `None` not at all.
 ///

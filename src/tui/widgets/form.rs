@@ -2,8 +2,6 @@
 
 use ratatui::layout::Rect;
 
-use crate::model::variables::Variable;
-use crate::study::quantities::{QUANTITIES, Quantity, named};
 use crate::tui::keymap::{Pane, Target};
 use crate::tui::theme::Role;
 use crate::tui::widgets::find::quantity_called;
@@ -12,6 +10,8 @@ use crate::tui::widgets::text::clip;
 use crate::tui::widgets::text::columns;
 use crate::tui::widgets::value_steps::Input;
 use crate::tui::widgets::{Canvas, RowList, Rows, cycled};
+use cmra_engine::model::variables::Variable;
+use cmra_studies::study::quantities::{QUANTITIES, Quantity, named};
 
 /// Columns within a row: cursor, label, value, unit.
 const LABEL: u16 = 2;

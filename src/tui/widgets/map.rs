@@ -2,13 +2,13 @@
 
 use ratatui::layout::Rect;
 
-use crate::model::units::significant;
-use crate::report::map::{Cell, Map};
 use crate::tui::chart::heatmap::swatch;
 use crate::tui::chart::{Layout, Scale, Unit, ViewRange};
 use crate::tui::theme::Role;
 use crate::tui::widgets::text::columns;
 use crate::tui::widgets::{Canvas, split_bottom};
+use cmra_engine::model::units::significant;
+use cmra_studies::report::map::{Cell, Map};
 
 /// Part of the rows that words below a map may take.
 const WORDS: u16 = 10;

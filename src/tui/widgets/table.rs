@@ -1,7 +1,7 @@
 //! Tables on the screen: the first column always, beside it as many of the others as have room.
 
-use crate::report::table::Cells;
 use crate::tui::widgets::text::fitted;
+use cmra_studies::report::table::Cells;
 
 /// Least columns of the names of a table's rows, where they may be shortened.
 pub(crate) const NAME_LEAST: u16 = 12;

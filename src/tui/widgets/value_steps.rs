@@ -1,8 +1,8 @@
 //! How the arrow keys step a number: by the last shown figure, or by a factor of 10^0.1, never into the impossible.
 
-use crate::model::scene::Scene;
-use crate::model::units::{self, Dimension, significant};
-use crate::model::variables::{Allowed, Number, Variable};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::{self, Dimension, significant};
+use cmra_engine::model::variables::{Allowed, Number, Variable};
 
 /// A number in at most `width` characters.
 pub(crate) fn shown_number(number: f64, width: usize) -> String {
@@ -140,7 +140,7 @@ fn clamp(number: &Number, value: f64, next: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::variables::find;
+    use cmra_engine::model::variables::find;
 
     const BACK: StepKey = StepKey { up: false, is_far: false };
 

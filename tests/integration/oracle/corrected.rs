@@ -1,6 +1,6 @@
 //! Scenes on which the program was wrong.
 
-use cmra::model::run::{EndReason, EventKind, Outcome, Sample};
+use cmra_engine::model::run::{EndReason, EventKind, Outcome, Sample};
 
 use super::{agree, draw, program};
 

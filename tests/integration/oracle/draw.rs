@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use cmra::model::scene::{Layer, Mount, Scene, SpringKind, Stack};
-use cmra::model::variables;
+use cmra_engine::model::scene::{Layer, Mount, Scene, SpringKind, Stack};
+use cmra_engine::model::variables;
 
 use crate::random::Random;
 use crate::support::scene;

@@ -1,7 +1,7 @@
 //! Stacks, plate by plate, each struck with the velocity that the one before it has left.
 
-use cmra::model::run::{Outcome, Run};
-use cmra::model::scene::Scene;
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::scene::Scene;
 use cmra_oracle::Shot;
 
 use super::{OFF, STEP_S, draw, program};

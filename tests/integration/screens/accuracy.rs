@@ -3,16 +3,16 @@
 use std::sync::Arc;
 
 use super::bench::{Bench, ended, stopped};
-use cmra::model::run::Outcome;
-use cmra::model::scene::Scene;
-use cmra::study::accuracy::method::{Answer, Method, Parameter, Refusal, SettingGrid};
-use cmra::study::accuracy::reference::{Reference, ReferenceSource, References};
-use cmra::study::accuracy::{Measured, MethodReport, OmissionGain, Point, Report};
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
 use cmra::worker::studies::{Found, MethodBenchmark};
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::scene::Scene;
+use cmra_studies::study::accuracy::method::{Answer, Method, Parameter, Refusal, SettingGrid};
+use cmra_studies::study::accuracy::reference::{Reference, ReferenceSource, References};
+use cmra_studies::study::accuracy::{Measured, MethodReport, OmissionGain, Point, Report};
 
 /// When the made-up contact ends, s, and how deep it is then, m.
 const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);

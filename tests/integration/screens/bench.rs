@@ -7,14 +7,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use cmra::files::export::Destination;
-use cmra::model::mechanism::Mechanism;
-use cmra::model::run::{
-    Arrest, ContactMode, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind,
-    MechanismLoad, Outcome, Run, Sample, Warning,
-};
-use cmra::model::scene::{Mount, PlateSize, Scene};
-use cmra::study::context::{Answer, Progress, Reach};
-use cmra::study::sweep::Plan;
 use cmra::tui::app::App;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::preset::{PresetEntry, ReferencePreset};
@@ -23,6 +15,14 @@ use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
 use cmra::worker::studies::{Asked, Found};
 use cmra::worker::{JobProgress, Report, ReportBody, Task};
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::{
+    Arrest, ContactMode, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind,
+    MechanismLoad, Outcome, Run, Sample, Warning,
+};
+use cmra_engine::model::scene::{Mount, PlateSize, Scene};
+use cmra_studies::study::context::{Answer, Progress, Reach};
+use cmra_studies::study::sweep::Plan;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -393,7 +393,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         baseline_penetration_m: Some(0.007_113),
         peak_contact_force_n: Some(17_745.0),
         max_plate_displacement_m: Some(shape.sample(TURN_S).plate_displacement_m),
-        at_least: cmra::model::run::AtLeast::default(),
+        at_least: cmra_engine::model::run::AtLeast::default(),
         penetration_at_most_m: None,
         residual_velocity_m_s: None,
         exit_time_s: None,

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::bench::Bench;
 use cmra::files::read_traces::traces;
-use cmra::report::series::Channel;
 use cmra::tui::message::{Effect, EffectReport, FileTask, Message};
 use cmra::tui::theme::GlyphSet;
+use cmra_studies::report::series::Channel;
 use insta::assert_snapshot;
 
 /// Opens a file by its name, as a person does; the answer of the thread for files.

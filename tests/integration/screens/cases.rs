@@ -5,12 +5,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files::preset;
-use cmra::model::run::{EstimateBasis, Run};
-use cmra::model::scene::Scene;
-use cmra::model::simulate::{RunSnapshot, Settings, plastic_beside, simulate};
-use cmra::model::variables::set_by_name;
 use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
+use cmra_engine::model::run::{EstimateBasis, Run};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{RunSnapshot, Settings, plastic_beside, simulate};
+use cmra_engine::model::variables::set_by_name;
 use insta::assert_snapshot;
 
 use super::bench::{Bench, done};

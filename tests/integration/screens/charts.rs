@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use super::bench::{Bench, done};
 use super::{limit, search, stability};
-use cmra::model::scene::Scene;
-use cmra::model::simulate::{Settings, simulate};
-use cmra::study::stability::map::{Axis, Cell, FixedStep};
 use cmra::tui::message::Message;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::Found;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_studies::study::stability::map::{Axis, Cell, FixedStep};
 
 #[test]
 fn letters_of_events_stay_beside_pinned_runs() {

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use super::bench::Bench;
 use crate::support::{cmra, scene};
-use cmra::report::sweep::grid_csv;
-use cmra::study::context::{Context, Reach, never_cancel};
-use cmra::study::sweep::grid::{Grid, PIECE};
 use cmra::tui::pages::search::state::Page;
 use cmra::worker::studies::SearchRequest;
+use cmra_studies::report::sweep::grid_csv;
+use cmra_studies::study::context::{Context, Reach, never_cancel};
+use cmra_studies::study::sweep::grid::{Grid, PIECE};
 
 /// Changes to the baseline that between them have another interface, mount, spring, threat and plate.
 const SCENES: [&str; 5] = [

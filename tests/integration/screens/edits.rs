@@ -6,12 +6,12 @@ use super::bench::Bench;
 use super::search::in_search;
 use super::sweep::keys;
 use super::{accuracy, limit, search};
-use cmra::model::scene::PlateSize;
-use cmra::study::accuracy::method::Method;
-use cmra::study::quantities::named;
 use cmra::tui::pages::explore;
 use cmra::tui::pages::explore::state::ChartKind;
 use cmra::tui::theme::GlyphSet;
+use cmra_engine::model::scene::PlateSize;
+use cmra_studies::study::accuracy::method::Method;
+use cmra_studies::study::quantities::named;
 
 #[test]
 fn a_changed_goal_is_searched_for_before_enter_loads_anything() {

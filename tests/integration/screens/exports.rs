@@ -8,11 +8,11 @@ use super::bench::Bench;
 use super::sweep;
 use crate::support::{self, cmra};
 use cmra::files::export::sidecar_path;
-use cmra::model::scene::{PlateSize, Scene};
 use cmra::tui::message::{Effect, FileTask};
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::preset::ReferencePreset;
 use cmra::worker::{Report, Task, Worker};
+use cmra_engine::model::scene::{PlateSize, Scene};
 
 /// A bench on a scene whose plate has a face, with a folder that it writes to.
 fn open(folder: &Path) -> Bench {

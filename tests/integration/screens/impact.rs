@@ -5,13 +5,13 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::{Bench, done};
-use cmra::model::scene::Scene;
-use cmra::model::simulate::{Settings, simulate};
-use cmra::model::variables::changed;
 use cmra::tui::message::{Effect, Message};
 use cmra::tui::preset::ReferencePreset;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::update::start;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::variables::changed;
 use insta::assert_snapshot;
 
 /// A cylinder on a plate of the library's 6061-T6.

@@ -6,7 +6,6 @@ use std::time::Duration;
 use super::bench::{Bench, ended, made, stopped};
 use super::search::in_search;
 use super::{accuracy, limit, search};
-use cmra::model::run::EndReason;
 use cmra::tui::app::running::Running;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::search::state::Page;
@@ -15,6 +14,7 @@ use cmra::worker::studies::{
     AskedFor, Comparison, LimitSearch, MassComparison, SearchAnswer, SearchRequest,
 };
 use cmra::worker::{Report, ReportBody, Worker};
+use cmra_engine::model::run::EndReason;
 
 /// Samples of the Monte Carlo study that runs beside a goal seek: enough to outlast it, few enough for a build without optimisation.
 const SAMPLES: usize = 2000;

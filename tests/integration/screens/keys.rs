@@ -9,9 +9,6 @@ use std::sync::Arc;
 use super::bench::{Bench, done, made};
 use super::sweep;
 use cmra::files::atomic::OverwritePolicy;
-use cmra::model::run::{EndReason, Run};
-use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
-use cmra::report::series::Channel;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::{Key, bound};
@@ -19,6 +16,9 @@ use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask,
 use cmra::tui::pages::all_panes;
 use cmra::tui::pages::run::state::Window;
 use cmra::worker::{JobProgress, ReportBody};
+use cmra_engine::model::run::{EndReason, Run};
+use cmra_engine::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
+use cmra_studies::report::series::Channel;
 use crossterm::event::KeyEvent;
 
 fn bench() -> Bench {
@@ -31,7 +31,7 @@ fn gamma(bench: &Bench) -> f64 {
 
 /// Select a variable by its symbol, without a filter left.
 fn select(bench: &mut Bench, symbol: &str) {
-    let all = &cmra::model::variables::VARIABLES;
+    let all = &cmra_engine::model::variables::VARIABLES;
     bench.app.pages.run.editor.selected = all.iter().position(|one| one.symbol == symbol).unwrap();
 }
 
@@ -84,8 +84,9 @@ fn units_fractions_and_relative_values_are_read() {
         bench.keys(&format!("<Enter>{text}<Enter>"));
         let shown = bench.app.field().is_none();
         assert!(shown, "{symbol} = {text}: {}", bench.message());
-        let variable = cmra::model::variables::find(symbol).unwrap();
-        let cmra::model::variables::Value::Number(value) = variable.value(&bench.app.scene) else {
+        let variable = cmra_engine::model::variables::find(symbol).unwrap();
+        let cmra_engine::model::variables::Value::Number(value) = variable.value(&bench.app.scene)
+        else {
             panic!("{symbol} is a number");
         };
         assert!((value - expected).abs() <= 1e-12 * expected, "{symbol} = {text}: {value}");

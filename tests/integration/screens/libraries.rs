@@ -1,8 +1,8 @@
 //! Threats, materials and absorbers in the list of presets.
 
 use cmra::files::library;
-use cmra::model::scene::PlateSize;
 use cmra::tui::preset::PresetEntry;
+use cmra_engine::model::scene::PlateSize;
 
 use super::bench::Bench;
 

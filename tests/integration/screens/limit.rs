@@ -5,15 +5,15 @@ use std::sync::Arc;
 use super::at_every_size;
 use super::bench::{Bench, ended, stopped};
 use crate::support::says;
-use cmra::model::run::Outcome;
-use cmra::model::scene::Scene;
-use cmra::study::compare::{Hardware, compare};
-use cmra::study::context::{Context, never_cancel};
-use cmra::study::limit::residual_law::ResidualLaw;
-use cmra::study::limit::{Limit, LimitMethod, Report, Shot};
-use cmra::study::monte_carlo;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{Asked, AskedFor, LimitSearch, MassComparison, V50Study};
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::scene::Scene;
+use cmra_studies::study::compare::{Hardware, compare};
+use cmra_studies::study::context::{Context, never_cancel};
+use cmra_studies::study::limit::residual_law::ResidualLaw;
+use cmra_studies::study::limit::{Limit, LimitMethod, Report, Shot};
+use cmra_studies::study::monte_carlo;
 use insta::assert_snapshot;
 
 /// The made-up limit, m/s.
@@ -99,7 +99,7 @@ fn the_status_names_what_is_outside_validity_at_the_limit() {
     let mut scene = Scene::default();
     scene.target.thickness_m = 0.003;
     let watch = &mut never_cancel;
-    let real = cmra::study::limit::find(&Arc::new(scene), &mut Context::new(1, watch));
+    let real = cmra_studies::study::limit::find(&Arc::new(scene), &mut Context::new(1, watch));
     let at_limit = real.unwrap().at_limit;
     let mut bench = Bench::ascii(120, 36);
     bench.keys("3");
@@ -284,13 +284,13 @@ fn the_tab_and_the_commands_give_the_same_digits() {
             let mut watch = never_cancel;
             let context = &mut Context::new(1, &mut watch);
             if let Some(LimitSearch) = LimitSearch::of(&study.asked).map(|it| &**it) {
-                let report = cmra::study::limit::find(&study.scene, context).unwrap();
-                let own = read(&cmra::report::limit::json(name, &report).to_string());
+                let report = cmra_studies::study::limit::find(&study.scene, context).unwrap();
+                let own = read(&cmra_studies::report::limit::json(name, &report).to_string());
                 assert_eq!(own["shots"], json("limit")["shots"], "{name}");
                 asked += 1;
             } else if MassComparison::of(&study.asked).is_some() {
                 let report = compare(&study.scene, Hardware::default(), context).unwrap();
-                let own = read(&cmra::report::compare::json(name, &report).to_string());
+                let own = read(&cmra_studies::report::compare::json(name, &report).to_string());
                 let command = json("compare");
                 for key in ["mass_efficiency", "verdict", "candidates"] {
                     assert_eq!(own[key], command[key], "{name}: {key}");
@@ -307,7 +307,8 @@ fn the_tab_and_the_commands_give_the_same_digits() {
 fn the_headline_of_a_measured_shot_is_its_verdict() {
     let pairs = "mount=rigid nose=fragment m_p=53.78g R=9.95mm v_i=500 h=25.7mm rho=2700 E=68.3GPa Y=276MPa UTS=310MPa closure=cylindrical";
     let mut bench = Bench::ascii(120, 36);
-    bench.app.scene = Arc::new(cmra::model::variables::changed(Scene::default(), pairs).unwrap());
+    bench.app.scene =
+        Arc::new(cmra_engine::model::variables::changed(Scene::default(), pairs).unwrap());
     bench.keys("3");
     end(&mut bench, |report| {
         report.limit = Limit::found(452.133_810_6, LimitMethod::ClosedForm);

@@ -4,11 +4,11 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use super::bench::{Bench, ended, stopped};
-use cmra::study::sensitivity::VARIABLES;
 use cmra::tui::message::{Effect, Message};
 use cmra::tui::pages::run::editor::Editor;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{AskedFor, Found, SearchAnswer, SearchRequest};
+use cmra_studies::study::sensitivity::VARIABLES;
 use insta::assert_snapshot;
 
 /// A study that was asked for: its number, time and result.
@@ -136,6 +136,6 @@ fn the_study_varies_the_variables_of_the_list() {
     let bench = Bench::ascii(80, 24);
     let listed = Editor::default().listed(&bench.app.scene);
     let symbols: Vec<&str> =
-        listed.iter().map(|at| cmra::model::variables::VARIABLES[*at].symbol).collect();
+        listed.iter().map(|at| cmra_engine::model::variables::VARIABLES[*at].symbol).collect();
     assert_eq!(symbols[..VARIABLES.len()], VARIABLES);
 }

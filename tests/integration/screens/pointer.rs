@@ -3,14 +3,14 @@
 use super::bench::Bench;
 use super::sweep::{answer, open_map};
 use super::{accuracy, search, stability};
-use cmra::model::variables::VARIABLES;
-use cmra::study::accuracy::method::Method;
 use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
 use cmra::tui::pages::{explore, numerics, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
+use cmra_engine::model::variables::VARIABLES;
+use cmra_studies::study::accuracy::method::Method;
 
 /// Where a text stands on the screen.
 pub(super) fn find(bench: &Bench, text: &str) -> (u16, u16) {

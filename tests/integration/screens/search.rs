@@ -6,15 +6,15 @@ use std::sync::Arc;
 
 use super::at_every_size;
 use super::bench::{Bench, Study, ended, stopped};
-use cmra::model::run::Outcome;
-use cmra::model::run::envelope::Check;
-use cmra::model::scene::{InterfaceLaw, Scene};
-use cmra::study::compare::map::{Map, usual_axis};
-use cmra::study::compare::{self, Hardware};
-use cmra::study::context::{Context, never_cancel};
-use cmra::study::search::front::{self, Design, Report};
-use cmra::study::sweep::PointOutcome;
-use cmra::study::sweep::default_axes::{or_usual, thesis_axes};
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::run::envelope::Check;
+use cmra_engine::model::scene::{InterfaceLaw, Scene};
+use cmra_studies::study::compare::map::{Map, usual_axis};
+use cmra_studies::study::compare::{self, Hardware};
+use cmra_studies::study::context::{Context, never_cancel};
+use cmra_studies::study::search::front::{self, Design, Report};
+use cmra_studies::study::sweep::PointOutcome;
+use cmra_studies::study::sweep::default_axes::{or_usual, thesis_axes};
 
 use cmra::tui::keymap::Tab;
 use cmra::tui::pages::search;

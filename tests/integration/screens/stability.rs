@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use super::bench::{Bench, ended, made, stopped};
 use cmra::files::atomic::OverwritePolicy;
-use cmra::model::scene::Scene;
-use cmra::study::accuracy::reference::ReferenceSource;
-use cmra::study::stability::cases::CASES;
-use cmra::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, StabilityMapRequest};
-use cmra::study::stability::{FailureReason, Row};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{AskedFor, Found, StabilityMap, StiffScenes};
+use cmra_engine::model::scene::Scene;
+use cmra_studies::study::accuracy::reference::ReferenceSource;
+use cmra_studies::study::stability::cases::CASES;
+use cmra_studies::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, StabilityMapRequest};
+use cmra_studies::study::stability::{FailureReason, Row};
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: FixedStep, axis: Axis) -> Map {

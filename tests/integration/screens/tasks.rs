@@ -4,13 +4,13 @@ use super::accuracy;
 use super::bench::Bench;
 use super::{limit, search, sweep};
 use cmra::files::library;
-use cmra::model::scene::PlateSize;
-use cmra::study::accuracy::method::Method;
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::explore;
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::preset::PresetEntry;
+use cmra_engine::model::scene::PlateSize;
+use cmra_studies::study::accuracy::method::Method;
 
 /// A bench that counts.
 struct Counted {

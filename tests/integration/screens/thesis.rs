@@ -2,12 +2,12 @@
 
 use super::bench::{Bench, ended, stopped};
 use super::jobs::writes_a_part;
-use cmra::study::context::CancelFlag;
-use cmra::study::sweep::Axis;
-use cmra::study::thesis::{self, Claim, Row, claims};
 use cmra::tui::keymap::Tab;
 use cmra::tui::preset::PresetEntry;
 use cmra::worker::studies::{AskedFor, Claims, Found};
+use cmra_studies::study::context::CancelFlag;
+use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::thesis::{self, Claim, Row, claims};
 use insta::assert_snapshot;
 
 fn check(claim: &'static Claim) -> Row {

@@ -5,8 +5,8 @@
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-use cmra::model::scene::Scene;
-use cmra::model::variables;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables;
 
 /// Bases of the Halton sequence, one for each dimension.
 const BASES: [u64; 21] =

@@ -4,8 +4,8 @@
 //! rest. Every kind of spring and stop, both interface laws. Outside, a run is never silently wrong: its estimate says how good
 //! it is, or it ends with a named reason.
 
-use cmra::model::scene::{Mount, Scene};
-use cmra::model::variables;
+use cmra_engine::model::scene::{Mount, Scene};
+use cmra_engine::model::variables;
 
 /// Symbols, and the least and the greatest value of each, SI.
 const RANGES: [(&str, f64, f64); 10] = [

@@ -5,15 +5,15 @@
 
 use std::f64::consts::PI;
 
-use crate::model::mechanism::Mechanism;
-use crate::model::plug::Plug;
-use crate::model::run::{ContactMode, EventKind, Run, Sample};
-use crate::model::scene::{ContactModel, Scene};
-use crate::model::stack;
-use crate::model::units::{engineering, significant};
-use crate::numerics::{larger, smaller};
 use crate::report::series::state_at;
 use crate::report::steps::{decade, power};
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::plug::Plug;
+use cmra_engine::model::run::{ContactMode, EventKind, Run, Sample};
+use cmra_engine::model::scene::{ContactModel, Scene};
+use cmra_engine::model::stack;
+use cmra_engine::model::units::{engineering, significant};
+use cmra_engine::numerics::{larger, smaller};
 
 /// Greatest length of a projectile that is drawn whole, in tip radii.
 const WHOLE: f64 = 10.0;
@@ -419,9 +419,9 @@ pub fn mode_words(scene: &Scene, mode: ContactMode) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::simulate::Settings;
     use crate::study::run_with;
     use crate::study::testing::scene;
+    use cmra_engine::model::simulate::Settings;
 
     const DOTS: Dots = Dots { across: 156.0, down: 28.0, aspect: 1.0 };
 

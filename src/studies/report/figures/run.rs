@@ -1,12 +1,12 @@
 //! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
 
-use crate::model::run::{CONTACT_WINDOW, ContactMode, Run};
-use crate::model::units::engineering;
-use crate::numerics::{larger, smaller};
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::law::Law;
 use crate::report::series::Channel;
 use crate::report::traces::Traces;
+use cmra_engine::model::run::{CONTACT_WINDOW, ContactMode, Run};
+use cmra_engine::model::units::engineering;
+use cmra_engine::numerics::{larger, smaller};
 
 /// The quantity drawn over time.
 const QUANTITIES: [Channel; 3] =

@@ -1,7 +1,5 @@
 //! The pictures of a sweep: a curve of each output over one axis, a map over two.
 
-use crate::model::run::Outcome;
-use crate::numerics::statistics::sorted_by;
 use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Chart, Curve};
 use crate::report::figures::{axis_of, map_over};
@@ -10,6 +8,8 @@ use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{self, Grid};
 use crate::study::sweep::{self, PointOutcome};
+use cmra_engine::model::run::Outcome;
+use cmra_engine::numerics::statistics::sorted_by;
 
 /// The picture of an output over a full grid of one or two axes; `None` where it exists nowhere.
 pub fn picture(grid: &Grid, output: usize) -> Option<Picture> {

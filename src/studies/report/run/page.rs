@@ -1,12 +1,12 @@
 //! A run in words: its outcome in a sentence, and its results, events, energy and computation a line each. Pages and screens show
 //! the same lines.
 
-use crate::model::mechanism::Mechanism;
-use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
-use crate::model::units::{self, engineering, fixed_significant};
 use crate::report::figures::run::event_letter;
 use crate::report::run::{AT_START, ENERGY, LedgerPart};
 use crate::study::quantities;
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
+use cmra_engine::model::units::{self, engineering, fixed_significant};
 
 /// Columns of a label before its value.
 pub const LABEL: usize = 24;

@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use super::{Plot, RIGHT, TOP, at, draw_frame, frame, text};
-use crate::model::units;
 use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Unit};
 use crate::report::map::{Cell, Map};
+use cmra_engine::model::units;
 
 /// Room of the legend of a map, at its right.
 const SCALE_WIDTH: f64 = 92.0;

@@ -7,14 +7,14 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::appendix::listing;
-use crate::model::contact_kernel::Contact;
-use crate::model::impact::IntegrationMethod;
-use crate::model::impact::step_by;
-use crate::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
-use crate::model::scene::{InterfaceLaw, Listing, Scene};
-use crate::model::simulate::{Settings, simulate};
 use crate::study::quantities;
+use cmra_engine::model::appendix::listing;
+use cmra_engine::model::contact_kernel::Contact;
+use cmra_engine::model::impact::IntegrationMethod;
+use cmra_engine::model::impact::step_by;
+use cmra_engine::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
+use cmra_engine::model::scene::{InterfaceLaw, Listing, Scene};
+use cmra_engine::model::simulate::{Settings, simulate};
 
 /// The results that are compared: their keys in files, and words.
 pub const RESULTS: [(&str, &str); 7] = [

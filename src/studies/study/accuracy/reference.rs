@@ -7,14 +7,14 @@
 
 use std::sync::Arc;
 
-use crate::model::impact::IntegrationMethod;
-use crate::model::impact::step_by;
-use crate::model::reference::Stored;
-use crate::model::run::Outcome;
-use crate::model::scene::{InterfaceLaw, Scene};
-use crate::model::variables::{Group, VARIABLES, changed_free_plate, is_used};
-use crate::numerics::larger;
 use crate::study::accuracy::method::{Answer, RESULTS, Results, answer_of, printed};
+use cmra_engine::model::impact::IntegrationMethod;
+use cmra_engine::model::impact::step_by;
+use cmra_engine::model::reference::Stored;
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::scene::{InterfaceLaw, Scene};
+use cmra_engine::model::variables::{Group, VARIABLES, changed_free_plate, is_used};
+use cmra_engine::numerics::larger;
 
 /// Steps of a contact by the printed scheme that are near its limit.
 const PRINTED_STEPS: f64 = 5e4;

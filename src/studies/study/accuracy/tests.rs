@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use super::reference::{ReferenceSource, stored};
 use super::*;
-use crate::model::reference::Stored;
-use crate::model::run::{EndReason, Outcome};
 use crate::study::changed_free_plate;
 use crate::study::context::never_cancel;
+use cmra_engine::model::reference::Stored;
+use cmra_engine::model::run::{EndReason, Outcome};
 
 fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())

@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use crate::numerics::smaller;
+use cmra_engine::numerics::smaller;
 
 /// Gives the time, s, from any origin.
 pub type Clock<'a> = &'a mut dyn FnMut() -> f64;

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::model::run::{EndReason, Outcome, Run};
-use crate::model::scene::Scene;
-use crate::model::simulate::{Settings, simulate};
-use crate::model::variables;
 use crate::study::compare::hardware::{InstalledSpring, MechanismLoadCase, is_held};
 use crate::study::compare::sizing::{self, sized};
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, hold_spring_mass};
 use crate::study::context::{Context, never_cancel};
 use crate::study::limit::{self, BESIDE_LIMIT, Limit};
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::{EndReason, Outcome, Run};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::variables;
 
 /// Relative width to which the velocity is closed in at which the hardware fails.
 const WIDTH: f64 = 1e-9;

@@ -1,9 +1,9 @@
 //! The spring of an armour: its mass, and its limits.
 
-use crate::model::mechanism::load::{exceeded, stress_ratio};
-use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::scene::Scene;
 use crate::study::load::spring_energy_j;
+use cmra_engine::model::mechanism::load::{exceeded, stress_ratio};
+use cmra_engine::model::mechanism::{Inertia, Mechanism};
+use cmra_engine::model::scene::Scene;
 
 /// Energies this part apart are the same.
 const SAME: f64 = 1e-9;

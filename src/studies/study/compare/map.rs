@@ -2,15 +2,15 @@
 
 use std::ops::Range;
 
-use crate::model::scene::Scene;
-use crate::model::variables;
-use crate::numerics::larger;
 use crate::study::compare::hardware::Hardware;
 use crate::study::compare::hold_spring_mass;
 use crate::study::compare::sizing::{Absence, mass_efficiency};
 use crate::study::context::{Context, Work};
 use crate::study::sweep::axis::numeric;
 use crate::study::sweep::{Axis, Plan, Spacing, SweepError};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables;
+use cmra_engine::numerics::larger;
 
 /// Points a thread computes at once.
 const PIECE: u64 = 16;

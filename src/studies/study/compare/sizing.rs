@@ -3,12 +3,12 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::scene::Scene;
-use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Hardware, InstalledSpring, MechanismLoadCase, is_held};
 use crate::study::compare::solid::thickness_of_limit;
 use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::shot_outcome::{ShotOutcome, decide, edge};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::numerics::{larger, smaller};
 
 /// Relative width to which the thickness is closed in.
 pub const WIDTH: f64 = 1e-9;

@@ -1,11 +1,11 @@
 //! The plate with a given limit velocity, rigid or free, in closed form.
 
-use crate::model::closed_form::Passage;
-use crate::model::contact::Geometry;
-use crate::model::plug::Plug;
-use crate::model::scene::{Closure, ContactModel, Criterion, Nose, Scene, Target};
-use crate::numerics::larger;
-use crate::numerics::root::bracketed_root;
+use cmra_engine::model::closed_form::Passage;
+use cmra_engine::model::contact::Geometry;
+use cmra_engine::model::plug::Plug;
+use cmra_engine::model::scene::{Closure, ContactModel, Criterion, Nose, Scene, Target};
+use cmra_engine::numerics::larger;
+use cmra_engine::numerics::root::bracketed_root;
 
 /// Part of a thickness beyond a root at which the limit still has a value.
 const BESIDE: f64 = 1e-9;

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Closure, Nose, Scene, Target};
-use crate::numerics::{larger, smaller};
 use crate::study::context::Context;
 use crate::study::limit::alone;
+use cmra_engine::model::scene::{Closure, Nose, Scene, Target};
+use cmra_engine::numerics::{larger, smaller};
 
 /// How near to the thickness at which a closure changes a plate has to be for the jump there to matter, relative.
 const NEAR: f64 = 0.25;

@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use crate::numerics::maximum;
+use cmra_engine::numerics::maximum;
 
 /// Range of the exponent.
 const P: (f64, f64) = (1.0, 12.0);

@@ -2,11 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::model::run::envelope::{self, Check};
-use crate::model::run::{EndReason, Observer, Outcome, Run, Warning};
-use crate::model::scene::Scene;
-use crate::model::simulate::{Settings, simulate};
-use crate::numerics::smaller;
 use crate::study::context::Context;
 use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::closures::jump;
@@ -15,6 +10,11 @@ use crate::study::limit::{
     ABOVE, BELOW, BESIDE_LIMIT, CURVE, Closures, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
     closed_form,
 };
+use cmra_engine::model::run::envelope::{self, Check};
+use cmra_engine::model::run::{EndReason, Observer, Outcome, Run, Warning};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::numerics::smaller;
 
 /// Relative width to which the limit is closed in.
 const WIDTH: f64 = 1e-10;

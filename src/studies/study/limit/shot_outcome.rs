@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::model::contact_kernel::ContactEnd;
-use crate::model::run::{Outcome, Run};
-use crate::model::scene::{Criterion, Scene};
-use crate::model::simulate::{Observer, Settings, simulate};
-use crate::numerics::smaller;
 use crate::study::first_contact::is_perforated;
+use cmra_engine::model::contact_kernel::ContactEnd;
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::scene::{Criterion, Scene};
+use cmra_engine::model::simulate::{Observer, Settings, simulate};
+use cmra_engine::numerics::smaller;
 
 /// Relative width up to which undecided shots are one limit for any purpose.
 const ONE_POINT: f64 = 1e-6;

@@ -3,9 +3,9 @@
 use super::shot_outcome::ShotOutcome;
 
 use super::*;
-use crate::model::contact::Geometry;
 use crate::study::context::never_cancel;
 use crate::study::{changed_free_plate, plain_run};
+use cmra_engine::model::contact::Geometry;
 
 fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())

@@ -1,9 +1,9 @@
 //! Classes of measured limits: bias and scatter of the law, computed from a table, and the limit they let expect.
 
-use crate::model::run::envelope::thickness_ratio;
-use crate::model::scene::{Closure, ContactModel, Core, Criterion, Nose, Scene};
-use crate::numerics::larger;
-use crate::numerics::statistics::student_quantile;
+use cmra_engine::model::run::envelope::thickness_ratio;
+use cmra_engine::model::scene::{Closure, ContactModel, Core, Criterion, Nose, Scene};
+use cmra_engine::numerics::larger;
+use cmra_engine::numerics::statistics::student_quantile;
 
 /// Range of densities, kg/m³, and of elastic moduli, Pa, that the classes of an alloy have measurements of.
 const LIGHT: ([f64; 2], [f64; 2]) = ([2600.0, 2900.0], [65e9, 75e9]);

@@ -1,13 +1,13 @@
 //! Errors of the law and of the expected limit: by row, by class, and leaving one paper out.
 
-use crate::model::run::envelope::thickness_ratio;
-use crate::model::scene::Scene;
-use crate::numerics::statistics::moments;
 use crate::study::context::Context;
 use crate::study::limit;
 use crate::study::measured::{Class, Key, Measured, Measurement, Sample, classes};
 use crate::study::plain_run;
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::envelope::thickness_ratio;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::numerics::statistics::moments;
 
 /// Group of the rows that no class has.
 pub const WITHOUT_CLASS: &str = "no class: the law alone";

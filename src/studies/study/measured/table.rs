@@ -1,10 +1,10 @@
 //! Measurements as a CSV table: one shot a row, its inputs as `--set` takes them, and what was measured.
 
-use crate::model::library::{Entry, Library};
-use crate::model::scene::{Closure, Core, Mount, Scene};
-use crate::model::units::{self, Bare, Dimension};
-use crate::model::variables::{self, Kind, Value, Variable};
 use crate::study::csv::Csv;
+use cmra_engine::model::library::{Entry, Library};
+use cmra_engine::model::scene::{Closure, Core, Mount, Scene};
+use cmra_engine::model::units::{self, Bare, Dimension};
+use cmra_engine::model::variables::{self, Kind, Value, Variable};
 
 /// Returns the entry of a library by its name; in words, why there is none.
 pub type FindEntry<'a> = &'a dyn Fn(Library, &str) -> Result<Entry, String>;

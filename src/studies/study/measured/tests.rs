@@ -1,12 +1,12 @@
 //! Classes and errors against an independent computation; tables that are read and refused.
 
 use super::*;
-use crate::model::scene::{Core, Nose, Scene};
-use crate::model::variables::changed;
 use crate::study::context::Context;
 use crate::study::context::never_cancel;
 use crate::study::limit;
 use crate::study::verdict::{Decision, Verdict};
+use cmra_engine::model::scene::{Core, Nose, Scene};
+use cmra_engine::model::variables::changed;
 
 fn near(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance * expected.abs(), "{found} {expected}");

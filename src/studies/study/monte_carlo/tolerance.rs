@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::{Axis, Number, Random, Scene, Spacing, SweepError, Variable};
-use crate::model::units::{self, Bare, significant};
 use crate::study::sweep::axis::{ends, numeric};
+use cmra_engine::model::units::{self, Bare, significant};
 
 enumeration! {
     /// How the values of an input are spread, which says what its two numbers are.

@@ -1,10 +1,10 @@
 //! The quantities of the mount, from where the plate starts and turns: the force into it, and the masses of spring and plate.
 
-use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::{Outcome, Run};
-use crate::model::scene::Scene;
-use crate::numerics::larger;
 use crate::study::load::{self, spring_energy_j};
+use cmra_engine::model::mechanism::{Inertia, Mechanism};
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::numerics::larger;
 
 /// The least mass of a spring for the greatest energy that it stores, kg; `None` where that is not known.
 pub(super) fn least_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {

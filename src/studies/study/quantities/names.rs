@@ -1,8 +1,8 @@
 //! Quantities by name: lookup, hints for unknown names, and the list of all.
 
-use crate::model::variables;
 use crate::study::error::SweepError;
 use crate::study::quantities::{QUANTITIES, Quantity};
+use cmra_engine::model::variables;
 
 /// The quantity with this name, if there is one.
 pub fn find(name: &str) -> Option<&'static Quantity> {

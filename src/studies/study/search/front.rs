@@ -4,11 +4,6 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use crate::model::run::envelope::Check;
-use crate::model::run::{EndReason, Outcome};
-use crate::model::scene::Scene;
-use crate::numerics::larger;
-use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::option;
 use crate::study::quantities::{Quantity, named};
@@ -18,6 +13,11 @@ use crate::study::sweep::default_axes::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity::{self, DesignValidity, Plastic};
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::envelope::Check;
+use cmra_engine::model::run::{EndReason, Outcome};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::numerics::larger;
+use cmra_engine::numerics::statistics::sorted_by;
 pub use constraint::Constraint;
 
 mod constraint;

@@ -4,7 +4,7 @@
 //! No gradient, no chance and no clock: the same request gives the same digits. With several objectives the best points are the
 //! feasible ones that no other dominates, with one the point of least value.
 
-use crate::numerics::sobol;
+use cmra_engine::numerics::sobol;
 
 /// Rounds after the first, which takes a quarter of the points.
 const ROUNDS: usize = 20;

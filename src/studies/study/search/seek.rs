@@ -8,13 +8,13 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-use crate::model::run::envelope::Check;
-use crate::model::scene::{Criterion, InterfaceLaw, Scene};
-use crate::model::units::shortest;
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
 use crate::study::validity::DesignValidity;
+use cmra_engine::model::run::envelope::Check;
+use cmra_engine::model::scene::{Criterion, InterfaceLaw, Scene};
+use cmra_engine::model::units::shortest;
 use roots::{Crossing, RootScan};
 
 pub mod roots;

@@ -5,9 +5,9 @@ use std::sync::{Arc, LazyLock};
 
 use serde::Deserialize;
 
-use crate::model::scene::Scene;
-use crate::model::variables::VariableError;
 use crate::study::changed_free_plate;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables::VariableError;
 
 /// A named scene.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -47,7 +47,7 @@ mod tests {
         assert!(all.len() >= 50);
         for (index, case) in CASES.iter().enumerate() {
             let scene = case.scene().unwrap_or_else(|error| panic!("{}: {error}", case.name));
-            crate::model::variables::validate(&scene)
+            cmra_engine::model::variables::validate(&scene)
                 .unwrap_or_else(|error| panic!("{}: {error}", case.name));
             assert!(CASES[..index].iter().all(|other| other.name != case.name), "{}", case.name);
             assert!(case.name.chars().count() <= 23, "{}", case.name);

@@ -2,14 +2,14 @@
 
 use std::fmt;
 
-use crate::model::appendix::Scheme;
-use crate::model::run::{EndReason, Outcome};
-use crate::model::scene::{Listing, Scene};
-use crate::model::simulate::Settings;
-use crate::model::variables::{self, VariableError};
-use crate::numerics::larger;
 use crate::study::context::Context;
 use crate::study::run_with;
+use cmra_engine::model::appendix::Scheme;
+use cmra_engine::model::run::{EndReason, Outcome};
+use cmra_engine::model::scene::{Listing, Scene};
+use cmra_engine::model::simulate::Settings;
+use cmra_engine::model::variables::{self, VariableError};
+use cmra_engine::numerics::larger;
 
 /// Relative error up to which a cell is accurate.
 pub const ACCURATE: f64 = 1e-2;

@@ -1,9 +1,9 @@
 //! The references for the rows of the stiff scenes.
 
 use super::*;
-use crate::model::run::Outcome;
 use crate::study::context::CancelFlag;
 use crate::study::plain_run;
+use cmra_engine::model::run::Outcome;
 
 #[test]
 fn a_row_that_is_decided_is_compared_with_other_steps() {

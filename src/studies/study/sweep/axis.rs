@@ -6,11 +6,11 @@
 use std::fmt;
 use std::ops::{Range, RangeInclusive};
 
-use crate::model::scene::{Scene, Sweep, SweepAxis};
-use crate::model::units;
-use crate::model::variables::{self, Allowed, Number, Variable};
-use crate::numerics::larger;
 use crate::study::error::SweepError;
+use cmra_engine::model::scene::{Scene, Sweep, SweepAxis};
+use cmra_engine::model::units;
+use cmra_engine::model::variables::{self, Allowed, Number, Variable};
+use cmra_engine::numerics::larger;
 
 mod text;
 

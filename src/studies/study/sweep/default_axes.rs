@@ -1,10 +1,10 @@
 //! The variables of a search, and their bounds, where none are named.
 
-use crate::model::run::envelope::FACE_LEAST;
-use crate::model::scene::Scene;
-use crate::model::units::significant;
-use crate::model::variables::{self, VARIABLES, Variable};
 use crate::study::sweep::{Axis, Spacing, SweepError};
+use cmra_engine::model::run::envelope::FACE_LEAST;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::significant;
+use cmra_engine::model::variables::{self, VARIABLES, Variable};
 
 /// The plate's face over the projectile's diameter at the upper bound of the mass ratio.
 const FACE_MOST: f64 = 4.0 * FACE_LEAST;

@@ -5,10 +5,10 @@
 
 use std::ops::Range;
 
-use crate::model::scene::InterfaceLaw;
 use crate::study::context::{Context, Work};
 use crate::study::sweep::kernel::Kernel;
 use crate::study::sweep::{Evaluator, Plan, Point};
+use cmra_engine::model::scene::InterfaceLaw;
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
 const PIECE: u64 = 16;
@@ -62,15 +62,15 @@ impl Plan {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::mechanism::Mechanism;
-    use crate::model::run::{EndReason, Outcome};
-    use crate::model::scene::Scene;
-    use crate::model::simulate::Settings;
     use crate::study::context::never_cancel;
     use crate::study::quantities::named;
     use crate::study::run_with;
     use crate::study::sweep::{Failure, PointOutcome};
     use crate::study::testing::axes;
+    use cmra_engine::model::mechanism::Mechanism;
+    use cmra_engine::model::run::{EndReason, Outcome};
+    use cmra_engine::model::scene::Scene;
+    use cmra_engine::model::simulate::Settings;
 
     fn whole(space: &Plan, designs: &[Vec<f64>], threads: usize) -> Vec<Point> {
         space.evaluate(designs, &mut Context::<()>::new(threads, &mut never_cancel))
@@ -105,7 +105,7 @@ mod tests {
             let kg = design[0] * 0.0295 + SPRING_FOR_TEST * energy;
             close(found.values[2], Some(kg));
             let damper = Mechanism::from_scene(&scene).damper;
-            let force = |row: &crate::model::run::Sample| {
+            let force = |row: &cmra_engine::model::run::Sample| {
                 design[1] * row.plate_displacement_m + damper.force(row.plate_velocity_m_s)
             };
             let sampled = run.series.iter().map(force).fold(design[1] * farthest, f64::max);

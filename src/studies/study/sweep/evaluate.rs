@@ -6,9 +6,6 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use crate::model::run::{EndReason, Run};
-use crate::model::scene::Scene;
-use crate::model::simulate::{self, RunSnapshot, Settings};
 use crate::study::compare::{self, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
@@ -17,6 +14,9 @@ use crate::study::quantities::{Quantity, QuantityFlag, Search};
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::{EndReason, Run};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{self, RunSnapshot, Settings};
 
 /// The results at a point.
 #[derive(Clone, Debug, PartialEq)]

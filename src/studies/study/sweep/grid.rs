@@ -7,11 +7,11 @@
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 
-use crate::model::run::envelope::Check;
 use crate::study::context::{Context, Work};
 use crate::study::outcome::OutcomeCounts;
 use crate::study::sweep::{Evaluator, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity;
+use cmra_engine::model::run::envelope::Check;
 
 /// The most points a grid may have: some tens of megabytes.
 pub const GRID_MAX: u64 = 1_000_000;

@@ -1,11 +1,5 @@
 //! A point of a sweep that its first contact decides. All other points have no answer here and are simulated.
 
-use crate::model::contact::Geometry;
-use crate::model::contact_kernel::Contact;
-use crate::model::mechanism::Mechanism;
-use crate::model::run::Outcome;
-use crate::model::scene::Scene;
-use crate::model::variables::Group;
 use crate::study::first_contact::{
     ContactOutput, FirstContact, TOLERANCE_FRACTION, baseline_m, decides, is_perforated,
     max_displacement_m,
@@ -14,6 +8,12 @@ use crate::study::load::holds_still;
 use crate::study::outcome::PointOutcome;
 use crate::study::quantities::{FromContact, turn_tells_force};
 use crate::study::sweep::Plan;
+use cmra_engine::model::contact::Geometry;
+use cmra_engine::model::contact_kernel::Contact;
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::variables::Group;
 
 #[derive(Clone, Copy, Debug)]
 enum Baseline {

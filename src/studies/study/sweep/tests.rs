@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use super::grid::{Cell, Grid};
 use super::*;
-use crate::model::run::Outcome;
 use crate::study::context::{CancelFlag, Context};
 use crate::study::plain_run;
 use crate::study::testing::scene;
+use cmra_engine::model::run::Outcome;
 
 const NONE: [&str; 0] = [];
 

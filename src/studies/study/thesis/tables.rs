@@ -4,12 +4,12 @@ use std::collections::HashSet;
 
 use super::ClaimVerdict::{Corrected, Misprint, NotReproduced, Reproduced};
 use super::{Check, Claim, Shots, claim, four, list, millimetres, near};
-use crate::model::mechanism::Mechanism;
-use crate::model::run::{EventKind, Run, Sample};
-use crate::model::scene::{Beam, Listing, Wire};
-use crate::model::units::engineering;
 use crate::study::limit;
 use crate::study::principles::{CONCEPTS, CRITERIA, Concept, PRINCIPLES};
+use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::{EventKind, Run, Sample};
+use cmra_engine::model::scene::{Beam, Listing, Wire};
+use cmra_engine::model::units::engineering;
 
 /// The material of the listing.
 const LISTED: &str = "rho=2780 S_y=151.6e6";

@@ -1,8 +1,8 @@
 //! Bias and scatter of the model, for classes of measurements and for all.
 
 use super::{NOT_COUNTED, Row, measurements};
-use crate::numerics::statistics::moments;
-use crate::numerics::{larger, smaller};
+use cmra_engine::numerics::statistics::moments;
+use cmra_engine::numerics::{larger, smaller};
 
 /// Bias and scatter of a set of measurements.
 #[derive(Clone, Debug, PartialEq)]

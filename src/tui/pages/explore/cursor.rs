@@ -1,14 +1,14 @@
 //! The point under the cursor of the Explore tab, as a design and in words.
 
-use crate::model::units::{self, Bare, Dimension};
-use crate::study::quantities::Quantity;
-use crate::study::sweep::Axis;
-use crate::study::sweep::grid::{Cell, Grid};
 use crate::tui::pages::explore::state::{ChartKind, nearest, placed};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::place::{self, on_axis};
 use crate::tui::widgets::text::fitting;
 use crate::worker::studies::PictureSweep;
+use cmra_engine::model::units::{self, Bare, Dimension};
+use cmra_studies::study::quantities::Quantity;
+use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::sweep::grid::{Cell, Grid};
 
 impl App {
     /// The display of Explore: curves or a map.

@@ -1,10 +1,6 @@
 //! The Explore tab, drawn: an output over one variable, with a curve for each value of a second one, or over two as a map; what has
 //! no value is a letter on the axis, never a number.
 
-use crate::report::figures::{axis_of, column_of, sweeps};
-use crate::report::map::Map;
-use crate::report::svg::Picture;
-use crate::study::sweep::grid::{self, Grid};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, MARKERS};
 use crate::tui::pages::explore::plan::no_value;
 use crate::tui::pages::explore::state::{self, RESULTS, SETUP, nearest};
@@ -13,6 +9,10 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::setup_width;
 use crate::tui::widgets::text::{fitting, shortened, wrapped};
 use crate::worker::studies::PictureSweep;
+use cmra_studies::report::figures::{axis_of, column_of, sweeps};
+use cmra_studies::report::map::Map;
+use cmra_studies::report::svg::Picture;
+use cmra_studies::study::sweep::grid::{self, Grid};
 
 /// The setup, and beside it the curves or the map.
 pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -1,11 +1,11 @@
 //! The plan of a chart or map of the Explore tab.
 
-use crate::model::scene::ContactModel;
-use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
-use crate::study::sweep::{Axis, Plan, SweepError};
 use crate::tui::pages::explore::state::{CURVES, ChartKind, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::preset::ReferencePreset;
+use cmra_engine::model::scene::ContactModel;
+use cmra_studies::study::sweep::grid::{self, GRID_COUNTS, Grid};
+use cmra_studies::study::sweep::{Axis, Plan, SweepError};
 
 /// Whether a preset is a figure of the thesis, drawn with the corrected physics.
 pub(crate) fn is_corrected_figure(base: &ReferencePreset) -> bool {

@@ -1,11 +1,5 @@
 //! The setup of Explore as a list: axes and output. No drawing.
 
-use crate::model::scene::Sweep;
-use crate::model::units;
-use crate::model::variables::{self, Variable};
-use crate::study::quantities::{Quantity, named};
-use crate::study::sweep::Axis;
-use crate::study::sweep::grid::GRID_COUNTS;
 use crate::tui::pages::explore::plan::is_corrected_figure;
 use crate::tui::pages::explore::state::{ChartKind, SetupRow, completed, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
@@ -13,6 +7,12 @@ use crate::tui::widgets::axis::{Part, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_after};
 use crate::tui::widgets::value_steps::Input;
 use crate::tui::widgets::{around, cycled};
+use cmra_engine::model::scene::Sweep;
+use cmra_engine::model::units;
+use cmra_engine::model::variables::{self, Variable};
+use cmra_studies::study::quantities::{Quantity, named};
+use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::sweep::grid::GRID_COUNTS;
 
 impl App {
     /// The rows of the setup, headings included.

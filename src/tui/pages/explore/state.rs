@@ -6,15 +6,15 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Scene, Sweep, SweepAxis};
-use crate::model::variables;
-use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, USUAL_OUTPUTS};
 use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::preset::LabelledScene;
 use crate::tui::widgets::axis::over;
 use crate::worker::studies::{AskedFor, PictureSweep};
+use cmra_engine::model::scene::{Scene, Sweep, SweepAxis};
+use cmra_engine::model::variables;
+use cmra_studies::study::sweep::grid::Grid;
+use cmra_studies::study::sweep::{Axis, USUAL_OUTPUTS};
 
 pub use crate::tui::widgets::axis::Part;
 pub use crate::worker::studies::ChartKind;

@@ -1,12 +1,12 @@
 //! The comparison at equal areal mass in the Limit tab: the verdict, the figures of the candidates beside each other, and the map of
 //! mass efficiency, in words and drawn.
 
-use crate::report;
-use crate::report::compare::{picture, reasons, verdict};
-use crate::study::compare;
 use crate::tui::pages::limit::state::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::page::prelude::*;
 use crate::worker::studies::{Comparison, MassComparison};
+use cmra_studies::report;
+use cmra_studies::report::compare::{picture, reasons, verdict};
+use cmra_studies::study::compare;
 
 /// Meaning of the comparison's rows, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring must survive: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";

@@ -1,18 +1,18 @@
 //! The ballistic limit and the residual velocity of the Limit tab, in words and drawn.
 
-use crate::model::units::{self, fixed_significant};
-use crate::report::Remark;
-use crate::report::limit::{remarks, residual, taken_to_hold};
-use crate::report::monte_carlo::{perforation, v50};
-use crate::study::limit::Limit;
-use crate::study::monte_carlo;
-use crate::study::verdict::Verdict;
 use crate::tui::chart::Emphasis;
 use crate::tui::pages::limit::state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::{CHART_ROWS, NARROW};
 use crate::tui::widgets::text::fitting;
 use crate::worker::studies::LimitSearch;
+use cmra_engine::model::units::{self, fixed_significant};
+use cmra_studies::report::Remark;
+use cmra_studies::report::limit::{remarks, residual, taken_to_hold};
+use cmra_studies::report::monte_carlo::{perforation, v50};
+use cmra_studies::study::limit::Limit;
+use cmra_studies::study::monte_carlo;
+use cmra_studies::study::verdict::Verdict;
 
 /// Columns of a fact's label.
 const LABEL: u16 = 15;

@@ -1,10 +1,10 @@
 //! State of the Limit tab.
 
-use crate::study::limit::Report;
-use crate::study::monte_carlo;
 use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::worker::studies::Comparison;
+use cmra_studies::study::limit::Report;
+use cmra_studies::study::monte_carlo;
 
 /// The residual velocity over the impact velocity.
 pub const RESIDUAL: Pane = Pane::new(Tab::Limit, 0);

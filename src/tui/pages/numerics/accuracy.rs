@@ -1,13 +1,6 @@
 //! The Accuracy page: error against run time as a chart with a letter for each method, their table, and what it means here, in words
 //! and drawn.
 
-use crate::model::scene::RunSettings;
-use crate::model::units::engineering;
-use crate::report::accuracy::{
-    self, TARGETS, advice, error_over_time, gain, printed_scheme, seconds,
-};
-use crate::study::accuracy::method::Method;
-use crate::study::accuracy::{ComparisonOptions, MethodReport, RESULTS};
 use crate::tui::chart::emphasis;
 use crate::tui::pages::numerics::state::ACCURACY;
 use crate::tui::pages::page::prelude::*;
@@ -15,6 +8,13 @@ use crate::tui::widgets::layout::WIDE;
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::wrapped;
 use crate::worker::studies::MethodBenchmark;
+use cmra_engine::model::scene::RunSettings;
+use cmra_engine::model::units::engineering;
+use cmra_studies::report::accuracy::{
+    self, TARGETS, advice, error_over_time, gain, printed_scheme, seconds,
+};
+use cmra_studies::study::accuracy::method::Method;
+use cmra_studies::study::accuracy::{ComparisonOptions, MethodReport, RESULTS};
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;

@@ -1,12 +1,5 @@
 //! The Stability page: the map and the stiff scenes, what is selected in them, in words and drawn.
 
-use crate::model::units::{self, Bare, Dimension, engineering};
-use crate::model::variables;
-use crate::report;
-use crate::report::chart::spaced;
-use crate::report::stability::{HOW_IT_RAN, picture, table, title};
-use crate::study::accuracy::reference::ReferenceSource;
-use crate::study::stability::map::{self, StabilityMapRequest};
 use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::cursor_moved;
@@ -14,6 +7,13 @@ use crate::tui::widgets::place::{self, on_axis};
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::counted;
 use crate::worker::studies::{StabilityMap, StiffScenes};
+use cmra_engine::model::units::{self, Bare, Dimension, engineering};
+use cmra_engine::model::variables;
+use cmra_studies::report;
+use cmra_studies::report::chart::spaced;
+use cmra_studies::report::stability::{HOW_IT_RAN, picture, table, title};
+use cmra_studies::study::accuracy::reference::ReferenceSource;
+use cmra_studies::study::stability::map::{self, StabilityMapRequest};
 
 /// Explains the columns of the stiff scenes, for `?`.
 pub(crate) fn stiff_scenes_words() -> String {

@@ -1,13 +1,13 @@
 //! State of the Numerics tab.
 
-use crate::report::accuracy::TARGETS;
-use crate::study::accuracy::method::{Method, Parameter};
-use crate::study::accuracy::{Measured, MethodReport, Report};
-use crate::study::stability::Row;
-use crate::study::stability::map::{Axis, FixedStep, Map};
 use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
+use cmra_studies::report::accuracy::TARGETS;
+use cmra_studies::study::accuracy::method::{Method, Parameter};
+use cmra_studies::study::accuracy::{Measured, MethodReport, Report};
+use cmra_studies::study::stability::Row;
+use cmra_studies::study::stability::map::{Axis, FixedStep, Map};
 
 /// Error against run time.
 pub const ACCURACY: Pane = Pane::new(Tab::Numerics, 0);

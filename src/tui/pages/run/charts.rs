@@ -3,11 +3,6 @@
 pub(crate) mod draw;
 mod titles;
 
-use crate::model::run::{Run, Sample};
-use crate::model::units::{self, Bare, Dimension, engineering};
-use crate::numerics::{larger, smaller};
-use crate::report::figures::run::contact_window_s;
-use crate::report::series::{Channel, thinned};
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::Unit;
 use crate::tui::pages::page::prelude::*;
@@ -15,6 +10,11 @@ use crate::tui::pages::run::runs;
 use crate::tui::pages::run::state::Window;
 use crate::tui::widgets::along;
 use crate::tui::widgets::place::{self, on_axis};
+use cmra_engine::model::run::{Run, Sample};
+use cmra_engine::model::units::{self, Bare, Dimension, engineering};
+use cmra_engine::numerics::{larger, smaller};
+use cmra_studies::report::figures::run::contact_window_s;
+use cmra_studies::report::series::{Channel, thinned};
 
 /// The points of one run, SI.
 #[derive(Clone, Debug)]
@@ -156,9 +156,9 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::scene::Scene;
-    use crate::model::simulate::{RunSnapshot, Settings, simulate};
-    use crate::model::variables::changed;
+    use cmra_engine::model::scene::Scene;
+    use cmra_engine::model::simulate::{RunSnapshot, Settings, simulate};
+    use cmra_engine::model::variables::changed;
 
     /// Without inertia x' = -k x^n/b comes from d to a hundredth of it after `b (100^(n-1) - 1)/(k (n-1) d^(n-1))`, 602 s, and goes on for
     /// ever.

@@ -4,10 +4,10 @@ pub(crate) mod draw;
 
 use std::collections::BTreeMap;
 
-use crate::model::scene::Scene;
-use crate::model::units::{self, significant};
-use crate::model::variables::{VARIABLES, Value, Variable, is_offered};
 use crate::tui::widgets::find::{rank_variable, ranked};
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::units::{self, significant};
+use cmra_engine::model::variables::{VARIABLES, Value, Variable, is_offered};
 
 /// The variables that the thesis designs with, and those that it is given: they are always in the list. Each has a word for where
 /// its label is too long.

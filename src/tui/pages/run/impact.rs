@@ -5,18 +5,18 @@ mod raster;
 
 use std::time::Duration;
 
-use crate::model::run::{Run, Sample};
-use crate::model::units::{Prefix, engineering};
-use crate::numerics::larger;
-use crate::report::chart::scale::whole_below;
-use crate::report::energies::Energies;
-use crate::report::figures::impact::{Stage, mode_words};
-use crate::report::series::state_at;
 use crate::tui::message::Message;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::state::CHARTS;
 use crate::tui::theme::GlyphSet;
 use crate::tui::widgets::text::fitting;
+use cmra_engine::model::run::{Run, Sample};
+use cmra_engine::model::units::{Prefix, engineering};
+use cmra_engine::numerics::larger;
+use cmra_studies::report::chart::scale::whole_below;
+use cmra_studies::report::energies::Energies;
+use cmra_studies::report::figures::impact::{Stage, mode_words};
+use cmra_studies::report::series::state_at;
 
 /// Part of the body's rows for the drawing, in percent.
 const SHARE: u16 = 62;

@@ -2,16 +2,16 @@
 
 use std::time::Duration;
 
-use crate::model::units::in_unit;
-use crate::model::variables::Variable;
-use crate::report::sensitivity::{CELLS, Shown, bar, words};
-use crate::study::quantities::find;
-use crate::study::sensitivity::{OUTPUT, POINTS, Report, Request};
 use crate::tui::message::Message;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::state::Matters;
 use crate::tui::pages::search::levels;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
+use cmra_engine::model::units::in_unit;
+use cmra_engine::model::variables::Variable;
+use cmra_studies::report::sensitivity::{CELLS, Shown, bar, words};
+use cmra_studies::study::quantities::find;
+use cmra_studies::study::sensitivity::{OUTPUT, POINTS, Report, Request};
 
 /// The results that bars show in turn, each with a word.
 const OUTPUTS: [(&str, &str); 3] =

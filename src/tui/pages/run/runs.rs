@@ -1,9 +1,5 @@
 //! The run on the screen and the pinned ones: their table, their names, pinning and copying.
 
-use crate::model::run::{Outcome, Run};
-use crate::model::variables::{VARIABLES, Value};
-use crate::report::run::{Compared, comparison};
-use crate::report::table::Table;
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::page::prelude::*;
@@ -11,6 +7,10 @@ use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::state::RUNS;
 use crate::tui::widgets::table::{Grid, NAME_LEAST};
 use crate::tui::widgets::value_steps::shown_number;
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::variables::{VARIABLES, Value};
+use cmra_studies::report::run::{Compared, comparison};
+use cmra_studies::report::table::Table;
 
 impl App {
     /// The current run and the pinned ones beside each other.

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::model::run::Run;
-use crate::report::chart::Curve;
-use crate::report::series::Channel;
-use crate::report::traces::Traces;
 use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::pages::run::editor::Editor;
 use crate::worker::studies::SearchAnswer;
+use cmra_engine::model::run::Run;
+use cmra_studies::report::chart::Curve;
+use cmra_studies::report::series::Channel;
+use cmra_studies::report::traces::Traces;
 
 pub const VARIABLES: Pane = Pane::new(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::new(Tab::Run, 1);
@@ -148,7 +148,7 @@ impl Default for Charts {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::traces::Trace;
+    use cmra_studies::report::traces::Trace;
 
     #[test]
     fn traces_are_thinned_once_for_each_window() {

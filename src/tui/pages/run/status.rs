@@ -1,19 +1,19 @@
 //! Texts of the Run tab: the selected variable, the crosshair, the status row.
 
-use crate::model::run::{EndReason, Outcome, Run};
-use crate::model::units::{self, in_unit};
-use crate::report::series::Channel;
-use crate::study::verdict::{Decision, Verdict};
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::value_steps::engineering;
+use cmra_engine::model::run::{EndReason, Outcome, Run};
+use cmra_engine::model::units::{self, in_unit};
+use cmra_studies::report::series::Channel;
+use cmra_studies::study::verdict::{Decision, Verdict};
 
 impl App {
     /// Explains the selected variable, with its source if it fits.
     pub(crate) fn variable_words(&self, room: usize) -> String {
         let variable = self.pages.run.editor.variable();
-        let idle = !crate::model::variables::is_used(variable, &self.scene);
+        let idle = !cmra_engine::model::variables::is_used(variable, &self.scene);
         let note = if idle { " (no effect here)" } else { "" };
         let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
         let unit = self.pages.run.editor.unit(self.pages.run.editor.selected);

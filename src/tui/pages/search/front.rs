@@ -1,10 +1,5 @@
 //! The Pareto front: its setup, its request, and what was found.
 
-use crate::report::front::{lacks, page_keys, table, warnings};
-use crate::report::table::Cells;
-use crate::study::search::front::{self, Objective, Report, USUAL};
-use crate::study::sweep;
-use crate::study::validity::counted;
 use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend};
 use crate::tui::pages::explore::state::placed;
@@ -17,6 +12,11 @@ use crate::tui::pages::search::study_page::{Answer, note};
 use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
+use cmra_studies::report::front::{lacks, page_keys, table, warnings};
+use cmra_studies::report::table::Cells;
+use cmra_studies::study::search::front::{self, Objective, Report, USUAL};
+use cmra_studies::study::sweep;
+use cmra_studies::study::validity::counted;
 
 pub(super) const STUDY: Study = Study {
     title: "Pareto front",

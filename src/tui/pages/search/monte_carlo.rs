@@ -1,7 +1,5 @@
 //! Monte Carlo: its setup, its request, and what was found.
 
-use crate::report::monte_carlo::{perforation, table, warnings};
-use crate::study::monte_carlo::{Report, Request, Summary, USUAL_DEVIATION, usual_tolerances};
 use crate::tui::chart::{Axis, Chart, Curve, Mark};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
@@ -9,6 +7,10 @@ use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::pages::search::study_page::{Answer, note, table_lines};
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
+use cmra_studies::report::monte_carlo::{perforation, table, warnings};
+use cmra_studies::study::monte_carlo::{
+    Report, Request, Summary, USUAL_DEVIATION, usual_tolerances,
+};
 
 /// Columns of the histogram's bins.
 const BINS: usize = 40;

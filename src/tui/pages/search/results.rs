@@ -1,6 +1,5 @@
 //! Results of the Search tab, the selected design, and whether they are stale. No drawing.
 
-use crate::study::search::front::{Design, Report};
 use crate::tui::app::running::CachedResult;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::page::prelude::*;
@@ -8,6 +7,7 @@ use crate::tui::pages::search::state::{Page, Searching};
 use crate::tui::pages::search::study_page::Answer;
 use crate::tui::widgets::layout::CHART_ROWS;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
+use cmra_studies::study::search::front::{Design, Report};
 
 /// Rows of words that a chart must leave, frame included.
 const LEAST_WORDS: u16 = 6;

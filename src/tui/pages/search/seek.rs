@@ -1,10 +1,5 @@
 //! Goal seek: its setup, its request, and what was found.
 
-use crate::report::figures::axis_of;
-use crate::report::seek::{remarks, solution, table, warnings};
-use crate::study::quantities::named;
-use crate::study::search::seek::{self, Goal, Report, SCAN};
-use crate::study::sweep;
 use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Mark, emphasis};
 use crate::tui::pages::explore::state::placed;
@@ -15,6 +10,11 @@ use crate::tui::pages::search::study_page::{Answer, line, note};
 use crate::tui::widgets::axis::Part;
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
+use cmra_studies::report::figures::axis_of;
+use cmra_studies::report::seek::{remarks, solution, table, warnings};
+use cmra_studies::study::quantities::named;
+use cmra_studies::study::search::seek::{self, Goal, Report, SCAN};
+use cmra_studies::study::sweep;
 
 pub(super) const STUDY: Study = Study {
     title: "Goal seek",

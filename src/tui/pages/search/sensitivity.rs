@@ -1,11 +1,5 @@
 //! Sensitivity: its setup, its request, and what was found.
 
-use crate::model::run::envelope::Check;
-use crate::report::sensitivity::{ASCII, BLOCKS, COLUMNS, page, table};
-use crate::study::quantities::named;
-use crate::study::sensitivity::{OUTPUT, Report, Request};
-use crate::study::sweep::Axis;
-use crate::study::validity;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::state::Row;
@@ -13,6 +7,12 @@ use crate::tui::pages::search::study_page::{Answer, note, table_lines};
 use crate::tui::theme::GlyphSet;
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
+use cmra_engine::model::run::envelope::Check;
+use cmra_studies::report::sensitivity::{ASCII, BLOCKS, COLUMNS, page, table};
+use cmra_studies::study::quantities::named;
+use cmra_studies::study::sensitivity::{OUTPUT, Report, Request};
+use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::validity;
 
 pub(super) const STUDY: Study = Study {
     title: "Sensitivity",

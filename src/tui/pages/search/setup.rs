@@ -1,17 +1,17 @@
 //! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
-use crate::model::units;
-use crate::model::variables::{self, Group, Value, Variable};
-use crate::study::quantities::{Quantity, named};
-use crate::study::search::front::{Constraint, USUAL};
-use crate::study::sweep::default_axes::thesis_axes;
-use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::STUDIES;
 use crate::tui::pages::search::state::{Bound, Page, Row};
 use crate::tui::widgets::axis::{FIELD_DIGITS, Part, meaning, numeric, over};
 use crate::tui::widgets::form::{FieldQuantity, Form, FormRow, quantity_meaning};
 use crate::worker::studies::SearchRequest;
+use cmra_engine::model::units;
+use cmra_engine::model::variables::{self, Group, Value, Variable};
+use cmra_studies::study::quantities::{Quantity, named};
+use cmra_studies::study::search::front::{Constraint, USUAL};
+use cmra_studies::study::sweep::default_axes::thesis_axes;
+use cmra_studies::study::sweep::{Axis, COUNTS, Spacing};
 
 /// Short names of the usual objectives.
 pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount force"];

@@ -3,16 +3,16 @@
 use std::sync::Arc;
 
 use crate::files::session::Search;
-use crate::model::scene::SweepAxis;
-use crate::study::quantities;
-use crate::study::search::front::{self, Constraint, SAMPLES, USUAL};
-use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL};
-use crate::study::sensitivity;
-use crate::study::sweep::{Axis, COUNTS};
 use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
+use cmra_engine::model::scene::SweepAxis;
+use cmra_studies::study::quantities;
+use cmra_studies::study::search::front::{self, Constraint, SAMPLES, USUAL};
+use cmra_studies::study::search::seek::{Goal, SCAN, SCAN_USUAL};
+use cmra_studies::study::sensitivity;
+use cmra_studies::study::sweep::{Axis, COUNTS};
 
 pub const SETUP: Pane = Pane::new(Tab::Search, 0);
 pub const RESULTS: Pane = Pane::new(Tab::Search, 1);

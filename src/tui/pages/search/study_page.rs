@@ -1,13 +1,13 @@
 //! Presentation of a study's result.
 
-use crate::model::run::envelope::Check;
-use crate::report::Remark;
-use crate::report::table::Table;
-use crate::study::sweep;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::state::Searching;
 use crate::tui::widgets::table::{Grid, NAME_LEAST};
 use crate::worker::studies::SearchAnswer;
+use cmra_engine::model::run::envelope::Check;
+use cmra_studies::report::Remark;
+use cmra_studies::report::table::Table;
+use cmra_studies::study::sweep;
 
 /// The result of a study of the tab, as its page shows it.
 pub(crate) trait Answer {

@@ -1,8 +1,8 @@
 //! State of the Thesis tab.
 
-use crate::study::thesis::Row;
 use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
+use cmra_studies::study::thesis::Row;
 
 pub const CLAIMS: Pane = Pane::new(Tab::Thesis, 0);
 pub const PRINCIPLES: Pane = Pane::new(Tab::Thesis, 1);

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::model::units;
 use crate::study::quantities::{Quantity, named};
+use cmra_engine::model::units;
 
 /// A measure with a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,12 +1,12 @@
 //! Fronts of scenes whose answer is known.
 
 use super::*;
-use crate::model::run::Warning;
-use crate::model::run::envelope::{self, Direction};
-use crate::model::simulate::Settings;
 use crate::study::context::never_cancel;
 use crate::study::run_with;
 use crate::study::testing::{axes, scene};
+use cmra_engine::model::run::Warning;
+use cmra_engine::model::run::envelope::{self, Direction};
+use cmra_engine::model::simulate::Settings;
 
 fn request(list: &[(&str, f64, f64)], minimise: &[&str]) -> Request {
     Request {

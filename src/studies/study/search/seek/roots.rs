@@ -4,8 +4,8 @@
 //! last point of the scan and the edge is not missed. Brackets are closed by regula falsi in the Illinois form, safeguarded by
 //! bisection.
 
-use crate::numerics::statistics::sorted_by;
 use crate::study::search::seek::{Kind, SamplePoint};
+use cmra_engine::numerics::statistics::sorted_by;
 
 /// Bisections of an edge: to 1e-13 of the scan's spacing.
 const EDGE_STEPS: usize = 42;

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use super::*;
-use crate::model::run::Outcome;
-use crate::model::scene::Mount;
 use crate::study::context::never_cancel;
 use crate::study::sweep::Spacing;
+use cmra_engine::model::run::Outcome;
+use cmra_engine::model::scene::Mount;
 
 fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Request {
     let over = Axis::new(name, ends, 33, Spacing::Linear).unwrap();

@@ -2,10 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-use crate::model::scene::SweepAxis;
-use crate::model::units::{self, Bare, Dimension};
 use crate::study::error::SweepError;
 use crate::study::sweep::axis::{Axis, Spacing, numeric};
+use cmra_engine::model::scene::SweepAxis;
+use cmra_engine::model::units::{self, Bare, Dimension};
 
 /// The two forms of an axis.
 const FORM: &str =

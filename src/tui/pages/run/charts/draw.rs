@@ -1,10 +1,5 @@
 //! The charts of the Run tab: as many as have room above each other in one box, each with its number in its title.
 
-use crate::model::run::Run;
-use crate::report::chart::Below;
-use crate::report::figures::run::{event_letter, event_marks};
-use crate::report::law::Law;
-use crate::report::series::Channel;
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters, emphasis,
@@ -15,6 +10,11 @@ use crate::tui::pages::run::charts::{Curve as Data, is_held};
 use crate::tui::pages::run::impact;
 use crate::tui::pages::run::state::{CHARTS, Charts};
 use crate::tui::widgets::value_steps::engineering;
+use cmra_engine::model::run::Run;
+use cmra_studies::report::chart::Below;
+use cmra_studies::report::figures::run::{event_letter, event_marks};
+use cmra_studies::report::law::Law;
+use cmra_studies::report::series::Channel;
 
 /// Rows of a chart that can be read.
 const LEAST: u16 = 3;

@@ -1,16 +1,16 @@
 //! The titles of the charts: each with the number of the current run, and what the latest edit changed of it.
 
-use crate::model::run::{Outcome, Run, Warning, envelope};
-use crate::model::variables::VARIABLES;
-use crate::report::figures::run::contact_window_s;
-use crate::report::run::page::{self, of_first};
-use crate::report::series::Channel;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::is_free;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::state::Window;
 use crate::tui::widgets::text::fitting;
 use crate::tui::widgets::value_steps::engineering;
+use cmra_engine::model::run::{Outcome, Run, Warning, envelope};
+use cmra_engine::model::variables::VARIABLES;
+use cmra_studies::report::figures::run::contact_window_s;
+use cmra_studies::report::run::page::{self, of_first};
+use cmra_studies::report::series::Channel;
 
 /// The name of a chart with the number of the current run, in a given number of columns.
 pub(super) fn title(app: &App, chart: usize, room: usize) -> String {

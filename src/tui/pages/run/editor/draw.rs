@@ -1,9 +1,5 @@
 //! The list of variables, drawn.
 
-use crate::model::units;
-use crate::model::variables::{self, VARIABLES, is_listed};
-use crate::report::chart::{Below, Frame};
-use crate::report::sensitivity::CELLS;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{
     ANALYSIS, DESIGN, Editor, EditorRow, is_main, short_label, shown_in, shown_value,
@@ -12,6 +8,10 @@ use crate::tui::pages::run::state::VARIABLES as PANE;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::{counted, fitting};
+use cmra_engine::model::units;
+use cmra_engine::model::variables::{self, VARIABLES, is_listed};
+use cmra_studies::report::chart::{Below, Frame};
+use cmra_studies::report::sensitivity::CELLS;
 
 /// Columns of a field.
 const FIELD_WIDTH: u16 = 9;

@@ -3,10 +3,10 @@
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::report::chart::scale::whole_below;
-use crate::report::figures::impact::{COILS, Dots, Part, Picture, Place, Shape, Stage};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 use crate::tui::widgets::Canvas;
+use cmra_studies::report::chart::scale::whole_below;
+use cmra_studies::report::figures::impact::{COILS, Dots, Part, Picture, Place, Shape, Stage};
 
 /// Bits of a braille character, in rows of two dots.
 const BRAILLE: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
