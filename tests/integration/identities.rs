@@ -110,8 +110,10 @@ fn faults(run: &Run) -> Vec<String> {
     let is_listing = run.scene.contact.model == ContactModel::Appendix;
     // A displacement is known to the rounding of the cocking distance at best.
     let known = 1e-12 * run.scene.start_m().abs();
+    // Rows are as accurate as the run was asked to be.
+    let accuracy = f64::max(1e-9, 1e-2 * run.scene.run.tolerance);
     let mut exceeds = |name: &str, rows: f64, peak: Option<f64>| {
-        if !is_listing && peak.is_some_and(|peak| rows > peak + 1e-9 * peak.abs() + known) {
+        if !is_listing && peak.is_some_and(|peak| rows > peak + accuracy * peak.abs() + known) {
             faults.push(format!("{name} = {peak:?}, and a row has {rows}"));
         }
     };

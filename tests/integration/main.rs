@@ -100,3 +100,5 @@ mod validation;
 mod values;
 #[cfg(test)]
 mod verdict;
+#[cfg(test)]
+mod weight;

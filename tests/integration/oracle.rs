@@ -259,6 +259,11 @@ fn valid_random_plates_that_move_at_first_contact_against_tiny_steps() {
 }
 
 #[test]
+fn valid_random_bodies_that_fall_against_tiny_steps() {
+    compare_many(draw::falling, (60, 9_008));
+}
+
+#[test]
 fn valid_random_springs_of_other_kinds_against_tiny_steps() {
     let kinds = compare_many(draw::curved, (80, 6_002));
     assert!(kinds.len() >= 13, "{kinds:?}");

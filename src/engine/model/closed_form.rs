@@ -241,7 +241,7 @@ impl<'a> Passage<'a> {
 /// Whether nothing but the shot moves the plate, or nothing at all, and the contact has the law of these closed forms.
 pub fn is_unsprung(scene: &Scene) -> bool {
     let mechanism = Mechanism::from_scene(scene);
-    let acts = !mechanism.is_absent() || mechanism.stop.is_some();
+    let acts = !mechanism.is_absent() || mechanism.stop.is_some() || scene.weight_n() > 0.0;
     scene.contact.model == ContactModel::Hydrodynamic && !acts
 }
 

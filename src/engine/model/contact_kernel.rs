@@ -92,7 +92,7 @@ impl ContactEnd {
 
 impl Contact {
     /// Prepare the contact of a scene that has been validated; `None` of a spring that is not a power law, a stop, another interaction
-    /// model, a nose that shears out a plug, a plate that moves at first contact, an area that does not begin as a polynomial, or a contact without a time scale.
+    /// model, a nose that shears out a plug, a projectile whose weight counts, a plate that moves at first contact, an area that does not begin as a polynomial, or a contact without a time scale.
     pub fn from_scene(scene: &Scene) -> Option<Self> {
         let mechanism = Mechanism::from_scene(scene);
         let Mechanism { spring: Spring::Power(spring), damper, stop: None, .. } = mechanism else {
@@ -100,7 +100,7 @@ impl Contact {
         };
         let is_other =
             scene.contact.model != ContactModel::Hydrodynamic || scene.projectile.nose.shears();
-        if is_other || scene.plate_velocity_m_s() != 0.0 {
+        if is_other || scene.plate_velocity_m_s() != 0.0 || scene.weight_n() > 0.0 {
             return None;
         }
         let geometry = Geometry::from_scene(scene);

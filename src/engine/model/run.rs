@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::labelled_enum::labelled_enum;
-use crate::model::scene::{Criterion, Scene};
+use crate::model::scene::{Criterion, GRAVITY_M_S2, Projectile, Scene};
 use crate::numerics::larger;
 
 mod check;
@@ -303,12 +303,19 @@ pub struct EnergyLedger {
     pub shear_j: f64,
     /// Energy stored in, or taken by, the stop.
     pub stop_j: f64,
+    /// Energy that the weight of the projectile has given, where it is counted.
+    pub weight_j: f64,
 }
 
 impl EnergyLedger {
     /// All energy at the start, J.
     pub fn initial_j(&self) -> f64 {
         self.initial_kinetic_j + self.initial_plate_j + self.initial_spring_j
+    }
+
+    /// All energy at the start, and what the weight has given since, J.
+    pub fn given_j(&self) -> f64 {
+        self.initial_j() + self.weight_j
     }
 
     /// All energy accounted for at the end, J.
@@ -327,7 +334,7 @@ impl EnergyLedger {
 
     /// The error of the balance, relative to the energy at the start.
     pub fn residual(&self) -> f64 {
-        (self.final_j() - self.initial_j()) / self.initial_j()
+        (self.final_j() - self.given_j()) / self.initial_j()
     }
 }
 
@@ -437,6 +444,15 @@ impl Run {
     /// Greatest displacement plus cocking distance: the space the mechanism needs, m.
     pub fn stroke_m(&self) -> Option<f64> {
         Some(self.max_plate_displacement_m? + self.scene.start_m().abs())
+    }
+
+    /// Work of the projectile's weight along the stroke of a mechanism, over the kinetic energy of the impact; `None` where there is no
+    /// stroke.
+    pub fn weight_share(&self) -> Option<f64> {
+        let scene = &self.scene;
+        let Projectile { mass_kg, velocity_m_s, .. } = scene.projectile;
+        let way_m = self.stroke_m().filter(|_| scene.is_sprung())?;
+        Some(mass_kg * GRAVITY_M_S2 * way_m / (0.5 * mass_kg * velocity_m_s * velocity_m_s))
     }
 
     /// The end of the contact window: first arrest, perforation, or the end of the run, s.

@@ -104,6 +104,9 @@ impl SweepAxis {
     }
 }
 
+/// Standard acceleration of free fall, m/s².
+pub const GRAVITY_M_S2: f64 = 9.806_65;
+
 /// Most further elements that a scene may list: the time of a run and of a key grows with the square of their number.
 pub const LAYERS_MAX: usize = 50;
 
@@ -137,6 +140,14 @@ impl Scene {
     /// Whether other plates stand behind this one, the last of them the base plate.
     pub fn is_stack(&self) -> bool {
         self.stack.base_thickness_m.is_some()
+    }
+
+    /// Weight of the projectile along the plate's normal, N: 0 unless it is counted, on a mechanism.
+    pub fn weight_n(&self) -> f64 {
+        let acts = self.projectile.weight
+            && self.is_sprung()
+            && self.contact.model != ContactModel::Appendix;
+        if acts { self.projectile.mass_kg * GRAVITY_M_S2 } else { 0.0 }
     }
 
     /// Whether a mechanism carries the plate, and no rigid mount.

@@ -98,6 +98,8 @@ struct Books<'a> {
     plug: Option<(f64, f64)>,
     spring: Spring,
     has_friction: bool,
+    /// Weight of the projectile along its axis, N; zero where it is not counted.
+    weight_n: f64,
 }
 
 /// The spring of an absorber after its latest crushing.
@@ -117,7 +119,8 @@ impl<'a> Books<'a> {
         let has_friction = scene.contact.model == ContactModel::Hydrodynamic;
         let picked_up = run.events.iter().find(|event| event.kind == EventKind::Plug);
         let plug = Plug::of(scene).zip(picked_up).map(|(plug, event)| (plug.mass_kg, event.t_s));
-        Self { scene, plate_kg, plug, spring, has_friction }
+        let weight_n = scene.weight_n() * scene.cos_obliquity();
+        Self { scene, plate_kg, plug, spring, has_friction, weight_n }
     }
 
     /// Kinetic and spring energies of a row; once the plug is picked up it moves with the projectile, no longer with the plate.
@@ -175,6 +178,10 @@ impl<'a> Books<'a> {
         if to.t_s <= from.t_s {
             *self.jump(&mut next, from, to) += lost_j;
             return next;
+        }
+        if !matches!(from.mode, ContactMode::FreeFlight | ContactMode::Perforated) {
+            let way_m = to.projectile_displacement_m - from.projectile_displacement_m;
+            lost_j += self.weight_n * way_m;
         }
         let half_s = 0.5 * (to.t_s - from.t_s);
         let work_j = |force: fn(&Sample) -> f64| {
@@ -252,6 +259,7 @@ mod tests {
             "model=initial-velocity",
             "model=half-sine",
             "spring=crush",
+            "weight=on v_i=2 k=1e4",
         ] {
             // Up to a horizon, so that the ledger is that of the last row.
             let text = format!("{text} horizon=2ms");
@@ -261,13 +269,17 @@ mod tests {
             for part in 0..=50 {
                 let energies = Energies::at(&run, end_s * f64::from(part) / 50.0).unwrap();
                 let sum = energies.sum_j() / initial_j;
-                assert!((sum - 1.0).abs() < 1e-12, "{text}: {sum}");
+                // A weight goes on giving.
+                let is_whole = run.scene.projectile.weight || (sum - 1.0).abs() < 1e-12;
+                assert!(is_whole, "{text}: {sum}");
                 for (name, value_j) in energies.parts() {
                     assert!(value_j > -1e-6 * initial_j, "{text}: {name} {value_j} J");
                 }
             }
             let last = Energies::at(&run, end_s).unwrap();
             let ledger = &run.ledger;
+            let off = last.sum_j() / ledger.given_j() - 1.0;
+            assert!(off.abs() < 1e-9, "{text}: {off}");
             let contact_j = ledger.penetration_j + ledger.pick_up_j + ledger.shear_j;
             for (name, value_j, expected_j) in [
                 ("projectile", last.projectile_j + last.plug_j, ledger.projectile_j),

@@ -240,10 +240,11 @@ fn result(run: &Run, quantity: &Quantity) -> Value {
 /// A part of the energy ledger: its name in JSON, its label on pages, and where it is found.
 type LedgerPart = (&'static str, &'static str, fn(&EnergyLedger) -> f64);
 
-const ENERGY: [LedgerPart; 13] = [
+const ENERGY: [LedgerPart; 14] = [
     ("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
     ("initial_plate", "plate", |it| it.initial_plate_j),
     ("initial_spring", "cocked spring", |it| it.initial_spring_j),
+    ("weight", "weight since", |it| it.weight_j),
     ("projectile", "projectile", |it| it.projectile_j),
     ("plate", "plate", |it| it.plate_j),
     ("mechanism_inertia", "mechanism", |it| it.inertia_j),

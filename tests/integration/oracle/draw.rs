@@ -83,6 +83,20 @@ pub(crate) fn moving(random: &mut Random) -> String {
     }
 }
 
+/// A scene of a heavy, slow body that falls on a plate, whose weight counts.
+pub(crate) fn falling(random: &mut Random) -> String {
+    loop {
+        let words = if chance(random, 0.7) { plain(random) } else { curved(random) };
+        let kept = words.split(' ').filter(|word| !word.starts_with("v_i="));
+        let kept: Vec<&str> = kept.collect();
+        let v = random.log(0.5, 20.0);
+        let words = format!("{} v_i={v:.3} weight=on", kept.join(" "));
+        if variables::validate(&read(&words)).is_ok() {
+            return words;
+        }
+    }
+}
+
 /// A moderate scene with a spring of any other kind, alone or beside a power law.
 pub(crate) fn curved(random: &mut Random) -> String {
     loop {

@@ -337,14 +337,17 @@ impl<'a> Shot<'a> {
             + self.damper_n(w)
             + if now.beyond { self.stop_n(x, w) } else { 0.0 };
         let still = now.held || !self.scene.is_sprung();
+        let parted = matches!(now.interface, Interface::Gone | Interface::Slack) || state[0] < 0.0;
+        let falls = self.scene.projectile.weight && self.scene.is_sprung() && !parted;
+        let weight = if falls { m_p * 9.80665 * cos } else { 0.0 };
         let plate = match now.interface {
             _ if still => 0.0,
-            Interface::Holds => -back / (m_2 + m_p * cos * cos),
+            Interface::Holds => (weight * cos - back) / (m_2 + m_p * cos * cos),
             _ => (force * cos - back) / m_2,
         };
         let slip = match now.interface {
             Interface::Holds => 0.0,
-            _ => -force / m_p - plate * cos,
+            _ => (weight - force) / m_p - plate * cos,
         };
         [u, slip, if still { 0.0 } else { w }, plate]
     }

@@ -74,6 +74,8 @@ pub(super) struct ImpactParameters {
     pub(super) plug: Option<Box<Self>>,
     /// Part of the slip that is left when the plug is picked up; 1 until these constants hold.
     pub(super) kept: f64,
+    /// Weight of the projectile along its axis, N; zero where it is not counted.
+    pub(super) weight_n: f64,
 }
 
 /// Time, travel, slip, and displacement from the mode's origin and velocity of the plate.
@@ -146,6 +148,7 @@ impl ImpactParameters {
             ],
             plug: None,
             kept: 1.0,
+            weight_n: scene.weight_n() * cos,
         };
         match Plug::of(scene).filter(|_| flows) {
             None => own,
@@ -379,7 +382,7 @@ impl Equations<'_> {
         match self.mode.hold {
             PlateConstraint::Mount => 0.0,
             PlateConstraint::OnStop | PlateConstraint::Spring => {
-                self.contact_n(state) * self.setup.cos
+                self.contact_n(state) * self.setup.cos + self.joined_weight_n()
             }
             PlateConstraint::Free => {
                 let turning_kg = self.setup.turning_kg;
@@ -402,7 +405,8 @@ impl Equations<'_> {
 
     /// Accelerations of slip and plate.
     pub(super) fn accelerations(&self, state: &State) -> (f64, f64) {
-        self.moved_by(self.contact_n(state), || self.mechanism_n(state.x_m, state.w_m_s))
+        let mechanism_n = || self.mechanism_n(state.x_m, state.w_m_s);
+        self.with_weight(self.moved_by(self.contact_n(state), mechanism_n))
     }
 
     /// Returns the accelerations caused by forces of the contact and of the mechanism.
@@ -452,15 +456,7 @@ impl Equations<'_> {
     /// Returns the force that presses a resting plate on its stop, N: the mechanism's force at rest plus the contact force.
     pub(super) fn push_on_stop_n(&self, state: &State) -> f64 {
         let spring = self.mode.spring.force(self.displacement_m(state.x_m));
-        self.contact_n(state) * self.setup.cos - spring
-    }
-
-    /// The force that the joined interface carries, positive where it is pushed, N.
-    pub(super) fn interface_force_n(&self, state: &State) -> f64 {
-        if self.plate_rests() || self.creeps(state) {
-            return 0.0;
-        }
-        self.setup.interface_fraction() * self.mechanism_n(state.x_m, state.w_m_s)
+        self.contact_n(state) * self.setup.cos + self.joined_weight_n() - spring
     }
 
     /// A velocity of the plate that is lost among errors, m/s.
@@ -494,7 +490,7 @@ impl Equations<'_> {
             let most_n = mode.spring.force(mode.origin_m).abs() + spring_n;
             smaller(slope_n_m * mode.origin_m.abs(), most_n)
         };
-        FORCE_ROUNDING * (spring_n + by_place_n + others_n)
+        FORCE_ROUNDING * (spring_n + by_place_n + others_n + self.setup.weight_n)
     }
 }
 

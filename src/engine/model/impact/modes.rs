@@ -139,6 +139,7 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
     }
     if setup.law == ContactLaw::AtOnce {
         merge_bodies(setup, &mut mode, &mut state);
+        setup.update_weight(&mut mode, Contact::Penetrating);
     }
     if let Some(held_m) = (Equations { setup, mode: &mode }).initial_lock_displacement_m() {
         (mode.hold, mode.held_m) = (PlateConstraint::Spring, held_m);
@@ -207,6 +208,7 @@ pub(super) fn after(
         release(setup, &mut next, state);
     }
     unload(setup, &mut next, state);
+    setup.update_weight(&mut next, mode.contact);
     next
 }
 
@@ -276,7 +278,7 @@ fn unload(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     mode.crushed_j += mode.spring.energy(x_m) - spring.energy(x_m);
     mode.crushed_m = crushed_m;
     mode.stretch = spring.stretch(x_m.next_down());
-    mode.elastic = setup.with_stop(&spring);
+    mode.elastic = setup.elastic(&spring, mode.contact);
     mode.spring = spring;
 }
 

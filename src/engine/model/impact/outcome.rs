@@ -73,16 +73,23 @@ impl Equations<'_> {
     /// Most force forwards and backwards on the joined interface with this energy, N.
     pub(super) fn peak_load_bounds_n(&self, state: &State, energy_j: f64) -> [f64; 2] {
         let Equations { setup, mode } = self;
-        let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
+        let has_nothing = mode.spring.is_absent() && !setup.has_stop();
+        let speed = if has_nothing && setup.weight_n > 0.0 {
+            // The weight drives it until its damper holds it.
+            larger(state.w_m_s.abs(), setup.damper.at_force(self.joined_weight_n()))
+        } else {
+            (2.0 * energy_j / self.moving_kg()).sqrt()
+        };
         let back_m = mode.elastic.reach(self.displacement_m(state.x_m), energy_j, -1.0);
         let reach_m = self.max_reachable_displacement_m(state, energy_j);
         let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
         let stop_n = if reach_m > setup.stop_at_m { setup.stop_n_s_m * speed } else { 0.0 };
         let damper_n = setup.damper.force(speed);
-        let goes_on = mode.spring.is_absent() && !setup.has_stop() && state.w_m_s >= 0.0;
+        let goes_on = has_nothing && state.w_m_s >= 0.0;
         let push_n = if self.leaves(state) { 0.0 } else { most_n + stop_n + damper_n };
         let pull_n = if goes_on { 0.0 } else { damper_n - least_n };
-        [push_n, pull_n].map(|load_n| setup.interface_fraction() * load_n)
+        let loads_n = [push_n, pull_n].map(|load_n| setup.interface_fraction() * load_n);
+        self.loads_with_weight_n(loads_n)
     }
 
     /// Whether spring and elastic stop drive the plate on for ever, and which way, where no rigid stop is in it.
@@ -150,7 +157,8 @@ impl Equations<'_> {
         let Equations { setup, mode } = self;
         let energy_j = self.energy_j(state);
         let gap_m = mode.deepest_m - state.q_m;
-        let slips = setup.plastic && mode.contact == Contact::Fused && gap_m > 0.0;
+        let is_heavy = setup.weight_n > 0.0;
+        let slips = setup.plastic && mode.contact == Contact::Fused && gap_m > 0.0 && !is_heavy;
         if !slips || gap_m > state.q_m || self.meets_rigid_stop(state, energy_j) {
             return None;
         }
@@ -195,11 +203,12 @@ impl Equations<'_> {
             energy_j < to_bottom_j + NEGLIGIBLE * mode.deepest_m * strength_n
                 && energy_j < friction_j
         };
-        if is_nothing(energy_j) {
+        let is_driven = setup.weight_n > 0.0 && self.drives_away(state).is_some();
+        if is_nothing(energy_j) && !is_driven {
             return true;
         }
         if !self.leaves(state) && self.meets_rigid_stop(state, energy_j) {
-            let on_arrival_j = energy_j - mode.spring.energy(setup.stop_at_m);
+            let on_arrival_j = energy_j - mode.elastic.energy(setup.stop_at_m);
             if !is_nothing(on_arrival_j) {
                 return false;
             }
@@ -208,6 +217,10 @@ impl Equations<'_> {
         let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, energy_j);
         if pushed_n <= push_n && pulled_n <= pull_n {
             return true;
+        }
+        // What follows knows no force but the mechanism's.
+        if setup.weight_n > 0.0 {
+            return false;
         }
         // To and fro within the hole: each slip begins with more energy than the oscillation that the friction just holds, so that
         // the paths of all but the last add up to what the friction takes above that at most. Where they come to the bottom they
@@ -235,6 +248,7 @@ impl Equations<'_> {
         let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
         // Each slip of a plug weakens its rim.
         let keeps = self.is_undamped() && setup.absorber.is_none() && !setup.shears();
+        let keeps = keeps && setup.weight_n == 0.0;
         let may_slip = setup.plastic && is_past && is_joined && keeps;
         if !may_slip || self.meets_rigid_stop(state, energy_j) {
             return None;
@@ -351,7 +365,7 @@ impl Equations<'_> {
         if self.overshoots_at_most_m(state, energy_j, far_m) <= NEGLIGIBLE * stroke_m {
             return Some(far_m);
         }
-        let coasts = !mode.is_pressed && state.w_m_s > 0.0;
+        let coasts = !mode.is_pressed && state.w_m_s > 0.0 && self.joined_weight_n() == 0.0;
         if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
             let end_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
             if end_m < setup.stop_at_m || !setup.has_stop() {
@@ -372,7 +386,7 @@ impl Equations<'_> {
         // Nothing but the spring turns the plate, if anything does.
         let by_spring = setup.damper.is_absent() && !setup.has_stop() && !in_full;
         by_spring.then(|| {
-            let back_m = mode.spring.reach(x_m, energy_j, -1.0);
+            let back_m = mode.elastic.reach(x_m, energy_j, -1.0);
             let is_gone = state.w_m_s < 0.0 && back_m.is_infinite();
             if is_gone { so_far_m } else { larger(reach_m, so_far_m) }
         })

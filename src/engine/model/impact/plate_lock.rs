@@ -135,7 +135,7 @@ impl Equations<'_> {
 
     /// The force that drives a plate which a steep spring holds, N.
     fn push_n(&self, state: &State) -> f64 {
-        self.contact_n(state) * self.setup.cos
+        self.contact_n(state) * self.setup.cos + self.joined_weight_n()
     }
 
     /// Returns the additional force that the stiff spring could balance before the plate unlocks, N.
@@ -173,7 +173,8 @@ impl Equations<'_> {
         self.mode.hold == PlateConstraint::Free
             && state.w_m_s.abs() < creep_m_s
             && !self.is_touching()
-            && self.mechanism_n(state.x_m, 0.0).abs() < damper.force(creep_m_s)
+            && (self.mechanism_n(state.x_m, 0.0) - self.joined_weight_n()).abs()
+                < damper.force(creep_m_s)
     }
 
     /// The zero of a spring that is not smooth there: the time until the plate comes to it, s, and whether the energy that is left in the

@@ -139,6 +139,7 @@ impl Recorder {
     /// Work in the hole, of the damper and of the elastic stop, by Gauss's rule: exact for the product of two of the step's polynomials.
     fn add_work(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         let is_damped = !equations.setup.damper.is_absent();
+        self.work.weight_j += equations.weight_work_j(&path.looks[0], path.end());
         if !(equations.is_touching() || is_damped || equations.mode.is_pressed) {
             return;
         }
@@ -189,8 +190,8 @@ impl Recorder {
             let gap_n = |state: &State| {
                 equations.limit_load_ratios()[way] * equations.strength_n(path.end())
                     - COMPRESSION_TENSION_SIGNS[way]
-                        * equations.setup.interface_fraction()
-                        * force_n(state)
+                        * (equations.setup.interface_fraction() * force_n(state)
+                            + equations.carried_weight_n())
             };
             let gaps_n = path.looks.each_ref().map(gap_n);
             match first_crossing(&[gaps_n], |part, _| gap_n(&path.at(part))) {
@@ -220,7 +221,9 @@ impl Recorder {
             return;
         }
         for (way, holds) in equations.limit_load_ratios().into_iter().enumerate() {
-            let ratio = equations.setup.interface_fraction() / strength_n * most_n[way];
+            let carried_n = COMPRESSION_TENSION_SIGNS[way] * equations.carried_weight_n();
+            let load_n = equations.setup.interface_fraction() * most_n[way] + carried_n;
+            let ratio = load_n / strength_n;
             let known = &mut self.loads.ratios.get_or_insert_default()[way];
             *known = larger(ratio, *known);
             let is_new = !equations.setup.plastic && self.loads.exceeded_s[way].is_none();
@@ -401,8 +404,13 @@ impl Loads {
         match equations.joint_n(state) {
             Some(strength_n) if strength_n > 0.0 => {
                 let per_ratio_n = strength_n / equations.setup.interface_fraction();
-                let known = |ratio: f64| smaller(ratio * per_ratio_n, self.mount_n);
-                self.ratios.unwrap_or_default().map(known)
+                let ratios = self.ratios.unwrap_or_default();
+                let carried_n = equations.carried_weight_n() / equations.setup.interface_fraction();
+                array::from_fn(|way| {
+                    let by_interface_n =
+                        ratios[way] * per_ratio_n - COMPRESSION_TENSION_SIGNS[way] * carried_n;
+                    smaller(by_interface_n, self.mount_n)
+                })
             }
             _ => [self.mount_n; 2],
         }

@@ -27,6 +27,9 @@ const REACHED: f64 = 1e-9;
 /// Part of the energy from which on a balance that does not close is reported.
 const DRIFT: f64 = 1e-8;
 
+/// Part of the impact's energy from which on a weight that is not counted is reported.
+const WEIGHT_SHARE: f64 = 0.02;
+
 /// Changes of the contact after which the depth of a projectile that slips in its hole is given as an interval. What the hole may still
 /// deepen falls like one over their square.
 const CHANGES_TO_INTERVAL: usize = 64;
@@ -94,7 +97,7 @@ impl ImpactRun<'_> {
         }
         let energy_j = equations.energy_j(state);
         let bounds = equations.peak_load_bounds_n(state, energy_j);
-        let most_n = bounds.map(|most_n| most_n / setup.interface_fraction());
+        let most_n = equations.mechanism_bounds_n(bounds);
         let known_n = record.loads.known_n(&equations, state);
         let grows = |way: usize| most_n[way] > known_n[way] * (1.0 + GROWTH);
         let grows = grows(0) || all && grows(1);
@@ -156,7 +159,8 @@ impl ImpactRun<'_> {
         match self.decided {
             Some((_, far_m)) if far_m.is_finite() => Some(larger(far_m, so_far_m)),
             Some(_) => (!self.has_no_horizon()).then_some(so_far_m),
-            // Of an undecided run as far as there is no energy to go farther.
+            // Of an undecided run as far as there is no energy to go farther; the weight goes on giving.
+            None if self.setup.weight_n > 0.0 => None,
             None => {
                 let equations = self.equations();
                 let reach_m = equations.max_reachable_displacement_m(
@@ -172,7 +176,7 @@ impl ImpactRun<'_> {
     /// be enough to perforate, or where a spring may give more than it has taken.
     fn depth_at_most_m(&self) -> Option<f64> {
         let geometry = &self.setup.geometry;
-        self.setup.spring.power().filter(|_| self.flows())?;
+        self.setup.spring.power().filter(|_| self.flows() && self.setup.weight_n == 0.0)?;
         let energy_j = self.equations().energy_left_j(&self.state);
         let swept_m3 = geometry.swept_m3(self.deepest_m()) + energy_j / self.setup.strength_pa;
         let travel_m = geometry.travel_at_volume_m(swept_m3)?;
@@ -306,12 +310,15 @@ impl ImpactRun<'_> {
         let Target { tensile_pa, yield_pa, .. } = scene.target;
         let no_hardening = Warning::NoHardening { tensile_pa, yield_pa };
         let is_moving = outcome == Outcome::Moving || at_least != AtLeast::default();
+        let by_weight = run.weight_share().filter(|share| *share > WEIGHT_SHARE);
+        let omitted_weight = by_weight.filter(|_| !scene.projectile.weight);
         let notes = [
             is_through.then_some(Warning::NotModelled(NotModelled::RearFace)),
             is_plastic.then_some(Warning::NotModelled(NotModelled::PlasticLaw)),
             scene.lacks_hardening().then_some(no_hardening).filter(|_| self.flows()),
             (setup.shears() && outcome != Outcome::Perforated).then_some(Warning::PlugStopped),
             setup.law.overruns(first_arrest.map(|arrest| arrest.t_s)),
+            omitted_weight.map(|share| Warning::WeightOmitted { share }),
             // What goes through the first plate of a stack meets the next; a model without a depth has no baseline to miss.
             (baseline_penetration_m.is_none() && self.flows() && !scene.is_stack())
                 .then_some(Warning::NoBaseline),

@@ -53,10 +53,24 @@ impl Spring {
     pub fn beside_stop(&self, at_m: f64, stiffness_n_m: f64) -> Self {
         let line = |slope_n_m| Piece::line(at_m, 0.0, slope_n_m);
         let laws = vec![(f64::NEG_INFINITY, line(0.0)), (at_m, line(stiffness_n_m))];
-        let stop = Curve::new(laws, larger(at_m.abs(), SCALE_M));
+        self.beside(&Curve::new(laws, larger(at_m.abs(), SCALE_M)))
+    }
+
+    /// Adds a constant force in parallel, N, of a plate that goes to an end at most, m; infinite without one. The energy is zero at the lowest
+    /// point up to there.
+    #[must_use]
+    pub fn beside_force(&self, force_n: f64, end_m: f64) -> Self {
+        let line = Piece::line(0.0, force_n, 0.0);
+        let begins = [f64::NEG_INFINITY, end_m].into_iter().filter(|at_m| *at_m < f64::INFINITY);
+        let laws = begins.map(|at_m| (at_m, line.clone())).collect();
+        let scale_m = if end_m.is_finite() { end_m.abs() } else { 0.0 };
+        self.beside(&Curve::new(laws, larger(scale_m, SCALE_M)))
+    }
+
+    fn beside(&self, other: &Curve) -> Self {
         Self::Curve(Arc::new(match self {
-            Self::Power(law) => Curve::power(*law).parallel(&stop),
-            Self::Curve(curve) => curve.parallel(&stop),
+            Self::Power(law) => Curve::power(*law).parallel(other),
+            Self::Curve(curve) => curve.parallel(other),
         }))
     }
 

@@ -23,6 +23,7 @@ pub enum Warning {
     NoBaseline,
     NoHardening { tensile_pa: Option<f64>, yield_pa: f64 },
     PlugStopped,
+    WeightOmitted { share: f64 },
     Overruns { t_s: f64, duration_s: f64 },
     NotModelled(NotModelled),
     Limit(Limit),
@@ -137,6 +138,11 @@ impl fmt::Display for Warning {
             Self::PlugStopped => "depth and forces are indicative: the plug law picks the plug up at any speed, though a slow shot \
                                   shears nothing"
                 .to_owned(),
+            Self::WeightOmitted { share } => format!(
+                "a shot that falls presses on by its weight, which is not counted: along the stroke {} % of the impact's energy \
+                 (unconservative); set weight = on",
+                significant(100.0 * share, 2)
+            ),
             Self::NoBaseline => {
                 "the same shot also perforates the plate on a rigid mount: there is no depth to compare with".to_owned()
             }

@@ -4,7 +4,7 @@ use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::Scene;
 use crate::model::units::Dimension;
 use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts, rows};
-use crate::model::variables::visible::{has_stop, is_oblique, penetrates, resists};
+use crate::model::variables::visible::{has_stop, is_listing, is_oblique, penetrates, resists};
 use crate::model::variables::{Allowed, Kind, Number, Variable};
 
 parts! {
@@ -31,6 +31,10 @@ parts! {
             .source("hemispherical: the thesis; plug: the form of Recht and Ipson (1963), fitted on the REL database");
         pub core: Core = Core::Steel => "core", "core", "material of the core: it chooses the class of measurements and changes no force",
             choice().is_seldom(true).listed(|scene| scene.projectile.core != Core::Steel).source("assumption: steel");
+        pub weight: bool = false => "weight", "weight",
+            "on: the projectile falls on a level plate, and its weight m_p g presses on for as long as both touch; the plate's own is in equilibrium at x = 0",
+            is(WEIGHT).is_seldom(true).listed(|scene| scene.projectile.weight).used(falls)
+            .source("off: the thesis; g = 9.80665 m/s^2");
     }
 
     /// The plate as a target.
@@ -276,6 +280,11 @@ fn dishes(scene: &Scene) -> bool {
     !scene.target.closure.chooses_drag() && scene.projectile.nose == Nose::Hemispherical
 }
 
+/// Whether a weight has a way to do work on.
+fn falls(scene: &Scene) -> bool {
+    scene.is_sprung() && !is_listing(scene)
+}
+
 /// Whether the plate's mass follows from its material and thickness.
 fn gives_mass(scene: &Scene) -> bool {
     scene.is_sprung() && matches!(scene.plate.size, PlateSize::Face(_))
@@ -299,6 +308,11 @@ impl PlateSize {
 const DISHING: Kind = Kind::Switch {
     get: |scene| scene.target_in_effect().dishing,
     set: |scene, on| scene.target.dishing = on,
+};
+/// Kind of the switch of the projectile's weight.
+const WEIGHT: Kind = Kind::Switch {
+    get: |scene| scene.projectile.weight,
+    set: |scene, on| scene.projectile.weight = on,
 };
 const DRAG: Kind = Kind::Number(Number {
     get: |scene| Some(scene.target_in_effect().drag_coefficient),

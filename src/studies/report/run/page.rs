@@ -252,6 +252,8 @@ pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
     let mut lines = vec![line("at the start", start_j)];
     // One term alone is the whole.
     lines.extend(if start.len() > 1 { start } else { Vec::new() });
+    let (weight, end) = end.split_at(1);
+    lines.extend(terms(weight));
     lines.push(line("at the end", ledger.final_j()));
     lines.extend(terms(end));
     let residual = match ledger.residual() {
