@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write};
 use std::os::unix::ffi::OsStrExt as _;
 use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _};
@@ -124,13 +124,16 @@ const LOCK_EVERY: Timespec = Timespec { tv_sec: 0, tv_nsec: 5_000_000 };
 const LOCK_TRIES: u32 = 1000;
 
 /// Waits for the lock of this file, which one program has at a time: until the result is dropped, or the program ends, however it
-/// ends. Where it cannot be had (the file system has no locks, its holder was stopped), the work goes on without it: what it guards
-/// matters less than the work.
-pub fn wait_for_lock(path: &Path) -> Option<File> {
+/// ends. Where it cannot be had (the file system has no locks, its holder was stopped), or no longer waited for, the work goes on
+/// without it: what it guards matters less than the work.
+pub fn wait_for_lock(path: &Path, may_wait: &dyn Fn() -> bool) -> Option<File> {
     let file = OpenOptions::new().create(true).truncate(false).write(true).open(path).ok()?;
     for _ in 0..LOCK_TRIES {
         if file.try_lock().is_ok() {
             return Some(file);
+        }
+        if !may_wait() {
+            break;
         }
         // Waits for no event at all: until the time is over.
         let _ = poll(&mut [], Some(&LOCK_EVERY));
@@ -307,10 +310,10 @@ fn hidden(target: &Path) -> io::Result<NamedTempFile> {
     let made = || builder().prefix(HIDDEN.0).suffix(HIDDEN.1).tempfile_in(directory);
     for _ in 0..HIDDEN_TRIES {
         let file = made()?;
-        // Where the file system has no locks nothing is removed either.
-        let _ = file.as_file().lock();
-        // Another program may have taken it for a stale one before it was locked.
-        if file.as_file().metadata()?.nlink() > 0 {
+        // Another program may have taken it for a stale one before it was locked: that one has the lock, or has removed it. Where the
+        // file system has no locks nothing is removed either.
+        let is_taken = matches!(file.as_file().try_lock(), Err(TryLockError::WouldBlock));
+        if !is_taken && file.as_file().metadata()?.nlink() > 0 {
             return Ok(file);
         }
     }
@@ -544,14 +547,15 @@ mod tests {
     fn one_has_a_lock_at_a_time() {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("session.lock");
-        let first = wait_for_lock(&path);
+        let first = wait_for_lock(&path, &|| true);
         let second = File::open(&path).unwrap();
         let lock = || second.try_lock();
         assert!(first.is_some() && lock().is_err());
+        assert!(wait_for_lock(&path, &|| false).is_none());
         drop(first);
         assert!(lock().is_ok());
         // Where there can be none, the work goes on.
-        assert!(wait_for_lock(&place.path().join("absent/session.lock")).is_none());
+        assert!(wait_for_lock(&place.path().join("absent/session.lock"), &|| true).is_none());
     }
 
     #[test]

@@ -34,8 +34,12 @@ pub fn keep(
     let chosen = files.iter().find(is_same).or_else(older).or_else(free).or_else(oldest);
     let path = chosen.cloned().unwrap_or_else(|| folder.join("unsaved-1.toml"));
     atomic::make_folder_of(&path)?;
-    atomic::write(&path, text.as_bytes(), OverwritePolicy::Replace)?;
-    Ok(path)
+    let is_free = fs::symlink_metadata(&path).is_err();
+    match atomic::write(&path, text.as_bytes(), OverwritePolicy::replaced(!is_free)) {
+        // Another workbench has taken the free place meanwhile.
+        Err(FileError::Exists(_)) => keep(folder, session, before),
+        written => written.map(|()| path),
+    }
 }
 
 /// The files that are kept, newest first.

@@ -4,7 +4,9 @@
 //! read is backed up, never deleted, and never keeps the program from starting.
 
 use std::collections::HashMap;
+use std::collections::hash_map::RandomState;
 use std::fs;
+use std::hash::{BuildHasher as _, Hasher as _};
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
@@ -154,7 +156,7 @@ struct PinRow {
 pub struct SessionFingerprint {
     /// Last content read or written, without the first line.
     body: Option<String>,
-    /// This workbench, as its first line names it.
+    /// This workbench, as its first line names it: drawn at random, since numbers of processes repeat, in time and between containers.
     writer: String,
     /// Other writers whose sessions were kept aside: the last text of each, and where.
     kept: HashMap<String, (PathBuf, String)>,
@@ -162,13 +164,13 @@ pub struct SessionFingerprint {
 
 impl Default for SessionFingerprint {
     fn default() -> Self {
-        let writer = std::process::id().to_string();
+        let writer = format!("{:016x}", RandomState::new().build_hasher().finish());
         Self { body: None, writer, kept: HashMap::new() }
     }
 }
 
 /// Text before the writer in the first line.
-const WRITER: &str = ", process ";
+const WRITER: &str = ", workbench ";
 
 /// The writer that a session's first line names, and the rest of it.
 fn parts(text: &str) -> (&str, &str) {
@@ -178,15 +180,16 @@ fn parts(text: &str) -> (&str, &str) {
 
 /// Save the session, whole or not at all. The session of another workbench that has written there since `known` is kept among the recent
 /// ones first, and where is returned, in the place of an earlier one of the same workbench; a session that was saved like this before
-/// does not replace it.
+/// does not replace it. `may_wait`: whether another workbench that saves is still waited for.
 pub fn save(
     path: &Path,
     session: &Session,
     known: &mut SessionFingerprint,
+    may_wait: &dyn Fn() -> bool,
 ) -> Result<Option<PathBuf>, FileError> {
     atomic::make_folder_of(path)?;
     // Another workbench that saves between the reading and the writing below would be overwritten unseen.
-    let _lock = atomic::wait_for_lock(&path.with_extension("lock"));
+    let _lock = atomic::wait_for_lock(&path.with_extension("lock"), may_wait);
     let body = body(path, session)?;
     let there = read::text_file(path, BYTES_MAX).ok();
     if known.body.as_ref() == Some(&body) && there.is_some() {
@@ -199,6 +202,8 @@ pub fn save(
     {
         let ((writer, body), folder) = (parts(&there), path.with_file_name("recent"));
         let before = known.kept.get(writer).map(|(path, body)| (path.as_path(), body.as_str()));
+        // Nothing tells one that has no name from others without one.
+        let before = before.filter(|_| !writer.is_empty());
         let place = recent::keep(&folder, body, before)?;
         known.kept.insert(writer.to_owned(), (place.clone(), body.to_owned()));
         aside = Some(place);
@@ -346,7 +351,7 @@ mod tests {
     /// The session of the example in a folder, and its text.
     fn saved() -> (tempfile::TempDir, PathBuf, String) {
         let (place, path) = place();
-        save(&path, &example(), &mut SessionFingerprint::default()).unwrap();
+        save(&path, &example(), &mut SessionFingerprint::default(), &|| true).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         (place, path, text)
     }
@@ -360,19 +365,19 @@ mod tests {
     fn the_scene_of_another_workbench_is_kept() {
         let (place, path) = place();
         let count = || recent::list(&place.path().join("recent")).len();
-        save(&path, &of(1.0), &mut SessionFingerprint::default()).unwrap();
+        save(&path, &of(1.0), &mut SessionFingerprint::default(), &|| true).unwrap();
         let (mut first, mut second) = (load(&path).known, load(&path).known);
         // The second one saves; the first one has done nothing since and leaves.
-        assert_eq!(save(&path, &of(2.0), &mut second).unwrap(), None);
-        assert_eq!(save(&path, &of(1.0), &mut first).unwrap(), None);
+        assert_eq!(save(&path, &of(2.0), &mut second, &|| true).unwrap(), None);
+        assert_eq!(save(&path, &of(1.0), &mut first, &|| true).unwrap(), None);
         assert_eq!((load(&path).session, count()), (Some(of(2.0)), 0));
         // It goes on working.
-        let aside = save(&path, &of(3.0), &mut first).unwrap().unwrap();
+        let aside = save(&path, &of(3.0), &mut first, &|| true).unwrap().unwrap();
         assert_eq!(kept(&aside), Some(of(2.0)));
         assert_eq!((load(&path).session, count()), (Some(of(3.0)), 1));
         // Someone took the file away: it is written again.
         fs::remove_file(&path).unwrap();
-        assert_eq!(save(&path, &of(3.0), &mut first).unwrap(), None);
+        assert_eq!(save(&path, &of(3.0), &mut first, &|| true).unwrap(), None);
         assert_eq!(load(&path).session, Some(of(3.0)));
     }
 
@@ -385,15 +390,31 @@ mod tests {
         let known =
             |writer: &str| SessionFingerprint { writer: writer.to_owned(), ..load(&path).known };
         let mut first = known("1");
-        save(&path, &of(1.0), &mut first).unwrap();
+        save(&path, &of(1.0), &mut first, &|| true).unwrap();
         let mut second = known("2");
         for turn in 1..10 {
-            save(&path, &of(10.0 + f64::from(turn)), &mut second).unwrap();
-            save(&path, &of(20.0 + f64::from(turn)), &mut first).unwrap();
+            save(&path, &of(10.0 + f64::from(turn)), &mut second, &|| true).unwrap();
+            save(&path, &of(20.0 + f64::from(turn)), &mut first, &|| true).unwrap();
         }
         let mut kept: Vec<f64> = recent::list(&folder).into_iter().map(ratio_in).collect();
         kept.sort_by(f64::total_cmp);
         assert_eq!(kept, [0.5, 19.0, 28.0]);
+    }
+
+    /// Two containers that share a home directory may both have a process 1.
+    #[test]
+    fn workbenches_with_one_process_number_are_told_apart() {
+        let (place, path) = place();
+        let [mut first, mut second, mut third] = [(); 3].map(|()| SessionFingerprint::default());
+        save(&path, &of(1.0), &mut first, &|| true).unwrap();
+        save(&path, &of(2.0), &mut second, &|| true).unwrap();
+        save(&path, &of(3.0), &mut first, &|| true).unwrap();
+        save(&path, &of(4.0), &mut third, &|| true).unwrap();
+        save(&path, &of(5.0), &mut first, &|| true).unwrap();
+        let folder = place.path().join("recent");
+        let mut kept: Vec<f64> = recent::list(&folder).into_iter().map(ratio_in).collect();
+        kept.sort_by(f64::total_cmp);
+        assert_eq!(kept, [1.0, 2.0, 3.0, 4.0]);
     }
 
     /// Each round, two that began on the same session save at the same moment: one of them is kept aside.
@@ -408,7 +429,7 @@ mod tests {
                     let (mut known, barrier, path) = (known.clone(), &barrier, &path);
                     scope.spawn(move || {
                         barrier.wait();
-                        save(path, &of(ratio), &mut known).unwrap();
+                        save(path, &of(ratio), &mut known, &|| true).unwrap();
                     });
                 }
             });
@@ -422,13 +443,14 @@ mod tests {
     fn a_session_of_nine_great_scenes_comes_back() {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("state/session.toml");
-        assert_eq!(load(&path), Loaded::default());
+        let none = load(&path);
+        assert_eq!((none.session, none.notice, none.known.body), (None, None, None));
         let mut session = example();
         session.scene.notes = session.scene.notes.repeat(40_000);
         session.pins = ["A", "B", "C", "D", "E", "F", "G", "H"]
             .map(|letter| (letter.to_owned(), session.scene.clone()))
             .to_vec();
-        save(&path, &session, &mut SessionFingerprint::default()).unwrap();
+        save(&path, &session, &mut SessionFingerprint::default(), &|| true).unwrap();
         assert!(fs::metadata(&path).unwrap().len() > 7 * read::BYTES_MAX);
         let loaded = load(&path);
         assert_eq!(loaded.notice, None);

@@ -6,8 +6,9 @@
 use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -30,6 +31,10 @@ use cmra_engine::model::scene::Scene;
 /// How long a changed session may stay unsaved.
 pub(super) const SESSION_DELAY: Duration = Duration::from_secs(1);
 
+/// How long another thread may take to save the session where the program has to end, and how often that is looked at.
+pub(super) const SAVING: Duration = Duration::from_millis(500);
+const SAVING_CHECK: Duration = Duration::from_millis(5);
+
 /// Whether the session was saved: where that of another workbench was backed up for it, or why it was not, in words.
 type SaveResult = Result<Option<PathBuf>, String>;
 
@@ -46,6 +51,8 @@ pub(super) enum Request {
 pub(super) struct Unsaved {
     session: Arc<Mutex<Option<Box<Session>>>>,
     known: Arc<Mutex<SessionFingerprint>>,
+    /// Whether the program has to end soon: nothing waits for another workbench then.
+    is_urgent: Arc<AtomicBool>,
     paths: Option<Paths>,
 }
 
@@ -56,9 +63,34 @@ impl Unsaved {
 
     /// Save what has not been saved; `None` when there is nothing to save, or no place for it.
     pub(super) fn save(&self) -> Option<SaveResult> {
+        self.save_as(&mut self.known.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Save what has not been saved, as the program has to end: no lock of another workbench is waited for, and a thread that saves
+    /// no longer than this.
+    pub(super) fn save_at_once(&self, patience: Duration) -> Option<SaveResult> {
+        self.is_urgent.store(true, Ordering::SeqCst);
+        let deadline = Instant::now() + patience;
+        loop {
+            match self.known.try_lock() {
+                Ok(mut known) => return self.save_as(&mut known),
+                Err(TryLockError::Poisoned(known)) => return self.save_as(&mut known.into_inner()),
+                Err(TryLockError::WouldBlock) if Instant::now() < deadline => {
+                    thread::park_timeout(SAVING_CHECK);
+                }
+                Err(TryLockError::WouldBlock) => {
+                    return Some(Err("the disk takes too long".to_owned()));
+                }
+            }
+        }
+    }
+
+    /// The session is taken by the one who has the fingerprint: where none is left, it is on the disk.
+    fn save_as(&self, known: &mut SessionFingerprint) -> Option<SaveResult> {
         let session = self.lock().take()?;
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let saved = session::save(&self.paths.as_ref()?.session_file(), &session, &mut known);
+        let path = self.paths.as_ref()?.session_file();
+        let may_wait = || !self.is_urgent.load(Ordering::SeqCst);
+        let saved = session::save(&path, &session, known, &may_wait);
         Some(saved.map_err(|error| error.to_string()))
     }
 }
@@ -77,8 +109,8 @@ impl IoThread {
         inbox: Sender<LoopEvent>,
     ) -> std::io::Result<Self> {
         let (requests, receive) = mpsc::channel();
-        let unsaved =
-            Unsaved { session: Arc::default(), known: Arc::new(Mutex::new(known)), paths };
+        let known = Arc::new(Mutex::new(known));
+        let unsaved = Unsaved { known, paths, ..Unsaved::default() };
         let queue = FileQueue {
             unsaved: unsaved.clone(),
             inbox,
@@ -110,14 +142,15 @@ impl IoThread {
         self.unsaved.clone()
     }
 
-    /// Finish all tasks and save the session, waiting at most this long.
-    pub(super) fn finish(&self, patience: Duration) -> SaveResult {
+    /// Finish all tasks and save the session, waiting at most this long; for no other workbench where it is urgent.
+    pub(super) fn finish(&self, patience: Duration, is_urgent: bool) -> SaveResult {
+        self.unsaved.is_urgent.store(is_urgent, Ordering::SeqCst);
         let (done, wait) = mpsc::channel();
         let asked = self.requests.send(Request::Finish(done)).is_ok();
         match wait.recv_timeout(patience) {
             Ok(saved) if asked => saved,
             // Stuck behind a slow task: the session comes first.
-            _ => self.unsaved.save().unwrap_or(Ok(None)),
+            _ => self.unsaved.save_at_once(SAVING).unwrap_or(Ok(None)),
         }
     }
 }
@@ -358,8 +391,32 @@ mod tests {
         report(&inbox);
         assert!(!paths.session_file().exists());
         io_thread.session_changed(session_of(3.0));
-        io_thread.finish(HANG).unwrap();
+        io_thread.finish(HANG, false).unwrap();
         assert_eq!(session::load(&paths.session_file()).session, Some(session_of(3.0)));
+    }
+
+    /// Another workbench that was stopped while it saved holds the lock for ever.
+    #[test]
+    fn a_forced_end_saves_beside_a_lock_that_another_holds() {
+        for saves_already in [false, true] {
+            let delay = if saves_already { Duration::ZERO } else { HANG };
+            let (_place, paths, io_thread, _inbox) = started(delay);
+            fs::create_dir_all(&paths.state).unwrap();
+            let lock = fs::File::create(paths.session_file().with_extension("lock")).unwrap();
+            lock.lock().unwrap();
+            io_thread.session_changed(session_of(2.0));
+            // The thread that saves has the fingerprint while it waits for the lock.
+            while saves_already && io_thread.unsaved.known.try_lock().is_ok() {
+                thread::yield_now();
+            }
+            assert_eq!(io_thread.finish(HANG, true), Ok(None));
+            assert_eq!(session::load(&paths.session_file()).session, Some(session_of(2.0)));
+            // So does the thread that ends the process by itself.
+            io_thread.session_changed(session_of(3.0));
+            let saved = io_thread.unsaved().save_at_once(HANG);
+            assert!(!matches!(saved, Some(Err(_))), "{saved:?}");
+            assert_eq!(session::load(&paths.session_file()).session, Some(session_of(3.0)));
+        }
     }
 
     #[test]

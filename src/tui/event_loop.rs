@@ -87,7 +87,7 @@ impl EventLoop {
         let unsaved = io_thread.unsaved();
         let left = signals::spawn(sender.clone(), move || {
             // The reader is gone.
-            let _ = unsaved.save();
+            let _ = unsaved.save_at_once(effects::SAVING);
             terminal::restore();
         })?;
         // Dropped when anything below fails, which restores the terminal.
@@ -127,17 +127,15 @@ impl EventLoop {
 
     /// Leave: save the session, restore the terminal, and give what a person should know of the session, if anything.
     pub(super) fn leave(mut self, ending: &ExitReason) -> Option<String> {
-        let patience = match ending {
-            ExitReason::Quit => FINISH_QUIT,
-            ExitReason::Signal(_) | ExitReason::Broken(_) => FINISH_FORCED,
-        };
+        let is_forced = !matches!(ending, ExitReason::Quit);
+        let patience = if is_forced { FINISH_FORCED } else { FINISH_QUIT };
         self.io_thread.session_changed(start::session(&self.app));
-        if matches!(ending, ExitReason::Quit) {
+        if !is_forced {
             self.await_arrival();
         }
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
-        match self.io_thread.finish(patience) {
+        match self.io_thread.finish(patience, is_forced) {
             Ok(aside) => aside.map(|aside| effects::of_another(&aside)),
             Err(why) => Some(format!("the session was not kept: {why}")),
         }

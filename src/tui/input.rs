@@ -6,7 +6,7 @@ use std::io;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::mpsc::Sender;
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::signals::{HUNG_UP, LoopEvent};
 use super::terminal;
@@ -27,7 +27,10 @@ pub(super) fn hold(env: impl Fn(&str) -> Option<String>) -> Duration {
 pub(super) fn spawn(inbox: Sender<LoopEvent>, hold: Duration) -> io::Result<()> {
     let reading = move || {
         let decoder = Decoder::new(hold);
-        let read = |buffer: &mut [u8], patience| terminal::read(buffer, patience);
+        let read = |buffer: &mut [u8], patience| {
+            let start = Instant::now();
+            Ok((terminal::read(buffer, patience)?, start.elapsed()))
+        };
         // What ends it, an error or a panic, is the end of the terminal.
         let _ = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, decoder, read)));
         // The loop may be over already.
@@ -37,16 +40,18 @@ pub(super) fn spawn(inbox: Sender<LoopEvent>, hold: Duration) -> io::Result<()> 
 }
 
 /// Pass on what comes until reading fails or the loop is over. `read` waits for bytes, at most as long as it is given, and gives
-/// their number; `None` when the time has passed.
+/// their number, `None` when the time has passed, and how long it has waited.
 fn listen(
     inbox: &Sender<LoopEvent>,
     mut decoder: Decoder,
-    mut read: impl FnMut(&mut [u8], Option<Duration>) -> io::Result<Option<usize>>,
+    mut read: impl FnMut(&mut [u8], Option<Duration>) -> io::Result<(Option<usize>, Duration)>,
 ) -> io::Result<()> {
     let mut buffer = [0; 4096];
     let mut found = Vec::new();
     loop {
-        match read(&mut buffer, decoder.patience())? {
+        let (count, waited) = read(&mut buffer, decoder.patience())?;
+        decoder.waited(waited);
+        match count {
             Some(count) => decoder.feed(&buffer[..count], &mut found),
             None => decoder.expire(&mut found),
         }
@@ -69,38 +74,99 @@ mod tests {
     use std::collections::VecDeque;
     use std::sync::mpsc;
 
-    use crossterm::event::KeyCode;
+    use crossterm::event::{KeyCode, KeyModifiers};
 
     use super::*;
 
     /// Decodes packets, each a number of milliseconds after the previous one.
     fn keys(hold: Duration, packets: &[(u64, &[u8])]) -> Vec<KeyCode> {
+        let code = |incoming| match incoming {
+            LoopEvent::Message(Message::Key(key)) => key.code,
+            _ => panic!("no key"),
+        };
+        events(hold, packets).into_iter().map(code).collect()
+    }
+
+    fn events(hold: Duration, packets: &[(u64, &[u8])]) -> Vec<LoopEvent> {
         let (send, inbox) = mpsc::channel();
         let mut rest: VecDeque<(Duration, &[u8])> =
             packets.iter().map(|(ms, bytes)| (Duration::from_millis(*ms), *bytes)).collect();
         let read = |buffer: &mut [u8], patience: Option<Duration>| {
             let Some((delay, bytes)) = rest.front_mut() else {
                 return match patience {
-                    Some(_) => Ok(None),
+                    Some(patience) => Ok((None, patience)),
                     None => Err(io::ErrorKind::UnexpectedEof.into()),
                 };
             };
             if let Some(patience) = patience.filter(|patience| *patience < *delay) {
                 *delay -= patience;
-                return Ok(None);
+                return Ok((None, patience));
             }
-            let bytes = *bytes;
+            let (delay, bytes) = (*delay, *bytes);
             rest.pop_front();
             buffer[..bytes.len()].copy_from_slice(bytes);
-            Ok(Some(bytes.len()))
+            Ok((Some(bytes.len()), delay))
         };
         listen(&send, Decoder::new(hold), read).unwrap_err();
         drop(send);
-        let code = |incoming| match incoming {
-            LoopEvent::Message(Message::Key(key)) => key.code,
-            _ => panic!("no key"),
+        inbox.iter().collect()
+    }
+
+    /// Whatever began, and however a person goes on to type, the keys are heard again after a while, an interrupt at once in a paste.
+    #[test]
+    fn no_sequence_without_an_end_keeps_the_keys() {
+        const TYPED: usize = 200;
+        let is_interrupt = |event: &LoopEvent| match event {
+            LoopEvent::Message(Message::Key(key)) => {
+                (key.code, key.modifiers) == (KeyCode::Char('c'), KeyModifiers::CONTROL)
+            }
+            _ => false,
         };
-        inbox.iter().map(code).collect()
+        let begun: [&[u8]; 9] = [
+            b"\x1b[200~",
+            b"\x1b[200~abc",
+            b"\x1b]11;",
+            b"\x1bP1",
+            b"\x1b_G",
+            b"\x1b[",
+            b"\x1b[1;",
+            b"\x1b]11;x\x1b",
+            b"\x1b[M",
+        ];
+        for begun in begun {
+            // Digits and letters, held down or typed as fast as can be.
+            for (every, key) in [(33, &b"j"[..]), (33, b"5"), (33, b";"), (100, b"j"), (150, b"5")]
+            {
+                let mut packets = vec![(0, begun)];
+                packets.extend(std::iter::repeat_n((every, key), TYPED));
+                let is_key =
+                    |event: &LoopEvent| matches!(event, LoopEvent::Message(Message::Key(_)));
+                let heard = events(ESCAPE_TIMEOUT, &packets).iter().filter(|it| is_key(it)).count();
+                // A paste may wait for 10 s in all, which are 435 keys that are held down.
+                let is_paste = begun.starts_with(b"\x1b[200~");
+                let least = if !is_paste {
+                    TYPED - 25
+                } else if every > 33 {
+                    TYPED - 120
+                } else {
+                    0
+                };
+                assert!(heard >= least, "{heard} keys after {begun:?}");
+            }
+        }
+        let cut: [&[u8]; 5] = [b"\x1b", b"\x1bO", b"\x1b[[", b"\xc3", b"\x1b[M "];
+        for begun in begun.iter().chain(&cut) {
+            let found = events(ESCAPE_TIMEOUT, &[(0, *begun), (33, b"\x03")]);
+            assert!(found.last().is_some_and(is_interrupt), "{begun:?}");
+        }
+        // A paste on a slow line, byte by byte.
+        let mut packets = vec![(0, &b"\x1b[200~"[..])];
+        packets.extend(std::iter::repeat_n((5, &b"x"[..]), 10_000));
+        packets.push((9_000, b"\x1b[201~"));
+        let pasted = events(ESCAPE_TIMEOUT, &packets);
+        assert!(
+            matches!(&pasted[..], [LoopEvent::Message(Message::Paste(text))] if text.len() == 10_000)
+        );
     }
 
     #[test]

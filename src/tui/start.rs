@@ -425,14 +425,16 @@ mod tests {
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));
         // Nothing in it that a preset does not have: nothing to keep.
-        session::save(&paths.session_file(), &last, &mut SessionFingerprint::default()).unwrap();
+        session::save(&paths.session_file(), &last, &mut SessionFingerprint::default(), &|| true)
+            .unwrap();
         let (state, _) = app(FRESH, Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(state.files.recent, last.recent);
         assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
-        session::save(&paths.session_file(), &last, &mut SessionFingerprint::default()).unwrap();
+        session::save(&paths.session_file(), &last, &mut SessionFingerprint::default(), &|| true)
+            .unwrap();
         let (state, _) = app(FRESH, Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let text = state.pages.log.messages.last().unwrap().text.clone();
@@ -461,6 +463,7 @@ mod tests {
                 &paths.session_file(),
                 &session_of(first),
                 &mut SessionFingerprint::default(),
+                &|| true,
             )
             .unwrap();
             app(FRESH, Some(&paths));

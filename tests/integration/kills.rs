@@ -61,7 +61,7 @@ fn writes_until_it_is_killed() {
             .write(text.as_bytes(), &export::scenes(&exported), true)
             .unwrap();
         preset::save(&paths, "mine", &scene, OverwritePolicy::Replace).unwrap();
-        session::save(&paths.session_file(), &session_of(scene), &mut known).unwrap();
+        session::save(&paths.session_file(), &session_of(scene), &mut known, &|| true).unwrap();
         let (rows, beside) = table(state);
         let mut growing =
             PartialFile::begin(&place.join("sweep.csv"), OverwritePolicy::Replace).unwrap();

@@ -323,8 +323,8 @@ fn a_table_that_does_not_rise_is_refused_at_its_place() {
 
 #[test]
 fn a_measured_curve_is_read_from_its_file_and_kept_in_the_scene() {
-    let folder = std::env::temp_dir().join(format!("cmra-table-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path();
     std::fs::write(folder.join("curve.csv"), "x_m,force_n\n0,0\n0.002,900\n0.01,1500\n").unwrap();
     let path = folder.join("scene.toml");
     let text = "format = 1\n[mechanism.spring]\nkind = \"table\"\ntable.file = \"curve.csv\"\n";
@@ -341,13 +341,12 @@ fn a_measured_curve_is_read_from_its_file_and_kept_in_the_scene() {
     for word in ["curve.csv", "line 3", "0.002 900", "0.01,1000"] {
         assert!(told.contains(word), "{told}");
     }
-    std::fs::remove_dir_all(&folder).unwrap();
 }
 
 #[test]
 fn a_measured_curve_is_taken_from_the_command_line() {
-    let folder = std::env::temp_dir().join(format!("cmra-set-table-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path();
     let file = folder.join("curve.csv");
     // The baseline's spring as measured points: the same answer.
     std::fs::write(&file, "x_m,force_n\n0,0\n0.02,2000\n0.1,10000\n").unwrap();
@@ -374,7 +373,6 @@ fn a_measured_curve_is_taken_from_the_command_line() {
         let told = String::from_utf8(refused.stderr).unwrap();
         assert!(words.iter().all(|word| told.contains(word)), "{told}");
     }
-    std::fs::remove_dir_all(&folder).unwrap();
 }
 
 #[test]

@@ -126,6 +126,29 @@ fn a_hangup_ends_the_process_and_keeps_the_session() {
     }
 }
 
+/// A workbench that was stopped while it saved holds the lock for ever.
+#[test]
+fn edits_reach_the_disk_beside_a_lock_that_another_holds() {
+    for hangs_up in [true, false] {
+        let home = tempfile::tempdir().unwrap();
+        let folder = home.path().join("state/cmra");
+        fs::create_dir_all(&folder).unwrap();
+        let lock = fs::File::create(folder.join("session.lock")).unwrap();
+        lock.lock().unwrap();
+        let mut terminal = Terminal::start_with(Start { home: Some(home), ..Start::default() });
+        terminal.wait_for(DONE);
+        shoot_at_150(&mut terminal);
+        if hangs_up {
+            terminal.hang_up();
+        } else {
+            terminal.signal(Signal::TERM);
+        }
+        assert_eq!(terminal.wait_exit().exit_code(), if hangs_up { 129 } else { 143 });
+        let kept = fs::read_to_string(terminal.session_file()).expect("the session was saved");
+        assert!(kept.contains("150"), "{kept}");
+    }
+}
+
 #[test]
 fn signals_end_the_process_with_the_terminal_restored() {
     for (signal, code) in

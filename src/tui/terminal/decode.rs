@@ -15,6 +15,13 @@ const REST: Duration = Duration::from_millis(500);
 /// A paste whose end does not come is over after this silence.
 const PASTE_REST: Duration = Duration::from_secs(10);
 
+/// What a byte adds to the time that is left: the slowest lines bring 200 a second, and a key that is held down repeats 30 times a
+/// second. So keys cannot keep a sequence alive whose end was lost.
+const PER_BYTE: Duration = Duration::from_millis(10);
+
+/// The interrupt, Ctrl-C.
+const INTERRUPT: u8 = 0x03;
+
 /// More bytes than any sequence that is known here.
 const LONGEST: usize = 64;
 
@@ -56,20 +63,32 @@ pub(in crate::tui) struct Decoder {
     state: State,
     /// How long a lone escape may be the beginning of a sequence.
     hold: Duration,
+    /// How long what has begun may still take.
+    left: Duration,
 }
 
 impl Decoder {
     pub(in crate::tui) fn new(hold: Duration) -> Self {
-        Self { state: State::Ground, hold }
+        Self { state: State::Ground, hold, left: Duration::ZERO }
     }
 
     /// How long to wait for the next byte before calling [`Decoder::expire`]; `None`: for ever.
     pub(in crate::tui) fn patience(&self) -> Option<Duration> {
+        (self.state != State::Ground).then_some(self.left)
+    }
+
+    /// Note how long the last bytes were waited for.
+    pub(in crate::tui) fn waited(&mut self, time: Duration) {
+        self.left = self.left.saturating_sub(time);
+    }
+
+    /// The most that a state may take to go on.
+    fn longest(&self) -> Duration {
         match self.state {
-            State::Ground => None,
-            State::Escape => Some(self.hold),
-            State::Paste(_) => Some(PASTE_REST),
-            _ => Some(REST),
+            State::Ground => Duration::ZERO,
+            State::Escape => self.hold,
+            State::Paste(_) => PASTE_REST,
+            _ => REST,
         }
     }
 
@@ -90,8 +109,16 @@ impl Decoder {
 
     /// Takes bytes as they have come, however many.
     pub(in crate::tui) fn feed(&mut self, bytes: &[u8], out: &mut Vec<Input>) {
+        // A paste whose end was lost does not swallow an interrupt that comes by itself, as keys do.
+        if bytes == [INTERRUPT] && matches!(self.state, State::Paste(_)) {
+            self.expire(out);
+        }
         for byte in bytes {
+            let before = std::mem::discriminant(&self.state);
             self.take(*byte, out);
+            let (more, longest) = (self.left + PER_BYTE, self.longest());
+            let goes_on = std::mem::discriminant(&self.state) == before;
+            self.left = if goes_on { more.min(longest) } else { longest };
         }
     }
 
@@ -101,7 +128,6 @@ impl Decoder {
             State::Character(bytes) => self.character(bytes, byte, out),
             State::Escape => self.after_escape(byte, out),
             State::Control(rest) => self.control(rest, byte, out),
-            State::Single => self.single(byte, out),
             // Esc and the next keys, pressed at the same time.
             State::Text(introducer, false) if !may_begin(introducer, byte) => {
                 out.push(character(char::from(introducer), KeyModifiers::ALT));
@@ -127,6 +153,11 @@ impl Decoder {
                     None => self.state = State::Paste(text),
                 }
             }
+            // What follows `ESC O` and `ESC [ [`, and coordinates, are characters: the end was lost.
+            State::Single | State::Console | State::Click(_) if byte < b' ' && byte != 0x1b => {
+                self.ground(byte, KeyModifiers::NONE, out);
+            }
+            State::Single => self.single(byte, out),
             State::Click(1) => {}
             State::Click(left) => self.state = State::Click(left - 1),
             State::Console => {

@@ -38,12 +38,13 @@ fn report(info: &PanicHookInfo<'_>) -> String {
     )
 }
 
-/// Leave the report in a file.
+/// Leave the report in a file of its own.
 fn written(report: &str, directory: Option<&Path>) -> Option<PathBuf> {
     let directory = directory?;
-    let path = directory.join(format!("panic-{}.txt", std::process::id()));
     fs::create_dir_all(directory).ok()?;
-    fs::write(&path, report).ok()?;
+    let named = tempfile::Builder::new().prefix("panic-").suffix(".txt").tempfile_in(directory);
+    let (mut file, path) = named.ok()?.keep().ok()?;
+    file.write_all(report.as_bytes()).ok()?;
     Some(path)
 }
 
@@ -140,6 +141,13 @@ mod tests {
         assert!(!text.contains("deliberate"), "{text}");
         let report = fs::read_dir(place.path()).unwrap().next().unwrap().unwrap().path();
         assert!(fs::read_to_string(report).unwrap().contains("deliberate"));
+    }
+
+    #[test]
+    fn no_report_replaces_another() {
+        let place = tempfile::tempdir().unwrap();
+        let paths = ["first", "second"].map(|text| written(text, Some(place.path())).unwrap());
+        assert_eq!(paths.map(|path| fs::read_to_string(path).unwrap()), ["first", "second"]);
     }
 
     fn take_over() -> Guard {
