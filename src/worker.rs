@@ -19,7 +19,7 @@ use std::time::Duration;
 
 use clock::Clock;
 use reporter::Reporter;
-use studies::{Asked, Finding, Found, SearchRequest};
+use studies::{ResultVariant, SearchRequest, StudyRequest, StudyResult};
 
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::context::{Answer, CancelFlag, SharedCores};
@@ -44,13 +44,13 @@ pub struct Task {
     /// Time after which the task ends with the part done so far; `None`: runs to its end.
     pub budget: Option<Duration>,
     pub scene: Arc<Scene>,
-    pub asked: Asked,
+    pub request: StudyRequest,
 }
 
 impl Task {
     /// Whose result it is.
     pub fn slot(&self) -> Slot {
-        self.asked.slot(self.page)
+        self.request.slot(self.page)
     }
 }
 
@@ -71,9 +71,9 @@ pub enum Slot {
 
 /// Type of a study, without its request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct StudyKind(Discriminant<Asked>, Option<Discriminant<SearchRequest>>);
+pub struct StudyKind(Discriminant<StudyRequest>, Option<Discriminant<SearchRequest>>);
 
-impl Asked {
+impl StudyRequest {
     /// Whose result it is when a page asks for it.
     pub fn slot(&self, page: Page) -> Slot {
         match self {
@@ -88,7 +88,7 @@ impl Asked {
 }
 
 #[derive(Clone, Debug)]
-pub struct Report {
+pub struct TaskReport {
     /// Identifier of the task.
     pub id: u64,
     pub body: ReportBody,
@@ -102,19 +102,19 @@ pub enum ReportBody {
         elapsed: Duration,
     },
     /// Partial result of a running task.
-    Part(Answer<Found>),
+    Part(Answer<StudyResult>),
     /// Final result, or the partial result of a stopped task; `None` if it had none.
-    Ended(Option<Answer<Found>>),
+    Ended(Option<Answer<StudyResult>>),
     /// Failure to start, or a panic; the text is for the message row.
     Failed(String),
 }
 
 impl ReportBody {
     /// The result, or the partial result, if it has this type.
-    pub fn found<T: Finding>(&self) -> Option<Answer<Arc<T>>> {
+    pub fn found<T: ResultVariant>(&self) -> Option<Answer<Arc<T>>> {
         match self {
             Self::Part(answer) | Self::Ended(Some(answer)) => {
-                let report = Arc::clone(T::of(&answer.report)?);
+                let report = Arc::clone(T::downcast(&answer.report)?);
                 Some(Answer { report, reach: answer.reach, elapsed: answer.elapsed })
             }
             _ => None,
@@ -135,10 +135,10 @@ pub enum JobProgress {
 }
 
 /// Where reports go; called on the threads and on the submitting one.
-type Sink = dyn Fn(Report) + Send + Sync;
+type Sink = dyn Fn(TaskReport) + Send + Sync;
 
 /// Does a task.
-type Make = fn(&Task, &Reporter<'_>) -> Result<Found, Box<dyn Error>>;
+type Make = fn(&Task, &Reporter<'_>) -> Result<StudyResult, Box<dyn Error>>;
 
 /// The owner of the jobs, which are cancelled when this is dropped.
 pub struct Worker {
@@ -172,12 +172,12 @@ impl Jobs {
 
 impl Worker {
     /// Start without a job; `sink` is given every report.
-    pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> Self {
-        Self::with(clock::wall(), |task, reporter| task.asked.make(&task.scene, reporter), sink)
+    pub fn spawn(sink: impl Fn(TaskReport) + Send + Sync + 'static) -> Self {
+        Self::with(clock::wall(), |task, reporter| task.request.make(&task.scene, reporter), sink)
     }
 
     /// Builds a worker with another clock, which times progress and partial results, and another function for tasks.
-    fn with(clock: Clock, make: Make, sink: impl Fn(Report) + Send + Sync + 'static) -> Self {
+    fn with(clock: Clock, make: Make, sink: impl Fn(TaskReport) + Send + Sync + 'static) -> Self {
         let (jobs, cores) = (Mutex::default(), SharedCores::new(cores()));
         Self { shared: Arc::new(Shared { jobs, cores, clock, make, sink: Box::new(sink) }) }
     }
@@ -194,7 +194,7 @@ impl Worker {
         if let Err(error) = thread::Builder::new().name(format!("job {id}")).spawn(run) {
             self.shared.lock().running.retain(|job| job.0 != id);
             let text = format!("the system starts no more threads: {error}");
-            (self.shared.sink)(Report { id, body: ReportBody::Failed(text) });
+            (self.shared.sink)(TaskReport { id, body: ReportBody::Failed(text) });
         }
     }
 
@@ -219,7 +219,7 @@ impl Shared {
 
     fn run(&self, task: &Task, cancel: &CancelFlag) {
         let begun = (self.clock)();
-        let send = |body| (self.sink)(Report { id: task.id, body });
+        let send = |body| (self.sink)(TaskReport { id: task.id, body });
         // The run of the edited scene takes a core of its own from the studies.
         let user = self.cores.enter();
         let reporter = Reporter::new(self, task, &send, cancel);

@@ -52,7 +52,7 @@ pub(crate) struct Equations {
 
 impl Equations {
     /// Builds the equations of a scene.
-    pub(crate) fn of(scene: &Scene) -> Self {
+    pub(crate) fn from_scene(scene: &Scene) -> Self {
         let (m, r, v) = (
             scene.projectile.mass_kg,
             scene.projectile.tip_radius_m,

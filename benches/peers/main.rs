@@ -83,8 +83,8 @@ fn contacts(out: &mut impl Write, asked: &[String]) -> std::io::Result<()> {
 
 fn row(out: &mut impl Write, name: &str, pairs: &str) -> std::io::Result<()> {
     let base = scene(pairs, 1e-9);
-    let reference = Reference::of(name, &base);
-    let equations = Equations::of(&base);
+    let reference = Reference::new(name, &base);
+    let equations = Equations::from_scene(&base);
     let path = first_contact(&base).map_or("none", |end| end.kernel);
     let Some(own) = tune(|tolerance| ours(pairs, tolerance), |end| reference.error(end)) else {
         return writeln!(out, "{name:5} {path:6} no answer at any tolerance");

@@ -10,7 +10,7 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::changed;
 use cmra_studies::report::accuracy::{TARGETS, gain, seconds};
 use cmra_studies::study::accuracy::method::Method;
-use cmra_studies::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
+use cmra_studies::study::accuracy::{AccuracyReport, ComparisonOptions, MethodReport, compare};
 use cmra_studies::study::context::Context;
 
 /// Name and changes to the default scene.
@@ -36,7 +36,7 @@ const OTHERS: [Method; 4] =
 pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
     // The first scene once more than the others, while the processor takes up speed.
     let _ = report(SCENES[0].1);
-    let reports: Vec<(&str, Report)> =
+    let reports: Vec<(&str, AccuracyReport)> =
         SCENES.iter().map(|(name, changes)| (*name, report(changes))).collect();
     write!(out, "\n| scene | changes | as shown | auto to 1e-6 | auto to 1e-9 | least error |")?;
     for method in OTHERS {
@@ -50,7 +50,7 @@ pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
             cell(by(method).and_then(|it| it.cheapest(target)).map(|found| found.min_s))
         };
         let [loose, tight] = TARGETS;
-        let least = by(Method::Auto).and_then(MethodReport::least_error);
+        let least = by(Method::Auto).and_then(MethodReport::min_error);
         let least = least.map_or_else(|| "-".to_owned(), |error| format!("{error:.0e}"));
         let (shown, one, other) =
             (cell(report.run_s), to(Method::Auto, loose), to(Method::Auto, tight));
@@ -77,11 +77,11 @@ pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
     Ok(())
 }
 
-fn report(changes: &str) -> Report {
+fn report(changes: &str) -> AccuracyReport {
     let scene = Arc::new(changed(Scene::default(), changes).expect("a valid scene"));
     let start = Instant::now();
     let clock = &mut || start.elapsed().as_secs_f64();
-    let watch = &mut |_, _: Option<&Report>| ControlFlow::Continue(());
+    let watch = &mut |_, _: Option<&AccuracyReport>| ControlFlow::Continue(());
     compare(&scene, ComparisonOptions::FULL, clock, &mut Context::new(1, watch))
         .expect("a valid scene")
 }

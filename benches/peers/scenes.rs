@@ -50,7 +50,7 @@ pub(crate) struct Reference {
 
 impl Reference {
     /// The stored digits; else DOP853 at 1e-14 on the simulation's loop; of a plate that provably cannot move, on a rigid mount.
-    pub(crate) fn of(name: &str, scene: &Scene) -> Self {
+    pub(crate) fn new(name: &str, scene: &Scene) -> Self {
         if let Some(row) = Stored::rows().find(|row| row.name == name) {
             let depth_m = (row.outcome == Outcome::Arrested).then_some(row.depth_m);
             return Self { t_s: row.t_s, depth_m, source: "stored digits" };

@@ -19,7 +19,7 @@ use cmra_studies::study::parallel::{self, Work, cores};
 use cmra_studies::study::quantities::named;
 use cmra_studies::study::sweep::evaluate::{Evaluator, Point};
 use cmra_studies::study::sweep::grid::PIECE;
-use cmra_studies::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
+use cmra_studies::study::sweep::{Axis, DEFAULT_OUTPUTS, Plan, Spacing};
 
 use crate::equations::Equations;
 use crate::explicit;
@@ -98,7 +98,7 @@ fn linear(out: &mut impl Write) -> std::io::Result<()> {
         let axes = [axis("gamma", (0.8, 7.0)), axis("k", (0.0, 7.5e6))];
         let axes = axes.into_iter().collect::<Result<_, _>>().expect("sound axes");
         let scene = at(&Scene::default(), 1e-6);
-        let plan = Plan::new(&scene, axes, &USUAL_OUTPUTS).expect("sound");
+        let plan = Plan::new(&scene, axes, &DEFAULT_OUTPUTS).expect("sound");
         let time_s = (0..3).map(|_| seconds(|| drop(rows(&plan, 1)))).fold(f64::MAX, f64::min);
         let points = plan.points() as f64;
         writeln!(out, "{points:9.0} runs  {time_s:9.5} s  {:10.0} runs/s", points / time_s)?;
@@ -136,7 +136,7 @@ fn rows(plan: &Plan, threads: usize) -> Vec<Point> {
 
 /// (point, outputs) by the full simulation.
 fn simulated(plan: &Plan) -> Vec<(usize, [Option<f64>; 2])> {
-    let columns = USUAL_OUTPUTS.map(|name| named(name).expect("a result"));
+    let columns = DEFAULT_OUTPUTS.map(|name| named(name).expect("a result"));
     let settings = Settings::BARE;
     let mut known = Vec::new();
     for index in (0..plan.points()).step_by(CHECKED) {
@@ -194,7 +194,7 @@ fn peer(plan: &Plan) -> f64 {
         let mut errors = Vec::new();
         time_s = 0.0;
         for (scene, exact) in scenes.iter().zip(&exact) {
-            let mut job = explicit::dop853(&Equations::of(scene), tolerance);
+            let mut job = explicit::dop853(&Equations::from_scene(scene), tolerance);
             let start = Instant::now();
             let outcome = job();
             time_s += start.elapsed().as_secs_f64();

@@ -20,7 +20,7 @@ use cmra_studies::report::accuracy::{
 };
 use cmra_studies::study::accuracy::method::Method;
 use cmra_studies::study::accuracy::reference::Reference;
-use cmra_studies::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
+use cmra_studies::study::accuracy::{AccuracyReport, ComparisonOptions, MethodReport, compare};
 use cmra_studies::study::context::Reach;
 
 const SIZE: draw::Size = (80, 20);
@@ -61,7 +61,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     })))
 }
 
-fn page(name: &str, report: &Report, reach: Reach) -> String {
+fn page(name: &str, report: &AccuracyReport, reach: Reach) -> String {
     let mut page = format!("{name}: error against run time\n\n");
     if reach.is_complete() {
         let _ = writeln!(page, "{}", advice(report));
@@ -88,7 +88,7 @@ fn page(name: &str, report: &Report, reach: Reach) -> String {
 }
 
 /// The run times for some accuracies, and what is gained by leaving out parts of a run.
-fn answers(page: &mut String, report: &Report) {
+fn answers(page: &mut String, report: &AccuracyReport) {
     page.push_str("\nrun time for a given accuracy\n");
     for target in ANSWERS {
         let found = report.cheapest(target).map_or_else(
@@ -103,7 +103,7 @@ fn answers(page: &mut String, report: &Report) {
     }
 }
 
-fn references(page: &mut String, report: &Report) {
+fn references(page: &mut String, report: &AccuracyReport) {
     page.push_str("\nreferences (depth, time, relative uncertainty: methods)\n");
     let mut compared: Vec<(Reference, String)> = Vec::new();
     for method in &report.methods {
@@ -129,7 +129,7 @@ fn references(page: &mut String, report: &Report) {
     }
 }
 
-fn refusals(page: &mut String, report: &Report) {
+fn refusals(page: &mut String, report: &AccuracyReport) {
     let mut heading = "\nwithout result\n";
     for method in &report.methods {
         for (words, points) in method.refusals() {

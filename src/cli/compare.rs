@@ -16,8 +16,8 @@ use cmra_engine::model::units::{fixed_significant, significant};
 use cmra_studies::report::compare as tables;
 use cmra_studies::report::compare::beside;
 use cmra_studies::report::svg::Picture;
-use cmra_studies::study::compare::map::{COUNT_USUAL, Map, usual_axis};
-use cmra_studies::study::compare::{Candidate, Hardware, Report, Request, compare};
+use cmra_studies::study::compare::map::{DEFAULT_COUNT, Map, default_axis};
+use cmra_studies::study::compare::{Candidate, ComparisonReport, Hardware, Request, compare};
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::validity;
 
@@ -109,9 +109,9 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     };
     let axis = |part: &str| {
         if part.contains('=') {
-            Axis::read_range(part, Some(COUNT_USUAL), &COUNTS)
+            Axis::read_range(part, Some(DEFAULT_COUNT), &COUNTS)
         } else {
-            usual_axis(scene, part, COUNT_USUAL)
+            default_axis(scene, part, DEFAULT_COUNT)
         }
     };
     let (x, y) = (axis(x)?, axis(y)?);
@@ -124,7 +124,7 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     Ok([x, y])
 }
 
-fn page(name: &str, report: &Report) -> String {
+fn page(name: &str, report: &ComparisonReport) -> String {
     let projectile = &report.scene.projectile;
     let [gram, v] = [1e3 * projectile.mass_kg, projectile.velocity_m_s]
         .map(|value| fixed_significant(value, 4));
@@ -149,9 +149,9 @@ fn page(name: &str, report: &Report) -> String {
     page
 }
 
-fn masses(page: &mut String, report: &Report) {
+fn masses(page: &mut String, report: &ComparisonReport) {
     let gram = |kg: f64| fixed_significant(1e3 * kg, 3);
-    let own = report.of(Candidate::Scene);
+    let own = report.entry(Candidate::Scene);
     let known = own.and_then(|own| own.spring_kg);
     let spring = match known {
         Some(kg) if report.spring_is_own => format!("{} g, the scene's own", gram(kg)),

@@ -62,7 +62,7 @@ fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
     let left = 0.5 * (m + m_2) * common * common;
     let drawn = Mechanism::from_scene(scene).spring.energy(0.0 - scene.plate.cocking_m);
     let both = left + drawn;
-    let known = scene.mechanism.least_spring_kg(Some(both)).filter(|_| scene.is_sprung());
+    let known = scene.mechanism.min_spring_kg(Some(both)).filter(|_| scene.is_sprung());
     let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
     let stone = design::stone_depth_m(m, v, r, rho, c_t.unwrap_or(1.0));
     let rod_m = design::rod_length_m(&scene.projectile);

@@ -14,7 +14,7 @@ use crate::tui::theme::Theme;
 use cmra_engine::model::units::velocity;
 use cmra_studies::report::limit::{self, meaning, remarks, residual, taken_to_hold};
 use cmra_studies::report::svg::Picture;
-use cmra_studies::study::limit::{COMMAND, Limit, Report, find};
+use cmra_studies::study::limit::{COMMAND, Limit, LimitReport, find};
 
 #[derive(Debug, Args)]
 pub(super) struct LimitArguments {
@@ -49,7 +49,7 @@ const HEIGHT: u16 = 18;
 /// Columns of a label.
 const LABEL: usize = 16;
 
-fn page(name: &str, report: &Report) -> String {
+fn page(name: &str, report: &LimitReport) -> String {
     let mut page = format!("{name}: ballistic limit\n\n");
     head(&mut page, report);
     if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s) {
@@ -62,7 +62,7 @@ fn page(name: &str, report: &Report) -> String {
     page
 }
 
-fn head(page: &mut String, report: &Report) {
+fn head(page: &mut String, report: &LimitReport) {
     let own = report.scene.projectile.velocity_m_s;
     *page += &hanging("verdict         ", &limit::answer(report), LABEL);
     let expected = report.verdict().expected;

@@ -13,7 +13,7 @@ use cmra_engine::model::scene::Scene;
 use cmra_studies::report::monte_carlo::{self, perforation, table};
 use cmra_studies::report::verdict::sentence;
 use cmra_studies::study::context::Reach;
-use cmra_studies::study::monte_carlo::{LIMIT, Report, Request, Tolerance, run as study};
+use cmra_studies::study::monte_carlo::{LIMIT, MonteCarloReport, Request, Tolerance, run as study};
 use cmra_studies::study::quantities::{Quantity, named};
 use cmra_studies::study::sweep::PointOutcome;
 use cmra_studies::study::verdict::Verdict;
@@ -99,7 +99,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let report = report?;
     let name = preset.name.as_str();
     let warnings = monte_carlo::warnings(&preset.scene, &report);
-    let verdict = Verdict::of(&preset.scene);
+    let verdict = Verdict::from_scene(&preset.scene);
     let by_law = report.nominal.and_then(|outcome| match outcome {
         PointOutcome::Ended(outcome) => Some(outcome),
         PointOutcome::Failed(_) => None,
@@ -114,7 +114,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     Ok(extent.exit_code_after(failed))
 }
 
-fn page(name: &str, report: &Report, (answer, reach): (&str, Reach)) -> String {
+fn page(name: &str, report: &MonteCarloReport, (answer, reach): (&str, Reach)) -> String {
     let early = if reach.is_complete() { "" } else { ", stopped early" };
     let mut page =
         format!("{name}: {} samples, seed {}{early}\n{answer}\n\n", report.samples, report.seed);

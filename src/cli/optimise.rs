@@ -14,7 +14,7 @@ use cmra_studies::report::front;
 use cmra_studies::report::table::{Cells, grid};
 use cmra_studies::study::context::Reach;
 use cmra_studies::study::search::front::{
-    Constraint, Objective, Report, Request, SAMPLES, STEPS_MAX, run as search, usual_bounds,
+    Constraint, FrontReport, Objective, Request, SAMPLES, STEPS_MAX, default_bounds, run as search,
 };
 use cmra_studies::study::sweep::Spacing;
 
@@ -81,7 +81,7 @@ impl OptimiseArguments {
         let is_named = !self.subject_to.is_empty();
         Ok(Request {
             over: axes(&self.over)?,
-            subject_to: if is_named { named } else { usual_bounds(&objectives) },
+            subject_to: if is_named { named } else { default_bounds(&objectives) },
             objectives,
             is_feasible: !self.no_feasibility,
             samples: self.samples,
@@ -111,7 +111,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     Ok(extent.exit_code(!front.designs.is_empty()))
 }
 
-fn page(name: &str, front: &Report, reach: Reach) -> String {
+fn page(name: &str, front: &FrontReport, reach: Reach) -> String {
     let request = &front.request;
     let objective = |it: &Objective| {
         let most = if it.maximise { "greatest " } else { "least " };
@@ -135,7 +135,7 @@ fn page(name: &str, front: &Report, reach: Reach) -> String {
     page
 }
 
-fn designs(page: &mut String, front: &Report, reach: Reach) {
+fn designs(page: &mut String, front: &FrontReport, reach: Reach) {
     let count = front.designs.len();
     let kind = match (front.request.objectives.len(), count) {
         (_, 0) if front.lacks.iter().any(|it| it.count == front.runs) => "no design".to_owned(),

@@ -10,7 +10,9 @@ use crate::cli::study::StudyArguments;
 use cmra_engine::model::units::shortest;
 use cmra_studies::report::seek::{self, remarks, solution};
 use cmra_studies::study::context::Reach;
-use cmra_studies::study::search::seek::{Goal, Report, Request, SCAN, SCAN_USUAL, run as solve};
+use cmra_studies::study::search::seek::{
+    DEFAULT_SCAN, Goal, Request, SCAN, SeekReport, run as solve,
+};
 use cmra_studies::study::sweep::{Axis, Spacing};
 
 #[derive(Debug, Args)]
@@ -41,7 +43,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let refuse = |why| CliError::Option(format!("--goal {}: {why}", arguments.goal));
     let goal: Goal = arguments.goal.parse().map_err(refuse)?;
     let request =
-        Request { over: Axis::read_range(&arguments.over, Some(SCAN_USUAL), &SCAN)?, goal };
+        Request { over: Axis::read_range(&arguments.over, Some(DEFAULT_SCAN), &SCAN)?, goal };
     let preset = arguments.study.load()?;
     let (report, extent) =
         arguments.study.run("runs", |context| solve(&preset.scene, &request, context));
@@ -62,7 +64,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
 }
 
 /// The page.
-fn page(name: &str, report: &Report, reach: Reach) -> String {
+fn page(name: &str, report: &SeekReport, reach: Reach) -> String {
     let axis = &report.axis;
     let (low, high) = axis.ends();
     let spacing = if axis.spacing() == Spacing::Log { ", at equal ratios" } else { "" };

@@ -11,7 +11,9 @@ use crate::cli::{CliError, Glyphs};
 use crate::tui::theme::GlyphSet;
 use cmra_studies::report::sensitivity::{self, ASCII, BLOCKS, table};
 use cmra_studies::study::quantities::named;
-use cmra_studies::study::sensitivity::{Effect, OUTPUT, Report, Request, run as analyse};
+use cmra_studies::study::sensitivity::{
+    Effect, OUTPUT, Request, SensitivityReport, run as analyse,
+};
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::validity;
 
@@ -60,7 +62,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     Ok(extent.exit_code(!report.is_empty()))
 }
 
-fn page(name: &str, report: &Report, levels: [char; 8], is_usual: bool) -> String {
+fn page(name: &str, report: &SensitivityReport, levels: [char; 8], is_usual: bool) -> String {
     let own = report.output.show_any(report.own.and_then(|own| own.result), 4);
     let mut page = format!("{name}: what {} depends on\n", report.output.title());
     let _ = writeln!(page, "the scene itself: {own}");

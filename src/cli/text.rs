@@ -6,7 +6,7 @@ use crate::cli::draw;
 use crate::tui::widgets::text::wrap;
 
 /// Columns of a page that is not a terminal's, and the most and the fewest of any.
-const USUAL: usize = 80;
+const DEFAULT_WIDTH: usize = 80;
 const WIDTHS: (usize, usize) = (40, 120);
 
 /// Whether a person reads the page as it is printed: it does not go to a file or a pipe.
@@ -17,9 +17,9 @@ pub(super) fn is_screen() -> bool {
 /// Columns to write for.
 pub(super) fn width() -> usize {
     if !is_screen() {
-        return USUAL;
+        return DEFAULT_WIDTH;
     }
-    let size = crossterm::terminal::size().map_or(USUAL, |size| usize::from(size.0));
+    let size = crossterm::terminal::size().map_or(DEFAULT_WIDTH, |size| usize::from(size.0));
     size.clamp(WIDTHS.0, WIDTHS.1)
 }
 
@@ -77,7 +77,7 @@ mod tests {
         for (lead, indent) in [("  name    ", 10), ("    ", 6), ("", 2), (wide.as_str(), 2)] {
             let text = format!("short\n{lead}{words}\n");
             let page = fitted(&text);
-            assert!(page.lines().all(|line| line.len() <= USUAL), "{page}");
+            assert!(page.lines().all(|line| line.len() <= DEFAULT_WIDTH), "{page}");
             let second = page.lines().nth(2).unwrap();
             assert_eq!(second.len() - second.trim_start().len(), indent);
             let all = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();

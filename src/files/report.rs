@@ -36,7 +36,7 @@ pub fn is_report(path: &Path) -> bool {
 pub fn html(
     (name, scene): (&str, &Scene),
     run: &Run,
-    limit: &limit::Report,
+    limit: &limit::LimitReport,
     sweep: Option<&Grid>,
 ) -> String {
     let title = clean::line(&scene.title);
@@ -121,7 +121,7 @@ fn results(page: &mut Document, run: &Run) {
 }
 
 /// The ballistic limit with its curve.
-fn ballistic_limit(page: &mut Document, report: &limit::Report) {
+fn ballistic_limit(page: &mut Document, report: &limit::LimitReport) {
     let mut lines = Vec::new();
     lines.push(format!("verdict: {}", answer(report)));
     let expected = report.verdict().expected;

@@ -324,7 +324,7 @@ mod tests {
     use cmra_engine::model::scene::PlateSize;
 
     /// A session with this mass ratio.
-    fn of(ratio: f64) -> Session {
+    fn session(ratio: f64) -> Session {
         let mut session = Session::default();
         session.scene.plate.size = PlateSize::Ratio(ratio);
         session.scene.notes = "two\nlines and ''' quotes".to_owned();
@@ -338,7 +338,7 @@ mod tests {
     }
 
     fn example() -> Session {
-        of(0.1 + 0.2)
+        session(0.1 + 0.2)
     }
 
     /// A folder, and the path of a session in it.
@@ -365,20 +365,20 @@ mod tests {
     fn the_scene_of_another_workbench_is_kept() {
         let (place, path) = place();
         let count = || recent::list(&place.path().join("recent")).len();
-        save(&path, &of(1.0), &mut SessionFingerprint::default(), &|| true).unwrap();
+        save(&path, &session(1.0), &mut SessionFingerprint::default(), &|| true).unwrap();
         let (mut first, mut second) = (load(&path).known, load(&path).known);
         // The second one saves; the first one has done nothing since and leaves.
-        assert_eq!(save(&path, &of(2.0), &mut second, &|| true).unwrap(), None);
-        assert_eq!(save(&path, &of(1.0), &mut first, &|| true).unwrap(), None);
-        assert_eq!((load(&path).session, count()), (Some(of(2.0)), 0));
+        assert_eq!(save(&path, &session(2.0), &mut second, &|| true).unwrap(), None);
+        assert_eq!(save(&path, &session(1.0), &mut first, &|| true).unwrap(), None);
+        assert_eq!((load(&path).session, count()), (Some(session(2.0)), 0));
         // It goes on working.
-        let aside = save(&path, &of(3.0), &mut first, &|| true).unwrap().unwrap();
-        assert_eq!(kept(&aside), Some(of(2.0)));
-        assert_eq!((load(&path).session, count()), (Some(of(3.0)), 1));
+        let aside = save(&path, &session(3.0), &mut first, &|| true).unwrap().unwrap();
+        assert_eq!(kept(&aside), Some(session(2.0)));
+        assert_eq!((load(&path).session, count()), (Some(session(3.0)), 1));
         // Someone took the file away: it is written again.
         fs::remove_file(&path).unwrap();
-        assert_eq!(save(&path, &of(3.0), &mut first, &|| true).unwrap(), None);
-        assert_eq!(load(&path).session, Some(of(3.0)));
+        assert_eq!(save(&path, &session(3.0), &mut first, &|| true).unwrap(), None);
+        assert_eq!(load(&path).session, Some(session(3.0)));
     }
 
     /// A workbench that runs beside another keeps its last scene and removes no older ones.
@@ -386,15 +386,15 @@ mod tests {
     fn two_that_work_in_turn_leave_older_scenes_where_they_are() {
         let (place, path) = place();
         let folder = place.path().join("recent");
-        keep(&folder, &of(0.5)).unwrap();
+        keep(&folder, &session(0.5)).unwrap();
         let known =
             |writer: &str| SessionFingerprint { writer: writer.to_owned(), ..load(&path).known };
         let mut first = known("1");
-        save(&path, &of(1.0), &mut first, &|| true).unwrap();
+        save(&path, &session(1.0), &mut first, &|| true).unwrap();
         let mut second = known("2");
         for turn in 1..10 {
-            save(&path, &of(10.0 + f64::from(turn)), &mut second, &|| true).unwrap();
-            save(&path, &of(20.0 + f64::from(turn)), &mut first, &|| true).unwrap();
+            save(&path, &session(10.0 + f64::from(turn)), &mut second, &|| true).unwrap();
+            save(&path, &session(20.0 + f64::from(turn)), &mut first, &|| true).unwrap();
         }
         let mut kept: Vec<f64> = recent::list(&folder).into_iter().map(ratio_in).collect();
         kept.sort_by(f64::total_cmp);
@@ -406,11 +406,11 @@ mod tests {
     fn workbenches_with_one_process_number_are_told_apart() {
         let (place, path) = place();
         let [mut first, mut second, mut third] = [(); 3].map(|()| SessionFingerprint::default());
-        save(&path, &of(1.0), &mut first, &|| true).unwrap();
-        save(&path, &of(2.0), &mut second, &|| true).unwrap();
-        save(&path, &of(3.0), &mut first, &|| true).unwrap();
-        save(&path, &of(4.0), &mut third, &|| true).unwrap();
-        save(&path, &of(5.0), &mut first, &|| true).unwrap();
+        save(&path, &session(1.0), &mut first, &|| true).unwrap();
+        save(&path, &session(2.0), &mut second, &|| true).unwrap();
+        save(&path, &session(3.0), &mut first, &|| true).unwrap();
+        save(&path, &session(4.0), &mut third, &|| true).unwrap();
+        save(&path, &session(5.0), &mut first, &|| true).unwrap();
         let folder = place.path().join("recent");
         let mut kept: Vec<f64> = recent::list(&folder).into_iter().map(ratio_in).collect();
         kept.sort_by(f64::total_cmp);
@@ -429,7 +429,7 @@ mod tests {
                     let (mut known, barrier, path) = (known.clone(), &barrier, &path);
                     scope.spawn(move || {
                         barrier.wait();
-                        save(path, &of(ratio), &mut known, &|| true).unwrap();
+                        save(path, &session(ratio), &mut known, &|| true).unwrap();
                     });
                 }
             });

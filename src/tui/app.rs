@@ -242,7 +242,8 @@ impl App {
 
     /// Keep the run of a scene that is about to be edited, if it is complete.
     pub(crate) fn keep_before(&mut self, scene: &Scene) {
-        let of_scene = |shown: &&DisplayedRun| shown.took.is_some() && *shown.run.scene == *scene;
+        let of_scene =
+            |shown: &&DisplayedRun| shown.elapsed.is_some() && *shown.run.scene == *scene;
         self.before = self.shown.as_ref().filter(of_scene).map(|shown| Arc::clone(&shown.run));
     }
 

@@ -10,7 +10,7 @@ use crossterm::event::KeyEvent;
 use crate::files::export::{self, Destination, Sidecar};
 use crate::tui::prelude::*;
 use crate::tui::preset::PresetEntry;
-use crate::worker::{Report, Task};
+use crate::worker::{Task, TaskReport};
 use cmra_engine::model::scene::Scene;
 use cmra_studies::report::run::{self, NamedRun};
 use cmra_studies::report::traces::Traces;
@@ -26,7 +26,7 @@ pub enum Message {
     Click(Target),
     /// The wheel was turned, upward or not, over something.
     Wheel(bool, Option<Target>),
-    Report(Report),
+    Report(TaskReport),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
     /// No key was pressed for a while; stale when the serial number is not the newest.

@@ -15,7 +15,7 @@ use crate::tui::prelude::*;
 
 pub(crate) use page::{Page, PageSpec, all_jobs, move_by, note, nothing_yet, open_field, pictures};
 
-pub(crate) fn of(tab: Tab) -> &'static dyn Page {
+pub(crate) fn page(tab: Tab) -> &'static dyn Page {
     match tab {
         Tab::Run => &run::RunTab,
         Tab::Explore => &explore::ExploreTab,
@@ -29,11 +29,11 @@ pub(crate) fn of(tab: Tab) -> &'static dyn Page {
 
 /// All panes, in the order of the tabs.
 pub fn all_panes() -> impl Iterator<Item = &'static PaneSpec> {
-    Tab::ALL.into_iter().flat_map(|tab| of(tab).about().panes)
+    Tab::ALL.into_iter().flat_map(|tab| page(tab).about().panes)
 }
 
 pub fn spec(pane: Pane) -> &'static PaneSpec {
-    let panes = of(pane.tab).about().panes;
+    let panes = page(pane.tab).about().panes;
     panes.iter().find(|spec| spec.pane == pane).unwrap_or(&panes[0])
 }
 
@@ -44,7 +44,7 @@ const fn named(action: Action, name: &'static str, synonyms: &'static str) -> Co
 /// All of them: tabs and pages first, then what acts anywhere, then what acts on a pane.
 pub fn commands() -> impl Iterator<Item = &'static Command> {
     let of = |within: bool| {
-        let all = Tab::ALL.into_iter().flat_map(|tab| of(tab).about().commands);
+        let all = Tab::ALL.into_iter().flat_map(|tab| page(tab).about().commands);
         all.filter(move |command| matches!(command.call, CommandTarget::In(..)) == within)
     };
     of(false).chain(GENERAL).chain(of(true))

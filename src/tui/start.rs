@@ -313,7 +313,7 @@ mod tests {
     use crate::tui::keymap::Tab;
     use crate::tui::message::{Effect, Message};
     use crate::tui::update;
-    use crate::worker::studies::Asked;
+    use crate::worker::studies::StudyRequest;
     use cmra_engine::model::scene::PlateSize;
 
     const FRESH: Options = Options { scene: None, with: None, fresh: true, glyphs: None };
@@ -347,7 +347,7 @@ mod tests {
             assert_eq!(state.tab, tab, "{name}");
             assert!(state.history.edits.is_empty(), "nothing to undo yet");
             let effects = update::start(&mut state);
-            let is_sweep = |effect: &Effect| matches!(effect, Effect::Submit(task) if matches!(task.asked, Asked::Picture(_)));
+            let is_sweep = |effect: &Effect| matches!(effect, Effect::Submit(task) if matches!(task.request, StudyRequest::Picture(_)));
             assert_eq!(effects.iter().any(is_sweep), tab == Tab::Explore, "{name}");
         }
     }

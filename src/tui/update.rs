@@ -42,7 +42,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
         jobs::after_edit(app);
     }
     if is_edited || app.picture() != before.1 {
-        pages::of(app.tab).edited(app);
+        pages::page(app.tab).edited(app);
     }
     run::follow_traces(app);
     if is_by_person || is_edited {
@@ -66,7 +66,7 @@ fn take(app: &mut App, message: Message) {
         }
         Message::Report(report) => {
             if let Some((running, body)) = jobs::report(app, report) {
-                pages::of(running.tab).report(app, &running, &body);
+                pages::page(running.tab).report(app, &running, &body);
             }
         }
         Message::RunDue(serial) => jobs::run_due(app, serial),
@@ -205,7 +205,7 @@ pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
 fn commit(app: &mut App) {
     let Some(mut field) = app.field().cloned() else { return };
     app.typing = None;
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     let text = field.value().trim().to_owned();
     if field.all_selected || !page.is_new(app, &text) {
         return;
@@ -230,7 +230,7 @@ fn in_place(app: &mut App, key: KeyEvent) {
             app.typing = None;
             let text = field.value().trim();
             if !text.is_empty()
-                && let Err(error) = pages::of(app.tab).go_to_place(app, text)
+                && let Err(error) = pages::page(app.tab).go_to_place(app, text)
             {
                 field.error = Some(error);
                 app.typing = Some(ActiveInput::Place(field));
@@ -246,7 +246,7 @@ fn in_place(app: &mut App, key: KeyEvent) {
 
 /// Open the field, with the text the list is filtered by.
 pub(crate) fn open_find(app: &mut App) {
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     let Some(text) = page.filter(app).map(|filter| filter.clone()) else {
         return app.report_progress(
             "<find> works in the variables, the claims and the log; <palette> elsewhere",
@@ -278,7 +278,7 @@ pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
 pub(crate) fn follow(app: &mut App) {
     let Some(field) = app.find() else { return };
     let text = field.value().trim().to_owned();
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     let Some(filter) = page.filter(app) else { return };
     filter.clone_from(&text);
     if !text.is_empty() {
@@ -288,18 +288,18 @@ pub(crate) fn follow(app: &mut App) {
 
 /// Whether the rows of the pane that has the keys are filtered.
 fn is_filtered(app: &mut App) -> bool {
-    let filter = pages::of(app.tab).filter(app);
+    let filter = pages::page(app.tab).filter(app);
     filter.is_some_and(|filter| !filter.is_empty())
 }
 
 /// Whether no row of the pane that has the keys matches its filter.
 pub(crate) fn matches_nothing(app: &mut App) -> bool {
-    is_filtered(app) && pages::of(app.tab).rows(app).is_some_and(|rows| rows.count == 0)
+    is_filtered(app) && pages::page(app.tab).rows(app).is_some_and(|rows| rows.count == 0)
 }
 
 /// The selection is on a row that the filter shows, also where the rows have changed.
 fn keep_listed(app: &mut App) {
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     if is_filtered(app)
         && let Some(rows) = page.rows(app)
         && let Some(last) = rows.count.checked_sub(1)
@@ -310,7 +310,7 @@ fn keep_listed(app: &mut App) {
 
 /// Take a filter off the pane that has the keys; whether there was one.
 pub(crate) fn clear(app: &mut App) -> bool {
-    let filter = pages::of(app.tab).filter(app);
+    let filter = pages::page(app.tab).filter(app);
     filter.is_some_and(|filter| !std::mem::take(filter).is_empty())
 }
 
@@ -331,7 +331,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
     if let Some(pane) = target.pane() {
         app.focus_on(pane);
     }
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     match target {
         Target::Tab(tab) => act::go_to(app, tab),
         Target::Page(at) => page.turn_to(app, at),
@@ -350,7 +350,7 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     if let Some(pane) = target.and_then(Target::pane) {
         app.focus_on(pane);
     }
-    if pages::of(app.tab).rows(app).is_some() {
+    if pages::page(app.tab).rows(app).is_some() {
         app.history.commit();
         pages::move_by(app, if up { -1 } else { 1 });
     } else {

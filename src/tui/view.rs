@@ -42,7 +42,7 @@ pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
 fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let layout = app.layout();
     let Some(body) = layout.body else { return too_small(app, area, canvas) };
-    pages::of(app.tab).draw(app, body, canvas);
+    pages::page(app.tab).draw(app, body, canvas);
     title(app, layout.title, canvas);
     if let Some(area) = layout.pages {
         pages(app, area, canvas);
@@ -74,7 +74,7 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return typed(&lead, "Enter keep  Esc show all", field, area, canvas);
     }
     if let Some(field) = app.place().filter(|_| app.dialog.is_none()) {
-        let places = pages::of(app.tab).places(app);
+        let places = pages::page(app.tab).places(app);
         let names: Vec<&str> = places.iter().map(|place| &*place.0).collect();
         let lead = format!("cursor to {}: ", names.join(", "));
         let units = places.iter().filter(|place| !place.1.is_empty());
@@ -85,7 +85,7 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let (entries, last) = match (&app.dialog, app.field()) {
         (Some(dialog), _) => (keys_of(app, dialog.footer()), ""),
         (None, Some(_)) => {
-            let quantity = pages::of(app.tab).field_quantity(app);
+            let quantity = pages::page(app.tab).field_quantity(app);
             let bare = quantity.map(|it| unit_of_bare(&it.unit)).unwrap_or_default();
             (keys_of(app, &format!("{WORD}{bare}")), "")
         }
@@ -145,7 +145,7 @@ const LAST: &str = "<help> keys  <quit> quit";
 
 /// The keys of the pane, the most useful first, then those of every pane.
 fn from_table(app: &App) -> Vec<(String, String)> {
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     let is_shown = |row: &&PaneKey| !row.short.is_empty() && page.is_of_use(app, row.action);
     let own = pages::spec(app.pane()).keys.iter().filter(is_shown);
     let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
@@ -210,7 +210,7 @@ fn name(
 /// The names of the tab's pages, the one shown in brackets, and how to get to the next.
 pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     for (at, PageSpec { name: title, .. }) in page.about().pages.iter().enumerate() {
         let is_shown = at == page.shown(app);
         column = name(canvas, area, column, title, is_shown, Target::Page(at)) + 2;

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::clock::Clock;
-use super::studies::Found;
+use super::studies::StudyResult;
 use super::{JobProgress, ReportBody, Shared, Task};
 use cmra_studies::study::context::{Answer, CancelFlag, Progress, Reach, Threads};
 
@@ -36,9 +36,9 @@ pub(super) struct Reporter<'a> {
     clock: &'a Clock,
     started: Duration,
     /// How long the computation took, where that is not the time since the start.
-    pub(super) took: Cell<Option<Duration>>,
+    pub(super) elapsed: Cell<Option<Duration>>,
     /// When progress was reported last, and a part, counted from the start.
-    told: Cell<Duration>,
+    last_progress: Cell<Duration>,
     shown: Cell<Option<Duration>>,
     /// Progress reported last, and whether the computation was told to stop.
     progress: Cell<Progress>,
@@ -58,11 +58,11 @@ impl<'a> Reporter<'a> {
             cancel,
             threads: Threads::shared(task.threads, &shared.cores),
             budget: task.budget,
-            tempo: task.asked.tempo(),
+            tempo: task.request.tempo(),
             clock: &shared.clock,
             started: (shared.clock)(),
-            took: Cell::new(None),
-            told: Cell::new(Duration::ZERO),
+            elapsed: Cell::new(None),
+            last_progress: Cell::new(Duration::ZERO),
             shown: Cell::new(None),
             progress: Cell::default(),
             is_stopped: Cell::default(),
@@ -94,7 +94,7 @@ impl<'a> Reporter<'a> {
     pub(super) fn report_progress(
         &self,
         progress: Progress,
-        part: &dyn Fn() -> Option<Found>,
+        part: &dyn Fn() -> Option<StudyResult>,
     ) -> ControlFlow<()> {
         self.progress.set(progress);
         self.check_cancelled()?;
@@ -105,8 +105,8 @@ impl<'a> Reporter<'a> {
             Some(at) => since(at) >= self.tempo.between,
         };
         let part = if is_due { part() } else { None };
-        if part.is_some() || since(self.told.get()) >= BETWEEN {
-            self.told.set(elapsed);
+        if part.is_some() || since(self.last_progress.get()) >= BETWEEN {
+            self.last_progress.set(elapsed);
             let progress = JobProgress::Points(progress.done, progress.total);
             (self.send)(ReportBody::Progress { progress, elapsed });
         }
@@ -124,7 +124,7 @@ impl<'a> Reporter<'a> {
     }
 
     /// Watches a study, and makes findings of its parts.
-    pub(super) fn watch<P: ?Sized, T: Into<Found>>(
+    pub(super) fn watch<P: ?Sized, T: Into<StudyResult>>(
         &self,
         part: impl Fn(&P) -> T,
     ) -> impl FnMut(Progress, Option<&P>) -> ControlFlow<()> {
@@ -136,11 +136,11 @@ impl<'a> Reporter<'a> {
     /// Do the work; a panic becomes an error text.
     pub(super) fn finish(
         &self,
-        work: impl FnOnce() -> Result<Found, Box<dyn Error>>,
+        work: impl FnOnce() -> Result<StudyResult, Box<dyn Error>>,
     ) -> ReportBody {
         let text = match panic::catch_unwind(AssertUnwindSafe(work)) {
             Ok(Ok(report)) => {
-                let elapsed = self.took.get().unwrap_or_else(|| self.elapsed());
+                let elapsed = self.elapsed.get().unwrap_or_else(|| self.elapsed());
                 let reach = Reach::new(self.is_stopped.get(), self.progress.get());
                 return ReportBody::Ended(Some(Answer { report, reach, elapsed }));
             }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::reporter::{BETWEEN, Reporter};
-use super::studies::Found;
+use super::studies::StudyResult;
 use super::{JobProgress, ReportBody, Slot};
 use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
@@ -33,7 +33,7 @@ pub(super) fn of_scene(
     slot: Slot,
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
-) -> Result<Found, Box<dyn Error>> {
+) -> Result<StudyResult, Box<dyn Error>> {
     run(slot, scene, reporter, |settings, observer| {
         simulate::simulate(scene, settings, observer).map_err(|error| error.to_string())
     })
@@ -45,7 +45,7 @@ pub(super) fn run(
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
     compute: impl FnOnce(&Settings, simulate::Observer<'_>) -> Result<Run, String>,
-) -> Result<Found, Box<dyn Error>> {
+) -> Result<StudyResult, Box<dyn Error>> {
     let mut pulse = ReportSchedule { pause: SLOW, ..ReportSchedule::default() };
     let mut observer = |look: &RunSnapshot<'_>| {
         reporter.check_cancelled()?;
@@ -58,7 +58,8 @@ pub(super) fn run(
             && let Some(run) = (look.so_far)()
         {
             // It is not to spend more than a small part of its time on them.
-            pulse.pause = BETWEEN.max(PART_SHARE * reporter.elapsed().saturating_sub(pulse.asked));
+            pulse.pause =
+                BETWEEN.max(PART_SHARE * reporter.elapsed().saturating_sub(pulse.last_poll));
             let (reach, elapsed) = (Reach::Partial(Progress::default()), reporter.elapsed());
             (reporter.send)(ReportBody::Part(Answer { report: run.into(), reach, elapsed }));
         }
@@ -67,7 +68,7 @@ pub(super) fn run(
     let mut run = compute(&Settings::default(), &mut observer)?;
     // The time is that of the run by itself.
     let took = reporter.elapsed();
-    reporter.took.set(Some(took));
+    reporter.elapsed.set(Some(took));
     run.cost.took_s = Some(took.as_secs_f64());
     if run.end.is_complete() {
         let mut left = PLASTIC_STEPS;
@@ -86,18 +87,18 @@ struct ReportSchedule {
     steps: u32,
     /// The last look at the clock.
     seen: Duration,
-    told: Option<Duration>,
+    last_progress: Option<Duration>,
     /// When the curve so far was requested last, and how long the next one has to wait from then on.
-    asked: Duration,
+    last_poll: Duration,
     pause: Duration,
 }
 
 impl ReportSchedule {
     /// Whether it is time, by the last look at the clock, for a person to see the curve so far; it then counts as requested.
     fn part_is_due(&mut self) -> bool {
-        let is_due = self.seen >= self.asked + self.pause;
+        let is_due = self.seen >= self.last_poll + self.pause;
         if is_due {
-            (self.asked, self.pause) = (self.seen, BETWEEN);
+            (self.last_poll, self.pause) = (self.seen, BETWEEN);
         }
         is_due
     }
@@ -109,13 +110,13 @@ impl ReportSchedule {
             return None;
         }
         self.seen = elapsed();
-        match self.told {
+        match self.last_progress {
             None if self.seen >= QUIET => {
-                self.told = Some(Duration::ZERO);
+                self.last_progress = Some(Duration::ZERO);
                 Some(0.0)
             }
-            Some(told) if self.seen >= told + BETWEEN => {
-                self.told = Some(self.seen);
+            Some(last_progress) if self.seen >= last_progress + BETWEEN => {
+                self.last_progress = Some(self.seen);
                 Some(t_s)
             }
             _ => None,

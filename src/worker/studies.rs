@@ -10,7 +10,7 @@ use super::{Slot, clock, runs};
 use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::accuracy::{self, ComparisonOptions};
-use cmra_studies::study::compare::map::{Map as EfficiencyMap, usual_axes};
+use cmra_studies::study::compare::map::{Map as EfficiencyMap, default_axes};
 use cmra_studies::study::compare::{self, Hardware};
 use cmra_studies::study::context::{Context, Progress, Threads};
 use cmra_studies::study::search::{front, seek};
@@ -31,7 +31,7 @@ macro_rules! typed_enum {
         $(#[$about])*
         pub trait $of: Sized + 'static {
             /// Returns the value if it has this type.
-            fn of(one: &$name) -> Option<&Arc<Self>>;
+            fn downcast(one: &$name) -> Option<&Arc<Self>>;
         }
 
         $(
@@ -48,7 +48,7 @@ macro_rules! typed_enum {
             }
 
             impl $of for $type {
-                fn of(one: &$name) -> Option<&Arc<Self>> {
+                fn downcast(one: &$name) -> Option<&Arc<Self>> {
                     if let $name::$kind(it) = one { Some(it) } else { None }
                 }
             }
@@ -58,9 +58,9 @@ macro_rules! typed_enum {
 
 typed_enum! {
     /// Request of a task.
-    Asked,
+    StudyRequest,
     /// Variant of a request.
-    AskedFor:
+    RequestVariant:
     Run(SceneRun),
     Picture(PictureSweep),
     Printed(PrintedSweep),
@@ -76,15 +76,15 @@ typed_enum! {
 
 typed_enum! {
     /// A result, whole or as far as it is.
-    Found,
+    StudyResult,
     /// Variant of a result.
-    Finding:
+    ResultVariant:
     Run(Run),
     Grid(Grid),
-    Limit(limit::Report),
-    Spread(monte_carlo::Report),
+    Limit(limit::LimitReport),
+    Spread(monte_carlo::MonteCarloReport),
     Comparison(Comparison),
-    Measurements(accuracy::Report),
+    Measurements(accuracy::AccuracyReport),
     StabilityMap(StabilityCells),
     StiffScenes(Vec<stability::Row>),
     Claims(Vec<thesis::Row>),
@@ -152,12 +152,12 @@ pub struct Claims;
 /// A comparison at equal areal mass with its map, where there is one.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    pub report: compare::Report,
+    pub report: compare::ComparisonReport,
     /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
     pub map: Option<EfficiencyMap>,
 }
 
-impl Asked {
+impl StudyRequest {
     /// When it shows what it has so far.
     pub(super) fn tempo(&self) -> ReportInterval {
         match self {
@@ -171,30 +171,30 @@ impl Asked {
         &self,
         scene: &Arc<Scene>,
         reporter: &Reporter<'_>,
-    ) -> Result<Found, Box<dyn Error>> {
+    ) -> Result<StudyResult, Box<dyn Error>> {
         let threads = reporter.threads.clone();
         Ok(match self {
-            Self::Run(asked) => runs::of_scene(asked.0, scene, reporter)?,
-            Self::Picture(asked) => fill(&asked.plan, reporter)?,
-            Self::Printed(asked) => fill(&asked.0, reporter)?,
+            Self::Run(request) => runs::of_scene(request.0, scene, reporter)?,
+            Self::Picture(request) => fill(&request.plan, reporter)?,
+            Self::Printed(request) => fill(&request.0, reporter)?,
             Self::Limit(_) => {
                 let watch = &mut reporter.progress();
                 limit::find(scene, &mut Context::new(threads, watch))?.into()
             }
-            Self::Spread(asked) => {
-                let watch = &mut reporter.watch(monte_carlo::Report::clone);
-                monte_carlo::run(scene, &asked.0, &mut Context::new(threads, watch))?.into()
+            Self::Spread(request) => {
+                let watch = &mut reporter.watch(monte_carlo::MonteCarloReport::clone);
+                monte_carlo::run(scene, &request.0, &mut Context::new(threads, watch))?.into()
             }
             Self::EqualMass(_) => equal_mass(scene, reporter)?.into(),
-            Self::Measurements(asked) => {
-                let watch = &mut reporter.watch(accuracy::Report::clone);
+            Self::Measurements(request) => {
+                let watch = &mut reporter.watch(accuracy::AccuracyReport::clone);
                 let context = &mut Context::new(1, watch);
-                accuracy::compare(scene, asked.0, &mut clock::processor_s, context)?.into()
+                accuracy::compare(scene, request.0, &mut clock::processor_s, context)?.into()
             }
-            Self::StabilityMap(asked) => {
+            Self::StabilityMap(request) => {
                 map::accepts(scene)?;
                 let watch = &mut reporter.watch(StabilityCells::clone);
-                map::map(scene, asked.0, &mut Context::new(1, watch)).into()
+                map::map(scene, request.0, &mut Context::new(1, watch)).into()
             }
             Self::StiffScenes(_) => {
                 let cases = stability::battery(false);
@@ -206,18 +206,18 @@ impl Asked {
                 let watch = &mut reporter.watch(<[thesis::Row]>::to_vec);
                 thesis::reproduce(&mut Context::new(threads, watch)).into()
             }
-            Self::Search(asked) => {
-                let tell = |progress, part: &dyn Fn() -> Option<Found>| {
+            Self::Search(request) => {
+                let tell = |progress, part: &dyn Fn() -> Option<StudyResult>| {
                     reporter.report_progress(progress, part)
                 };
-                asked.run(scene, threads, &tell)?.into()
+                request.run(scene, threads, &tell)?.into()
             }
         })
     }
 }
 
 /// Computes the points of a plan; the last pass is the result, not a part of it.
-fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
+fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<StudyResult, Box<dyn Error>> {
     grid::fits(plan)?;
     let grid = Grid::new(Arc::clone(plan));
     let grid = grid.ok_or("a chart has one axis and a map two: use fewer axes")?;
@@ -230,7 +230,7 @@ fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Erro
 
 /// Compares, then maps; a scene without such a map has none.
 fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison, Box<dyn Error>> {
-    let axes = usual_axes(scene);
+    let axes = default_axes(scene);
     let points = axes.as_ref().map_or(0, |[x, y]| x.count() * y.count());
     let points = usize::try_from(points)?;
     let whole = points + compare::Candidate::ALL.len();
@@ -254,7 +254,7 @@ fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison,
 
 /// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.
 macro_rules! search_studies {
-    ($($(#[$doc:meta])* $kind:ident $study:ident,)*) => {
+    ($($(#[$doc:meta])* $kind:ident $study:ident $report:ident,)*) => {
         /// Request of a search.
         #[derive(Clone, Debug, PartialEq)]
         pub enum SearchRequest {
@@ -263,7 +263,7 @@ macro_rules! search_studies {
 
         #[derive(Clone, Debug)]
         pub enum SearchAnswer {
-            $($kind(Box<$study::Report>),)*
+            $($kind(Box<$study::$report>),)*
         }
 
         impl SearchRequest {
@@ -279,12 +279,12 @@ macro_rules! search_studies {
                 &self,
                 scene: &Scene,
                 threads: impl Into<Threads>,
-                tell: &dyn Fn(Progress, &dyn Fn() -> Option<Found>) -> ControlFlow<()>,
+                tell: &dyn Fn(Progress, &dyn Fn() -> Option<StudyResult>) -> ControlFlow<()>,
             ) -> Result<SearchAnswer, SweepError> {
                 match self {
                     $(Self::$kind(request) => {
                         let answer = |report| SearchAnswer::$kind(Box::new(report));
-                        let watch = &mut |progress, part: Option<&$study::Report>| {
+                        let watch = &mut |progress, part: Option<&$study::$report>| {
                             tell(progress, &|| Some(answer(part?.clone()).into()))
                         };
                         $study::run(scene, request, &mut Context::new(threads, watch)).map(answer)
@@ -296,11 +296,11 @@ macro_rules! search_studies {
 }
 search_studies! {
     /// Goal seek: values of a variable that give a wanted result.
-    Seek seek,
+    Seek seek SeekReport,
     /// The Pareto front: designs that no other one dominates.
-    Front front,
+    Front front FrontReport,
     /// How strongly each variable acts on a quantity.
-    Sensitivity sensitivity,
+    Sensitivity sensitivity SensitivityReport,
     /// How results scatter when inputs do.
-    MonteCarlo monte_carlo,
+    MonteCarlo monte_carlo MonteCarloReport,
 }

@@ -10,9 +10,10 @@ use std::time::Duration;
 use super::reporter::Reporter;
 use super::runs::run;
 use super::studies::{
-    Asked, ChartKind, Claims, Found, LimitSearch, PictureSweep, SearchRequest, StiffScenes,
+    ChartKind, Claims, LimitSearch, PictureSweep, SearchRequest, StiffScenes, StudyRequest,
+    StudyResult,
 };
-use super::{JobProgress, Page, Report, ReportBody, SceneRun, Slot, Task, Worker};
+use super::{JobProgress, Page, ReportBody, SceneRun, Slot, Task, TaskReport, Worker};
 use cmra_engine::model::run::{EndReason, Run};
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
 use cmra_engine::model::simulate::{self, RunSnapshot};
@@ -20,7 +21,7 @@ use cmra_studies::study::context::{Answer, Context, Progress, Reach};
 use cmra_studies::study::monte_carlo;
 use cmra_studies::study::search::seek;
 use cmra_studies::study::sweep::grid::Grid;
-use cmra_studies::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
+use cmra_studies::study::sweep::{Axis, DEFAULT_OUTPUTS, Plan, Spacing};
 use cmra_studies::study::thesis::{Row, claims};
 
 /// A test that waits so long hangs.
@@ -33,10 +34,12 @@ const TICK: Duration = Duration::from_millis(5);
 static STEPS: AtomicUsize = AtomicUsize::new(0);
 
 /// Does a task as its title says: a run goes on until it is cancelled, or panics; a study counts its points.
-fn make(task: &Task, reporter: &Reporter<'_>) -> Result<Found, Box<dyn Error>> {
-    match (&task.asked, task.scene.title.is_empty()) {
-        (Asked::Run(_), true) | (Asked::Picture(_), _) => task.asked.make(&task.scene, reporter),
-        (Asked::Run(slot), false) => slow_run(slot.0, &task.scene, reporter),
+fn make(task: &Task, reporter: &Reporter<'_>) -> Result<StudyResult, Box<dyn Error>> {
+    match (&task.request, task.scene.title.is_empty()) {
+        (StudyRequest::Run(_), true) | (StudyRequest::Picture(_), _) => {
+            task.request.make(&task.scene, reporter)
+        }
+        (StudyRequest::Run(slot), false) => slow_run(slot.0, &task.scene, reporter),
         (_, _) => Ok(count_points(task.scene.title == "endless", reporter).into()),
     }
 }
@@ -46,7 +49,7 @@ fn slow_run(
     slot: Slot,
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
-) -> Result<Found, Box<dyn Error>> {
+) -> Result<StudyResult, Box<dyn Error>> {
     run(slot, scene, reporter, |settings, observer| {
         let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
         let mut run = simulate::simulate(scene, settings, go_on).map_err(|it| it.to_string())?;
@@ -86,8 +89,8 @@ fn rows(count: usize) -> Vec<Row> {
 }
 
 fn run_of(id: u64, slot: Slot, scene: Scene) -> Task {
-    let (page, asked) = (Page::default(), SceneRun(slot).into());
-    Task { id, page, threads: 1, budget: None, scene: Arc::new(scene), asked }
+    let (page, request) = (Page::default(), SceneRun(slot).into());
+    Task { id, page, threads: 1, budget: None, scene: Arc::new(scene), request }
 }
 
 fn job(id: u64, slot: Slot, title: &str) -> Task {
@@ -97,12 +100,14 @@ fn job(id: u64, slot: Slot, title: &str) -> Task {
 /// The run a report ends with, and the time it took.
 fn ended(body: ReportBody) -> (Arc<Run>, Duration) {
     match body {
-        ReportBody::Ended(Some(Answer { report: Found::Run(run), elapsed, .. })) => (run, elapsed),
+        ReportBody::Ended(Some(Answer { report: StudyResult::Run(run), elapsed, .. })) => {
+            (run, elapsed)
+        }
         other => panic!("not a run: {other:?}"),
     }
 }
 
-fn start() -> (Worker, Receiver<Report>) {
+fn start() -> (Worker, Receiver<TaskReport>) {
     let (send, receive) = mpsc::channel();
     let sink = move |report| drop(send.send(report));
     let looks = AtomicU64::new(0);
@@ -110,12 +115,12 @@ fn start() -> (Worker, Receiver<Report>) {
     (Worker::with(Arc::new(clock), make, sink), receive)
 }
 
-fn next(reports: &Receiver<Report>) -> Report {
+fn next(reports: &Receiver<TaskReport>) -> TaskReport {
     reports.recv_timeout(HANG).expect("a report in time")
 }
 
 /// The next report that ends a job.
-fn next_last(reports: &Receiver<Report>) -> Report {
+fn next_last(reports: &Receiver<TaskReport>) -> TaskReport {
     loop {
         let report = next(reports);
         if report.body.is_last() {
@@ -125,7 +130,7 @@ fn next_last(reports: &Receiver<Report>) -> Report {
 }
 
 /// Wait until the running job says that it has begun.
-fn await_started(reports: &Receiver<Report>, id: u64) {
+fn await_started(reports: &Receiver<TaskReport>, id: u64) {
     let report = next(reports);
     assert_eq!(report.id, id);
     let begun = JobProgress::Time(0.0);
@@ -218,7 +223,7 @@ fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not(
     let part = || loop {
         let report = next(&reports);
         assert_eq!(report.id, 1);
-        if let ReportBody::Part(Answer { report: Found::Run(run), .. }) = report.body {
+        if let ReportBody::Part(Answer { report: StudyResult::Run(run), .. }) = report.body {
             break run;
         }
     };
@@ -262,10 +267,10 @@ fn a_panic_is_reported_and_the_worker_lives_on() {
     ended(next_last(&reports).body);
 }
 
-fn study(id: u64, asked: impl Into<Asked>, endless: bool) -> Task {
+fn study(id: u64, request: impl Into<StudyRequest>, endless: bool) -> Task {
     let title = if endless { "endless" } else { "short" }.to_owned();
     let scene = Arc::new(Scene { title, ..Scene::default() });
-    Task { id, page: Page(3), threads: 2, budget: None, scene, asked: asked.into() }
+    Task { id, page: Page(3), threads: 2, budget: None, scene, request: request.into() }
 }
 
 /// The number of rows in a report, if any.
@@ -348,7 +353,7 @@ fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
     scene.interface.law = InterfaceLaw::Plastic;
     let axis = |name, from, to| Axis::new(name, (from, to), 400, Spacing::Linear).unwrap();
     let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
-    let plan = Arc::new(Plan::new(&scene, axes, &USUAL_OUTPUTS).unwrap());
+    let plan = Arc::new(Plan::new(&scene, axes, &DEFAULT_OUTPUTS).unwrap());
     let (worker, reports) = start();
     worker.submit(study(1, PictureSweep { picture: ChartKind::Surface, plan }, false));
     let part = loop {

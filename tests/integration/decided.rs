@@ -4,7 +4,7 @@ use cmra_engine::model::run::{AtLeast, ContactMode, EndReason, Outcome, Run};
 
 use crate::support::{assert_near, run, scene};
 
-fn of(pairs: &str) -> Run {
+fn run_of(pairs: &str) -> Run {
     run(scene(pairs))
 }
 
@@ -12,7 +12,8 @@ fn of(pairs: &str) -> Run {
 #[test]
 fn valid_a_tighter_tolerance_keeps_the_answer() {
     for tolerance in ["1e-9", "1e-11"] {
-        let found = of(&format!("gamma=0.82 k=3.1e6 n=0.205 v_i=286.6 run.tolerance={tolerance}"));
+        let found =
+            run_of(&format!("gamma=0.82 k=3.1e6 n=0.205 v_i=286.6 run.tolerance={tolerance}"));
         assert_eq!(found.outcome, Outcome::Perforated, "{tolerance}");
         assert!((found.residual_velocity_m_s.unwrap() - 150.715).abs() < 5e-4, "{tolerance}");
     }
@@ -21,7 +22,7 @@ fn valid_a_tighter_tolerance_keeps_the_answer() {
 /// Without a spring nothing brings back a plate that its elastic stop has thrown back with the projectile in it.
 #[test]
 fn a_free_plate_that_leaves_its_elastic_stop_with_the_projectile_is_decided() {
-    let found = of("k=0 interface=plastic x_stop=0.005 stop_kind=elastic");
+    let found = run_of("k=0 interface=plastic x_stop=0.005 stop_kind=elastic");
     assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
     assert!(found.max_plate_displacement_m.unwrap() > 0.005);
     assert_eq!(found.at_least, AtLeast::default());
@@ -30,7 +31,7 @@ fn a_free_plate_that_leaves_its_elastic_stop_with_the_projectile_is_decided() {
 /// A plate that creeps to zero with b/k = 20 ms has the cocking distance as its stroke.
 #[test]
 fn valid_a_plate_that_creeps_back_against_its_damper_has_its_stroke() {
-    let found = of("d=0.1 b=2000 k=1e5");
+    let found = run_of("d=0.1 b=2000 k=1e5");
     assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
     assert_near(found.stroke_m().unwrap(), 0.1, 1e-9);
 }
@@ -39,7 +40,7 @@ fn valid_a_plate_that_creeps_back_against_its_damper_has_its_stroke() {
 #[test]
 fn valid_a_plate_that_creeps_back_for_ever_goes_as_far_as_zero() {
     for law in ["fused", "plastic"] {
-        let found = of(&format!("d=0.05 b=400 k=1e4 n=2.3 interface={law}"));
+        let found = run_of(&format!("d=0.05 b=400 k=1e4 n=2.3 interface={law}"));
         assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
         assert_eq!(found.max_plate_displacement_m, Some(0.0), "{law}");
     }
@@ -50,9 +51,9 @@ fn valid_a_plate_that_creeps_back_for_ever_goes_as_far_as_zero() {
 #[test]
 fn valid_a_projectile_that_slips_in_its_hole_far_from_its_bottom_is_arrested() {
     let pairs = "interface=plastic gamma=5.730200106507319 k=7068377.128327877";
-    let found = of(pairs);
+    let found = run_of(pairs);
     assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
-    let long = of(&format!("{pairs} run.horizon_s=0.3"));
+    let long = run_of(&format!("{pairs} run.horizon_s=0.3"));
     assert_eq!(found.final_penetration_m, long.final_penetration_m);
     assert_eq!(found.max_plate_displacement_m, long.max_plate_displacement_m);
 }
@@ -65,7 +66,7 @@ fn valid_every_plastic_scene_of_a_surface_is_decided() {
         for (i, j) in (0..7).flat_map(|i| (0..7).map(move |j| (i, j))) {
             let (gamma, power) = (0.8 + 6.2 * f64::from(i) / 6.0, 4.0 + 0.5 * f64::from(j));
             let pairs = format!("interface=plastic n={n} gamma={gamma} k={}", 10f64.powf(power));
-            let found = of(&pairs);
+            let found = run_of(&pairs);
             assert_eq!(found.end, EndReason::Decided, "{pairs}");
             assert_ne!(found.outcome, Outcome::Moving, "{pairs}");
             let Some(most_m) = found.penetration_at_most_m else { continue };
@@ -74,7 +75,7 @@ fn valid_every_plastic_scene_of_a_surface_is_decided() {
             let width = (most_m - least_m) / least_m;
             assert!(found.error_estimate.unwrap() >= width, "{pairs}");
             assert!(width < 2e-3, "{pairs}: {least_m} {most_m}");
-            let long = of(&format!("{pairs} run.horizon_s={horizon}"));
+            let long = run_of(&format!("{pairs} run.horizon_s={horizon}"));
             let long_m = long.final_penetration_m.or(long.at_least.penetration_m).unwrap();
             assert!(long_m <= most_m * (1.0 + 1e-9), "{pairs}: {long_m} {most_m}");
         }
@@ -112,7 +113,7 @@ fn slips_in_a_plastic_hole_get_shorter() {
         "gamma=4 k=2e5 n=0.4 b=1",
         "gamma=4 k=2e8 n=1.6",
     ] {
-        let found = of(&format!("interface=plastic {pairs} run.horizon_s=0.05"));
+        let found = run_of(&format!("interface=plastic {pairs} run.horizon_s=0.05"));
         let slips_m = slips_m(&found);
         assert!(slips_m.len() > 32, "{pairs}: {}", slips_m.len());
         // The first goes all the way into the plate. It and the next are not of the oscillation.
@@ -128,12 +129,12 @@ fn slips_in_a_plastic_hole_get_shorter() {
 #[test]
 fn valid_an_undecided_depth_has_a_lower_and_an_upper_bound() {
     let pairs = "interface=plastic gamma=3 k=5e6 v_i=20";
-    let short = of(&format!("{pairs} run.horizon_s=0.001"));
+    let short = run_of(&format!("{pairs} run.horizon_s=0.001"));
     assert_eq!(short.outcome, Outcome::Moving);
     assert!(short.final_penetration_m.is_none());
     let (least, most) =
         (short.at_least.penetration_m.unwrap(), short.penetration_at_most_m.unwrap());
-    let long = of(&format!("{pairs} run.horizon_s=0.1"));
+    let long = run_of(&format!("{pairs} run.horizon_s=0.1"));
     let depth = long.final_penetration_m.or(long.at_least.penetration_m).unwrap();
     assert!(least < depth && depth < most, "{least} {depth} {most}");
     // So little energy is left that the plate has been at its farthest.
@@ -144,11 +145,11 @@ fn valid_an_undecided_depth_has_a_lower_and_an_upper_bound() {
 /// The nose is out of the back of the plate, and stays there.
 #[test]
 fn a_nose_beyond_the_rear_face_is_reported() {
-    let found = of("h=0.012 v_i=170 mount=rigid");
+    let found = run_of("h=0.012 v_i=170 mount=rigid");
     assert_eq!(found.outcome, Outcome::Arrested);
     let out = found.protrusion_m().unwrap();
     assert_near(out, found.final_penetration_m.unwrap() - 0.012, 1e-12);
-    assert!(of("mount=rigid").protrusion_m().is_none());
+    assert!(run_of("mount=rigid").protrusion_m().is_none());
 }
 
 /// A run ends by the motion that remains, however small its energy. On a damper of power 2 a plate moves like ln t and reaches any stop. A
@@ -162,11 +163,11 @@ fn valid_a_run_ends_by_what_is_still_to_come() {
     };
     for stop in ["", " stop_kind=elastic", " interface=plastic"] {
         let pairs = format!("k=0 b=2000 m=2 x_stop=5mm{stop}");
-        near(of(&pairs).max_plate_displacement_m, 5e-3, 1e-12, &pairs);
+        near(run_of(&pairs).max_plate_displacement_m, 5e-3, 1e-12, &pairs);
     }
     // With m = 2.5 it comes to it at w, 1/w^(1/2) greater by b x/(2 M), and presses it by w (M/k)^(1/2).
     let pressed = "gamma=1 k=0 b=2000 m=2.5 x_stop=5mm stop_kind=elastic k_stop=1e6";
-    let found = of(pressed);
+    let found = run_of(pressed);
     let arrest = found.first_arrest.unwrap();
     let way_m = 5e-3 - arrest.plate_displacement_m;
     let w_m_s = (arrest.plate_velocity_m_s.powf(-0.5) + 1000.0 * way_m / 0.059).powi(-2);
@@ -175,13 +176,13 @@ fn valid_a_run_ends_by_what_is_still_to_come() {
     let heavy = "R=10um h=10um m_p=100 v_i=300 gamma=1 k=1e5";
     let volume_m3 = 7.0 / 3.0 * std::f64::consts::PI * 1e-15;
     let impulse_n_s = (1.52e8 + 0.25 * 2710.0 * 9e4) * volume_m3 / 300.0;
-    near(of(heavy).max_plate_displacement_m, impulse_n_s / 1e7f64.sqrt(), 1e-9, heavy);
+    near(run_of(heavy).max_plate_displacement_m, impulse_n_s / 1e7f64.sqrt(), 1e-9, heavy);
     for (pairs, dent_m) in [
         ("k_load=1e4 b_2=1e5", 1.946_999_061_552_32e-5),
         ("k_load=1 b_2=1e7", 1.946_999_999_999_98e-7),
     ] {
         let pairs = format!("model=lumped mount=rigid {pairs}");
-        near(of(&pairs).final_penetration_m, dent_m, 1e-9, &pairs);
+        near(run_of(&pairs).final_penetration_m, dent_m, 1e-9, &pairs);
     }
 }
 
@@ -189,7 +190,7 @@ fn valid_a_run_ends_by_what_is_still_to_come() {
 #[test]
 fn valid_a_slow_shot_keeps_its_digits() {
     for more in ["", " interface=plastic"] {
-        let [slow, slower] = ["1e-9", "1e-11"].map(|v| of(&format!("k=1e9 v_i={v}{more}")));
+        let [slow, slower] = ["1e-9", "1e-11"].map(|v| run_of(&format!("k=1e9 v_i={v}{more}")));
         assert_eq!(slow.outcome, slower.outcome, "{more}");
         assert_near(slower.first_arrest.unwrap().t_s, slow.first_arrest.unwrap().t_s, 1e-9);
         let values = |run: &Run| {

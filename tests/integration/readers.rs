@@ -19,7 +19,7 @@ use crate::random::Random;
 use crate::support::{files_in, in_repository};
 
 /// Mutated inputs of each reader in the usual tests, and in the long one: a million in all.
-const USUAL: usize = 300;
+const DEFAULT: usize = 300;
 const LONG: usize = 1_000_000 / 6;
 
 /// Reads a text.
@@ -329,7 +329,7 @@ fn feed_all(count: usize) {
 
 #[test]
 fn readers_accept_valid_input_and_refuse_the_rest() {
-    feed_all(USUAL);
+    feed_all(DEFAULT);
 }
 
 #[test]

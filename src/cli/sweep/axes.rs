@@ -7,7 +7,7 @@ use crate::files::preset::Preset;
 use cmra_engine::model::scene::Scene;
 use cmra_studies::report::sweep::Columns;
 use cmra_studies::study::quantities::of_every_run;
-use cmra_studies::study::sweep::{Axis, COUNTS, Plan, USUAL_OUTPUTS};
+use cmra_studies::study::sweep::{Axis, COUNTS, DEFAULT_OUTPUTS, Plan};
 
 /// Arguments for the points of a sweep and the outputs at each.
 #[derive(Debug, Args)]
@@ -48,7 +48,7 @@ impl PointArguments {
         match (&self.outputs[..], kept) {
             ([only], _) if only == "all" => (every(), Columns::All),
             ([], Some(kept)) => (kept.clone(), Columns::Chosen),
-            ([], None) if is_page => (USUAL_OUTPUTS.map(str::to_owned).to_vec(), Columns::Chosen),
+            ([], None) if is_page => (DEFAULT_OUTPUTS.map(str::to_owned).to_vec(), Columns::Chosen),
             ([], None) => (every(), Columns::All),
             (named, _) => (named.to_vec(), Columns::Chosen),
         }

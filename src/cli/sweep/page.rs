@@ -11,7 +11,7 @@ use cmra_studies::report::sweep::Columns;
 use cmra_studies::report::table::Table;
 use cmra_studies::study::outcome::OutcomeCounts;
 use cmra_studies::study::sweep::grid::Grid;
-use cmra_studies::study::sweep::{Axis, Plan, PointOutcome, Spacing, USUAL_OUTPUTS};
+use cmra_studies::study::sweep::{Axis, DEFAULT_OUTPUTS, Plan, PointOutcome, Spacing};
 
 /// Most rows of the table of one axis.
 const TABLE_ROWS: u64 = 13;
@@ -28,7 +28,7 @@ pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
     let Some(grid) = kept.filter(|grid| grid.is_complete()) else { return Vec::new() };
     let all = grid.plan().outputs();
     let wanted =
-        |output: &usize| columns == Columns::Chosen || USUAL_OUTPUTS.contains(&all[*output].name);
+        |output: &usize| columns == Columns::Chosen || DEFAULT_OUTPUTS.contains(&all[*output].name);
     (0..all.len()).filter(wanted).filter_map(|output| picture(grid, output)).collect()
 }
 

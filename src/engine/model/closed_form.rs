@@ -94,7 +94,7 @@ impl<'a> Passage<'a> {
         Self {
             geometry,
             mobility_per_kg: mobility_per_kg(0.0),
-            shearing: Plug::of(scene).map(shearing),
+            shearing: Plug::from_scene(scene).map(shearing),
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: if moves {

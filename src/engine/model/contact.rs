@@ -204,7 +204,7 @@ impl Geometry {
     pub fn from_scene(scene: &Scene) -> Self {
         let nose = NoseGeometry::from_scene(scene);
         let thickness_m = scene.effective_thickness_m();
-        if let Some(plug) = Plug::of(scene) {
+        if let Some(plug) = Plug::from_scene(scene) {
             return Self::ahead_of(&plug, nose, thickness_m);
         }
         let lag_m = if scene.target_in_effect().dishing { 2.0 * nose.radius_m } else { 0.0 };

@@ -18,7 +18,7 @@ pub use spring::Spring;
 
 /// Least exponent of a power law. Below it the force is constant within a factor of 1000 over all numbers, and the displacement of a
 /// force underflows.
-pub(in crate::model) const LEAST_EXPONENT: f64 = 0.01;
+pub(in crate::model) const MIN_EXPONENT: f64 = 0.01;
 
 /// An odd power law: `coefficient |z|^exponent sgn(z)`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -77,7 +77,7 @@ pub struct Plug {
 
 impl Plug {
     /// The plug of a valid scene; `None` for a nose that pushes the metal aside, or without a law for the metal.
-    pub fn of(scene: &Scene) -> Option<Self> {
+    pub fn from_scene(scene: &Scene) -> Option<Self> {
         let nose = scene.projectile.nose;
         if !nose.shears() {
             return None;
@@ -138,7 +138,8 @@ mod tests {
     fn valid_plugs_of_four_shots() {
         let near = |a: f64, b: f64| (a / b - 1.0).abs() < 2e-6;
         let plug = |pairs: &str| {
-            Plug::of(&scene_with(&format!("mount=rigid closure=cylindrical {pairs}"))).unwrap()
+            Plug::from_scene(&scene_with(&format!("mount=rigid closure=cylindrical {pairs}")))
+                .unwrap()
         };
         let on_5059 = plug(
             "nose=fragment m_p=53.78g R=9.95mm h=25.1mm rho=2660 Y=254MPa UTS=365MPa E=70.9GPa",
@@ -175,7 +176,7 @@ mod tests {
             ["nose=pointed", "nose=hemispherical", "nose=blunt rho=4430", "nose=fragment rho=17000"]
         {
             assert_eq!(
-                Plug::of(&scene_with(&format!("closure=cylindrical {pairs}"))),
+                Plug::from_scene(&scene_with(&format!("closure=cylindrical {pairs}"))),
                 None,
                 "{pairs}"
             );

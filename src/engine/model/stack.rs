@@ -139,7 +139,7 @@ pub fn plates(scene: &Scene) -> Vec<Scene> {
 fn carry_plugs(plates: &mut [Scene]) {
     for next in 1..plates.len() {
         let before = &plates[next - 1];
-        let Some(plug) = Plug::of(before) else { continue };
+        let Some(plug) = Plug::from_scene(before) else { continue };
         let mut shot = before.projectile;
         (shot.mass_kg, shot.nose) = (shot.mass_kg + plug.mass_kg, Nose::Blunt);
         let plate = &mut plates[next];

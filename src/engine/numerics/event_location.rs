@@ -70,7 +70,7 @@ fn is_deep([a, b, c]: [f64; 3]) -> bool {
 mod tests {
     use super::*;
 
-    fn of(gap: impl Fn(f64) -> f64) -> EventSearch {
+    fn find(gap: impl Fn(f64) -> f64) -> EventSearch {
         of_all(&[gap])
     }
 
@@ -86,29 +86,29 @@ mod tests {
 
     #[test]
     fn a_fall_is_found_to_rounding_and_a_rise_is_none() {
-        assert!(is_at(of(|t| 0.3 - t), 0.3));
-        assert!(is_at(of(|t| 1.0 - t), 1.0));
-        assert!(is_at(of(|t| 0.01 - t), 0.01));
-        assert_eq!(of(|t| t), EventSearch::Nothing);
-        assert_eq!(of(|t| 1.1 - t), EventSearch::Nothing);
+        assert!(is_at(find(|t| 0.3 - t), 0.3));
+        assert!(is_at(find(|t| 1.0 - t), 1.0));
+        assert!(is_at(find(|t| 0.01 - t), 0.01));
+        assert_eq!(find(|t| t), EventSearch::Nothing);
+        assert_eq!(find(|t| 1.1 - t), EventSearch::Nothing);
     }
 
     #[test]
     fn a_gap_that_begins_at_zero_has_to_rise_before_it_falls() {
-        assert!(is_at(of(|t| t * (0.5 - t)), 0.5));
-        assert_eq!(of(|t| -t), EventSearch::Unresolved(0));
-        assert_eq!(of(|t| t * (0.01 - t)), EventSearch::Unresolved(0));
+        assert!(is_at(find(|t| t * (0.5 - t)), 0.5));
+        assert_eq!(find(|t| -t), EventSearch::Unresolved(0));
+        assert_eq!(find(|t| t * (0.01 - t)), EventSearch::Unresolved(0));
     }
 
     #[test]
     fn a_dip_between_two_looks_is_found() {
         // 0.53 is between 8/16 and 9/16, 0.03 before 1/16, 0.97 beyond 15/16.
         for dip in [0.03, 0.53, 0.97] {
-            assert!(is_at(of(|t| (t - dip).powi(2) - 1e-6), dip - 1e-3), "{dip}");
-            assert_eq!(of(|t| (t - dip).powi(2) + 1e-6), EventSearch::Nothing);
+            assert!(is_at(find(|t| (t - dip).powi(2) - 1e-6), dip - 1e-3), "{dip}");
+            assert_eq!(find(|t| (t - dip).powi(2) + 1e-6), EventSearch::Nothing);
         }
         // The parabola's bottom is beside that of a gap that bends more on one side.
-        let found = of(|t| (t - 0.53).powi(2) * (1.0 + 9.0 * t) - 1e-9);
+        let found = find(|t| (t - 0.53).powi(2) * (1.0 + 9.0 * t) - 1e-9);
         assert!(matches!(found, EventSearch::Fall(0, at) if (at - 0.53).abs() < 1e-4), "{found:?}");
     }
 

@@ -97,13 +97,13 @@ mod tests {
 
     use super::*;
 
-    fn of(known: f64, f: impl Fn(f64) -> f64) -> f64 {
+    fn max_of(known: f64, f: impl Fn(f64) -> f64) -> f64 {
         let values = std::array::from_fn(|i| f(i as f64 / CELLS as f64));
         greatest(&values, known, &f, None)
     }
 
     fn is_near(f: impl Fn(f64) -> f64, exact: f64) -> bool {
-        (of(f64::NEG_INFINITY, f) - exact).abs() < 1e-14
+        (max_of(f64::NEG_INFINITY, f) - exact).abs() < 1e-14
     }
 
     #[test]
@@ -141,7 +141,7 @@ mod tests {
             evaluations.set(evaluations.get() + 1);
             -(s - 0.5) * (s - 0.5)
         };
-        let _ = of(1.0, count);
+        let _ = max_of(1.0, count);
         assert_eq!(evaluations.get(), CELLS + 1);
     }
 }

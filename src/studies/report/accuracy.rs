@@ -6,7 +6,9 @@ use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRa
 use crate::report::table::Table;
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::reference::References;
-use crate::study::accuracy::{Cheapest, MethodReport, OmissionGain, Point, RESULTS, Report};
+use crate::study::accuracy::{
+    AccuracyReport, Cheapest, MethodReport, OmissionGain, Point, RESULTS,
+};
 use crate::study::context::Reach;
 use cmra_engine::model::library;
 use cmra_engine::model::units::engineering;
@@ -15,12 +17,12 @@ use cmra_engine::model::units::engineering;
 pub type Row<'r> = (&'r MethodReport, &'r Point);
 
 /// Returns the warnings of the library entries that the scene uses.
-pub fn warnings(report: &Report) -> Vec<String> {
+pub fn warnings(report: &AccuracyReport) -> Vec<String> {
     library::warnings(&report.scene).map(str::to_owned).collect()
 }
 
 /// The points of all methods on the scene of this name.
-pub fn table<'r>(name: &'r str, report: &'r Report) -> Table<'r, Row<'r>> {
+pub fn table<'r>(name: &'r str, report: &'r AccuracyReport) -> Table<'r, Row<'r>> {
     let rows = |method: &'r MethodReport| method.points.iter().map(move |point| (method, point));
     let measured = |row: &Row<'r>| row.1.result.as_ref().ok();
     let answer = move |row: &Row<'r>| Some(&measured(row)?.answer);
@@ -76,7 +78,7 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
         .shown(in_seconds)
         .with("run_time_s_to_1e-9", "t(1e-9)", "", time(TARGETS[1]))
         .shown(in_seconds)
-        .with("least_error", "least", "", |it| it.least_error())
+        .with("least_error", "least", "", |it| it.min_error())
         .shown(brief)
         .with("reference_uncertainty", "floor", "", |it| it.reference?.uncertainty)
         .shown(brief)
@@ -93,7 +95,7 @@ pub fn percent(part: f64) -> String {
 }
 
 /// Names the fastest method with an error of at most 1e-6, and its run time.
-pub fn advice(report: &Report) -> String {
+pub fn advice(report: &AccuracyReport) -> String {
     let target = TARGETS[0];
     let with = report.run_s.map(|run_s| format!("; {} with series and estimate", seconds(run_s)));
     let with = with.unwrap_or_default();
@@ -107,7 +109,7 @@ pub fn advice(report: &Report) -> String {
 }
 
 /// How far the printed scheme of the thesis is off, whatever its step.
-pub fn printed_scheme(report: &Report) -> Option<String> {
+pub fn printed_scheme(report: &AccuracyReport) -> Option<String> {
     Some(format!("printed scheme: {} off at any step", percent(report.printed_off?)))
 }
 
@@ -138,7 +140,7 @@ pub fn seconds(value: f64) -> String {
 pub const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
 /// The object of the scene of this name.
-pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
+pub fn json(name: &str, report: &AccuracyReport, reach: Reach) -> Value {
     let References { engine, other } = report.references;
     let references = engine.into_iter().chain(other).map(|reference| {
         json!({
@@ -180,7 +182,7 @@ fn curve(of: &MethodReport) -> Curve<'static> {
 }
 
 /// The accuracies of the table, the uncertainty of the reference, and, apart from the methods, how far the printed scheme is off.
-fn levels(report: &Report) -> Vec<Mark<'static>> {
+fn levels(report: &AccuracyReport) -> Vec<Mark<'static>> {
     let floor = report.references.any().and_then(|reference| reference.uncertainty);
     let floor = floor.map(|at| Mark::new(at, "reference's floor"));
     let printed = report.printed_off.map(|at| Mark::new(at, "printed scheme"));
@@ -188,7 +190,7 @@ fn levels(report: &Report) -> Vec<Mark<'static>> {
 }
 
 /// The chart; `None` where no result could be compared.
-pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
+pub fn error_over_time(report: &AccuracyReport) -> Option<Chart<'static>> {
     let curves: Vec<Curve<'static>> = report.methods.iter().map(curve).collect();
     let points = || curves.iter().flat_map(|curve| curve.points.iter());
     let times = ViewRange::from_values(Scale::Log10, points().map(|point| point.0))?;

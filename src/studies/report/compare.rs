@@ -9,7 +9,9 @@ use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
-use crate::study::compare::{Candidate, Entry, Hardware, Report, SizedArmour, THINNEST_M, Verdict};
+use crate::study::compare::{
+    Candidate, ComparisonReport, Entry, Hardware, SizedArmour, THINNEST_M, Verdict,
+};
 use crate::study::limit::RANGE_M_S;
 use crate::study::quantities::find;
 use cmra_engine::model::library;
@@ -49,7 +51,7 @@ const LINES: [&str; 22] = [
 ];
 
 /// The candidates with their figures.
-pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
+pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
     let own = |name| move |it: &&Entry| find(name)?.value(&it.run);
     let preload_j = |it: &&Entry| {
@@ -94,7 +96,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
 }
 
 /// The candidates beside each other, a figure on each line, as on a page of this width.
-pub fn beside(report: &Report, width: usize) -> String {
+pub fn beside(report: &ComparisonReport, width: usize) -> String {
     let has_class = report.entries.iter().any(|entry| entry.shot.expected.is_some());
     let lines: Vec<&str> =
         LINES.into_iter().filter(|key| has_class || !key.starts_with("expected_")).collect();
@@ -116,10 +118,10 @@ fn governed_by(entry: &Entry) -> &'static str {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> Value {
+pub fn json(name: &str, report: &ComparisonReport) -> Value {
     let table = table(name, report);
     let candidates = Candidate::ALL.into_iter().map(|candidate| {
-        let entry = report.of(candidate).map_or(Value::Null, |entry| {
+        let entry = report.entry(candidate).map_or(Value::Null, |entry| {
             let mut object = table.object(&entry, |key| !["scene", "candidate"].contains(&key));
             object.extend([
                 ("held".to_owned(), entry.is_held.into()),
@@ -133,7 +135,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         });
         (candidate.word().replace(' ', "_"), entry)
     });
-    let own = report.of(Candidate::Scene);
+    let own = report.entry(Candidate::Scene);
     let mut object = json!({
         "scene": name,
         "interface": report.scene.interface.law.word(),
@@ -198,9 +200,9 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
 }
 
 /// Whether the mechanism pays, and by how much.
-pub fn verdict(report: &Report) -> String {
+pub fn verdict(report: &ComparisonReport) -> String {
     let design = velocity(report.scene.projectile.velocity_m_s, 4);
-    let Some(own) = report.of(Candidate::Scene) else {
+    let Some(own) = report.entry(Candidate::Scene) else {
         return "cancelled before the scene itself was computed".to_owned();
     };
     let verdict = report.verdict();
@@ -221,7 +223,7 @@ pub fn verdict(report: &Report) -> String {
 }
 
 /// Returns the end of a verdict that depends on parts without mass; empty for other verdicts.
-fn uncounted(report: &Report) -> String {
+fn uncounted(report: &ComparisonReport) -> String {
     if report.uncounted.is_empty() || report.verdict().pays() != Some(true) {
         return String::new();
     }
@@ -229,8 +231,8 @@ fn uncounted(report: &Report) -> String {
 }
 
 /// Returns the reasons of the verdict, a sentence each.
-pub fn reasons(report: &Report) -> Vec<String> {
-    let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
+pub fn reasons(report: &ComparisonReport) -> Vec<String> {
+    let Some(own) = report.entry(Candidate::Scene) else { return Vec::new() };
     let mut lines = Vec::new();
     lines.extend(sized(own, &report.verdict()));
     lines.extend(outside_validity(report));
@@ -244,7 +246,7 @@ pub fn reasons(report: &Report) -> Vec<String> {
 
 /// Where what was judged is outside the model's validity and the scene as built is not: the sized armour, and each candidate at its
 /// limit.
-fn outside_validity(report: &Report) -> Vec<String> {
+fn outside_validity(report: &ComparisonReport) -> Vec<String> {
     let known = envelope::of_scene(&report.scene);
     let mut lines = Vec::new();
     let mut note = |who: String, scene: &Scene| {
@@ -264,7 +266,7 @@ fn outside_validity(report: &Report) -> Vec<String> {
         at_limit.projectile.velocity_m_s = limit_m_s;
         note(format!("{} at its limit", entry.candidate.word()), &at_limit);
     }
-    let own = report.of(Candidate::Scene).and_then(|own| own.sized.as_ref().ok());
+    let own = report.entry(Candidate::Scene).and_then(|own| own.sized.as_ref().ok());
     if own.is_some_and(|sized| sized.scene.target.thickness_m < THINNEST_M) {
         let least = 1e3 * THINNEST_M;
         lines.push(format!(
@@ -307,7 +309,7 @@ fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
 }
 
 /// The causes of the limit velocities, and the missing ones.
-fn limits(report: &Report) -> Vec<String> {
+fn limits(report: &ComparisonReport) -> Vec<String> {
     let mut lines = Vec::new();
     for entry in &report.entries {
         let word = entry.candidate.word();

@@ -37,7 +37,7 @@ impl Energies {
     /// Energies at a time, linear between the rows of the series; those of the last row after its end. `None` without a series.
     pub fn at(run: &Run, t_s: f64) -> Option<Self> {
         let first = run.series.first()?;
-        let books = Books::of(run);
+        let books = Books::from_run(run);
         let mut crushed = Crushed::default();
         let mut now = books.kept(first, false, &mut crushed);
         // A collision that takes no time has already happened at the first row.
@@ -111,14 +111,15 @@ struct Crushed {
 }
 
 impl<'a> Books<'a> {
-    fn of(run: &'a Run) -> Self {
+    fn from_run(run: &'a Run) -> Self {
         let scene = &*run.scene;
         let spring =
             if scene.is_sprung() { Spring::new(&scene.mechanism, 0.0) } else { Spring::NONE };
         let plate_kg = if scene.is_sprung() { moving_plate_kg(scene) } else { 0.0 };
         let has_friction = scene.contact.model == ContactModel::Hydrodynamic;
         let picked_up = run.events.iter().find(|event| event.kind == EventKind::Plug);
-        let plug = Plug::of(scene).zip(picked_up).map(|(plug, event)| (plug.mass_kg, event.t_s));
+        let plug =
+            Plug::from_scene(scene).zip(picked_up).map(|(plug, event)| (plug.mass_kg, event.t_s));
         let weight_n = scene.weight_n() * scene.cos_obliquity();
         Self { scene, plate_kg, plug, spring, has_friction, weight_n }
     }

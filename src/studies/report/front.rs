@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::report::table::Table;
 use crate::study::context::Reach;
-use crate::study::search::front::{MissingObjective, Report};
+use crate::study::search::front::{FrontReport, MissingObjective};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
@@ -17,7 +17,7 @@ pub const FEASIBLE: &str =
     "feasible: the shot is stopped, and no warning that the answer errs on the unsafe side";
 
 /// Warnings about the rows: those of a single best design; of a front how many designs are outside validity.
-pub fn warnings(front: &Report) -> Vec<String> {
+pub fn warnings(front: &FrontReport) -> Vec<String> {
     let (scene, request) = (&front.base, &front.request);
     let known: Vec<String> = library::warnings(scene).map(str::to_owned).collect();
     let mut warnings = known.clone();
@@ -35,7 +35,7 @@ pub fn warnings(front: &Report) -> Vec<String> {
 }
 
 /// Why a front without designs has none: objectives that do not exist, and checks that designs fail.
-pub fn lacks(front: &Report) -> Vec<String> {
+pub fn lacks(front: &FrontReport) -> Vec<String> {
     if !front.designs.is_empty() {
         return Vec::new();
     }
@@ -67,7 +67,7 @@ pub fn lacks(front: &Report) -> Vec<String> {
 }
 
 /// The designs of a front.
-pub fn table<'c>(name: &'c str, front: &'c Report) -> Table<'c, usize> {
+pub fn table<'c>(name: &'c str, front: &'c FrontReport) -> Table<'c, usize> {
     let of = move |at: &usize| &front.designs[*at];
     let mut table = Table::new(0..front.designs.len())
         .field("scene", move |_| name)
@@ -84,7 +84,7 @@ pub fn table<'c>(name: &'c str, front: &'c Report) -> Table<'c, usize> {
     // Where the interface holds there is nothing to say.
     let first = front.request.objectives[0].measure;
     let plastic = move |row: &usize| Some(of(row).plastic?.message(first));
-    let verdict = move |row: &usize| Verdict::of(&front.scene(of(row))).decision.word();
+    let verdict = move |row: &usize| Verdict::from_scene(&front.scene(of(row))).decision.word();
     let table = table
         .with("outcome", "outcome", "", move |row| of(row).outcome.key())
         .with("verdict", "verdict", "", verdict);
@@ -92,7 +92,7 @@ pub fn table<'c>(name: &'c str, front: &'c Report) -> Table<'c, usize> {
 }
 
 /// The columns that a page has of a front: numbers, outcome and verdict, and the plastic interface where a fused one does not hold.
-pub fn page_keys(front: &Report) -> Vec<&'static str> {
+pub fn page_keys(front: &FrontReport) -> Vec<&'static str> {
     let axes = front.request.over.iter().map(Axis::symbol);
     let measures = front.request.measures().into_iter().map(|it| it.name);
     let has_plastic = front.designs.iter().any(|design| design.plastic.is_some());
@@ -101,7 +101,7 @@ pub fn page_keys(front: &Report) -> Vec<&'static str> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, front: &Report, reach: Reach) -> Value {
+pub fn json(name: &str, front: &FrontReport, reach: Reach) -> Value {
     let request = &front.request;
     let variables = request.over.iter().map(|axis| {
         let (low, high) = axis.ends();

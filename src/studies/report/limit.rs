@@ -7,7 +7,7 @@ use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit};
 use crate::report::table::Table;
 use crate::report::verdict;
 use crate::study::limit::residual_law::ResidualLaw;
-use crate::study::limit::{Closures, Limit, RANGE_M_S, Report, Shot};
+use crate::study::limit::{Closures, Limit, LimitReport, RANGE_M_S, Shot};
 use crate::study::quantities::find;
 use crate::study::validity;
 use cmra_engine::model::mechanism::Mechanism;
@@ -24,7 +24,7 @@ const REPEATED: &str = "second and third hit at one place: about 0.59 and 0.46 o
 const CARRIED: f64 = 0.2;
 
 /// Everything but the limit itself, in words.
-pub fn remarks(report: &Report) -> Vec<Remark> {
+pub fn remarks(report: &LimitReport) -> Vec<Remark> {
     let mut remarks = Vec::new();
     if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
         let again = velocity(again, 4);
@@ -87,7 +87,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
 }
 
 /// Warns of a limit that ignores the strength of its mechanism; `None` if there is no such mechanism.
-pub fn taken_to_hold(report: &Report) -> Option<Remark> {
+pub fn taken_to_hold(report: &LimitReport) -> Option<Remark> {
     let text = "taken to hold whatever it stores; `cmra compare` gives the limit if the spring must survive";
     let is_so =
         report.limit.velocity_m_s().is_some() && !Mechanism::from_scene(&report.scene).is_absent();
@@ -95,7 +95,7 @@ pub fn taken_to_hold(report: &Report) -> Option<Remark> {
 }
 
 /// Why the residual velocity begins far above zero, which no law of the curve knows; `None` where it does not.
-fn carried(report: &Report) -> Option<String> {
+fn carried(report: &LimitReport) -> Option<String> {
     let limit_m_s = report.limit.velocity_m_s()?;
     let residual = report.residual_at_limit_m_s.filter(|it| *it > CARRIED * limit_m_s)?;
     Some(format!(
@@ -121,20 +121,20 @@ fn load(run: &Run) -> Option<String> {
 }
 
 /// Warnings about the rows: those of the shot at the limit, without a limit of the scene's own.
-pub fn warnings(report: &Report) -> Vec<String> {
+pub fn warnings(report: &LimitReport) -> Vec<String> {
     let at_limit = report.at_limit.as_ref().map(envelope::warnings);
     at_limit.unwrap_or_else(|| validity::of_scene(&report.scene))
 }
 
 /// Explains a limit, and its decrease after a hit at the same place.
-pub fn meaning(report: &Report) -> Vec<Remark> {
+pub fn meaning(report: &LimitReport) -> Vec<Remark> {
     let is_found = report.limit.velocity_m_s().is_some();
     let remarks = [Remark::new("meaning", verdict::V50), Remark::new("repeated hits", REPEATED)];
     remarks.into_iter().filter(|_| is_found).collect()
 }
 
 /// The verdict on the scene's shot in a sentence.
-pub fn answer(report: &Report) -> String {
+pub fn answer(report: &LimitReport) -> String {
     let own_m_s = report.scene.projectile.velocity_m_s;
     let by_law = match report.limit {
         Limit::Found { stopped_at_m_s: Some(_), velocity_m_s, .. } if own_m_s >= velocity_m_s => {
@@ -167,7 +167,7 @@ fn closures(closures: &Closures) -> String {
 }
 
 /// The shots, in order of velocity, with what each fitted law says and the limit.
-pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
+pub fn shots<'c>(name: &'c str, report: &'c LimitReport) -> Table<'c, &'c Shot> {
     let limit_m_s = report.limit.velocity_m_s();
     Table::new(&report.shots)
         .field("scene", move |_| name)
@@ -180,7 +180,7 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> Value {
+pub fn json(name: &str, report: &LimitReport) -> Value {
     let (basis, stopped) = match report.limit {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
         Limit::Never | Limit::Always | Limit::Unknown => (None, None),
@@ -229,7 +229,7 @@ pub fn json(name: &str, report: &Report) -> Value {
 }
 
 /// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.
-pub fn residual(report: &Report, own_m_s: f64) -> Option<Chart<'static>> {
+pub fn residual(report: &LimitReport, own_m_s: f64) -> Option<Chart<'static>> {
     let limit = report.limit.velocity_m_s();
     let impacts = report.shots.iter().map(|shot| shot.impact_m_s);
     let own = limit.filter(|limit| own_m_s < OWN_IN_VIEW * limit).map(|_| own_m_s);

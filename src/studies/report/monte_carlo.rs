@@ -6,7 +6,9 @@ use crate::report::table::Table;
 use crate::report::verdict;
 use crate::study::context::Reach;
 use crate::study::limit::RANGE_M_S;
-use crate::study::monte_carlo::{Distribution, Estimate, LIMIT, ModelError, Report, Summary};
+use crate::study::monte_carlo::{
+    Distribution, Estimate, LIMIT, ModelError, MonteCarloReport, Summary,
+};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
 use cmra_engine::model::scene::Scene;
@@ -15,7 +17,7 @@ use cmra_engine::model::units::significant;
 const DIGITS: usize = 4;
 
 /// Warnings about the rows.
-pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
+pub fn warnings(scene: &Scene, report: &MonteCarloReport) -> Vec<String> {
     let mut warnings = validity::of_scene(scene);
     let measures: Vec<_> = report.summaries.iter().map(|it| it.measure).collect();
     warnings.extend(validity::of_pair(scene, &[], &measures));
@@ -24,7 +26,7 @@ pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
 }
 
 /// Notes the samples that have no limit and are missing in the quantiles; `None` if there are none.
-fn without_limit(report: &Report) -> Option<String> {
+fn without_limit(report: &MonteCarloReport) -> Option<String> {
     let limits = report.summaries.iter().find(|it| it.measure.name == LIMIT)?;
     let (all, missing) = (report.samples, report.samples - limits.sorted.len());
     let (low, high) = RANGE_M_S;
@@ -34,7 +36,7 @@ fn without_limit(report: &Report) -> Option<String> {
 }
 
 /// The error of the model that limit velocities are corrected for; `None` where there is none.
-pub fn model_error(report: &Report) -> Option<String> {
+pub fn model_error(report: &MonteCarloReport) -> Option<String> {
     let ModelError { bias, spread } = report.model;
     let (bias, spread) = (100.0 * bias, 100.0 * spread);
     let is_used = report.summaries.iter().any(|it| it.has_model_error);
@@ -46,7 +48,7 @@ pub fn model_error(report: &Report) -> Option<String> {
 }
 
 /// The name of a quantity, and whether the error of the model is in it where that can be.
-fn title(report: &Report, summary: &Summary) -> String {
+fn title(report: &MonteCarloReport, summary: &Summary) -> String {
     let is_bare = summary.measure.name == LIMIT && !summary.has_model_error;
     let bare = if is_bare && report.model != ModelError::default() {
         ", model error excluded"
@@ -57,7 +59,7 @@ fn title(report: &Report, summary: &Summary) -> String {
 }
 
 /// V50 with its spread, as a line; `None` without a limit.
-pub fn v50(report: &Report) -> Option<String> {
+pub fn v50(report: &MonteCarloReport) -> Option<String> {
     let mut each = report.summaries.iter().filter(|it| it.measure.name == LIMIT);
     let shown = |it: &Summary| {
         let show = |value: f64| it.measure.show_all_digits(value, DIGITS);
@@ -85,7 +87,7 @@ const QUANTILES: [(&str, &str, f64); 7] = [
 ];
 
 /// The quantities.
-pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
+pub fn table<'c>(name: &'c str, report: &'c MonteCarloReport) -> Table<'c, &'c Summary> {
     // Each row has the unit of its quantity.
     let in_unit =
         |it: &&Summary, value: &Value| Some(it.measure.show_all_digits(value.as_f64()?, DIGITS));
@@ -115,7 +117,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
 }
 
 /// How probable a perforation is, where that is known.
-pub fn perforation(report: &Report) -> Option<String> {
+pub fn perforation(report: &MonteCarloReport) -> Option<String> {
     let found = report.perforated?;
     let [part, low, high] =
         [found.value, found.low_95, found.high_95].map(|part| significant(100.0 * part, 3));
@@ -123,7 +125,7 @@ pub fn perforation(report: &Report) -> Option<String> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report, verdict: &Verdict, reach: Reach) -> Value {
+pub fn json(name: &str, report: &MonteCarloReport, verdict: &Verdict, reach: Reach) -> Value {
     let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
         let Distribution(kind, (first, second)) = tolerance.distribution;
         json!({

@@ -160,7 +160,7 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
         "complete": run.is_decided(),
     });
     let mut object = with_results(object, run);
-    for (key, value) in verdict::object(&Verdict::of(scene)) {
+    for (key, value) in verdict::object(&Verdict::from_scene(scene)) {
         object[key] = value;
     }
     let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());

@@ -6,7 +6,7 @@ use crate::report::Remark;
 use crate::report::table::Table;
 use crate::report::verdict::expected_columns;
 use crate::study::context::Reach;
-use crate::study::search::seek::{Kind, Report, SamplePoint, SeekResult};
+use crate::study::search::seek::{Kind, SamplePoint, SeekReport, SeekResult};
 use crate::study::sweep::{PointOutcome, Spacing};
 use crate::study::validity::DesignValidity;
 use crate::study::verdict::Decision;
@@ -15,7 +15,7 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::significant;
 
 /// Warnings about the rows: those of the solutions, and of the library's entries.
-pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
+pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<String> {
     let mut warnings: Vec<String> = library::warnings(scene).map(str::to_owned).collect();
     for (solution, checked) in report.solutions().zip(&report.checked) {
         let at = format!("{}={}", report.axis.symbol(), significant(solution.place.at, 4));
@@ -26,7 +26,7 @@ pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
 }
 
 /// A solution in words, beside what the plastic interface gives where the fused one could not carry its load.
-pub fn solution(report: &Report, solution: &SeekResult, checked: &DesignValidity) -> String {
+pub fn solution(report: &SeekReport, solution: &SeekResult, checked: &DesignValidity) -> String {
     let axis = &report.axis;
     let at = axis.show(solution.place.at, 6);
     let outcome = solution.outcome.map_or("", PointOutcome::key);
@@ -42,7 +42,7 @@ pub fn solution(report: &Report, solution: &SeekResult, checked: &DesignValidity
 }
 
 /// Further remarks: that there is no solution, jumps over the goal, and where there is no value.
-pub fn remarks(report: &Report, reach: Reach) -> Vec<Remark> {
+pub fn remarks(report: &SeekReport, reach: Reach) -> Vec<Remark> {
     let (axis, measure) = (&report.axis, report.measure);
     let at = |value: f64| axis.show(value, 6);
     let shown = |value: f64| measure.show(value, 6);
@@ -50,7 +50,7 @@ pub fn remarks(report: &Report, reach: Reach) -> Vec<Remark> {
         format!("{} at {} = {}", shown(place.value), axis.symbol(), at(place.at))
     };
     let mut remarks = Vec::new();
-    for jump in report.of(Kind::Jump) {
+    for jump in report.of_kind(Kind::Jump) {
         let (from, to) =
             (place(jump.place), jump.until.map_or_else(String::new, |it| shown(it.value)));
         let text = format!("no solution: the result jumps over the goal: {from}, then {to}");
@@ -64,7 +64,8 @@ pub fn remarks(report: &Report, reach: Reach) -> Vec<Remark> {
             format!("cancelled after {runs} runs: {target} not reached so far")
         };
         remarks.push(Remark::caution("", text));
-        let nearest = report.of(Kind::Nearest).map(|it| format!("nearest: {}", place(it.place)));
+        let nearest =
+            report.of_kind(Kind::Nearest).map(|it| format!("nearest: {}", place(it.place)));
         let range = report
             .range
             .map(|(least, most)| format!("minimum: {}; maximum: {}", place(least), place(most)));
@@ -74,7 +75,7 @@ pub fn remarks(report: &Report, reach: Reach) -> Vec<Remark> {
             remarks.push(Remark::new("", text));
         }
     }
-    for gap in report.of(Kind::Gap) {
+    for gap in report.of_kind(Kind::Gap) {
         let (Some(until), Some(outcome)) = (gap.until, gap.outcome) else { continue };
         let range = match gap.points {
             1 => format!("at {}", at(gap.place.at)),
@@ -87,7 +88,7 @@ pub fn remarks(report: &Report, reach: Reach) -> Vec<Remark> {
 }
 
 /// The lines of the answer.
-pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult> {
+pub fn table<'c>(name: &'c str, report: &'c SeekReport) -> Table<'c, &'c SeekResult> {
     let verdict = |line: &SeekResult| {
         let at = report.solutions().position(|it| it == line)?;
         Some(&report.checked.get(at)?.verdict)
@@ -114,7 +115,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult>
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
+pub fn json(name: &str, report: &SeekReport, reach: Reach) -> Value {
     let fixed = ["scene", "variable", "key", "output", "target", "interface"];
     let list = |kind: Kind| {
         let mut table = table(name, report);
@@ -138,7 +139,7 @@ pub fn json(name: &str, report: &Report, reach: Reach) -> Value {
         "solutions": list(Kind::Solution),
         "jumps": list(Kind::Jump),
         "gaps": list(Kind::Gap),
-        "nearest": report.of(Kind::Nearest).map(|it| place(it.place)).next(),
+        "nearest": report.of_kind(Kind::Nearest).map(|it| place(it.place)).next(),
         "least": report.range.map(|range| place(range.0)),
         "most": report.range.map(|range| place(range.1)),
         "runs": report.runs,

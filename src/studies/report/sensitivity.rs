@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::report::table::Table;
-use crate::study::sensitivity::{Effect, POINTS, Report};
+use crate::study::sensitivity::{Effect, POINTS, SensitivityReport};
 use cmra_engine::model::units::{Dimension, in_unit, significant};
 
 /// Cells of a bar.
@@ -26,7 +26,7 @@ pub fn bar(effect: &Effect, scale: f64, levels: [char; 8]) -> String {
 }
 
 /// The variables, the greatest effect first; a row is a variable's place in the report.
-pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
+pub fn table<'c>(name: &'c str, report: &'c SensitivityReport) -> Table<'c, usize> {
     let effect = |at: &usize| &report.effects[*at];
     let axis = move |at: &usize| &effect(at).axis;
     let end = move |at: &usize, place: usize| effect(at).points[place];
@@ -55,7 +55,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
 pub const COLUMNS: [&str; 5] = ["variable", "bar", "span", "slope", "range"];
 
 /// The effects as words and bars, the greatest effect first: a bar `|  ..:-=#|`, and texts.
-pub fn page(report: &Report, levels: [char; 8]) -> Table<'_, usize> {
+pub fn page(report: &SensitivityReport, levels: [char; 8]) -> Table<'_, usize> {
     let effect = |at: &usize| &report.effects[*at];
     let scale = report.scale();
     let span = move |at: &usize| {
@@ -99,7 +99,7 @@ fn range_words(effect: &Effect, shown: &Shown<'_>) -> String {
 }
 
 /// `4.27 to 6.49 mm`: the least and the greatest result.
-fn span(report: &Report, effect: &Effect) -> Option<String> {
+fn span(report: &SensitivityReport, effect: &Effect) -> Option<String> {
     let (least, greatest) = effect.range()?;
     let [least, greatest] = [least, greatest].map(|value| report.output.show(value, 3));
     // A unit that both have stands once.
@@ -112,7 +112,11 @@ fn span(report: &Report, effect: &Effect) -> Option<String> {
 }
 
 /// `+0.13 mm for +0.1`: the change of the result by a small change of the variable, a round number of a tenth of its size at most.
-pub fn slope_words(report: &Report, effect: &Effect, shown: &Shown<'_>) -> Option<String> {
+pub fn slope_words(
+    report: &SensitivityReport,
+    effect: &Effect,
+    shown: &Shown<'_>,
+) -> Option<String> {
     let (slope, own) = (effect.slope?, effect.own?);
     let (low, high) = effect.axis.ends();
     let size = if own == 0.0 { 0.1 * (high - low).abs() } else { own.abs() };
@@ -125,7 +129,7 @@ pub fn slope_words(report: &Report, effect: &Effect, shown: &Shown<'_>) -> Optio
 }
 
 /// An effect in words: `gamma 0.8 to 7: depth 4.27 to 6.49 mm; here +0.13 mm for +0.1`.
-pub fn words(report: &Report, effect: &Effect, of: &str, shown: &Shown<'_>) -> String {
+pub fn words(report: &SensitivityReport, effect: &Effect, of: &str, shown: &Shown<'_>) -> String {
     let range = format!("{} {}", effect.axis.symbol(), range_words(effect, shown));
     let Some(span) = span(report, effect) else { return format!("{range}: {of} has no value") };
     let through = if effect.perforates() { ", perforates" } else { "" };
@@ -135,7 +139,7 @@ pub fn words(report: &Report, effect: &Effect, of: &str, shown: &Shown<'_>) -> S
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> Value {
+pub fn json(name: &str, report: &SensitivityReport) -> Value {
     json!({
         "scene": name,
         "output": report.output.name,

@@ -107,7 +107,7 @@ impl SweepWriter<'_> {
                 .field("interface", move |_| word("interface.law"));
         }
         table = table.field("outcome", move |row| found[*row].outcome.key());
-        let verdicts = points.iter().map(|index| Verdict::of(&self.plan.scene(*index)));
+        let verdicts = points.iter().map(|index| Verdict::from_scene(&self.plan.scene(*index)));
         let verdicts: Rc<[Verdict]> = verdicts.collect();
         let words = Rc::clone(&verdicts);
         table = table.field("verdict", move |row| words[*row].decision.word());

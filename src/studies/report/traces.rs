@@ -167,18 +167,18 @@ impl Trace {
 
 impl Traces {
     /// The traces of a quantity.
-    pub fn of(&self, channel: Channel) -> impl Iterator<Item = &Trace> {
+    pub fn of_channel(&self, channel: Channel) -> impl Iterator<Item = &Trace> {
         self.traces.iter().filter(move |trace| trace.channel == channel)
     }
 
     /// The curves of a quantity up to a time.
     pub fn curves(&self, channel: Channel, end_s: f64) -> Vec<Curve<'static>> {
-        self.of(channel).flat_map(|trace| trace.curves(end_s)).collect()
+        self.of_channel(channel).flat_map(|trace| trace.curves(end_s)).collect()
     }
 
     /// The greatest difference of a run from the traces of a quantity; `None` without one.
     pub fn greatest(&self, channel: Channel, run: &Run) -> Option<f64> {
-        let differences = self.of(channel).filter_map(|trace| trace.difference(run));
+        let differences = self.of_channel(channel).filter_map(|trace| trace.difference(run));
         differences.map(|it| it.greatest).reduce(|a, b| if b.abs() > a.abs() { b } else { a })
     }
 

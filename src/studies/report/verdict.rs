@@ -80,5 +80,5 @@ fn why_not(scene: &Scene) -> &'static str {
 
 /// The verdict on a run's shot in a sentence.
 pub fn of_run(run: &Run) -> String {
-    sentence(&run.scene, &Verdict::of(&run.scene), Some(run.shot_outcome()))
+    sentence(&run.scene, &Verdict::from_scene(&run.scene), Some(run.shot_outcome()))
 }

@@ -105,7 +105,7 @@ pub struct MethodReport {
 
 /// The comparison for one scene.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Report {
+pub struct AccuracyReport {
     /// The scene.
     pub scene: Arc<Scene>,
     /// Reference results of the scene.
@@ -147,8 +147,8 @@ pub fn compare(
     scene: &Arc<Scene>,
     effort: ComparisonOptions,
     clock: Clock<'_>,
-    context: &mut Context<'_, Report>,
-) -> Result<Report, VariableError> {
+    context: &mut Context<'_, AccuracyReport>,
+) -> Result<AccuracyReport, VariableError> {
     variables::validate(scene)?;
     variables::require_single(scene)?;
     variables::require_hydrodynamic(scene)?;
@@ -161,7 +161,7 @@ pub fn compare(
     let printed_off = printed.zip(references.any()).and_then(|(limit, right)| {
         right.errors(scene, &limit.results)[0].filter(|off| *off > PRINTED_OFF_FROM)
     });
-    let mut report = Report {
+    let mut report = AccuracyReport {
         scene: Arc::clone(scene),
         references,
         methods: Vec::new(),
@@ -276,7 +276,7 @@ impl MethodReport {
     }
 
     /// The least error reached.
-    pub fn least_error(&self) -> Option<f64> {
+    pub fn min_error(&self) -> Option<f64> {
         self.measured().map(|(_, measured)| measured.error()).min_by(f64::total_cmp)
     }
 
@@ -296,7 +296,7 @@ impl MethodReport {
     }
 }
 
-impl Report {
+impl AccuracyReport {
     /// The cheapest way to an accuracy that a scene can be run by: that of `auto`, at a tolerance that is not looser. A looser one may
     /// happen to be as accurate here, and promises nothing of another scene, or of results that are not compared.
     pub fn usable(&self, target: f64) -> Option<Cheapest> {

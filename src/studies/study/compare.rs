@@ -151,7 +151,7 @@ impl Verdict {
 
 /// The comparison.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Report {
+pub struct ComparisonReport {
     /// The scene; its impact velocity is the design velocity.
     pub scene: Arc<Scene>,
     /// Whose spring is judged.
@@ -166,20 +166,20 @@ pub struct Report {
     pub entries: Vec<Entry>,
 }
 
-impl Report {
+impl ComparisonReport {
     /// Returns the figures of a candidate.
-    pub fn of(&self, candidate: Candidate) -> Option<&Entry> {
+    pub fn entry(&self, candidate: Candidate) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.candidate == candidate)
     }
 
     /// First requirement of chapter 4: depth over that in a solid plate of equal mass.
     pub fn depth_over_solid(&self) -> Option<f64> {
-        Some(self.of(Candidate::Scene)?.depth_m()? / self.of(Candidate::Solid)?.depth_m()?)
+        Some(self.entry(Candidate::Scene)?.depth_m()? / self.entry(Candidate::Solid)?.depth_m()?)
     }
 
     /// Warns of an undecided mass efficiency, or of limits that measurements contradict; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
-        let own = self.of(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
+        let own = self.entry(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
         own.filter(|absence| absence.is_open()).map(|absence| absence.words.to_owned()).or_else(
             || self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.run.scene)),
         )
@@ -187,7 +187,7 @@ impl Report {
 
     /// Whether the mechanism pays.
     pub fn verdict(&self) -> Verdict {
-        let Some(own) = self.of(Candidate::Scene) else { return Verdict::Unknown };
+        let Some(own) = self.entry(Candidate::Scene) else { return Verdict::Unknown };
         let not_met = |why: &str| Verdict::NotMet(why.to_owned());
         let is_below_design = |it: f64| it < self.scene.projectile.velocity_m_s;
         if matches!(own.shot.decision, Decision::Open | Decision::Perforates) {
@@ -237,10 +237,10 @@ pub fn compare(
     scene: &Arc<Scene>,
     hardware: Hardware,
     context: &mut Context<'_>,
-) -> Result<Report, VariableError> {
+) -> Result<ComparisonReport, VariableError> {
     variables::validate(scene)?;
     variables::require_single(scene)?;
-    let mut report = Report {
+    let mut report = ComparisonReport {
         scene: Arc::clone(scene),
         hardware,
         face_m2: face_m2(scene),

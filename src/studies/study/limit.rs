@@ -135,7 +135,7 @@ pub const COMMAND: &str = "limit";
 
 /// The limit of a scene and all that goes with it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Report {
+pub struct LimitReport {
     /// The scene.
     pub scene: Arc<Scene>,
     /// The limit.
@@ -159,7 +159,7 @@ pub struct Report {
     pub lambert_jonas: Option<ResidualLaw>,
 }
 
-impl Report {
+impl LimitReport {
     /// How far the expected limit, else the law's, lies above the scene's own velocity, relative to that.
     pub fn margin(&self) -> Option<f64> {
         let velocity = self.verdict().headline_m_s()?;
@@ -192,7 +192,7 @@ impl Report {
 }
 
 /// Find the limit of a scene and its residual-velocity curve.
-pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, VariableError> {
+pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<LimitReport, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 41 + 2 * BESIDE.len() + BELOW + ABOVE);
     let mut range = ShotRunner { scene, context };
@@ -208,7 +208,7 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Report, Var
         .and_then(|(at_limit, limit_m_s)| range.interface_holds(at_limit, limit_m_s));
     let closures = found_m_s.and_then(|_| range.closures());
     let jump_m_s = found_m_s.and_then(|_| range.jump());
-    Ok(Report {
+    Ok(LimitReport {
         scene: Arc::clone(scene),
         limit,
         at_limit,

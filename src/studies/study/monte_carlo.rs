@@ -31,7 +31,7 @@ const BATCH: usize = 2048;
 const DRAWS_MAX: usize = 10_000;
 pub use crate::study::quantities::LIMIT;
 /// Relative deviation if none is given.
-pub const USUAL_DEVIATION: f64 = 0.02;
+pub const DEFAULT_DEVIATION: f64 = 0.02;
 
 /// Error of the law in limit velocities.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -53,7 +53,7 @@ impl ModelError {
 /// Request for a Monte Carlo study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// The inputs that scatter; empty: [`usual_tolerances`] by [`USUAL_DEVIATION`].
+    /// The inputs that scatter; empty: [`default_tolerances`] by [`DEFAULT_DEVIATION`].
     pub vary: Vec<Tolerance>,
     /// The measures; empty: all but those of the computation.
     pub outputs: Vec<&'static Quantity>,
@@ -97,7 +97,7 @@ impl Request {
     /// The inputs that scatter.
     fn tolerances(&self, scene: &Scene) -> Vec<Tolerance> {
         if self.vary.is_empty() {
-            return usual_tolerances(scene, USUAL_DEVIATION);
+            return default_tolerances(scene, DEFAULT_DEVIATION);
         }
         self.vary.clone()
     }
@@ -118,7 +118,7 @@ impl Request {
 
     /// The error of the model.
     fn model(&self, scene: &Scene) -> ModelError {
-        let known = Verdict::of(scene).expected;
+        let known = Verdict::from_scene(scene).expected;
         let known = known.map_or_else(ModelError::default, |it| ModelError {
             bias: it.bias,
             spread: it.deviation,
@@ -160,7 +160,7 @@ pub struct Summary {
 
 /// The result.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Report {
+pub struct MonteCarloReport {
     /// The inputs.
     pub tolerances: Vec<Tolerance>,
     /// Draws of each input that made no physical sense and were drawn again.
@@ -182,7 +182,7 @@ pub struct Report {
 }
 
 /// Variables of every scene that scatter by default, besides its springs. The results of a seed depend on the order.
-const USUAL_KEYS: [&str; 14] = [
+const DEFAULT_KEYS: [&str; 14] = [
     "projectile.velocity_m_s",
     "projectile.mass_kg",
     "projectile.tip_radius_m",
@@ -200,11 +200,11 @@ const USUAL_KEYS: [&str; 14] = [
 ];
 const STOP: &str = "mechanism.stop.position_m";
 
-/// The inputs that scatter where none are named, lognormal by a relative deviation: all of `USUAL_KEYS`, the springs' own
+/// The inputs that scatter where none are named, lognormal by a relative deviation: all of `DEFAULT_KEYS`, the springs' own
 /// parameters and the stop, where the scene uses them and they are not zero. Shapes (exponents) and numbers of springs are taken as
 /// they are, unless the spring has no other parameter.
-pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
-    let bodies = USUAL_KEYS.iter().filter_map(|key| variables::find(key).ok());
+pub fn default_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
+    let bodies = DEFAULT_KEYS.iter().filter_map(|key| variables::find(key).ok());
     let springs = VARIABLES.iter().filter(|variable| is_springs_own(variable.key, scene));
     let scatters = |variable: &&Variable| {
         // What follows from another input varies with that.
@@ -251,15 +251,20 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_, Report>,
-) -> Result<Report, SweepError> {
+    context: &mut Context<'_, MonteCarloReport>,
+) -> Result<MonteCarloReport, SweepError> {
     let (tolerances, model) = (request.tolerances(scene), request.model(scene));
     let (wanted, seed) = (request.count(), request.seed);
     let space = space(scene, request, &tolerances)?;
     let (mut random, mut redrawn) = (Random::new(seed), vec![0; tolerances.len()]);
     let mut drawn_scene = scene.clone();
     let mut sample = || sample(&tolerances, &mut drawn_scene, &mut random, &mut redrawn);
-    let mut report = Report { tolerances: tolerances.clone(), seed, model, ..Report::default() };
+    let mut report = MonteCarloReport {
+        tolerances: tolerances.clone(),
+        seed,
+        model,
+        ..MonteCarloReport::default()
+    };
     let limit = space.outputs().iter().position(|it| it.name == LIMIT);
     let has_error = model != ModelError::default();
     let limit = limit.filter(|_| has_error);

@@ -235,13 +235,13 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("spring_mass_kg", Mass, "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
     quantity("rotational_energy_j", Energy, "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
     quantity("peak_mount_force_n", Force, "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Run(peak_n))
-        .by_contact(Displacement(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force"),
+        .by_contact(Displacement(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::min_peak_n).short("mount force"),
     quantity("mount_impulse_n_s", Impulse, "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()))),
     quantity("travel_margin", Number, "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
     quantity("fused_stop_hits", Number, "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
     quantity("plate_mass_kg", Mass, "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
-    quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
-        .by_contact(Displacement(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))).is(&[CountsSprings]),
+    quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::min_spring_kg(&run.scene, run.max_plate_displacement_m)))
+        .by_contact(Displacement(|it, scene| mount::min_spring_kg(scene, it.max_displacement_m))).is(&[CountsSprings]),
     quantity("system_mass_kg", Mass, "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacement_m(run))))
         .by_contact(Displacement(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").is(&[CountsSprings]),
     quantity("areal_mass_kg_m2", ArealMass, "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacement_m(run))))
@@ -385,7 +385,7 @@ impl Quantity {
     /// The quantity that a search for designs of a scene takes in its place: for the limit of shots that were measured the lower end of
     /// their band.
     pub(in crate::study) fn design_quantity(&'static self, scene: &Scene) -> &'static Self {
-        let is_limit = self.name == LIMIT && Key::of(scene).is_some();
+        let is_limit = self.name == LIMIT && Key::from_scene(scene).is_some();
         is_limit.then(|| find(DESIGN_LIMIT)).flatten().unwrap_or(self)
     }
 
@@ -423,7 +423,7 @@ const OF_STACKS: &str = "final_penetration_m";
 const OF_PLATES: &str = "percent_of_baseline";
 
 /// Returns the default quantity of a study.
-pub fn usual_of(scene: &Scene) -> &'static str {
+pub fn default_for(scene: &Scene) -> &'static str {
     if scene.is_stack() { OF_STACKS } else { OF_PLATES }
 }
 

@@ -51,7 +51,7 @@ const SCALE_PERCENTILE: f64 = 0.95;
 /// A request for the study.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Request {
-    /// The variables and their ranges; empty: those of [`usual_axes`].
+    /// The variables and their ranges; empty: those of [`default_axes`].
     pub over: Vec<Axis>,
     /// The result; `None`: [`OUTPUT`].
     pub output: Option<&'static Quantity>,
@@ -76,7 +76,7 @@ pub struct Value {
 }
 
 impl Value {
-    fn of(point: &Point) -> Self {
+    fn from_point(point: &Point) -> Self {
         let result = point.values.first().copied().flatten();
         Self { outcome: point.outcome, result: result.filter(|value| value.is_finite()) }
     }
@@ -161,7 +161,7 @@ impl Effect {
 
 /// The effects of all variables, as far as they were computed.
 #[derive(Clone, Debug)]
-pub struct Report {
+pub struct SensitivityReport {
     /// The result.
     pub output: &'static Quantity,
     /// The result of the scene itself.
@@ -172,7 +172,7 @@ pub struct Report {
     pub outside_at_ends: Vec<(Check, String)>,
 }
 
-impl Report {
+impl SensitivityReport {
     /// Whether no point has the result.
     pub fn is_empty(&self) -> bool {
         self.effects.iter().all(|effect| effect.results().next().is_none())
@@ -224,7 +224,7 @@ pub fn range(scene: &Scene, variable: &Variable) -> Option<Axis> {
 }
 
 /// The ranges of [`VARIABLES`] that the scene uses.
-pub fn usual_axes(scene: &Scene) -> Vec<Axis> {
+pub fn default_axes(scene: &Scene) -> Vec<Axis> {
     let named = VARIABLES.iter().filter_map(|symbol| variables::find(symbol).ok());
     named.filter_map(|variable| range(scene, variable)).collect()
 }
@@ -236,8 +236,8 @@ pub fn usual_axes(scene: &Scene) -> Vec<Axis> {
 pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_, Report>,
-) -> Result<Report, SweepError> {
+    context: &mut Context<'_, SensitivityReport>,
+) -> Result<SensitivityReport, SweepError> {
     let mut report = compute(scene, request, context)?;
     let axes: Vec<Axis> = report.effects.iter().map(|effect| effect.axis.clone()).collect();
     if !context.is_stopped() {
@@ -253,9 +253,9 @@ pub fn run(
 pub fn compute(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_, Report>,
-) -> Result<Report, SweepError> {
-    let axes = or_usual(&request.over, || Ok(usual_axes(scene)))?;
+    context: &mut Context<'_, SensitivityReport>,
+) -> Result<SensitivityReport, SweepError> {
+    let axes = or_usual(&request.over, || Ok(default_axes(scene)))?;
     let output = request.output.map_or_else(|| named(OUTPUT), Ok)?;
     output.check_exists(scene)?;
     for (at, axis) in axes.iter().enumerate() {
@@ -273,11 +273,11 @@ pub fn compute(
         Effect { axis, own, points: [None; POINTS], slope: None }
     };
     let effects: Vec<Effect> = axes.into_iter().map(effect).collect();
-    let mut report = Report { output, own: None, effects, outside_at_ends: Vec::new() };
+    let mut report = SensitivityReport { output, own: None, effects, outside_at_ends: Vec::new() };
     context.expect(1 + plans.len() * (POINTS + 2));
     if let Some(plan) = plans.first() {
         let own = plan.evaluate_all(&[plan.design_of(scene)], context);
-        report.own = own.first().map(Value::of);
+        report.own = own.first().map(Value::from_point);
     }
     for (number, round) in ROUNDS.iter().enumerate() {
         if number == ROUNDS_BEFORE_SLOPES && !slopes(scene, &plans, &mut report, context) {
@@ -288,7 +288,7 @@ pub fn compute(
                 round.iter().map(|at| vec![value_at(&effect.axis, *at)]).collect();
             let found = plan.evaluate_all(&designs, context);
             for (at, point) in round.iter().zip(&found) {
-                effect.points[*at] = Some(Value::of(point));
+                effect.points[*at] = Some(Value::from_point(point));
             }
             if context.is_stopped() {
                 return Ok(report);
@@ -315,8 +315,8 @@ fn value_at(axis: &Axis, at: usize) -> f64 {
 fn slopes(
     scene: &Scene,
     plans: &[Plan],
-    report: &mut Report,
-    context: &mut Context<'_, Report>,
+    report: &mut SensitivityReport,
+    context: &mut Context<'_, SensitivityReport>,
 ) -> bool {
     let own_result = report.own.and_then(|own| own.result);
     for (plan, effect) in plans.iter().zip(&mut report.effects) {
@@ -338,7 +338,7 @@ fn slopes(
             (false, false) => continue,
         };
         let found = plan.evaluate_all(&places.map(|value| vec![value]), context);
-        let value = |at: usize| found.get(at).and_then(|point| Value::of(point).result);
+        let value = |at: usize| found.get(at).and_then(|point| Value::from_point(point).result);
         effect.slope =
             value(0).zip(value(1)).zip(own_result).map(|((first, second), own)| {
                 match (is_below, is_above) {

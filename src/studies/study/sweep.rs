@@ -30,7 +30,7 @@ const POINTS_MAX: u64 = 1 << 53;
 pub const AXES_MAX: usize = 12;
 
 /// The two results of the thesis's figures.
-pub const USUAL_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
+pub const DEFAULT_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
 
 /// A part of a sweep: of every `count` points the `index`-th one, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

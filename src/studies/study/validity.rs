@@ -170,7 +170,7 @@ impl DesignValidity {
             fails,
             new: new.iter().map(ToString::to_string).chain(remarks).collect(),
             known: known.iter().map(ToString::to_string).collect(),
-            verdict: Verdict::of(design),
+            verdict: Verdict::from_scene(design),
         }
     }
 }

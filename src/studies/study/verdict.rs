@@ -60,7 +60,7 @@ pub struct Verdict {
 
 impl Verdict {
     /// The verdict on a scene's shot, with the limit in closed form where there is one.
-    pub fn of(scene: &Scene) -> Self {
+    pub fn from_scene(scene: &Scene) -> Self {
         Self::with_limit(scene, limit::closed_form(scene))
     }
 
@@ -76,7 +76,7 @@ impl Verdict {
         classes: impl FnOnce() -> &'c [Class],
     ) -> Self {
         let expected = limit_m_s.and_then(|law_m_s| {
-            let found = Expectation::of(scene, classes)?;
+            let found = Expectation::from_scene(scene, classes)?;
             let [low_m_s, limit_m_s, high_m_s] = found.band_m_s(law_m_s);
             Some(Expected {
                 low_m_s,

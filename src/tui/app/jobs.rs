@@ -1,4 +1,4 @@
-//! The tasks of the background threads: what is asked, and what their reports do.
+//! The tasks of the background threads: requests, and what their reports do.
 
 use std::mem::discriminant;
 use std::sync::Arc;
@@ -9,8 +9,8 @@ use crate::tui::app::pins::{DisplayedRun, Pin};
 use crate::tui::app::running::Running;
 use crate::tui::message::Message;
 use crate::tui::prelude::*;
-use crate::worker::studies::{Asked, AskedFor, Found};
-use crate::worker::{JobProgress, Page, Report, ReportBody, SceneRun, Slot, Task};
+use crate::worker::studies::{RequestVariant, StudyRequest, StudyResult};
+use crate::worker::{JobProgress, Page, ReportBody, SceneRun, Slot, Task, TaskReport};
 use cmra_engine::model::run::{EndReason, Run, Warning};
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::context::Answer;
@@ -75,36 +75,44 @@ pub(crate) fn rerun(app: &mut App, action: Action) {
 }
 
 /// Submits a study of the scene for the tab shown, as requested by a key.
-pub(crate) fn study<S: AskedFor + Into<Asked>>(app: &mut App, action: Action, study: S) {
+pub(crate) fn study<S: RequestVariant + Into<StudyRequest>>(
+    app: &mut App,
+    action: Action,
+    study: S,
+) {
     study_of(app, action, &Arc::clone(&app.scene), study);
 }
 
 /// Submits a study of another scene. The older one of its slot is replaced; a long one only after a question.
 pub(crate) fn study_of<S>(app: &mut App, action: Action, scene: &Arc<Scene>, study: S)
 where
-    S: AskedFor + Into<Asked>,
+    S: RequestVariant + Into<StudyRequest>,
 {
-    let asked = study.into();
-    let id = app.jobs.slot(app.tab, &asked).map(|running| running.id);
+    let request = study.into();
+    let id = app.jobs.slot(app.tab, &request).map(|running| running.id);
     if may_end(app, id, action) {
-        begin(app, scene, asked, None);
+        begin(app, scene, request, None);
     }
 }
 
 /// Submits a study of the scene because its page is shown. It has little time, a thread, and never ends a long one.
-pub(crate) fn look<S: AskedFor + Into<Asked>>(app: &mut App, time: Duration, study: S) {
+pub(crate) fn look<S: RequestVariant + Into<StudyRequest>>(
+    app: &mut App,
+    time: Duration,
+    study: S,
+) {
     look_at(app, time, &Arc::clone(&app.scene), study);
 }
 
 /// Starts a look at another scene.
 pub(crate) fn look_at<S>(app: &mut App, time: Duration, scene: &Arc<Scene>, study: S)
 where
-    S: AskedFor + Into<Asked>,
+    S: RequestVariant + Into<StudyRequest>,
 {
-    let asked = study.into();
-    let id = app.jobs.slot(app.tab, &asked).map(|running| running.id);
+    let request = study.into();
+    let id = app.jobs.slot(app.tab, &request).map(|running| running.id);
     if !id.is_some_and(|id| app.jobs.is_long(id)) {
-        begin(app, scene, asked, Some(time));
+        begin(app, scene, request, Some(time));
     }
 }
 
@@ -118,8 +126,8 @@ pub(crate) fn end_looks(app: &mut App) {
 /// Whether a job may be ended by this key: a long one only when the key is pressed again.
 pub(crate) fn may_end(app: &mut App, id: Option<u64>, action: Action) -> bool {
     let is_long = id.is_some_and(|id| app.jobs.is_long(id));
-    if is_long && app.jobs.asked != Some(action) {
-        app.jobs.asked = Some(action);
+    if is_long && app.jobs.awaiting_confirmation != Some(action) {
+        app.jobs.awaiting_confirmation = Some(action);
         let key = app.keymap.label(action);
         let text = format!(
             "a job has been running for more than 5 s: {key} again ends it, <back> keeps what is finished"
@@ -127,14 +135,14 @@ pub(crate) fn may_end(app: &mut App, id: Option<u64>, action: Action) -> bool {
         app.say(Severity::Warning, text);
         return false;
     }
-    app.jobs.asked = None;
+    app.jobs.awaiting_confirmation = None;
     true
 }
 
 /// Submits a study in place of the older one of its slot.
-fn begin(app: &mut App, scene: &Arc<Scene>, asked: Asked, budget: Option<Duration>) {
-    app.jobs.take_slot(app.tab, &asked);
-    let running = task(app, app.tab, scene, asked, budget);
+fn begin(app: &mut App, scene: &Arc<Scene>, request: StudyRequest, budget: Option<Duration>) {
+    app.jobs.take_slot(app.tab, &request);
+    let running = task(app, app.tab, scene, request, budget);
     app.request(Effect::After(LONG, Message::LongJob(running.id)));
     app.jobs.studies.push(running);
 }
@@ -144,19 +152,20 @@ fn task(
     app: &mut App,
     tab: Tab,
     scene: &Arc<Scene>,
-    asked: Asked,
+    request: StudyRequest,
     budget: Option<Duration>,
 ) -> Running {
     app.jobs.last_id += 1;
     let (id, scene) = (app.jobs.last_id, Arc::clone(scene));
     // A run cannot be divided.
-    let is_single = matches!(asked, Asked::Run(_)) || budget.is_some();
+    let is_single = matches!(request, StudyRequest::Run(_)) || budget.is_some();
     let threads = if is_single { 1 } else { cores() };
     let page = Page(tab.index());
-    let task = Task { id, page, threads, budget, scene: Arc::clone(&scene), asked: asked.clone() };
+    let task =
+        Task { id, page, threads, budget, scene: Arc::clone(&scene), request: request.clone() };
     app.request(Effect::Submit(task));
     let is_look = budget.is_some();
-    Running { id, tab, is_look, scene, asked, points: None, reached: None }
+    Running { id, tab, is_look, scene, request, points: None, reached: None }
 }
 
 /// A report of a study, with the study as it is now.
@@ -186,11 +195,11 @@ pub(crate) fn run_due(app: &mut App, serial: u64) {
 }
 
 /// A report of a task; those of replaced ones are dropped. Gives the study that its page is to hear of.
-pub(crate) fn report(app: &mut App, report: Report) -> Option<(Running, ReportBody)> {
+pub(crate) fn report(app: &mut App, report: TaskReport) -> Option<(Running, ReportBody)> {
     if report.body.is_last() {
         app.jobs.long.retain(|id| *id != report.id);
     }
-    let Report { id, body } = report;
+    let TaskReport { id, body } = report;
     if app.jobs.current.as_ref().is_some_and(|job| job.id == id) {
         run_report(app, id, body);
     } else if let Some(at) = app.pins.iter().position(|pin| pin.job == Some(id)) {
@@ -214,8 +223,8 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             }
             return;
         }
-        ReportBody::Part(Answer { report: Found::Run(run), .. }) => {
-            app.shown = Some(DisplayedRun { run, took: None });
+        ReportBody::Part(Answer { report: StudyResult::Run(run), .. }) => {
+            app.shown = Some(DisplayedRun { run, elapsed: None });
             return;
         }
         ReportBody::Progress { .. } | ReportBody::Part(_) => return,
@@ -225,7 +234,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             // The result of another scene would stand under this one, which has none.
             app.shown.take_if(|shown| shown.run.scene != app.scene);
         }
-        ReportBody::Ended(Some(Answer { report: Found::Run(run), elapsed, .. })) => {
+        ReportBody::Ended(Some(Answer { report: StudyResult::Run(run), elapsed, .. })) => {
             let took = Some(elapsed).filter(|_| run.end != EndReason::Cancelled);
             if took.is_none() {
                 app.report_progress(CANCELLED);
@@ -241,8 +250,8 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
     }
 }
 
-fn show(app: &mut App, run: &Arc<Run>, took: Option<Duration>) {
-    let before = app.shown.replace(DisplayedRun { run: Arc::clone(run), took });
+fn show(app: &mut App, run: &Arc<Run>, elapsed: Option<Duration>) {
+    let before = app.shown.replace(DisplayedRun { run: Arc::clone(run), elapsed });
     let known = before.as_ref().map_or(&[][..], |shown| &shown.run.warnings);
     let is_known = |it: &&Warning| known.iter().any(|old| discriminant(old) == discriminant(*it));
     // The status row has the new ones in a few words: their sentences are for the Log tab. What comes after the run stands there anyway.
@@ -259,7 +268,7 @@ fn pin(app: &mut App, at: usize, body: ReportBody) {
         pin.job = None;
     }
     match body {
-        ReportBody::Ended(Some(Answer { report: Found::Run(run), .. })) => {
+        ReportBody::Ended(Some(Answer { report: StudyResult::Run(run), .. })) => {
             // A part would be taken for the result, and never computed again.
             pin.run = Some(run).filter(|run| run.end != EndReason::Cancelled);
         }

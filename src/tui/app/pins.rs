@@ -13,7 +13,7 @@ pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
 pub struct DisplayedRun {
     pub run: Arc<Run>,
     /// Wall-clock time of the computation; `None` for a part kept from a cancelled job.
-    pub took: Option<Duration>,
+    pub elapsed: Option<Duration>,
 }
 
 /// A frozen scene with its result.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::tui::keymap::{Action, Tab};
-use crate::worker::studies::{Asked, AskedFor, Finding};
+use crate::worker::studies::{RequestVariant, ResultVariant, StudyRequest};
 use crate::worker::{Page, ReportBody};
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::context::{Answer, Reach};
@@ -18,7 +18,7 @@ pub struct Running {
     /// Whether opening its page started it.
     pub is_look: bool,
     pub scene: Arc<Scene>,
-    pub asked: Asked,
+    pub request: StudyRequest,
     /// Points done and in all, once known.
     pub points: Option<(usize, usize)>,
     /// Simulated time reached by a run, s, and the elapsed time at its report, once known.
@@ -26,9 +26,9 @@ pub struct Running {
 }
 
 impl Running {
-    fn is_in_slot(&self, tab: Tab, asked: &Asked) -> bool {
-        let slot = |tab: Tab, asked: &Asked| asked.slot(Page(tab.index()));
-        slot(self.tab, &self.asked) == slot(tab, asked)
+    fn is_in_slot(&self, tab: Tab, request: &StudyRequest) -> bool {
+        let slot = |tab: Tab, request: &StudyRequest| request.slot(Page(tab.index()));
+        slot(self.tab, &self.request) == slot(tab, request)
     }
 
     /// `: 12 of 30`; empty where nothing is known yet.
@@ -54,25 +54,25 @@ pub struct Jobs {
     /// Tasks that have been running for so long that leaving asks first.
     pub long: Vec<u64>,
     /// Action that waits for a confirmation; repeating it confirms.
-    pub asked: Option<Action>,
+    pub awaiting_confirmation: Option<Action>,
     /// Why the last run gave no result.
     pub failure: Option<String>,
 }
 
 impl Jobs {
-    /// The study of this type that has not ended, with what it was asked.
-    pub fn study<S: AskedFor>(&self) -> Option<(&Running, &S)> {
-        self.studies.iter().find_map(|running| Some((running, &**S::of(&running.asked)?)))
+    /// The study of this type that has not ended, with its request.
+    pub fn study<S: RequestVariant>(&self) -> Option<(&Running, &S)> {
+        self.studies.iter().find_map(|running| Some((running, &**S::downcast(&running.request)?)))
     }
 
     /// The study in the slot of a request by a tab.
-    pub fn slot(&self, tab: Tab, asked: &Asked) -> Option<&Running> {
-        self.studies.iter().find(|running| running.is_in_slot(tab, asked))
+    pub fn slot(&self, tab: Tab, request: &StudyRequest) -> Option<&Running> {
+        self.studies.iter().find(|running| running.is_in_slot(tab, request))
     }
 
     /// Forgets the study in the slot of a request: nothing that it reports is shown any more.
-    pub fn take_slot(&mut self, tab: Tab, asked: &Asked) {
-        self.studies.retain(|running| !running.is_in_slot(tab, asked));
+    pub fn take_slot(&mut self, tab: Tab, request: &StudyRequest) {
+        self.studies.retain(|running| !running.is_in_slot(tab, request));
     }
 
     /// Forgets a study: nothing that it reports is shown any more.
@@ -86,12 +86,12 @@ impl Jobs {
     }
 
     /// The study of this type that has not ended.
-    pub fn running<S: AskedFor>(&self) -> Option<&Running> {
+    pub fn running<S: RequestVariant>(&self) -> Option<&Running> {
         self.study::<S>().map(|(running, _)| running)
     }
 
     /// Whether the result of a study of this type for a scene is neither kept nor under way.
-    pub fn lacks<S: AskedFor, T>(&self, kept: &CachedResult<T>, scene: &Scene) -> bool {
+    pub fn lacks<S: RequestVariant, T>(&self, kept: &CachedResult<T>, scene: &Scene) -> bool {
         let is_coming = self.running::<S>().is_some_and(|running| *running.scene == *scene);
         !kept.is_settled(scene) && !is_coming
     }
@@ -101,19 +101,19 @@ impl Jobs {
 #[derive(Clone, Debug)]
 pub struct CachedResult<T> {
     pub scene: Arc<Scene>,
-    pub asked: Option<Asked>,
-    pub found: Option<Arc<T>>,
+    pub request: Option<StudyRequest>,
+    pub result: Option<Arc<T>>,
     pub reach: Reach,
     /// Whether opening its page started it.
     pub is_look: bool,
-    /// How long it took; `None` while more of it follows: it is neither complete nor stopped.
-    pub took: Option<Duration>,
+    /// Run time; `None` while more of it follows: it is neither complete nor stopped.
+    pub elapsed: Option<Duration>,
 }
 
 impl<T> Default for CachedResult<T> {
     fn default() -> Self {
-        let (scene, asked, found, reach, is_look, took) = Default::default();
-        Self { scene, asked, found, reach, is_look, took }
+        let (scene, request, result, reach, is_look, elapsed) = Default::default();
+        Self { scene, request, result, reach, is_look, elapsed }
     }
 }
 
@@ -121,32 +121,32 @@ impl<T> CachedResult<T> {
     /// Keeps the answer of a report, if it has this type; returns whether it did.
     pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) -> bool
     where
-        T: Finding,
+        T: ResultVariant,
     {
         let Some(Answer { report, reach, elapsed }) = news.found::<T>() else { return false };
-        let (scene, asked) = (Arc::clone(&running.scene), Some(running.asked.clone()));
-        let (found, took) = (Some(report), news.is_last().then_some(elapsed));
-        *self = Self { scene, asked, found, reach, is_look: running.is_look, took };
+        let (scene, request) = (Arc::clone(&running.scene), Some(running.request.clone()));
+        let (result, elapsed) = (Some(report), news.is_last().then_some(elapsed));
+        *self = Self { scene, request, result, reach, is_look: running.is_look, elapsed };
         true
     }
 
     /// Whether all of it is there.
     pub fn is_complete(&self) -> bool {
-        self.found.is_some() && self.reach.is_complete()
+        self.result.is_some() && self.reach.is_complete()
     }
 
     /// Whether it belongs to another scene than this one.
     pub fn is_stale(&self, scene: &Scene) -> bool {
-        self.found.is_some() && *self.scene != *scene
+        self.result.is_some() && *self.scene != *scene
     }
 
     /// Whether no more of it is computed by looking at its page: a study that a person stopped waits for the key that runs it again.
     pub fn is_over(&self) -> bool {
-        self.took.is_some() && (self.is_complete() || !self.is_look)
+        self.elapsed.is_some() && (self.is_complete() || !self.is_look)
     }
 
     /// Returns whether the result for a scene is settled.
     pub fn is_settled(&self, scene: &Scene) -> bool {
-        self.found.is_some() && self.is_over() && *self.scene == *scene
+        self.result.is_some() && self.is_over() && *self.scene == *scene
     }
 }

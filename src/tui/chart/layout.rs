@@ -12,9 +12,9 @@ use cmra_studies::report::chart::{
 use cmra_studies::report::steps::{Step, decade};
 
 /// Room kept at the left for labels, so that the plot does not jump when "9" becomes "10".
-const LEAST_GUTTER: u16 = 3;
+const MIN_GUTTER: u16 = 3;
 /// Least width of a plot that leaves room for labels beside it.
-const LEAST_PLOT_WIDTH: u16 = 8;
+const MIN_PLOT_WIDTH: u16 = 8;
 /// Least heights inside the frame for: an axis, its labels, a legend row.
 const AXIS_FROM: u16 = 3;
 const LABELS_FROM: u16 = 4;
@@ -65,8 +65,8 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
         (map(&chart.y, height), chart.y.ticks(height, along))
     });
 
-    let gutter = (y_ticks.width() + 1).max(LEAST_GUTTER).max(chart.gutter);
-    let has_left = inner.width >= gutter.saturating_add(1 + LEAST_PLOT_WIDTH);
+    let gutter = (y_ticks.width() + 1).max(MIN_GUTTER).max(chart.gutter);
+    let has_left = inner.width >= gutter.saturating_add(1 + MIN_PLOT_WIDTH);
     let left = if has_left { gutter + 1 } else { 0 };
     let margin = match (is_stacked, has_left) {
         // Its last label moves to the left.
@@ -114,7 +114,7 @@ const LONGEST: f64 = 1.2;
 /// Parts of the range of values to which the value of the lowest row is rounded.
 const PARTS: f64 = 20.0;
 /// Most digits of a label after its first.
-const MOST_DIGITS: i32 = 12;
+const MAX_DIGITS: i32 = 12;
 
 /// The rows of a low chart: the greatest value on top, and zero in the middle of a row, or else a round number in the lowest one.
 fn low(axis: &Axis<'_>, rows: u16) -> (Mapping, Ticks) {
@@ -133,7 +133,7 @@ fn low(axis: &Axis<'_>, rows: u16) -> (Mapping, Ticks) {
     let from = zero.map_or(floor / factor, |(from, _)| from);
     let map = Mapping::new(axis.scale, ViewRange::new(from, hi), rows);
     let tick = |cell: u16, value: f64, digits: i32| {
-        let digits = usize::try_from(digits.clamp(0, MOST_DIGITS)).unwrap_or(0);
+        let digits = usize::try_from(digits.clamp(0, MAX_DIGITS)).unwrap_or(0);
         let short: f64 = format!("{value:.digits$e}").parse().unwrap_or(value);
         // A minus before zero goes.
         Tick { cell, value, label: (short + 0.0).to_string() }

@@ -264,7 +264,7 @@ impl PathDialog {
 /// Returns the table of the page; on Run, the current run and the pins that have a result.
 fn content(app: &App) -> Option<Content> {
     if !app.shows_runs() {
-        return pages::of(app.tab).table(app).map(Content::Page);
+        return pages::page(app.tab).table(app).map(Content::Page);
     }
     let now = app.shown.iter().map(|shown| ("now".to_owned(), shown.run.clone()));
     let pins = app.pins.iter().filter_map(|pin| Some((pin.letter.to_string(), pin.run.clone()?)));

@@ -109,7 +109,7 @@ impl Page for ExploreTab {
             (None, Some(grid)) => {
                 let total = grid.progress().1;
                 let kept = &app.pages.explore.result;
-                match kept.took.filter(|_| kept.is_complete()) {
+                match kept.elapsed.filter(|_| kept.is_complete()) {
                     Some(took) => {
                         let took = show_duration(took);
                         part(Severity::Note, format!("{total} points in {took}"))
@@ -137,7 +137,7 @@ impl Page for ExploreTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        if PrintedSweep::of(&running.asked).is_some() {
+        if PrintedSweep::downcast(&running.request).is_some() {
             let printed = news.found::<Grid>().filter(|answer| answer.reach.is_complete());
             app.pages.explore.printed = printed.map(|answer| answer.report);
             // Said until someone moves over the figure; after that the legend names them.
@@ -150,13 +150,13 @@ impl Page for ExploreTab {
                 );
             }
         }
-        if PictureSweep::of(&running.asked).is_none() {
+        if PictureSweep::downcast(&running.request).is_none() {
             return;
         }
         let tab = &mut app.pages.explore;
         let before = tab.found().map(|grid| Arc::clone(grid.plan()));
         if tab.result.keep(running, news)
-            && let Some(grid) = &tab.result.found
+            && let Some(grid) = &tab.result.result
             && before.is_none_or(|plan| plan.axes() != grid.plan().axes())
         {
             // Over other axes the cursor begins again.
@@ -257,7 +257,8 @@ fn compute(app: &mut App, by: Option<Action>) {
             if let Some(action) = by {
                 jobs::study(app, action, sweep);
                 // Of a long sweep that a question keeps, its other curves stay, too.
-                if let Some(printed) = printed.filter(|_| app.jobs.asked.is_none()) {
+                if let Some(printed) = printed.filter(|_| app.jobs.awaiting_confirmation.is_none())
+                {
                     jobs::study(app, action, printed);
                 }
             } else {

@@ -80,10 +80,10 @@ impl Page for LimitTab {
         let mut parts = vec![finding.unwrap_or_else(done)];
         let sampling = |it: &Running| format!("V50{}", it.counted("of", " samples"));
         parts.extend(app.jobs.running::<V50Study>().map(|it| under_way(&sampling(it))));
-        let spread = Some(&tab.spread).filter(|it| it.found.is_some() && !it.is_complete());
+        let spread = Some(&tab.spread).filter(|it| it.result.is_some() && !it.is_complete());
         let is_shown = app.jobs.running::<V50Study>().is_none();
         parts.extend(spread.filter(|_| is_shown).map(|it| cut(it, "samples of V50")));
-        if let Some(report) = &tab.report.found {
+        if let Some(report) = &tab.report.result {
             let comparing = app.jobs.running::<MassComparison>();
             parts.extend(comparing.map(|it| under_way(&words(it))));
             let at_limit = report.at_limit.as_ref();
@@ -108,7 +108,7 @@ impl Page for LimitTab {
     fn table(&self, app: &App) -> Option<PageTable> {
         let (limit, comparison) = (&app.pages.limit.report, &app.pages.limit.comparison);
         if app.pane() == RESIDUAL {
-            let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
+            let report = limit.result.clone().filter(|report| !report.shots.is_empty())?;
             let name = app.name_of(&limit.scene);
             let csv = move |reach| {
                 let warnings = limit::warnings(&report);
@@ -118,7 +118,7 @@ impl Page for LimitTab {
             let table = PageTable::new(title, "limit.csv", limit.reach, csv);
             return Some(table.for_scene(app, &limit.scene, COMMAND));
         }
-        let (found, name) = (comparison.found.clone()?, app.name_of(&comparison.scene));
+        let (found, name) = (comparison.result.clone()?, app.name_of(&comparison.scene));
         let mut request = compare::Request::default();
         let table = if app.pane() == COMPARISON {
             // The map comes after the comparison.

@@ -139,6 +139,6 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &DisplayedRun, is_stale: bool) {
     section(lines, &heading, plain(energy(&run.ledger)));
     let results = plain([vec![sentence(run)], results(run)].concat());
     section(lines, &format!("Results{first}"), results);
-    let took_s = shown.took.map(|took| took.as_secs_f64());
+    let took_s = shown.elapsed.map(|took| took.as_secs_f64());
     section(lines, &format!("Computation{first}"), plain(computation(run, took_s)));
 }

@@ -95,7 +95,7 @@ impl Page for NumericsTab {
         Some(match app.pane() {
             ACCURACY => {
                 let kept = &tab.accuracy.report;
-                let (report, name) = (kept.found.clone()?, app.name_of(&kept.scene));
+                let (report, name) = (kept.result.clone()?, app.name_of(&kept.scene));
                 let csv =
                     move |reach| accuracy_table::table(&name, &report).with_reach(reach).csv();
                 let title = "Export the measurements to CSV";
@@ -104,14 +104,14 @@ impl Page for NumericsTab {
             }
             STIFF_SCENES => {
                 let kept = &tab.stability.battery;
-                let found = kept.found.clone().filter(|found| !found.is_empty())?;
+                let found = kept.result.clone().filter(|found| !found.is_empty())?;
                 let csv = move |reach| stability_table::table(&*found).with_reach(reach).csv();
                 let title = "Export the stiff scenes to CSV";
                 PageTable::new(title, "battery.csv", kept.reach, csv)
             }
             _ => {
                 let kept = &tab.stability.map;
-                let (map, name) = (kept.found.clone()?, app.name_of(&kept.scene));
+                let (map, name) = (kept.result.clone()?, app.name_of(&kept.scene));
                 let command =
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
                 let warnings = library::warnings(&kept.scene).map(str::to_owned);
@@ -127,7 +127,7 @@ impl Page for NumericsTab {
     }
 
     fn places(&self, app: &App) -> Vec<(String, String)> {
-        let map = app.pages.numerics.stability.map.found.as_ref();
+        let map = app.pages.numerics.stability.map.result.as_ref();
         let map = map.filter(|_| app.pane() == STABILITY);
         let place = |name: &str, unit: &str| (name.to_owned(), unit.to_owned());
         map.map_or_else(Vec::new, |map| {

@@ -17,7 +17,7 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::widgets::text::{TextLine, clip, columns, wrap};
     pub(crate) use crate::tui::widgets::{RowList, Rows, split_bottom, split_left, split_top};
     pub(crate) use crate::worker::ReportBody;
-    pub(crate) use crate::worker::studies::AskedFor;
+    pub(crate) use crate::worker::studies::RequestVariant;
     pub(crate) use cmra_engine::model::scene::Scene;
     pub(crate) use cmra_engine::model::units::significant;
     pub(crate) use cmra_studies::study::context::Reach;
@@ -39,7 +39,7 @@ use cmra_engine::model::variables::{self, VARIABLES};
 pub(crate) const BEING_COMPUTED: &str = "being computed";
 
 /// The words of a pane that has nothing to show: while its study runs, else why there is nothing.
-pub(crate) fn nothing<S: AskedFor>(
+pub(crate) fn nothing<S: RequestVariant>(
     app: &App,
     running: &'static str,
     why: Option<&'static str>,
@@ -61,7 +61,7 @@ pub(crate) fn cut<T>(kept: &CachedResult<T>, items: &str) -> StatusPart {
 }
 
 /// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
-pub(crate) fn progress<S: AskedFor, T>(
+pub(crate) fn progress<S: RequestVariant, T>(
     app: &App,
     kept: &CachedResult<T>,
     scene: &Scene,
@@ -71,7 +71,7 @@ pub(crate) fn progress<S: AskedFor, T>(
     match app.jobs.running::<S>() {
         Some(running) => Some(under_way(&words(running))),
         None if kept.is_stale(scene) => Some(part(Severity::Warning, old("scene"))),
-        None if kept.found.is_none() => Some(part(Severity::Note, NO_RESULTS)),
+        None if kept.result.is_none() => Some(part(Severity::Note, NO_RESULTS)),
         None => (!kept.is_complete()).then(|| cut(kept, items)),
     }
 }
@@ -226,7 +226,7 @@ impl App {
     pub fn layout(&self) -> Layout {
         // A pinned run takes the row that says how to pin one.
         let has_hint = self.tab != Tab::Run || self.pins.is_empty();
-        layout(self.size, pages::of(self.tab).about().pages.len() > 1, has_hint)
+        layout(self.size, pages::page(self.tab).about().pages.len() > 1, has_hint)
     }
 
     /// Rows of a list that fills the body.
@@ -262,13 +262,13 @@ pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
 
 /// Open the field of the selected row of the pane that has the keys, its old text selected.
 pub(crate) fn open_field(app: &mut App) {
-    let text = pages::of(app.tab).text(app);
+    let text = pages::page(app.tab).text(app);
     app.typing = Some(ActiveInput::Field(TextField::selected(text)));
 }
 
 /// Move the selection of the pane by rows, stopping at the ends.
 pub(crate) fn move_by(app: &mut App, by: isize) {
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     if let Some(rows) = page.rows(app)
         && let Some(last) = rows.count.checked_sub(1)
     {
@@ -291,7 +291,7 @@ pub(crate) fn pictures(app: &App) -> Vec<String> {
     let mut canvas = Canvas::new(&mut buffer, app.settings.theme);
     canvas.pictures = Some(Vec::new());
     if let Some(body) = app.layout().body {
-        pages::of(app.tab).draw(app, body, &mut canvas);
+        pages::page(app.tab).draw(app, body, &mut canvas);
     }
     canvas.pictures.unwrap_or_default()
 }

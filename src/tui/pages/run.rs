@@ -227,10 +227,10 @@ pub(crate) fn lay_beside(app: &mut App, traces: Arc<Traces>) {
     let charts = &mut app.pages.run.charts;
     let mut place = charts.quantities.len();
     for channel in Channel::ALL {
-        if traces.of(channel).next().is_none() || charts.quantities.contains(&channel) {
+        if traces.of_channel(channel).next().is_none() || charts.quantities.contains(&channel) {
             continue;
         }
-        let is_free = |at: &usize| traces.of(charts.quantities[*at]).next().is_none();
+        let is_free = |at: &usize| traces.of_channel(charts.quantities[*at]).next().is_none();
         let Some(at) = (0..place).rev().find(is_free) else { break };
         charts.quantities[at] = channel;
         place = at;

@@ -128,8 +128,8 @@ impl Page for SearchTab {
 
     fn enter(&self, app: &mut App) {
         let tab = &app.pages.search;
-        let kept = &tab.found[tab.page as usize];
-        let is_there = app.searching(tab.page).is_some() || kept.found.is_some() && kept.is_over();
+        let kept = &tab.results[tab.page as usize];
+        let is_there = app.searching(tab.page).is_some() || kept.result.is_some() && kept.is_over();
         if is_there {
             follow(app);
         } else if tab.page != state::Page::Front {
@@ -165,7 +165,7 @@ impl Page for SearchTab {
         let running = app.searching(tab.page);
         let answer = tab.answer().filter(|_| running.is_none());
         let own = answer.filter(|_| !app.search_is_old());
-        let kept = &tab.found[tab.page as usize];
+        let kept = &tab.results[tab.page as usize];
         let first = match running {
             Some(running) => {
                 let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
@@ -185,19 +185,19 @@ impl Page for SearchTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        let Some(request) = SearchRequest::of(&running.asked) else { return };
+        let Some(request) = SearchRequest::downcast(&running.request) else { return };
         let (tab, page) = (&mut app.pages.search, state::Page::from_request(request) as usize);
         if let ReportBody::Failed(text) = news {
             tab.problem[page] = Some(text.clone());
         } else {
-            tab.found[page].keep(running, news);
+            tab.results[page].keep(running, news);
         }
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let kept = app.pages.search.shown()?;
-        let (answer, scene) = (kept.found.clone()?, Arc::clone(&kept.scene));
-        let command = SearchRequest::of(kept.asked.as_ref()?)?.command();
+        let (answer, scene) = (kept.result.clone()?, Arc::clone(&kept.scene));
+        let command = SearchRequest::downcast(kept.request.as_ref()?)?.command();
         let name = app.name_of(&scene);
         let csv = move |reach| answer.csv(&scene, &name, reach);
         let (title, file) = ("Export the results to CSV", app.pages.search.page.study().file);

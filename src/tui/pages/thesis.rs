@@ -96,7 +96,7 @@ impl Page for ThesisTab {
         let words = |it: &Running| format!("checking the claims{}", it.counted("of", ""));
         let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words, "claims");
         parts.extend(checking);
-        if tab.report.found.is_some() {
+        if tab.report.result.is_some() {
             let counts = ClaimVerdict::ALL.iter().zip(tally(tab.rows()));
             let counts: Vec<String> =
                 counts.map(|(verdict, count)| format!("{count} {}", verdict.words())).collect();

@@ -15,15 +15,15 @@ use crate::tui::widgets::{around, cycled, rows_moved, step_of};
 
 /// Do it, in the pane that has the keys.
 pub(crate) fn act(app: &mut App, action: Action) {
-    if app.jobs.asked != Some(action) {
-        app.jobs.asked = None;
+    if app.jobs.awaiting_confirmation != Some(action) {
+        app.jobs.awaiting_confirmation = None;
     }
     // Steps of a variable join into one edit.
     if step_of(action).is_none() || app.pane() != VARIABLES {
         app.history.commit();
         app.pages.run.editor.stepped = None;
     }
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     let acts_on_rows = step_of(action).is_some()
         || matches!(action, Action::Enter | Action::Mark | Action::Reset | Action::Copy);
     if acts_on_rows && update::matches_nothing(app) {
@@ -45,7 +45,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
 
 /// Applies an action to the selected row of a form: takes the next value, or opens its field.
 fn in_form(app: &mut App, action: Action) -> bool {
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     let enters = action == Action::Enter;
     let press = if enters { Some(StepKey::NEXT) } else { step_of(action) };
     let Some((form, press)) = page.form(app).zip(press) else { return false };
@@ -89,7 +89,7 @@ fn anywhere(app: &mut App, action: Action) {
 
 /// Opens the field of the crosshair's place.
 fn locate(app: &mut App) {
-    if pages::of(app.tab).places(app).is_empty() {
+    if pages::page(app.tab).places(app).is_empty() {
         return app.report_progress(pages::nothing_yet(app, "point at"));
     }
     app.typing = Some(ActiveInput::Place(TextField::default()));
@@ -130,13 +130,13 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
     } else {
         app.tab = tab;
         app.typing = None;
-        pages::of(tab).enter(app);
+        pages::page(tab).enter(app);
     }
 }
 
 /// The next or previous page of the tab, in a circle; nothing where it has one.
 fn next_page(app: &mut App, by: isize) {
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     let count = page.about().pages.len();
     if count > 1 {
         page.turn_to(app, cycled(page.shown(app), by, count));
@@ -146,7 +146,7 @@ fn next_page(app: &mut App, by: isize) {
 /// Show a pane, with a page of its tab where one is named.
 fn show(app: &mut App, pane: Pane, page: Option<usize>) {
     app.focus_on(pane);
-    let of_tab = pages::of(app.tab);
+    let of_tab = pages::page(app.tab);
     match page {
         Some(page) => of_tab.turn_to(app, page),
         None => of_tab.enter(app),
@@ -155,7 +155,7 @@ fn show(app: &mut App, pane: Pane, page: Option<usize>) {
 
 /// The next pane of the page; the next page where the page has one pane.
 fn focus(app: &mut App, by: isize) {
-    let page = pages::of(app.tab);
+    let page = pages::page(app.tab);
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
         if page.about().pages.is_empty() {
@@ -196,13 +196,13 @@ fn leave(app: &mut App, action: Action) {
         Action::Cancel if jobs.is_empty() => Some("no job is running: <cancel> again quits"),
         _ => None,
     };
-    if let Some(question) = question.filter(|_| app.jobs.asked != Some(action)) {
-        app.jobs.asked = Some(action);
+    if let Some(question) = question.filter(|_| app.jobs.awaiting_confirmation != Some(action)) {
+        app.jobs.awaiting_confirmation = Some(action);
         return app.say(Severity::Warning, question);
     }
     // Pressed twice it quits, also while what it cancelled is still ending.
-    let insists = action == Action::Cancel && app.jobs.asked == Some(action);
-    app.jobs.asked = (action == Action::Cancel).then_some(action);
+    let insists = action == Action::Cancel && app.jobs.awaiting_confirmation == Some(action);
+    app.jobs.awaiting_confirmation = (action == Action::Cancel).then_some(action);
     if !jobs.is_empty() && !insists {
         // What a person stops waits for the key that runs it again, also where it was begun by looking.
         let stopped = app.jobs.studies.iter_mut().filter(|running| jobs.contains(&running.id));
@@ -218,7 +218,7 @@ fn leave(app: &mut App, action: Action) {
 
 /// Esc with nothing to stop: it closes what is open here, and never takes anything away.
 fn back(app: &mut App) {
-    if pages::of(app.tab).remove_cursor(app) {
+    if pages::page(app.tab).remove_cursor(app) {
         return;
     }
     if app.is_full() {
@@ -236,7 +236,7 @@ fn back(app: &mut App) {
 
 /// Copy the table that the page shows.
 fn copy(app: &mut App) {
-    let Some(table) = pages::of(app.tab).table(app) else {
+    let Some(table) = pages::page(app.tab).table(app) else {
         return app.refuse(pages::nothing_yet(app, "copy"));
     };
     app.request(Effect::Copy(Content::Page(table).text()));
@@ -251,7 +251,7 @@ pub(crate) fn call(app: &mut App, call: CommandTarget) {
             let before = app.tab;
             app.focus_on(pane);
             if app.tab != before {
-                pages::of(app.tab).enter(app);
+                pages::page(app.tab).enter(app);
             }
             act(app, action);
         }

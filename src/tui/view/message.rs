@@ -73,7 +73,7 @@ impl App {
         if self.dialog.is_some() {
             return None;
         }
-        let page = pages::of(self.tab);
+        let page = pages::page(self.tab);
         let meaning = page.form(self).and_then(|form| Some(form.line()?.meaning.clone()));
         let (severity, text) = note(meaning).or_else(|| page.readout(self, room))?;
         Some((severity, self.keymap.shown(&text)))
@@ -81,7 +81,7 @@ impl App {
 
     /// The parts of the status row, the most important first; what other tabs are computing stands behind the first one.
     pub fn status(&self) -> Vec<StatusPart> {
-        let mut parts = pages::of(self.tab).status(self);
+        let mut parts = pages::page(self.tab).status(self);
         let others = pages::all_jobs(self).filter(|(tab, _)| *tab != self.tab && *tab != Tab::Run);
         for (tab, _) in others {
             let text = format!("{} is computing", tab.title(&self.keymap));

@@ -7,12 +7,12 @@ use cmra::tui::keymap::Tab;
 use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
-use cmra::worker::studies::{Found, MethodBenchmark};
+use cmra::worker::studies::{MethodBenchmark, StudyResult};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::accuracy::method::{Answer, Method, Parameter, Refusal, SettingGrid};
 use cmra_studies::study::accuracy::reference::{Reference, ReferenceSource, References};
-use cmra_studies::study::accuracy::{Measured, MethodReport, OmissionGain, Point, Report};
+use cmra_studies::study::accuracy::{AccuracyReport, Measured, MethodReport, OmissionGain, Point};
 
 /// When the made-up contact ends, s, and how deep it is then, m.
 const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
@@ -60,7 +60,7 @@ fn point(method: Method, parameter: Parameter) -> Point {
 }
 
 /// Made-up measurements of the first few methods.
-fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
+fn measured(scene: &Arc<Scene>, methods: usize) -> AccuracyReport {
     let reference = Reference {
         basis: ReferenceSource::Stored("S2"),
         outcome: Outcome::Arrested,
@@ -72,7 +72,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
         let points = parameters.into_iter().map(|parameter| point(method, parameter)).collect();
         MethodReport { method, reference: Some(reference), points }
     };
-    Report {
+    AccuracyReport {
         scene: Arc::clone(scene),
         references: References { engine: Some(reference), other: Some(reference) },
         methods: Method::ALL.into_iter().take(methods).map(of).collect(),
@@ -84,7 +84,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
 
 pub(super) fn answer(bench: &mut Bench, methods: usize) {
     for study in bench.studies() {
-        let found = Found::from(measured(&study.scene, methods));
+        let found = StudyResult::from(measured(&study.scene, methods));
         if methods == Method::ALL.len() {
             bench.reply(study.id, ended(found));
         } else {
@@ -135,7 +135,7 @@ fn escape_stops_and_keeps_partial_results() {
     let study = bench.studies().remove(0);
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let found = Found::from(measured(&study.scene, 3));
+    let found = StudyResult::from(measured(&study.scene, 3));
     bench.reply(study.id, stopped((30, 79), found));
     assert!(bench.message().contains("partial results are shown"), "{}", bench.message());
     assert!(bench.screen().contains("cancelled: press r (30 of 79 points)"));
@@ -147,7 +147,7 @@ fn the_table_has_a_row_a_point() {
     bench.keys("e<Enter>");
     let (to, csv, has_scene) = bench.exported().expect("an export");
     assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-accuracy.csv"));
-    let report = bench.app.pages.numerics.accuracy.report.found.as_ref().unwrap();
+    let report = bench.app.pages.numerics.accuracy.report.result.as_ref().unwrap();
     let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
     assert!(has_scene && csv.lines().nth(1).unwrap().starts_with("thesis-baseline,"));
     assert_eq!(csv.lines().count(), points + 1);

@@ -13,8 +13,8 @@ use cmra::tui::preset::{PresetEntry, ReferencePreset};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
-use cmra::worker::studies::{Asked, Found};
-use cmra::worker::{JobProgress, Report, ReportBody, Task};
+use cmra::worker::studies::{StudyRequest, StudyResult};
+use cmra::worker::{JobProgress, ReportBody, Task, TaskReport};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{
     Arrest, ContactMode, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind,
@@ -46,7 +46,7 @@ pub(crate) struct Job {
 pub(crate) struct Study {
     pub(crate) id: u64,
     pub(crate) scene: Arc<Scene>,
-    pub(crate) asked: Asked,
+    pub(crate) request: StudyRequest,
 }
 
 impl Bench {
@@ -96,16 +96,16 @@ impl Bench {
     /// The studies but sweeps that have been submitted and not been looked at.
     pub(crate) fn studies(&mut self) -> Vec<Study> {
         self.tasks(|task| {
-            let Task { id, scene, asked, .. } = task.clone();
-            let other = !matches!(asked, Asked::Picture(_) | Asked::Run(_));
-            other.then_some(Study { id, scene, asked })
+            let Task { id, scene, request, .. } = task.clone();
+            let other = !matches!(request, StudyRequest::Picture(_) | StudyRequest::Run(_));
+            other.then_some(Study { id, scene, request })
         })
     }
 
     /// The plans of the sweeps that have been submitted and not been looked at, with their numbers and threads.
     pub(crate) fn sweeps(&mut self) -> Vec<(u64, usize, Arc<Plan>)> {
         self.tasks(|task| {
-            let Asked::Picture(sweep) = &task.asked else { return None };
+            let StudyRequest::Picture(sweep) = &task.request else { return None };
             Some((task.id, task.threads, Arc::clone(&sweep.plan)))
         })
     }
@@ -131,7 +131,7 @@ impl Bench {
 
     /// Report on a task, as its thread would.
     pub(crate) fn reply(&mut self, id: u64, body: ReportBody) {
-        self.send(Message::Report(Report { id, body }));
+        self.send(Message::Report(TaskReport { id, body }));
     }
 
     /// Report that a task has done a given number of points.
@@ -141,7 +141,7 @@ impl Bench {
     }
 
     /// Report what a task has so far.
-    pub(crate) fn part(&mut self, id: u64, (done, total): (usize, usize), part: Found) {
+    pub(crate) fn part(&mut self, id: u64, (done, total): (usize, usize), part: StudyResult) {
         self.progress(id, done, total);
         let reach = Reach::Partial(Progress { done, total });
         let elapsed = Duration::from_millis(600);
@@ -181,7 +181,7 @@ impl Bench {
     /// The jobs that have been submitted and not answered.
     pub(crate) fn jobs(&mut self) -> Vec<Job> {
         self.tasks(|task| {
-            let is_run = matches!(task.asked, Asked::Run(_));
+            let is_run = matches!(task.request, StudyRequest::Run(_));
             is_run.then(|| Job { id: task.id, scene: Arc::clone(&task.scene) })
         })
     }
@@ -223,16 +223,16 @@ pub(crate) fn done(run: Run) -> ReportBody {
 }
 
 /// The last report of a task.
-pub(crate) fn ended(found: impl Into<Found>) -> ReportBody {
+pub(crate) fn ended(found: impl Into<StudyResult>) -> ReportBody {
     ended_at(Reach::Complete, found)
 }
 
 /// The last report of a task that was stopped after so many of its points.
-pub(crate) fn stopped((done, total): (usize, usize), found: impl Into<Found>) -> ReportBody {
+pub(crate) fn stopped((done, total): (usize, usize), found: impl Into<StudyResult>) -> ReportBody {
     ended_at(Reach::Partial(Progress { done, total }), found)
 }
 
-fn ended_at(reach: Reach, found: impl Into<Found>) -> ReportBody {
+fn ended_at(reach: Reach, found: impl Into<StudyResult>) -> ReportBody {
     let elapsed = Duration::from_millis(8);
     ReportBody::Ended(Some(Answer { report: found.into(), reach, elapsed }))
 }
@@ -318,7 +318,7 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(scene: &Scene) -> Self {
+    fn from_scene(scene: &Scene) -> Self {
         let gamma = scene.mass_ratio();
         let rigid = !scene.is_sprung();
         let share = if rigid { 1.0 } else { gamma / (1.0 + gamma) };
@@ -367,7 +367,7 @@ fn mount_n(scene: &Scene) -> f64 {
     if spring.power().is_none() || !damper.is_absent() || stop.is_some() {
         return 4e3;
     }
-    let turn_m = Shape::of(scene).sample(TURN_S).plate_displacement_m;
+    let turn_m = Shape::from_scene(scene).sample(TURN_S).plate_displacement_m;
     [-scene.plate.cocking_m, turn_m]
         .map(|x_m| spring.force(x_m).abs())
         .into_iter()
@@ -377,7 +377,7 @@ fn mount_n(scene: &Scene) -> f64 {
 /// A made-up run of a scene: a thin plate is perforated, a cocked one asks too much of the interface.
 pub(crate) fn made(scene: &Arc<Scene>) -> Run {
     let rigid = !scene.is_sprung();
-    let shape = Shape::of(scene);
+    let shape = Shape::from_scene(scene);
     let arrest = shape.sample(ARREST_S);
     let mut run = Run {
         scene: Arc::clone(scene),

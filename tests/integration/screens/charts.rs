@@ -8,7 +8,7 @@ use super::{limit, search, stability};
 use cmra::tui::message::Message;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::Found;
+use cmra::worker::studies::StudyResult;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_studies::study::stability::map::{Axis, Cell, FixedStep};
@@ -72,7 +72,7 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     let mut map = stability::map(FixedStep::Thesis, Axis::K);
     let columns = map.dt_s.len();
     map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
-    bench.part(study.id, (10, 19), Found::from(map));
+    bench.part(study.id, (10, 19), StudyResult::from(map));
     let screen = bench.screen();
     assert!(screen.contains("computing the map: 10 of 19 rows"), "{screen}");
     assert!(screen.contains("____") && screen.contains("k [N/m^n]"), "{screen}");

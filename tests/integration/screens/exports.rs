@@ -11,7 +11,7 @@ use cmra::files::export::sidecar_path;
 use cmra::tui::message::{Effect, FileTask};
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::preset::ReferencePreset;
-use cmra::worker::{Report, Task, Worker};
+use cmra::worker::{Task, TaskReport, Worker};
 use cmra_engine::model::scene::{PlateSize, Scene};
 
 /// A bench on a scene whose plate has a face, with a folder that it writes to.
@@ -40,7 +40,7 @@ fn keys(bench: &mut Bench, keys: &str) {
             return;
         }
         let (send, reports) = mpsc::channel();
-        let worker = Worker::spawn(move |report: Report| drop(send.send(report)));
+        let worker = Worker::spawn(move |report: TaskReport| drop(send.send(report)));
         for task in tasks {
             let id = task.id;
             // All of it, however slow the machine.

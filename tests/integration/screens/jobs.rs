@@ -11,9 +11,9 @@ use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message}
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{
-    AskedFor, Comparison, LimitSearch, MassComparison, SearchAnswer, SearchRequest,
+    Comparison, LimitSearch, MassComparison, RequestVariant, SearchAnswer, SearchRequest,
 };
-use cmra::worker::{Report, ReportBody, Worker};
+use cmra::worker::{ReportBody, TaskReport, Worker};
 use cmra_engine::model::run::EndReason;
 
 /// Samples of the Monte Carlo study that runs beside a goal seek: enough to outlast it, few enough for a build without optimisation.
@@ -25,7 +25,7 @@ fn searched(bench: &mut Bench) -> (u64, Page) {
     let found = studies
         .iter()
         .rev()
-        .find_map(|it| Some((it.id, Page::from_request(SearchRequest::of(&it.asked)?))));
+        .find_map(|it| Some((it.id, Page::from_request(SearchRequest::downcast(&it.request)?))));
     found.expect("a search")
 }
 
@@ -129,7 +129,7 @@ fn a_search_goes_on_while_others_are_begun() {
 }
 
 fn page_of(running: &Running) -> Page {
-    Page::from_request(SearchRequest::of(&running.asked).expect("a search"))
+    Page::from_request(SearchRequest::downcast(&running.request).expect("a search"))
 }
 
 /// Monte Carlo and a goal seek in the workbench, on real threads: both run at once, and both end with all of their runs.
@@ -137,7 +137,7 @@ fn page_of(running: &Running) -> Page {
 fn monte_carlo_and_a_goal_seek_run_at_once_and_both_end() {
     let mut bench = Bench::ascii(120, 36);
     let (send, reports) = mpsc::channel();
-    let worker = Worker::spawn(move |report: Report| drop(send.send(report)));
+    let worker = Worker::spawn(move |report: TaskReport| drop(send.send(report)));
     bench.press("4444");
     Arc::make_mut(&mut bench.app.pages.search.setup).samples = SAMPLES;
     bench.effects.clear();
@@ -161,9 +161,9 @@ fn monte_carlo_and_a_goal_seek_run_at_once_and_both_end() {
         submit(&mut bench);
     }
     for page in [Page::Seek, Page::MonteCarlo] {
-        assert!(bench.app.pages.search.found[page as usize].is_complete(), "{page:?}");
+        assert!(bench.app.pages.search.results[page as usize].is_complete(), "{page:?}");
     }
-    let scatter = bench.app.pages.search.found[Page::MonteCarlo as usize].found.clone();
+    let scatter = bench.app.pages.search.results[Page::MonteCarlo as usize].result.clone();
     let Some(SearchAnswer::MonteCarlo(report)) = scatter.as_deref() else { panic!("{scatter:?}") };
     assert_eq!(report.samples, SAMPLES);
 }
@@ -290,7 +290,7 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     let part = part_of(&bench);
     bench.keys("r");
     let study = bench.studies().remove(0);
-    assert!(MassComparison::of(&study.asked).is_some());
+    assert!(MassComparison::downcast(&study.request).is_some());
     bench.keys("<Esc>");
     bench.reply(study.id, stopped((34, 445), part));
     for pane in ["comparison", "mass efficiency"] {
@@ -301,8 +301,8 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     assert!(!bench.screen().contains("cancelled"), "the limit is there: {}", bench.screen());
     bench.keys("13");
     let again = bench.studies();
-    assert!(again.iter().all(|study| LimitSearch::of(&study.asked).is_none()));
-    assert!(again.iter().all(|study| MassComparison::of(&study.asked).is_none()));
+    assert!(again.iter().all(|study| LimitSearch::downcast(&study.request).is_none()));
+    assert!(again.iter().all(|study| MassComparison::downcast(&study.request).is_none()));
     // Its map is written as a part.
     bench.keys("<S-Tab>e<Enter>");
     assert!(writes_a_part(&bench));

@@ -302,7 +302,7 @@ fn a_cancelled_job_keeps_its_part_and_a_failed_one_says_why() {
     let job = bench.jobs().remove(0);
     let partial = Run { end: EndReason::Cancelled, ..made(&job.scene) };
     bench.reply(job.id, done(partial));
-    assert!(bench.app.shown.as_ref().unwrap().took.is_none());
+    assert!(bench.app.shown.as_ref().unwrap().elapsed.is_none());
     bench.press("r");
     let job = bench.jobs().remove(0);
     bench.reply(job.id, ReportBody::Failed("internal error".to_owned()));

@@ -6,13 +6,13 @@ use super::at_every_size;
 use super::bench::{Bench, ended, stopped};
 use crate::support::says;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{Asked, AskedFor, LimitSearch, MassComparison, V50Study};
+use cmra::worker::studies::{LimitSearch, MassComparison, RequestVariant, StudyRequest, V50Study};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::compare::{Hardware, compare};
 use cmra_studies::study::context::{Context, never_cancel};
 use cmra_studies::study::limit::residual_law::ResidualLaw;
-use cmra_studies::study::limit::{Limit, LimitMethod, Report, Shot};
+use cmra_studies::study::limit::{Limit, LimitMethod, LimitReport, Shot};
 use cmra_studies::study::monte_carlo;
 use insta::assert_snapshot;
 
@@ -20,7 +20,7 @@ use insta::assert_snapshot;
 const V_BL: f64 = 232.3;
 
 /// A plate that takes a little more than its own share beyond the limit.
-fn found(scene: &Arc<Scene>) -> Report {
+fn found(scene: &Arc<Scene>) -> LimitReport {
     let below = (0..6).map(|i| 0.5 + f64::from(i) / 12.0);
     let above = (1..=24).map(|i| 1.0 + 1.5 * (f64::from(i) / 24.0).powi(2));
     let law = |v: f64| 0.92 * (v.powf(2.2) - V_BL.powf(2.2)).powf(1.0 / 2.2);
@@ -29,7 +29,7 @@ fn found(scene: &Arc<Scene>) -> Report {
         outcome: if times > 1.0 { Outcome::Perforated } else { Outcome::Arrested },
         residual_m_s: (times > 1.0).then(|| law(times * V_BL)),
     };
-    Report {
+    LimitReport {
         scene: Arc::clone(scene),
         limit: Limit::found(V_BL, LimitMethod::Outcome),
         at_limit: None,
@@ -46,22 +46,22 @@ fn found(scene: &Arc<Scene>) -> Report {
 /// Stop the search of the limit.
 pub(super) fn stop(bench: &mut Bench) {
     for study in bench.studies() {
-        if let Asked::Limit(_) = study.asked {
+        if let StudyRequest::Limit(_) = study.request {
             bench.reply(study.id, stopped((12, 111), found(&study.scene)));
         }
     }
 }
 
-pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
+pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut LimitReport)) {
     for study in bench.studies() {
-        if let Some(V50Study(task)) = V50Study::of(&study.asked).map(|it| &**it) {
+        if let Some(V50Study(task)) = V50Study::downcast(&study.request).map(|it| &**it) {
             let few = monte_carlo::Request { samples: Some(20), ..task.clone() };
             let watch = &mut never_cancel;
             let v50 = monte_carlo::run(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
             bench.reply(study.id, ended(v50));
             continue;
         }
-        let Asked::Limit(_) = study.asked else { continue };
+        let StudyRequest::Limit(_) = study.request else { continue };
         let mut report = found(&study.scene);
         change(&mut report);
         let body = ended(report);
@@ -152,7 +152,7 @@ fn the_limit_is_found_once_for_each_scene_and_again_on_request() {
     // Leaving and coming back does not ask twice.
     bench.keys("13");
     let again = bench.studies();
-    assert!(again.iter().all(|study| LimitSearch::of(&study.asked).is_none()));
+    assert!(again.iter().all(|study| LimitSearch::downcast(&study.request).is_none()));
 }
 
 #[test]
@@ -179,9 +179,9 @@ fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
 fn v_computes_v50_as_the_command_does() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
-    let asked = bench.studies().remove(0).asked;
+    let asked = bench.studies().remove(0).request;
     let task = monte_carlo::Request::v50();
-    assert_eq!(V50Study::of(&asked).map(|it| &**it), Some(&V50Study(task)));
+    assert_eq!(V50Study::downcast(&asked).map(|it| &**it), Some(&V50Study(task)));
 }
 
 /// The limit is that of any shot: another impact velocity starts no second search.
@@ -190,7 +190,7 @@ fn a_search_under_way_goes_on_at_another_impact_velocity() {
     let mut bench = Bench::ascii(80, 24);
     let asked = |bench: &mut Bench| {
         let studies = bench.studies().into_iter();
-        studies.filter(|study| LimitSearch::of(&study.asked).is_some()).count()
+        studies.filter(|study| LimitSearch::downcast(&study.request).is_some()).count()
     };
     bench.keys("3");
     assert_eq!(asked(&mut bench), 1);
@@ -283,12 +283,12 @@ fn the_tab_and_the_commands_give_the_same_digits() {
         for study in bench.studies() {
             let mut watch = never_cancel;
             let context = &mut Context::new(1, &mut watch);
-            if let Some(LimitSearch) = LimitSearch::of(&study.asked).map(|it| &**it) {
+            if let Some(LimitSearch) = LimitSearch::downcast(&study.request).map(|it| &**it) {
                 let report = cmra_studies::study::limit::find(&study.scene, context).unwrap();
                 let own = read(&cmra_studies::report::limit::json(name, &report).to_string());
                 assert_eq!(own["shots"], json("limit")["shots"], "{name}");
                 asked += 1;
-            } else if MassComparison::of(&study.asked).is_some() {
+            } else if MassComparison::downcast(&study.request).is_some() {
                 let report = compare(&study.scene, Hardware::default(), context).unwrap();
                 let own = read(&cmra_studies::report::compare::json(name, &report).to_string());
                 let command = json("compare");

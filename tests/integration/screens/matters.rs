@@ -7,14 +7,14 @@ use super::bench::{Bench, ended, stopped};
 use cmra::tui::message::{Effect, Message};
 use cmra::tui::pages::run::editor::Editor;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{AskedFor, Found, SearchAnswer, SearchRequest};
+use cmra::worker::studies::{RequestVariant, SearchAnswer, SearchRequest, StudyResult};
 use cmra_studies::study::sensitivity::VARIABLES;
 use insta::assert_snapshot;
 
 /// A study that was asked for: its number, time and result.
-fn asked(bench: &mut Bench) -> Option<(u64, Option<Duration>, Found)> {
+fn asked(bench: &mut Bench) -> Option<(u64, Option<Duration>, StudyResult)> {
     let tasks = bench.tasks(|task| {
-        let request = SearchRequest::of(&task.asked)?.clone();
+        let request = SearchRequest::downcast(&task.request)?.clone();
         Some((task.id, task.budget, task.scene.clone(), request))
     });
     let (id, budget, scene, request) = tasks.into_iter().last()?;
@@ -101,7 +101,7 @@ fn what_a_look_did_not_reach_says_so_and_a_key_computes_it() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("v");
     let (id, _, found) = asked(&mut bench).expect("a look");
-    let Found::Search(answer) = found else { panic!("no search") };
+    let StudyResult::Search(answer) = found else { panic!("no search") };
     let SearchAnswer::Sensitivity(mut report) = (*answer).clone() else { panic!("no effects") };
     for effect in &mut report.effects {
         effect.slope = None;

@@ -142,7 +142,7 @@ fn a_map_without_values_gives_the_reason_and_the_cure() {
 fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
     // More rows and columns of cells than of the map.
     let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
-    let map = bench.app.pages.numerics.stability.map.found.clone().unwrap();
+    let map = bench.app.pages.numerics.stability.map.result.clone().unwrap();
     let (rows, steps) = (map.values.len(), map.dt_s.len());
     // The plot stands right of the values of its rows and above axis and steps.
     let corners = [((7, 3), (0, rows - 1)), ((116, 3), (steps - 1, rows - 1)), ((7, 51), (0, 0))];

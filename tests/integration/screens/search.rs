@@ -9,10 +9,10 @@ use super::bench::{Bench, Study, ended, stopped};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
-use cmra_studies::study::compare::map::{Map, usual_axis};
+use cmra_studies::study::compare::map::{Map, default_axis};
 use cmra_studies::study::compare::{self, Hardware};
 use cmra_studies::study::context::{Context, never_cancel};
-use cmra_studies::study::search::front::{self, Design, Report};
+use cmra_studies::study::search::front::{self, Design, FrontReport};
 use cmra_studies::study::sweep::PointOutcome;
 use cmra_studies::study::sweep::default_axes::{or_usual, thesis_axes};
 
@@ -21,12 +21,12 @@ use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::{Page, Row};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{
-    AskedFor, Comparison, Found, MassComparison, SearchAnswer, SearchRequest,
+    Comparison, MassComparison, RequestVariant, SearchAnswer, SearchRequest, StudyResult,
 };
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
-fn front(scene: &Scene, request: &front::Request) -> Report {
+fn front(scene: &Scene, request: &front::Request) -> FrontReport {
     let measures =
         |i: f64| vec![Some(1e-3 + 1e-4 * i), Some(0.8 / (1.0 + i)), Some(0.5), Some(4e3)];
     let over = or_usual(&request.over, || thesis_axes(scene)).unwrap();
@@ -36,13 +36,13 @@ fn front(scene: &Scene, request: &front::Request) -> Report {
         outcome: PointOutcome::Ended(Outcome::Arrested),
         plastic: None,
     };
-    Report {
+    FrontReport {
         designs: (0..40).map(design).collect(),
         request: front::Request { over, ..request.clone() },
         base: scene.clone(),
         outside: vec![(Check::Thickness, 40), (Check::Interface, 31)],
         runs: 2460,
-        ..Report::default()
+        ..FrontReport::default()
     }
 }
 
@@ -62,7 +62,7 @@ fn compared(scene: &Arc<Scene>) -> Comparison {
     let mut watch = never_cancel;
     let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
     let report = compare::compare(scene, hardware, context).unwrap();
-    let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
+    let axes = ["v_i", "gamma"].map(|name| default_axis(scene, name, 21).unwrap());
     let map = Map::compute(scene, &axes, hardware, context).ok();
     Comparison { report, map }
 }
@@ -87,16 +87,16 @@ pub(super) fn in_search(size: (u16, u16)) -> Bench {
 }
 
 /// The result of a search.
-pub(super) fn found(study: &Study) -> Found {
-    let request = SearchRequest::of(&study.asked).expect("a search");
-    Found::from(made(&study.scene, request))
+pub(super) fn found(study: &Study) -> StudyResult {
+    let request = SearchRequest::downcast(&study.request).expect("a search");
+    StudyResult::from(made(&study.scene, request))
 }
 
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
-    let found = if SearchRequest::of(&study.asked).is_some() {
+    let found = if SearchRequest::downcast(&study.request).is_some() {
         found(study)
-    } else if MassComparison::of(&study.asked).is_some() {
-        Found::from(compared(&study.scene))
+    } else if MassComparison::downcast(&study.request).is_some() {
+        StudyResult::from(compared(&study.scene))
     } else {
         return false;
     };
@@ -202,9 +202,9 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("4r");
     let study = bench.studies().remove(0);
-    let request = SearchRequest::of(&study.asked).expect("a search");
+    let request = SearchRequest::downcast(&study.request).expect("a search");
     let SearchAnswer::Front(front) = made(&study.scene, request) else { panic!("no front") };
-    let part = Found::from(SearchAnswer::Front(front));
+    let part = StudyResult::from(SearchAnswer::Front(front));
     bench.part(study.id, (480, 2460), part.clone());
     let screen = bench.screen();
     assert!(screen.contains("searching: about 480 of 2460 runs (Esc cancels)"), "{screen}");

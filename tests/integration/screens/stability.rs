@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::bench::{Bench, ended, made, stopped};
 use cmra::files::atomic::OverwritePolicy;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{AskedFor, Found, StabilityMap, StiffScenes};
+use cmra::worker::studies::{RequestVariant, StabilityMap, StiffScenes, StudyResult};
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::accuracy::reference::ReferenceSource;
 use cmra_studies::study::stability::cases::CASES;
@@ -55,16 +55,16 @@ fn whole(method: FixedStep, axis: Axis) -> StabilityMapRequest {
 
 /// The map that was requested, by its place among the studies.
 fn asked(bench: &mut Bench, at: usize) -> StabilityMapRequest {
-    StabilityMap::of(&bench.studies()[at].asked).expect("a map").0
+    StabilityMap::downcast(&bench.studies()[at].request).expect("a map").0
 }
 
 /// Answer what was requested.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
-        let found = if let Some(asked) = StabilityMap::of(&study.asked) {
-            Found::from(map(asked.0.method, asked.0.axis))
-        } else if StiffScenes::of(&study.asked).is_some() {
-            Found::from(rows(12))
+        let found = if let Some(asked) = StabilityMap::downcast(&study.request) {
+            StudyResult::from(map(asked.0.method, asked.0.axis))
+        } else if StiffScenes::downcast(&study.request).is_some() {
+            StudyResult::from(rows(12))
         } else {
             continue;
         };
@@ -121,8 +121,8 @@ fn the_stiff_scenes_run_once_can_be_stopped_and_name_failures() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>");
     let study = bench.studies().remove(0);
-    assert!(StiffScenes::of(&study.asked).is_some());
-    let part = Found::from(rows(4));
+    assert!(StiffScenes::downcast(&study.request).is_some());
+    let part = StudyResult::from(rows(4));
     bench.part(study.id, (4, 62), part);
     assert!(bench.screen().contains("checking the stiff scenes: 4 of 62 (Esc cancels)"));
     bench.keys("<Esc>");

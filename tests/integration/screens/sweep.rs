@@ -14,7 +14,7 @@ use cmra::tui::pages::explore::state::{ChartKind, Part, SetupRow};
 use cmra::tui::preset::ReferencePreset;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
-use cmra::worker::studies::{AskedFor, Found, PictureSweep, PrintedSweep};
+use cmra::worker::studies::{PictureSweep, PrintedSweep, RequestVariant, StudyResult};
 use cmra::worker::{JobProgress, ReportBody};
 use cmra_studies::study::context::{self as study, Context};
 use cmra_studies::study::sweep::Plan;
@@ -104,7 +104,7 @@ fn a_figure_has_the_curves_of_the_printed_scheme_beside_its_own() {
         let mut bench = open(figure, 7, GlyphSet::Ascii, (160, 48));
         bench.keys("2");
         let printed = bench.tasks(|task| {
-            let plan = Arc::clone(&PrintedSweep::of(&task.asked)?.0);
+            let plan = Arc::clone(&PrintedSweep::downcast(&task.request)?.0);
             Some(Job { id: task.id, plan })
         });
         answer(&mut bench);
@@ -223,7 +223,7 @@ fn a_variable_redraws_at_once_coarse_first() {
     assert_eq!(job.plan.base().projectile.velocity_m_s.to_bits(), 101f64.to_bits());
     let part = grid(&job, 36);
     assert!(!part.is_complete());
-    bench.part(job.id, (36, 441), Found::from(part));
+    bench.part(job.id, (36, 441), StudyResult::from(part));
     assert!(bench.screen().contains("sweeping: 36 of 441 points"), "{}", bench.screen());
     assert_snapshot!("surface_coarse", bench.screen());
     // A newer edit: what the older sweep still says is dropped.

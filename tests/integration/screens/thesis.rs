@@ -4,7 +4,7 @@ use super::bench::{Bench, ended, stopped};
 use super::jobs::writes_a_part;
 use cmra::tui::keymap::Tab;
 use cmra::tui::preset::PresetEntry;
-use cmra::worker::studies::{AskedFor, Claims, Found};
+use cmra::worker::studies::{Claims, RequestVariant, StudyResult};
 use cmra_studies::study::context::CancelFlag;
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::thesis::{self, Claim, Row, claims};
@@ -27,7 +27,7 @@ fn bench(columns: u16, rows: u16) -> Bench {
 /// The number of the study of the claims that was requested.
 fn asked(bench: &mut Bench) -> Option<u64> {
     let studies = bench.studies();
-    Some(studies.iter().rev().find(|it| Claims::of(&it.asked).is_some())?.id)
+    Some(studies.iter().rev().find(|it| Claims::downcast(&it.request).is_some())?.id)
 }
 
 #[test]
@@ -54,7 +54,7 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     assert!(bench.screen().contains("checking the first claims"));
     let id = asked(&mut bench).unwrap();
     let some: Vec<Row> = claims().take(2).map(check).collect();
-    let part = Found::from(some.clone());
+    let part = StudyResult::from(some.clone());
     bench.part(id, (2, 114), part);
     assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc cancels)"));
     bench.keys("<Esc>");

@@ -150,7 +150,7 @@ impl ImpactParameters {
             kept: 1.0,
             weight_n: scene.weight_n() * cos,
         };
-        match Plug::of(scene).filter(|_| flows) {
+        match Plug::from_scene(scene).filter(|_| flows) {
             None => own,
             Some(plug) => Self { plug: Some(Box::new(own.around(&plug))), ..own },
         }

@@ -6,7 +6,7 @@
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::{LEAST_EXPONENT, PowerLaw};
+use crate::model::mechanism::{MIN_EXPONENT, PowerLaw};
 use crate::model::scene::{OwnMass, Scene, Wire};
 use crate::model::variables::part::{NO_VALUES, parts, placed};
 use crate::model::variables::{Group, Variable, VariableError};
@@ -89,7 +89,7 @@ kinds! {
             .when(|scene| scene.mechanism.spring.kind == SpringKind::PowerLaw)
             .source("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
         pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
-            number(Number, From(LEAST_EXPONENT)).thesis_range(Some((0.1, 3.0))).is_log(true)
+            number(Number, From(MIN_EXPONENT)).thesis_range(Some((0.1, 3.0))).is_log(true)
             .when(|scene| matches!(scene.mechanism.spring.kind, SpringKind::PowerLaw | SpringKind::Normalised))
             .used(|scene| !scene.mechanism.spring.is_absent())
             .source("thesis Table 9.2 (range searched)");

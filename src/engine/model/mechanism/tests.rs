@@ -180,7 +180,7 @@ fn a_known_mass_of_one_spring_hides_no_other() {
         let scene = scene_with(&format!("combine=parallel k_2=1e6 {pairs}"));
         let own = Inertia::from_scene(&scene);
         assert_eq!((own.spring_mass_kg, own.spring_kg(Some(0.3748))), (None, Some(mass_kg)));
-        let (omitted_kg, is_least) = own.omitted_kg(scene.mechanism.least_spring_kg(Some(73.75)));
+        let (omitted_kg, is_least) = own.omitted_kg(scene.mechanism.min_spring_kg(Some(73.75)));
         assert_eq!(is_least, mass_kg < 1.0, "{pairs}");
         assert!((omitted_kg - mass_kg).abs() < 5e-5, "{pairs}: {omitted_kg}");
     }
@@ -211,8 +211,8 @@ fn a_counted_mass_follows_from_the_specific_energy_that_is_given() {
 fn only_coils_have_a_least_mass_without_a_specific_energy() {
     let least_g = |pairs: &str| {
         let mechanism = scene_with(pairs).mechanism;
-        assert_eq!(mechanism.least_spring_kg(Some(0.0)), Some(0.0), "{pairs}");
-        mechanism.least_spring_kg(Some(73.65)).map(|kg| (1e4 * kg).round() / 10.0)
+        assert_eq!(mechanism.min_spring_kg(Some(0.0)), Some(0.0), "{pairs}");
+        mechanism.min_spring_kg(Some(73.65)).map(|kg| (1e4 * kg).round() / 10.0)
     };
     assert_eq!(least_g(""), Some(374.3));
     assert_eq!(least_g("spring=normalised"), Some(374.3));

@@ -381,7 +381,7 @@ fn spring_mass(run: &Run) -> Option<(f64, String)> {
         return Some((f64::INFINITY, text.to_owned()));
     }
     let spring = &scene.mechanism.spring;
-    let least_kg = scene.mechanism.least_spring_kg(run.mechanism.stored_j);
+    let least_kg = scene.mechanism.min_spring_kg(run.mechanism.stored_j);
     let (omitted_kg, is_least) = own.omitted_kg(least_kg);
     let over_plate = spring.law().moving_part(spring) * omitted_kg / scene.plate_mass_kg();
     let is_of_second = spring.own_mass == OwnMass::Counted;

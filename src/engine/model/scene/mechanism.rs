@@ -2,7 +2,7 @@
 
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::kinds::{Spring, SpringKind};
-use crate::model::mechanism::{LEAST_EXPONENT, PowerLaw};
+use crate::model::mechanism::{MIN_EXPONENT, PowerLaw};
 use crate::model::variables::Variable;
 use crate::model::variables::part::{TABLE_9_2, parts, rows};
 use crate::model::variables::visible::{has_stop, has_stop_of};
@@ -84,7 +84,7 @@ pub(in crate::model) fn damper_rows() -> Vec<Variable> {
         coefficient: f64 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
             number(DamperCoefficient, NonNegative).own_name("damping").thesis_range(Some((0.0, 2000.0))).is_log(true).source(TABLE_9_2);
         exponent: f64 => "m", "damper exponent", "damper exponent",
-            number(Number, From(LEAST_EXPONENT)).is_log(true).used(|scene| !scene.mechanism.damper.is_absent()).source("thesis section 9.2.2: 1");
+            number(Number, From(MIN_EXPONENT)).is_log(true).used(|scene| !scene.mechanism.damper.is_absent()).source("thesis section 9.2.2: 1");
     }
 }
 
@@ -94,7 +94,7 @@ pub(in crate::model) fn second_rows() -> Vec<Variable> {
         coefficient: f64 => "k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)",
             number(SpringCoefficient, NonNegative).is_log(true).source("thesis section 6.2.8");
         exponent: f64 => "n_2", "second exponent", "exponent of the second spring",
-            number(Number, From(LEAST_EXPONENT)).is_log(true).used(|scene| scene.mechanism.second.coefficient > 0.0).source("thesis section 6.2.8");
+            number(Number, From(MIN_EXPONENT)).is_log(true).used(|scene| scene.mechanism.second.coefficient > 0.0).source("thesis section 6.2.8");
     }
 }
 
@@ -132,7 +132,7 @@ impl Mechanism {
     }
 
     /// The least mass of springs that store an energy, J, kg; `None` where that or their specific energy is not known.
-    pub fn least_spring_kg(&self, stored_j: Option<f64>) -> Option<f64> {
+    pub fn min_spring_kg(&self, stored_j: Option<f64>) -> Option<f64> {
         let stored_j = stored_j?;
         if stored_j == 0.0 { Some(0.0) } else { Some(stored_j / self.specific_energy_j_kg()?) }
     }

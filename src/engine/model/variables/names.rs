@@ -3,7 +3,7 @@
 use super::{VARIABLES, Variable, VariableError};
 
 /// The symbols of the thesis, which are used most.
-const USUAL: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
+const DEFAULT: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
 
 impl Variable {
     /// Returns the long name: `velocity`, `thickness`, `stop_position`. It is accepted wherever the symbol is.
@@ -50,7 +50,7 @@ pub fn nearest(name: &str) -> String {
     let spelled: Vec<(usize, &str)> = spelled.collect();
     close(name, meant.collect())
         .or_else(|| close(name, spelled))
-        .unwrap_or_else(|| format!("the usual ones are {USUAL}; `cmra explain` lists all"))
+        .unwrap_or_else(|| format!("the usual ones are {DEFAULT}; `cmra explain` lists all"))
 }
 
 /// The last part of the key.
@@ -84,9 +84,9 @@ mod tests {
 
     #[test]
     fn the_usual_names_are_variables_and_an_unknown_one_gets_their_list() {
-        assert!(USUAL.split(' ').all(|name| find(name).is_ok()));
+        assert!(DEFAULT.split(' ').all(|name| find(name).is_ok()));
         let hint = nearest("quux");
-        assert!(hint.contains(USUAL) && hint.len() < 120, "{hint}");
+        assert!(hint.contains(DEFAULT) && hint.len() < 120, "{hint}");
         assert!(nearest("gama").contains("`gamma`"));
     }
 

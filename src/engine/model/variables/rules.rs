@@ -114,7 +114,7 @@ fn check_plug(scene: &Scene) -> Result<(), VariableError> {
             shortest(high)
         )
     })?;
-    let plug_kg = Plug::of(scene).map_or(0.0, |plug| plug.mass_kg);
+    let plug_kg = Plug::from_scene(scene).map_or(0.0, |plug| plug.mass_kg);
     let plate_kg = scene.plate_mass_kg();
     require(!scene.is_sprung() || plate_kg > plug_kg, || {
         format!(

@@ -19,11 +19,11 @@ const EVEN_ROWS: u16 = 6;
 /// Most digits of the label at an end of an axis.
 const END_DIGITS: usize = 6;
 /// Labels that an axis upward has at least, from so many rows on.
-const LEAST_LABELS: [(u16, usize); 3] = [(16, 5), (8, 3), (2, 2)];
+const MIN_LABELS: [(u16, usize); 3] = [(16, 5), (8, 3), (2, 2)];
 /// How far beyond the middle of the first and the last row a value may lie, in rows: it still is in the row.
 const BEYOND: f64 = 0.45;
 /// Longest part of an axis on rows, over the range of its values.
-const MOST_SPREAD: f64 = 2.6;
+const MAX_SPREAD: f64 = 2.6;
 /// Cost of one row between labels more or less than wanted, and of a step of 2.5, relative to the fraction of the axis left empty.
 const UNWANTED_ROW: f64 = 0.04;
 const UNUSUAL_STEP: f64 = 0.03;
@@ -255,7 +255,7 @@ pub fn on_rows(
     let view = view.on(scale);
     let (low, high) = (scale.place(view.lo()), scale.place(view.hi()));
     let last = f64::from(rows.checked_sub(1).filter(|last| *last > 0)?);
-    let least = LEAST_LABELS.iter().find(|(from, _)| rows >= *from).map_or(2, |it| it.1);
+    let least = MIN_LABELS.iter().find(|(from, _)| rows >= *from).map_or(2, |it| it.1);
     let wanted = f64::from(rows_apart(rows));
     let lowest = if rows < 8 { 1 } else { 2 };
     let mut best: Option<(f64, ViewRange, Ticks)> = None;
@@ -268,7 +268,7 @@ pub fn on_rows(
             let odd = if step.mantissa == 25 { UNUSUAL_STEP } else { 0.0 };
             let cost = spread + UNWANTED_ROW * away + odd;
             let is_worse = |cost: f64| best.as_ref().is_some_and(|best| best.0 <= cost);
-            if end - first > last || spread > MOST_SPREAD || is_worse(cost) {
+            if end - first > last || spread > MAX_SPREAD || is_worse(cost) {
                 continue;
             }
             // Rows without values are above, or below where nothing is above zero.

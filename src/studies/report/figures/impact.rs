@@ -146,7 +146,7 @@ fn round_below(value: f64) -> f64 {
 
 impl<'a> Stage<'a> {
     /// The stage for a run up to a time, s; `None` without a series.
-    pub fn of(run: &'a Run, end_s: f64, dots: Dots) -> Option<Self> {
+    pub fn from_run(run: &'a Run, end_s: f64, dots: Dots) -> Option<Self> {
         let scene = &*run.scene;
         let mechanism = Mechanism::from_scene(scene);
         let (cos, sin) = (scene.cos_obliquity(), scene.projectile.obliquity_deg.to_radians().sin());
@@ -350,7 +350,7 @@ impl<'a> Stage<'a> {
             return;
         }
         let scene = &*self.run.scene;
-        let Some(plug) = Plug::of(scene) else { return };
+        let Some(plug) = Plug::from_scene(scene) else { return };
         let radius_m = 0.5 * plug.diameter_m;
         let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
         let ends = [tip_m, tip_m + self.thickened * plug.thickness_m];
@@ -443,7 +443,7 @@ mod tests {
     }
 
     fn stage(run: &Run, end_s: f64) -> Stage<'_> {
-        Stage::of(run, end_s, DOTS).unwrap()
+        Stage::from_run(run, end_s, DOTS).unwrap()
     }
 
     fn is_near(a: f64, b: f64) -> bool {

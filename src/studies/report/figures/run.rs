@@ -80,7 +80,8 @@ fn over_time(
     };
     // What was measured beside the usual quantities.
     let other = |channel: &Channel| {
-        !QUANTITIES.contains(channel) && beside.is_some_and(|it| it.of(*channel).next().is_some())
+        !QUANTITIES.contains(channel)
+            && beside.is_some_and(|it| it.of_channel(*channel).next().is_some())
     };
     let quantities = QUANTITIES.iter().chain(Channel::ALL.iter().filter(|it| other(it)));
     if end_s > 0.0 { quantities.filter_map(chart).collect() } else { Vec::new() }

@@ -13,12 +13,12 @@ fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
 }
 
-fn report(scene: &Arc<Scene>, ladder: SettingGrid) -> Report {
+fn report(scene: &Arc<Scene>, ladder: SettingGrid) -> AccuracyReport {
     report_within(scene, ladder, usize::MAX)
 }
 
 /// A comparison to its end, by a clock that ticks once a look: no repeats are made, since each seems to take long.
-fn report_within(scene: &Arc<Scene>, ladder: SettingGrid, evaluations: usize) -> Report {
+fn report_within(scene: &Arc<Scene>, ladder: SettingGrid, evaluations: usize) -> AccuracyReport {
     let mut ticks = 0.0;
     let clock = &mut || {
         ticks += 1.0;
@@ -65,7 +65,7 @@ fn tight_parameters_of_every_accurate_method_reach_the_reference() {
         for letter in "DILNA".chars() {
             let method = &methods[&letter];
             assert!(matches!(method.reference.unwrap().basis, ReferenceSource::Stored(_)));
-            let least = method.least_error().unwrap();
+            let least = method.min_error().unwrap();
             assert!(least < 1e-9, "{pairs}: {letter} {least:e}");
             let first = method.measured().next().unwrap().1.error();
             assert!(first >= least);

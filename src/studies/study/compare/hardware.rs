@@ -70,7 +70,7 @@ impl InstalledSpring {
         hardware: Hardware,
         demand: &MechanismLoadCase,
     ) -> Self {
-        let least_kg = scene.mechanism.least_spring_kg(demand.stored_j);
+        let least_kg = scene.mechanism.min_spring_kg(demand.stored_j);
         let spring_kg = Inertia::from_scene(scene).spring_kg(least_kg);
         // The law of a beam says itself how far it goes.
         let is_bounded =

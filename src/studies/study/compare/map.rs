@@ -15,7 +15,7 @@ use cmra_engine::numerics::larger;
 /// Points a thread computes at once.
 const PIECE: u64 = 16;
 /// Points along an axis, if none is given.
-pub const COUNT_USUAL: u64 = 41;
+pub const DEFAULT_COUNT: u64 = 41;
 /// Relative width to which thicknesses are closed in, and the tolerance of the shots, at least: the efficiency is as good.
 const WIDTH: f64 = 1e-5;
 const TOLERANCE: f64 = 1e-6;
@@ -102,14 +102,14 @@ impl Map {
 
 /// The axes of the usual map of a scene: impact velocity, and gamma or the input that gives the plate's size in its place; `None` where
 /// one of them has no such axis.
-pub fn usual_axes(scene: &Scene) -> Option<[Axis; 2]> {
-    let axis = |name| usual_axis(scene, name, COUNT_USUAL).ok();
+pub fn default_axes(scene: &Scene) -> Option<[Axis; 2]> {
+    let axis = |name| default_axis(scene, name, DEFAULT_COUNT).ok();
     Some([axis("v_i")?, axis(scene.plate.size.key())?])
 }
 
 /// The axis of a variable that is requested by its name alone: around the scene's own value at equal ratios, or over the range
 /// of Table 9.2.
-pub fn usual_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, SweepError> {
+pub fn default_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, SweepError> {
     let (variable, number) = numeric(name)?;
     let (low, high) = if variable.symbol == "v_i" { AROUND_VELOCITY } else { AROUND };
     match ((number.get)(scene).filter(|own| *own > 0.0), variable.thesis_range) {

@@ -90,7 +90,7 @@ pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<Siz
     }
     let solid = thickness_of_limit(scene, scene.projectile.velocity_m_s, false);
     let solid_m = solid.ok_or(Absence::NO_SOLID)?;
-    let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
+    let (factor, shot) = min_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
     let built = InstalledSpring::from_scene(&own, hardware, &shot.demand);
     if let Some(failure) = built.failure(&own, &shot.demand) {
@@ -129,7 +129,7 @@ fn shoot(scene: Scene) -> Option<Shot> {
 }
 
 /// The least factor of the thickness that stops the shot, to a relative width, and that shot.
-fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
+fn min_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
     let thickness_m = scene.target.thickness_m;
     let try_out = |factor: f64| shoot(scaled(scene, factor)).ok_or(Absence::NO_THICKNESS);
     // A plate that its mechanism does not help is as good as a free or a rigid one.

@@ -64,7 +64,7 @@ fn thickness_that_shears(scene: &Scene, velocity_m_s: f64, moves: bool) -> Optio
     let excess_m_s = |thickness_m: f64| {
         let mut own = scene.clone();
         own.target.thickness_m = thickness_m;
-        let plug_kg = Plug::of(&own).map_or(0.0, |plug| plug.mass_kg);
+        let plug_kg = Plug::from_scene(&own).map_or(0.0, |plug| plug.mass_kg);
         if moves && plug_kg >= own.plate_mass_kg() {
             return f64::INFINITY;
         }

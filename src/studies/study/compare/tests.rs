@@ -1,7 +1,7 @@
 //! The comparison against closed forms.
 
 use super::*;
-use crate::study::compare::map::{Map, usual_axis};
+use crate::study::compare::map::{Map, default_axis};
 use crate::study::context::{never_cancel, until};
 use crate::study::quantities::find;
 use crate::study::sweep::{Axis, Spacing};
@@ -10,7 +10,7 @@ use crate::study::testing::scene;
 /// tau²/(4 rho G) of a steel coil: 7e8² / (4 * 7850 * 7.93e10) J/kg, by hand.
 const STEEL_COIL_J_PER_KG: f64 = 196.7856;
 
-fn plain(pairs: &str) -> Report {
+fn plain(pairs: &str) -> ComparisonReport {
     let scene = Arc::new(scene(pairs));
     compare(&scene, Hardware::default(), &mut Context::new(1, &mut never_cancel)).unwrap()
 }
@@ -56,15 +56,15 @@ fn a_soft_spring_without_dishing_pays_as_the_closed_form_says() {
 /// A spring of given mass holds the shot whose energy, which goes with v² (k soft, momentum shared), it stores.
 #[test]
 fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
-    let one = plain("k=1e3 v_i=20").of(Candidate::Scene).unwrap().spring_kg.unwrap();
+    let one = plain("k=1e3 v_i=20").entry(Candidate::Scene).unwrap().spring_kg.unwrap();
     let with = |times: f64| plain(&format!("k=1e3 v_i=20 m_spring={}", times * one));
-    let limit = with(2.0).of(Candidate::Scene).unwrap().limit_m_s.unwrap();
+    let limit = with(2.0).entry(Candidate::Scene).unwrap().limit_m_s.unwrap();
     assert!(close(limit, 20.0 * 2f64.sqrt(), 1e-4), "{limit}");
     // Half of it does not even hold the design shot.
     let half = with(0.5);
-    assert_eq!(half.of(Candidate::Scene).unwrap().failure.unwrap().word, "spring full");
+    assert_eq!(half.entry(Candidate::Scene).unwrap().failure.unwrap().word, "spring full");
     assert_eq!(half.verdict().pays(), Some(false));
-    assert!(half.of(Candidate::Scene).unwrap().sized.is_err());
+    assert!(half.entry(Candidate::Scene).unwrap().sized.is_err());
 }
 
 /// Under the plastic interface runs of some thicker plates rattle on undecided. The thickness by another command:
@@ -85,10 +85,10 @@ fn undecided_runs_of_thicker_plates_do_not_hide_the_thinnest_that_stops_the_shot
 fn a_rigid_plate_is_its_own_solid_plate() {
     for pairs in ["", "theta=30deg", "C_d=0", "h=3mm"] {
         let found = plain(pairs);
-        let rigid = found.of(Candidate::Rigid).unwrap();
+        let rigid = found.entry(Candidate::Rigid).unwrap();
         assert!(close(rigid.mass_efficiency().unwrap(), 1.0, 1e-8), "{pairs} {rigid:?}");
-        let solid = found.of(Candidate::Solid).unwrap();
-        let own = found.of(Candidate::Scene).unwrap();
+        let solid = found.entry(Candidate::Solid).unwrap();
+        let own = found.entry(Candidate::Scene).unwrap();
         assert!(close(solid.areal_kg_m2.unwrap(), own.areal_kg_m2.unwrap(), 1e-15));
     }
 }
@@ -99,7 +99,7 @@ fn a_rigid_plate_is_its_own_solid_plate() {
 fn a_free_plate_is_worth_one_plus_one_over_gamma() {
     for (pairs, gamma) in [("gamma=1 C_d=0", 1.0), ("gamma=1", 1.0), ("gamma=4", 4.0)] {
         let found = plain(&format!("dishing=false {pairs}"));
-        let free = found.of(Candidate::Free).unwrap();
+        let free = found.entry(Candidate::Free).unwrap();
         assert!(close(free.mass_efficiency().unwrap(), 1.0 + 1.0 / gamma, 1e-8), "{pairs}");
     }
 }
@@ -108,7 +108,7 @@ fn a_free_plate_is_worth_one_plus_one_over_gamma() {
 #[test]
 fn the_spring_stores_what_the_swing_brings() {
     let found = plain("k=1e5");
-    let own = found.of(Candidate::Scene).unwrap();
+    let own = found.entry(Candidate::Scene).unwrap();
     let farthest = value(own, "max_plate_displacement_m");
     let stored = value(own, "stored_energy_j");
     assert!(close(value(own, "peak_mount_force_n"), 1e5 * farthest, 1e-12));
@@ -123,23 +123,23 @@ fn the_spring_stores_what_the_swing_brings() {
 fn areal_mass_is_all_mass_over_the_face_of_the_plate() {
     let found = plain("gamma=2 m_spring=0.059");
     // The spring weighs as much as the plate: twice the thickness.
-    let solid = found.of(Candidate::Solid).unwrap();
+    let solid = found.entry(Candidate::Solid).unwrap();
     assert!(close(solid.run.scene.target.thickness_m, 2.0 * 0.0254, 1e-14));
     assert!(close(found.face_m2 * 2710.0 * 0.0254, 0.059, 1e-14));
-    let areal = found.of(Candidate::Scene).unwrap().areal_kg_m2.unwrap();
+    let areal = found.entry(Candidate::Scene).unwrap().areal_kg_m2.unwrap();
     assert!(close(areal, 2.0 * 2710.0 * 0.0254, 1e-14));
 }
 
 #[test]
 fn preload_is_the_energy_of_the_cocked_spring_and_a_rigid_stop_has_no_greatest_force() {
     let found = plain("k=1e5 d=5mm");
-    let own = found.of(Candidate::Scene).unwrap();
+    let own = found.entry(Candidate::Scene).unwrap();
     assert!(close(own.run.ledger.initial_spring_j, 0.5 * 1e5 * 25e-6, 1e-14));
     let farthest = value(own, "max_plate_displacement_m");
     assert!(close(value(own, "stroke_m"), farthest + 5e-3, 1e-14));
     let stopped = plain("k=1e5 x_stop=5mm");
     assert_eq!(stopped.uncounted, ["stop"]);
-    let run = &stopped.of(Candidate::Scene).unwrap().run;
+    let run = &stopped.entry(Candidate::Scene).unwrap().run;
     assert_eq!(find("peak_mount_force_n").unwrap().value(run), None);
 }
 
@@ -167,14 +167,14 @@ fn the_map_is_the_closed_form() {
     let context = &mut Context::new(1, &mut watch);
     let cut = Map::compute(&base, &axes, Hardware::default(), context).unwrap();
     assert!(!cut.is_complete() && cut.cells.len() == 32, "pieces of 16 points");
-    assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
+    assert!(default_axis(&base, "gama", 5).is_err() && default_axis(&base, "x_stop", 5).is_err());
 }
 
 #[test]
 fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
     let limit = |pairs: &str| limit_if_spring_survives_m_s(&scene(pairs)).unwrap();
     let pairs = "k=1e3 v_i=20 m_spring=10g";
-    let compared = plain(pairs).of(Candidate::Scene).unwrap().limit_m_s.unwrap();
+    let compared = plain(pairs).entry(Candidate::Scene).unwrap().limit_m_s.unwrap();
     assert!(close(limit(pairs), compared, 1e-15));
     // A spring whose mass is not known holds whatever it stores: the plate's own limit.
     for pairs in ["k=1e3 h=3mm v_i=300", "mount=rigid"] {

@@ -10,7 +10,7 @@ use cmra_engine::numerics::maximum;
 /// Range of the exponent.
 const P: (f64, f64) = (1.0, 12.0);
 /// Range in which the limit is looked for, over the least impact velocity that perforated.
-const LEAST_LIMIT: f64 = 0.3;
+const MIN_LIMIT: f64 = 0.3;
 
 /// A law for the residual velocity: `v_r = a (v^p - v_bl^p)^(1/p)`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -42,7 +42,7 @@ impl ResidualLaw {
         let fit =
             |p, limit| Self::scaled(shots, p, limit).map_or(f64::NEG_INFINITY, |it| -it.misfit_m_s);
         let limit_for =
-            |p: f64| maximum::in_bracket(LEAST_LIMIT * least, least, &|limit| fit(p, limit));
+            |p: f64| maximum::in_bracket(MIN_LIMIT * least, least, &|limit| fit(p, limit));
         let p = maximum::in_bracket(P.0, P.1, &|p| fit(p, limit_for(p)));
         Self::scaled(shots, p, limit_for(p)).filter(|law| law.a > 0.0)
     }

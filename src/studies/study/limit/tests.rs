@@ -11,7 +11,7 @@ fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
 }
 
-fn found(pairs: &str) -> Report {
+fn found(pairs: &str) -> LimitReport {
     find(&scene(pairs), &mut Context::new(1, &mut never_cancel)).unwrap()
 }
 

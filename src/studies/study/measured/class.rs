@@ -44,7 +44,7 @@ pub struct Key {
 
 impl Key {
     /// The class of a scene's shot; `None` where the law is used in another way than for the measurements.
-    pub fn of(scene: &Scene) -> Option<Self> {
+    pub fn from_scene(scene: &Scene) -> Option<Self> {
         let (projectile, target) = (&scene.projectile, scene.target_in_effect());
         let is_rigid_plate = !scene.is_sprung() && !scene.is_stack();
         let is_law = scene.contact.model == ContactModel::Hydrodynamic
@@ -223,8 +223,8 @@ pub struct Expectation<'c> {
 impl<'c> Expectation<'c> {
     /// The expectation for a scene's shot by some classes; `None` where no class of two papers has its like. Classes are computed only
     /// for a shot that may have one.
-    pub fn of(scene: &Scene, classes: impl FnOnce() -> &'c [Class]) -> Option<Self> {
-        let key = Key::of(scene)?;
+    pub fn from_scene(scene: &Scene, classes: impl FnOnce() -> &'c [Class]) -> Option<Self> {
+        let key = Key::from_scene(scene)?;
         Self::at(key, thickness_ratio(scene), scene.projectile.obliquity_deg, classes())
     }
 

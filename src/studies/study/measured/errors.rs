@@ -68,7 +68,7 @@ impl Row {
             (self.measurement.scene.as_ref().ok()?, self.computed.as_ref().ok()?);
         let (law, measured) = (computed.verdict.limit_m_s?, self.measurement.measured.limit_m_s?);
         Some(Sample {
-            key: Key::of(scene)?,
+            key: Key::from_scene(scene)?,
             paper: self.measurement.source.clone(),
             error: (law / measured).ln(),
             thickness: thickness_ratio(scene),
@@ -178,7 +178,7 @@ pub struct Errors {
 
 impl Errors {
     /// The errors of rows; `None` without any measured limit that is computed.
-    fn of<'r>(group: Option<&str>, rows: impl Iterator<Item = &'r Row>) -> Option<Self> {
+    fn new<'r>(group: Option<&str>, rows: impl Iterator<Item = &'r Row>) -> Option<Self> {
         let rows: Vec<&Row> = rows.filter(|row| row.limits().is_some()).collect();
         let limits: Vec<(f64, f64)> = rows.iter().filter_map(|row| row.limits()).collect();
         let ratios: Vec<f64> =
@@ -217,10 +217,10 @@ pub fn errors(rows: &[Row]) -> Vec<Errors> {
     groups.sort_unstable();
     groups.dedup();
     let own =
-        |group: &&str| Errors::of(Some(group), rows.iter().filter(|row| row.group() == *group));
+        |group: &&str| Errors::new(Some(group), rows.iter().filter(|row| row.group() == *group));
     let mut list: Vec<Errors> = groups.iter().filter_map(own).collect();
     let is_without = |it: &Errors| it.group.as_deref() == Some(WITHOUT_CLASS);
     list.sort_by_key(|it| (is_without(it), std::cmp::Reverse(it.rows)));
-    list.extend(Errors::of(None, rows.iter()));
+    list.extend(Errors::new(None, rows.iter()));
     list
 }

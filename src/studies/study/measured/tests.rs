@@ -116,7 +116,7 @@ fn valid_errors_of_papers_left_out() {
 /// of one paper: within papers 0.02 + 0.02 over 2 degrees of freedom, between papers 0.02 over 1.
 #[test]
 fn variances_are_within_papers_and_between_them() {
-    let key = Key::of(&core(&format!("h=25.4mm {AA6061}"))).unwrap();
+    let key = Key::from_scene(&core(&format!("h=25.4mm {AA6061}"))).unwrap();
     let steel = Key { alloy: Alloy::Steel, ..key };
     let sample = |key, paper: &str, error| Sample {
         key,
@@ -154,7 +154,7 @@ fn variances_are_within_papers_and_between_them() {
 fn valid_expectations_between_two_angles() {
     let scene = |theta: f64| core(&format!("h=20mm theta={theta}deg {AA6061}"));
     let found = |theta: f64| {
-        let expected = Verdict::of(&scene(theta)).expected?;
+        let expected = Verdict::from_scene(&scene(theta)).expected?;
         Some((limit::closed_form(&scene(theta))? / expected.limit_m_s).ln())
     };
     let (normal, oblique) = (0.010_983_813_7, 0.023_220_626_4);
@@ -173,7 +173,7 @@ fn valid_expectations_between_two_angles() {
 #[test]
 fn a_class_applies_only_where_its_law_and_its_rows_do() {
     let plate = format!("h=25.4mm {AA6061}");
-    let verdict = |pairs: &str| Verdict::of(&core(&format!("{plate} {pairs}")));
+    let verdict = |pairs: &str| Verdict::from_scene(&core(&format!("{plate} {pairs}")));
     // 581.574 m/s over exp(0.0109838) = 575.22 m/s; the band is exp(1.649005 x 0.0472327) = 1.08100 wide.
     let found = verdict("v_i=500");
     near(found.limit_m_s.unwrap(), 581.574_272_8, 1e-9);
@@ -213,7 +213,7 @@ fn a_class_applies_only_where_its_law_and_its_rows_do() {
         let pairs = format!("theta=30deg h={h}mm rho=7850 E=207GPa Y={y}MPa UTS=1600MPa");
         let mut scene = core(&pairs);
         scene.projectile.nose = Nose::Pointed;
-        Verdict::of(&scene).decision
+        Verdict::from_scene(&scene).decision
     };
     assert_eq!(hard(0.69 * 6.2484, 1300.0), Decision::NotMeasured);
     assert_ne!(hard(0.73 * 6.2484, 1300.0), Decision::NotMeasured);
@@ -259,7 +259,7 @@ fn words_of_other_tables_are_understood() {
         let rows = read_one(&format!("{HEAD}\n{words},{rest}\n")).unwrap();
         let scene = rows[0].scene.as_ref().unwrap();
         assert_eq!((scene.projectile.nose, scene.projectile.core), (nose, core), "{words}");
-        assert_eq!(Key::of(scene).is_none(), core == Core::Deformable);
+        assert_eq!(Key::from_scene(scene).is_none(), core == Core::Deformable);
     }
 }
 

@@ -12,7 +12,7 @@ fn task(vary: Vec<Tolerance>, measures: &[&str], samples: usize) -> Request {
     Request { vary, outputs, samples: Some(samples), ..Request::default() }
 }
 
-fn sampled(scene: &Scene, task: &Request) -> Report {
+fn sampled(scene: &Scene, task: &Request) -> MonteCarloReport {
     run(scene, task, &mut Context::new(2, &mut never_cancel)).unwrap()
 }
 
@@ -124,7 +124,7 @@ fn valid_scatter_of_a_limit_is_that_of_its_inputs_and_of_the_model() {
     let mut scene = rigid();
     scene.projectile.velocity_m_s = 232.295_378;
     let (model_bias, model_spread) = (Some(0.25), Some(0.08));
-    let vary = usual_tolerances(&scene, 0.03);
+    let vary = default_tolerances(&scene, 0.03);
     let v50 = Request { vary, model_bias, model_spread, samples: Some(400), ..Request::v50() };
     let report = sampled(&scene, &v50);
     assert_eq!(report, sampled(&scene, &v50), "the same seed gives the same digits");

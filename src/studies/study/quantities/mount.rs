@@ -7,8 +7,8 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::larger;
 
 /// The least mass of a spring for the greatest energy that it stores, kg; `None` where that is not known.
-pub(super) fn least_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    scene.mechanism.least_spring_kg(spring_energy_j(scene, scene.start_m(), max_displacement_m))
+pub(super) fn min_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
+    scene.mechanism.min_spring_kg(spring_energy_j(scene, scene.start_m(), max_displacement_m))
 }
 
 /// The greatest displacement of a run whose shot is stopped, m: one that perforates does not size the springs.
@@ -18,7 +18,7 @@ pub(super) fn stopped_displacement_m(run: &Run) -> Option<f64> {
 
 /// The springs' own mass where it is known, else the least, kg.
 fn spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    Inertia::from_scene(scene).spring_kg(least_spring_kg(scene, max_displacement_m))
+    Inertia::from_scene(scene).spring_kg(min_spring_kg(scene, max_displacement_m))
 }
 
 /// Plate and springs, kg.
@@ -33,7 +33,7 @@ pub(super) fn areal_kg_m2(scene: &Scene, max_displacement_m: Option<f64>) -> Opt
 }
 
 /// The greatest force into the mount of a run that ended before the plate's greatest displacement.
-pub(super) fn least_peak_n(run: &Run) -> Option<f64> {
+pub(super) fn min_peak_n(run: &Run) -> Option<f64> {
     run.at_least.plate_displacement_m.and_then(|_| load::peak_so_far_n(run))
 }
 

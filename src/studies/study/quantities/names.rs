@@ -24,7 +24,7 @@ pub fn named(name: &str) -> Result<&'static Quantity, SweepError> {
 }
 
 /// The quantities requested most.
-const USUAL: [&str; 6] = [
+const DEFAULT: [&str; 6] = [
     "final_penetration_m",
     "percent_of_baseline",
     "max_plate_displacement_m",
@@ -46,9 +46,9 @@ pub fn nearest(name: &str) -> String {
     };
     // Of those as near as each other the ones requested most come first.
     let mut all: Vec<&Quantity> = QUANTITIES.iter().collect();
-    all.sort_by_key(|quantity| !USUAL.contains(&quantity.name));
+    all.sort_by_key(|quantity| !DEFAULT.contains(&quantity.name));
     variables::close(&lower, all.into_iter().map(ranked).collect()).unwrap_or_else(|| {
-        format!("the usual ones are {}; `cmra explain` lists all", USUAL.join(", "))
+        format!("the usual ones are {}; `cmra explain` lists all", DEFAULT.join(", "))
     })
 }
 
@@ -79,7 +79,7 @@ pub fn listing() -> String {
 mod tests {
     use std::collections::HashSet;
 
-    use super::{QUANTITIES, USUAL, find, nearest};
+    use super::{DEFAULT, QUANTITIES, find, nearest};
 
     #[test]
     fn names_are_unique_and_found() {
@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn an_unknown_name_gets_the_nearest_names_in_a_short_line() {
-        assert!(USUAL.iter().all(|name| find(name).is_some()));
+        assert!(DEFAULT.iter().all(|name| find(name).is_some()));
         assert_eq!(nearest("stroke"), "did you mean `stroke_m`?");
         assert_eq!(nearest("v_bl"), "did you mean `limit_velocity_m_s`?");
         assert_eq!(nearest("percnt"), "did you mean `percent_of_baseline`?");
@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(nearest("sistem_mass"), "did you mean `system_mass_kg`?");
         for strange in ["foo", "", "quux_quux"] {
             let hint = nearest(strange);
-            assert!(hint.contains(&USUAL.join(", ")) && hint.len() < 200, "{strange}: {hint}");
+            assert!(hint.contains(&DEFAULT.join(", ")) && hint.len() < 200, "{strange}: {hint}");
         }
     }
 }

@@ -23,12 +23,12 @@ pub use constraint::Constraint;
 mod constraint;
 
 /// The objectives where none is named: depth, stroke, mass and force into the mount.
-pub const USUAL: [&str; 4] =
+pub const DEFAULT: [&str; 4] =
     ["final_penetration_m", "stroke_m", "system_mass_kg", "peak_mount_force_n"];
 
 /// How many designs may be tried, and how many are where nothing is said.
 pub const SAMPLES: RangeInclusive<usize> = 64..=1 << 24;
-const SAMPLES_USUAL: usize = 1 << 14;
+const DEFAULT_SAMPLES: usize = 1 << 14;
 /// Steps after which the run of a design is given up: a hundred times as many as most take.
 pub const STEPS_MAX: usize = 30_000;
 
@@ -47,9 +47,9 @@ impl Objective {
         Ok(Self { measure: named(name)?, maximise })
     }
 
-    /// [`USUAL`], each to be small.
+    /// [`DEFAULT`], each to be small.
     pub fn usual() -> Vec<Self> {
-        USUAL.iter().filter_map(|name| Self::new(name, false).ok()).collect()
+        DEFAULT.iter().filter_map(|name| Self::new(name, false).ok()).collect()
     }
 }
 
@@ -73,16 +73,16 @@ impl Default for Request {
         let objectives = Objective::usual();
         Self {
             over: Vec::new(),
-            subject_to: usual_bounds(&objectives),
+            subject_to: default_bounds(&objectives),
             objectives,
             is_feasible: true,
-            samples: SAMPLES_USUAL,
+            samples: DEFAULT_SAMPLES,
         }
     }
 }
 
 /// The constraints where none is named: on the stroke, where that is to be small; without, some designs have a stroke of kilometres.
-pub fn usual_bounds(objectives: &[Objective]) -> Vec<Constraint> {
+pub fn default_bounds(objectives: &[Objective]) -> Vec<Constraint> {
     let stroke = objectives.iter().find(|it| it.measure.name == "stroke_m" && !it.maximise);
     let bound = |it: &Objective| Constraint { measure: it.measure, at_most: true, bound: 1.0 };
     stroke.map(bound).into_iter().collect()
@@ -104,10 +104,10 @@ impl fmt::Display for Request {
             [] => "none".to_owned(),
             bounds => format!("'{}'", bounds.join(",")),
         };
-        let is_bound = self.subject_to != usual_bounds(&self.objectives);
+        let is_bound = self.subject_to != default_bounds(&self.objectives);
         let bounds = option("subject-to", is_bound.then_some(bounds));
         let feasible = if self.is_feasible { "" } else { " --no-feasibility" };
-        let samples = option("samples", Some(self.samples).filter(|it| *it != SAMPLES_USUAL));
+        let samples = option("samples", Some(self.samples).filter(|it| *it != DEFAULT_SAMPLES));
         write!(f, "optimise{over}{minimise}{maximise}{bounds}{feasible}{samples}")
     }
 }
@@ -152,7 +152,7 @@ pub struct MissingObjective {
 
 /// The front.
 #[derive(Clone, Debug, Default)]
-pub struct Report {
+pub struct FrontReport {
     /// Request, with the variables that were varied.
     pub request: Request,
     /// The scene whose other variables were held.
@@ -173,7 +173,7 @@ pub struct Report {
     pub unstopped: usize,
 }
 
-impl Report {
+impl FrontReport {
     /// The scene of one of its designs.
     pub fn scene(&self, design: &Design) -> Scene {
         scene_with(&self.base, &self.request.over, &design.values)
@@ -187,8 +187,8 @@ impl Report {
 pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_, Report>,
-) -> Result<Report, SweepError> {
+    context: &mut Context<'_, FrontReport>,
+) -> Result<FrontReport, SweepError> {
     let over = or_usual(&request.over, || thesis_axes(scene))?;
     let mut request = Request { over, ..request.clone() };
     for objective in &mut request.objectives {
@@ -202,7 +202,7 @@ pub fn run(
     context.expect(request.samples);
     let known =
         DesignValidity::from_run(scene, request.objectives[0].measure, &[], &mut || true).fails;
-    let front = Report { request, base: scene.clone(), ..Report::default() };
+    let front = FrontReport { request, base: scene.clone(), ..FrontReport::default() };
     Ok(Search { plan, known, front }.run(context))
 }
 
@@ -210,11 +210,11 @@ struct Search {
     plan: Plan,
     /// The checks that the scene itself fails.
     known: Vec<Check>,
-    front: Report,
+    front: FrontReport,
 }
 
 impl Search {
-    fn run(mut self, context: &mut Context<'_, Report>) -> Report {
+    fn run(mut self, context: &mut Context<'_, FrontReport>) -> FrontReport {
         let (inputs, samples) = (self.plan.axes().len(), self.front.request.samples);
         // The scene itself is tried, where the bounds hold it.
         let share = |axis: &Axis| axis.share(axis.get(&self.front.base)?);
@@ -241,7 +241,7 @@ impl Search {
     fn judged(
         &mut self,
         points: &[Vec<f64>],
-        context: &mut Context<'_, Report>,
+        context: &mut Context<'_, FrontReport>,
     ) -> Option<Vec<(Evaluation, Point)>> {
         let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
         let found = self.plan.evaluate(&designs, context);
@@ -275,7 +275,7 @@ impl Search {
     fn excess(&self, design: &[f64], outcome: PointOutcome) -> f64 {
         let is_perforated = outcome == PointOutcome::Ended(Outcome::Perforated);
         let scene = self.plan.scene_of(design);
-        let by_band = Verdict::of(&scene).expected.map_or(0.0, |expected| {
+        let by_band = Verdict::from_scene(&scene).expected.map_or(0.0, |expected| {
             larger(scene.projectile.velocity_m_s / expected.low_m_s - 1.0, 0.0)
         });
         by_band + if is_perforated { 1.0 } else { 0.0 }
@@ -286,7 +286,7 @@ impl Search {
         &self,
         designs: &[Vec<f64>],
         candidates: &[usize],
-        context: &mut Context<'_, Report>,
+        context: &mut Context<'_, FrontReport>,
     ) -> Vec<Vec<Check>> {
         let stop = context.stop();
         let check = |at: &usize| {

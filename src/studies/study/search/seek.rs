@@ -22,7 +22,7 @@ pub mod roots;
 /// How many points a scan may have.
 pub const SCAN: RangeInclusive<u64> = 3..=100_000;
 /// Points of a scan if none is given.
-pub const SCAN_USUAL: u64 = 65;
+pub const DEFAULT_SCAN: u64 = 65;
 
 /// Request for a goal seek.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,7 +117,7 @@ impl SeekResult {
 
 /// The result.
 #[derive(Clone, Debug)]
-pub struct Report {
+pub struct SeekReport {
     /// The variable and its bounds.
     pub axis: Axis,
     /// The interface law of all runs.
@@ -140,14 +140,14 @@ pub struct Report {
     pub runs: usize,
 }
 
-impl Report {
+impl SeekReport {
     /// The solutions, in the order in which they were checked.
     pub fn solutions(&self) -> impl Iterator<Item = &SeekResult> {
-        self.of(Kind::Solution)
+        self.of_kind(Kind::Solution)
     }
 
     /// The lines of one kind.
-    pub fn of(&self, kind: Kind) -> impl Iterator<Item = &SeekResult> {
+    pub fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &SeekResult> {
         self.lines.iter().filter(move |line| line.kind == kind)
     }
 }
@@ -159,8 +159,8 @@ impl Report {
 pub fn run(
     scene: &Scene,
     request: &Request,
-    context: &mut Context<'_, Report>,
-) -> Result<Report, SweepError> {
+    context: &mut Context<'_, SeekReport>,
+) -> Result<SeekReport, SweepError> {
     let Request { over: axis, goal } = request;
     let goal = Goal { measure: goal.measure.design_quantity(scene), ..*goal };
     let space = Plan::for_designs(scene, vec![axis.clone()], &[goal.measure.name])?;
@@ -210,7 +210,7 @@ pub fn run(
     let known = check(scene, &[]).fails;
     let checked = designs.map(|design| check(&design, &known)).collect();
     lines.extend(gaps(&scanned, axis, outcome_at));
-    Ok(Report {
+    Ok(SeekReport {
         axis: axis.clone(),
         law: scene.interface.law,
         criterion: scene.target.criterion,

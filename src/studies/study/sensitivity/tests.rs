@@ -5,14 +5,14 @@ use crate::study::context::{never_cancel, until};
 use crate::study::plain_run;
 use crate::study::testing::scene;
 
-fn computed(pairs: &str, request: &Request) -> Report {
+fn computed(pairs: &str, request: &Request) -> SensitivityReport {
     run(&scene(pairs), request, &mut Context::new(2, &mut never_cancel)).unwrap()
 }
 
 #[test]
 fn the_usual_variables_are_those_that_the_scene_uses() {
     let usual = |pairs: &str| -> Vec<(&str, (f64, f64))> {
-        let axes = usual_axes(&scene(pairs));
+        let axes = default_axes(&scene(pairs));
         axes.iter().map(|axis| (axis.symbol(), axis.ends())).collect()
     };
     let symbols = |pairs: &str| -> Vec<&str> { usual(pairs).iter().map(|it| it.0).collect() };
@@ -81,7 +81,7 @@ fn slopes_at_zero_are_from_above() {
 
 #[test]
 fn a_study_that_is_stopped_has_the_ends_of_all_rows_first() {
-    let watch = &mut until::<Report>(24);
+    let watch = &mut until::<SensitivityReport>(24);
     let mut context = Context::new(1, watch);
     let report = compute(&Scene::default(), &Request::default(), &mut context).unwrap();
     assert!(report.points_least() < POINTS);

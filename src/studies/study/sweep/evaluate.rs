@@ -145,10 +145,10 @@ fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
     match output.search() {
         Some(Search::Limit) => limit::velocity_m_s(&run.scene),
         Some(Search::Expected(get)) => {
-            let expected = Verdict::of(&run.scene).expected;
+            let expected = Verdict::from_scene(&run.scene).expected;
             expected.map(|it| get(&it)).ok_or_else(|| output.absence.to_owned())
         }
-        Some(Search::DesignLimit) => match Verdict::of(&run.scene).expected {
+        Some(Search::DesignLimit) => match Verdict::from_scene(&run.scene).expected {
             Some(expected) => Ok(expected.low_m_s),
             None => limit::velocity_m_s(&run.scene),
         },

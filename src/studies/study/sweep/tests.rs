@@ -123,7 +123,7 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
 #[test]
 fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
     let axes = vec![axis("gamma", 0.8, 7.0, 33), axis("k", 0.0, 7.5e6, 20)];
-    let plan = Plan::new(&scene(""), axes, &USUAL_OUTPUTS).unwrap();
+    let plan = Plan::new(&scene(""), axes, &DEFAULT_OUTPUTS).unwrap();
     let direct = points(&plan);
     let mut seen = Vec::new();
     let watch = &mut |_, pass: Option<&Grid>| {

@@ -24,18 +24,18 @@ pub fn biases(report: &[Row]) -> Vec<Bias> {
     let own = |class: &&'static str| {
         let errors: Vec<f64> =
             report.iter().filter(|row| row.case.class == *class).filter_map(own_error).collect();
-        of(Some(*class), &errors)
+        bias(Some(*class), &errors)
     };
     let counted = report.iter().filter(|row| row.case.class != NOT_COUNTED);
     let all: Vec<f64> = counted.filter_map(own_error).collect();
-    measurements().classes.iter().filter_map(own).chain(of(None, &all)).collect()
+    measurements().classes.iter().filter_map(own).chain(bias(None, &all)).collect()
 }
 
 fn own_error(row: &Row) -> Option<f64> {
     row.computed.map(|value| row.error(value))
 }
 
-fn of(class: Option<&'static str>, errors: &[f64]) -> Option<Bias> {
+fn bias(class: Option<&'static str>, errors: &[f64]) -> Option<Bias> {
     let own = moments(errors);
     Some(Bias {
         class,
@@ -57,11 +57,11 @@ mod tests {
     /// -0.1, 0, 0.4: mean 0.1, squares 0.04 + 0.01 + 0.09 = 0.14, over 2 and its root.
     #[test]
     fn mean_and_standard_deviation() {
-        let bias = of(None, &[-0.1, 0.0, 0.4]).unwrap();
-        assert!((bias.mean - 0.1).abs() < 1e-15);
-        assert!((bias.deviation.unwrap() - 0.07f64.sqrt()).abs() < 1e-15);
-        assert_eq!(bias.range, (-0.1, 0.4));
-        assert_eq!(of(None, &[0.2]).unwrap().deviation, None);
-        assert_eq!(of(None, &[]), None);
+        let known = bias(None, &[-0.1, 0.0, 0.4]).unwrap();
+        assert!((known.mean - 0.1).abs() < 1e-15);
+        assert!((known.deviation.unwrap() - 0.07f64.sqrt()).abs() < 1e-15);
+        assert_eq!(known.range, (-0.1, 0.4));
+        assert_eq!(bias(None, &[0.2]).unwrap().deviation, None);
+        assert_eq!(bias(None, &[]), None);
     }
 }

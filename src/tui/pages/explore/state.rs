@@ -10,11 +10,11 @@ use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::tui::preset::LabelledScene;
 use crate::tui::widgets::axis::over;
-use crate::worker::studies::{AskedFor, PictureSweep};
+use crate::worker::studies::{PictureSweep, RequestVariant};
 use cmra_engine::model::scene::{Scene, Sweep, SweepAxis};
 use cmra_engine::model::variables;
 use cmra_studies::study::sweep::grid::Grid;
-use cmra_studies::study::sweep::{Axis, USUAL_OUTPUTS};
+use cmra_studies::study::sweep::{Axis, DEFAULT_OUTPUTS};
 
 pub use crate::tui::widgets::axis::Part;
 pub use crate::worker::studies::ChartKind;
@@ -26,7 +26,7 @@ pub const SETUP: Pane = Pane::new(Tab::Explore, 1);
 /// Curves of a family.
 pub(crate) const CURVES: u64 = 5;
 /// The axes that stand in where a scene has none: those of Figure 9.7, 9.10 and 9.11.
-const USUAL_AXES: [(&str, f64, f64, usize); 3] =
+const DEFAULT_AXES: [(&str, f64, f64, usize); 3] =
     [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,8 +61,8 @@ pub struct Sweeping {
 impl Sweeping {
     /// The grid, filled as far as it is, where it is of the picture shown.
     pub fn found(&self) -> Option<&Arc<Grid>> {
-        let sweep = PictureSweep::of(self.result.asked.as_ref()?)?;
-        self.result.found.as_ref().filter(|_| sweep.picture == self.picture)
+        let sweep = PictureSweep::downcast(self.result.request.as_ref()?)?;
+        self.result.result.as_ref().filter(|_| sweep.picture == self.picture)
     }
 
     /// The place of the output shown among those of a sweep.
@@ -78,7 +78,7 @@ pub fn sweep_of(scene: &Scene) -> Sweep {
 
 /// A sweep with usual axes and outputs where it has none.
 pub(super) fn completed(scene: &Scene, mut sweep: Sweep) -> Sweep {
-    for (name, from, to, count) in USUAL_AXES {
+    for (name, from, to, count) in DEFAULT_AXES {
         let usual = SweepAxis::linear(name, from, to, count);
         // Where another input than gamma gives the plate its size, that one.
         let found = variables::find(name).ok().filter(|it| variables::overrules_size(it, scene));
@@ -90,7 +90,7 @@ pub(super) fn completed(scene: &Scene, mut sweep: Sweep) -> Sweep {
         }
     }
     if sweep.outputs.is_empty() {
-        sweep.outputs = USUAL_OUTPUTS.map(str::to_owned).to_vec();
+        sweep.outputs = DEFAULT_OUTPUTS.map(str::to_owned).to_vec();
     }
     sweep
 }

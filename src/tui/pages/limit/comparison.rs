@@ -13,7 +13,7 @@ pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perfora
 
 impl App {
     pub fn comparison(&self) -> Option<&Comparison> {
-        self.pages.limit.comparison.found.as_deref()
+        self.pages.limit.comparison.result.as_deref()
     }
 
     pub fn comparison_lines(&self, width: usize) -> Vec<TextLine> {
@@ -22,7 +22,7 @@ impl App {
 }
 
 /// The verdict, what to beware of, the candidates beside each other as on the printed page, then what the verdict rests on.
-fn lines(report: &compare::Report, width: usize) -> Vec<TextLine> {
+fn lines(report: &compare::ComparisonReport, width: usize) -> Vec<TextLine> {
     let sentence = |role: Role, text: &str| -> Vec<TextLine> {
         let parts =
             wrap(text, width.saturating_sub(CONTINUATION_INDENT.len())).into_iter().enumerate();

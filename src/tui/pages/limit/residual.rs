@@ -21,7 +21,7 @@ impl App {
     /// Everything but the limit itself, as lines for a pane of a given number of columns.
     fn limit_lines(&self, width: u16) -> Vec<Remark> {
         let tab = &self.pages.limit;
-        let Some(report) = &tab.report.found else { return Vec::new() };
+        let Some(report) = &tab.report.result else { return Vec::new() };
         let mut facts = remarks(report);
         if let Some(spread) = self.v50() {
             let words = [v50(spread), perforation(spread)].into_iter().flatten();
@@ -61,9 +61,9 @@ impl App {
     }
 
     /// V50 of the scene on the screen, once it was asked for.
-    fn v50(&self) -> Option<&monte_carlo::Report> {
+    fn v50(&self) -> Option<&monte_carlo::MonteCarloReport> {
         let spread = &self.pages.limit.spread;
-        spread.found.as_deref().filter(|_| !spread.is_stale(&self.scene))
+        spread.result.as_deref().filter(|_| !spread.is_stale(&self.scene))
     }
 
     /// Whether what is wanted of the limit is neither there nor under way.
@@ -90,7 +90,7 @@ impl App {
 
     /// The limit and the margin of the scene it belongs to, in one line of a given number of columns.
     pub fn limit_headline(&self, width: usize) -> Option<String> {
-        let report = self.pages.limit.report.found.as_ref()?;
+        let report = self.pages.limit.report.result.as_ref()?;
         let is_old = self.limit_is_old();
         let of = if is_old { " of another scene" } else { "" };
         let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = report.limit else {
@@ -127,7 +127,7 @@ impl App {
 
     /// Describes the limit.
     pub fn limit_readout(&self) -> Option<(Severity, String)> {
-        let report = self.pages.limit.report.found.as_ref()?;
+        let report = self.pages.limit.report.result.as_ref()?;
         let mut parts = Vec::new();
         if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
             let again = units::velocity(again, 4);
@@ -183,7 +183,7 @@ fn write(lines: &[Remark], area: Rect, canvas: &mut Canvas<'_>) {
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
-    let found = tab.report.found.as_ref();
+    let found = tab.report.result.as_ref();
     let drawn = found.and_then(|it| residual(it, app.limit_shot_m_s()));
     let Some(mut chart) = drawn else {
         let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));

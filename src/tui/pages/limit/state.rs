@@ -3,7 +3,7 @@
 use crate::tui::app::running::CachedResult;
 use crate::tui::keymap::{Pane, Tab};
 use crate::worker::studies::Comparison;
-use cmra_studies::study::limit::Report;
+use cmra_studies::study::limit::LimitReport;
 use cmra_studies::study::monte_carlo;
 
 /// The residual velocity over the impact velocity.
@@ -14,9 +14,9 @@ pub const EFFICIENCY_MAP: Pane = Pane::new(Tab::Limit, 2);
 
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {
-    pub report: CachedResult<Report>,
+    pub report: CachedResult<LimitReport>,
     /// V50 and its spread, once they were asked for.
-    pub spread: CachedResult<monte_carlo::Report>,
+    pub spread: CachedResult<monte_carlo::MonteCarloReport>,
     /// The comparison at equal areal mass.
     pub comparison: CachedResult<Comparison>,
     /// The first line shown of the comparison.

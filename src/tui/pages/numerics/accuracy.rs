@@ -35,14 +35,14 @@ impl App {
 
     pub fn accuracy_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.accuracy;
-        let methods = tab.report.found.iter().flat_map(|report| &report.methods);
+        let methods = tab.report.result.iter().flat_map(|report| &report.methods);
         let count: usize = methods.map(|one| one.points.len()).sum();
         let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
         let scene = self.accuracy_scene();
         let progress = progress::<MethodBenchmark, _>(self, &tab.report, &scene, words, "points");
         let done = || part(Severity::Note, format!("measured {count} points"));
         let mut parts = vec![progress.unwrap_or_else(done)];
-        let Some(report) = &tab.report.found else { return parts };
+        let Some(report) = &tab.report.result else { return parts };
         if let Some(reference) = report.references.any() {
             let sure = reference.uncertainty.map(|it| format!(", to {it:.0e}"));
             let words = reference.basis.label();
@@ -60,7 +60,7 @@ impl App {
     /// Returns the recommended method and its cost, the error of the printed scheme, and the gain of omitting terms.
     pub(crate) fn accuracy_answers(&self) -> Vec<String> {
         let tab = &self.pages.numerics.accuracy;
-        let Some(report) = &tab.report.found else { return Vec::new() };
+        let Some(report) = &tab.report.result else { return Vec::new() };
         if !tab.report.is_complete() {
             let counted = self.jobs.running::<MethodBenchmark>().and_then(|it| it.points);
             let counted = counted.map(|(done, total)| format!(" ({done} of {total})"));
@@ -139,7 +139,7 @@ pub(crate) fn can_use(app: &App) -> bool {
 fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
-    if tab.report.is_stale(&app.accuracy_scene()) || tab.report.found.is_none() {
+    if tab.report.is_stale(&app.accuracy_scene()) || tab.report.result.is_none() {
         return app.refuse(nothing::<MethodBenchmark>(app, BEING_COMPUTED, None));
     }
     let mut scene = (*app.scene).clone();
@@ -195,7 +195,7 @@ pub(crate) fn draw(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
-    let Some(mut chart) = tab.report.found.as_deref().and_then(error_over_time) else {
+    let Some(mut chart) = tab.report.result.as_deref().and_then(error_over_time) else {
         let inner = PaneFrame::new("Relative error").draw(area, canvas);
         let text = nothing::<MethodBenchmark>(app, "measuring the first points", None);
         return canvas.put_centred(inner, &text);
@@ -212,7 +212,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// The table, and below it a description of the selected method.
 fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
-    let methods: &[MethodReport] = tab.report.found.as_ref().map_or(&[], |report| &report.methods);
+    let methods: &[MethodReport] = tab.report.result.as_ref().map_or(&[], |report| &report.methods);
     let cells = accuracy::methods(methods).cells(&KEYS);
     let grid = Grid::new(cells, area.width.saturating_sub(2 + LETTER), u16::MAX);
     let inner = PaneFrame::new("Methods").draw(area, canvas);

@@ -34,7 +34,7 @@ impl App {
     /// The cell at the crosshair in words.
     pub fn map_readout(&self) -> Option<String> {
         let tab = &self.pages.numerics.stability;
-        let (map, (column, row)) = tab.map.found.as_ref().zip(tab.cursor())?;
+        let (map, (column, row)) = tab.map.result.as_ref().zip(tab.cursor())?;
         // In one row of 80 columns: a second one would move the map.
         let here = if tab.present() == Some((column, row)) { "the scene: " } else { "" };
         Some(format!(
@@ -68,7 +68,7 @@ impl App {
             let running =
                 progress::<StiffScenes, _>(self, &tab.battery, &Scene::default(), words, "");
             parts.extend(running);
-            if tab.battery.found.is_some() {
+            if tab.battery.result.is_some() {
                 parts.push(part(severity, holds));
             }
             return parts;
@@ -76,7 +76,7 @@ impl App {
         let words = |it: &Running| format!("computing the map{}", it.counted("of", " rows"));
         let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words, "rows");
         parts.extend(mapping);
-        if let Some(map) = &tab.map.found {
+        if let Some(map) = &tab.map.result {
             parts.push(part(Severity::Note, map.method.name().to_owned()));
         }
         parts
@@ -86,10 +86,10 @@ impl App {
 /// Keep what was found; a map of another variable has its cursor elsewhere.
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.stability;
-    let before = tab.map.found.clone();
+    let before = tab.map.result.clone();
     tab.battery.keep(running, news);
     if tab.map.keep(running, news)
-        && let Some(map) = &tab.map.found
+        && let Some(map) = &tab.map.result
     {
         tab.cursor.take_if(|_| before.is_none_or(|before| before.axis != map.axis));
     }
@@ -104,7 +104,7 @@ pub(crate) fn enter(app: &mut App) {
         }
         return;
     }
-    let is_other = tab.map.found.as_ref().is_some_and(|map| {
+    let is_other = tab.map.result.as_ref().is_some_and(|map| {
         (map.method, map.axis) != (tab.method(), tab.axis())
             && app.jobs.running::<StabilityMap>().is_none()
     });
@@ -135,7 +135,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 /// The cell nearest to the place that a text says; along an axis that it does not name it stays.
 pub(super) fn place(app: &App, text: &str) -> Result<Option<(usize, usize)>, String> {
     let tab = &app.pages.numerics.stability;
-    let Some((map, (column, row))) = tab.map.found.as_ref().zip(tab.cursor()) else {
+    let Some((map, (column, row))) = tab.map.result.as_ref().zip(tab.cursor()) else {
         return Ok(None);
     };
     let symbol = map.axis.symbol();
@@ -163,7 +163,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.stability;
     let old = if tab.map.is_stale(&app.scene) { ", old" } else { "" };
     let focused = app.has_focus(STABILITY);
-    let Some(found) = &tab.map.found else {
+    let Some(found) = &tab.map.result else {
         let pane = PaneFrame::new("Map").right(app.keymap.shown("<next-pane>: stiff scenes"));
         let pane = pane.focused(focused);
         let inner = pane.draw(area, canvas);

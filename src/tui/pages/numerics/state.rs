@@ -5,7 +5,7 @@ use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::moved;
 use cmra_studies::report::accuracy::TARGETS;
 use cmra_studies::study::accuracy::method::{Method, Parameter};
-use cmra_studies::study::accuracy::{Measured, MethodReport, Report};
+use cmra_studies::study::accuracy::{AccuracyReport, Measured, MethodReport};
 use cmra_studies::study::stability::Row;
 use cmra_studies::study::stability::map::{Axis, FixedStep, Map};
 
@@ -24,7 +24,7 @@ pub struct Numerics {
 
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {
-    pub report: CachedResult<Report>,
+    pub report: CachedResult<AccuracyReport>,
     /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
     pub selected: Option<usize>,
 }
@@ -43,7 +43,7 @@ impl Accuracy {
 
     /// The tolerance at which what a scene is run by reaches the first target, as the answer above the methods names it.
     pub fn tolerance(&self) -> Option<f64> {
-        Some(self.report.found.as_ref()?.usable(TARGETS[0])?.parameter.value())
+        Some(self.report.result.as_ref()?.usable(TARGETS[0])?.parameter.value())
     }
 
     /// The tolerance that the selected method gives the scene; `None` of a method that is here for comparison.
@@ -52,7 +52,7 @@ impl Accuracy {
     }
 
     pub fn method_report(&self, method: Method) -> Option<&MethodReport> {
-        self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
+        self.report.result.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
     /// The point of the selected method that can be used, else its most accurate one.
@@ -87,23 +87,23 @@ impl Stability {
 
     /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
     pub fn present(&self) -> Option<(usize, usize)> {
-        self.map.found.as_ref()?.present_at()
+        self.map.result.as_ref()?.present_at()
     }
 
     /// Where the crosshair stands: the middle of the map where nothing else is known.
     pub fn cursor(&self) -> Option<(usize, usize)> {
-        let map = self.map.found.as_ref()?;
+        let map = self.map.result.as_ref()?;
         let middle = (map.dt_s.len() / 2, map.values.len() / 2);
         self.cursor.or_else(|| self.present()).or(Some(middle))
     }
 
     pub(crate) fn move_cursor(&mut self, by: (isize, isize)) {
-        if let (Some(at), Some(map)) = (self.cursor(), &self.map.found) {
+        if let (Some(at), Some(map)) = (self.cursor(), &self.map.result) {
             self.cursor = Some(moved(at, by, (map.dt_s.len(), map.values.len())));
         }
     }
 
     pub fn rows(&self) -> &[Row] {
-        self.battery.found.as_ref().map_or(&[], |battery| battery)
+        self.battery.result.as_ref().map_or(&[], |battery| battery)
     }
 }

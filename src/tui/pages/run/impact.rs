@@ -74,7 +74,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         height: inside.height.saturating_sub(lines),
     };
     let end_s = app.end_s(charts.selected);
-    let stage = Stage::of(run, end_s, raster::dots_of(picture, canvas.theme.glyphs));
+    let stage = Stage::from_run(run, end_s, raster::dots_of(picture, canvas.theme.glyphs));
     let notes = stage.as_ref().map_or_else(String::new, |stage| stage.notes.join("; "));
     let has_room = title.len() + notes.len() + 10 <= width;
     let right = if has_room { notes.clone() } else { String::new() };

@@ -11,7 +11,7 @@ use cmra_engine::model::units::in_unit;
 use cmra_engine::model::variables::Variable;
 use cmra_studies::report::sensitivity::{CELLS, Shown, bar, words};
 use cmra_studies::study::quantities::find;
-use cmra_studies::study::sensitivity::{OUTPUT, POINTS, Report, Request};
+use cmra_studies::study::sensitivity::{OUTPUT, POINTS, Request, SensitivityReport};
 
 /// The results that bars show in turn, each with a word.
 const OUTPUTS: [(&str, &str); 3] =
@@ -34,10 +34,10 @@ impl Matters {
     }
 
     /// The report of the result shown.
-    fn report(&self) -> Option<&Report> {
+    fn report(&self) -> Option<&SensitivityReport> {
         let request = SearchRequest::Sensitivity(self.request()?);
-        let is_asked = **SearchRequest::of(self.kept.asked.as_ref()?)? == request;
-        match &**self.kept.found.as_ref()? {
+        let is_asked = **SearchRequest::downcast(self.kept.request.as_ref()?)? == request;
+        match &**self.kept.result.as_ref()? {
             SearchAnswer::Sensitivity(report) if is_asked => Some(report),
             _ => None,
         }
@@ -46,7 +46,7 @@ impl Matters {
     /// Whether looking computes no more of the report of a scene: it is complete, or its time was used up.
     fn is_settled(&self, scene: &Scene) -> bool {
         let kept = &self.kept;
-        let has_looked = kept.took.is_some_and(|took| kept.is_over() || took >= jobs::LOOK);
+        let has_looked = kept.elapsed.is_some_and(|took| kept.is_over() || took >= jobs::LOOK);
         self.report().is_some() && *kept.scene == *scene && has_looked
     }
 }
@@ -74,7 +74,7 @@ fn look(app: &mut App) {
     let Some(request) = app.pages.run.matters.request() else { return };
     let request = SearchRequest::Sensitivity(request);
     let is_it = |running: &Running| {
-        let is_asked = SearchRequest::of(&running.asked).is_some_and(|asked| **asked == request);
+        let is_asked = SearchRequest::downcast(&running.request).is_some_and(|it| **it == request);
         running.tab == Tab::Run && is_asked && *running.scene == *app.scene
     };
     let is_coming = app.jobs.studies.iter().any(is_it);
@@ -116,7 +116,7 @@ pub(crate) fn fill(app: &mut App, action: Action) -> bool {
 
 /// Keeps what a report of the study brings.
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
-    if SearchRequest::of(&running.asked).is_some() {
+    if SearchRequest::downcast(&running.request).is_some() {
         app.pages.run.matters.kept.keep(running, news);
     }
 }

@@ -145,7 +145,7 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
         return app
             .refuse("all eight pins A to H are taken: <mark> on one in the pane Runs unpins it");
     };
-    let shown = app.shown.as_ref().filter(|it| *it.run.scene == *scene && it.took.is_some());
+    let shown = app.shown.as_ref().filter(|it| *it.run.scene == *scene && it.elapsed.is_some());
     let run = shown.map(|shown| Arc::clone(&shown.run));
     let pin = Pin { run, ..Pin::new(letter, name, scene) };
     app.report_progress(format!("pinned as {}", pin.label()));

@@ -53,7 +53,7 @@ pub struct Differences {
 
 impl Differences {
     /// The greatest difference of a quantity; `None` without a trace of it.
-    pub fn of(&self, channel: Channel) -> Option<f64> {
+    pub fn get(&self, channel: Channel) -> Option<f64> {
         self.greatest.iter().find(|one| one.0 == channel).map(|one| one.1)
     }
 
@@ -87,7 +87,7 @@ type Ends = [(Channel, u64); 3];
 
 impl Drawn {
     /// The curves of a quantity in a chart.
-    pub fn of(&self, chart: usize, channel: Channel) -> &[Curve<'static>] {
+    pub fn get(&self, chart: usize, channel: Channel) -> &[Curve<'static>] {
         let is_it = self.of.as_ref().is_some_and(|of| of.1[chart].0 == channel);
         self.curves.get(chart).filter(|_| is_it).map_or(&[], Vec::as_slice)
     }
@@ -159,14 +159,14 @@ mod tests {
         let charts = |end_s| [(channel, end_s), (Channel::ContactForce, end_s), (channel, 1.0)];
         let mut drawn = Drawn::default();
         drawn.follow(Some(&traces), charts(1e-4));
-        let place = |drawn: &Drawn| drawn.of(0, channel)[0].points.as_ptr();
+        let place = |drawn: &Drawn| drawn.get(0, channel)[0].points.as_ptr();
         let first = place(&drawn);
         drawn.follow(Some(&traces), charts(1e-4));
         assert_eq!(place(&drawn), first);
         drawn.follow(Some(&traces), charts(5e-4));
-        assert!(drawn.of(0, channel)[0].points.last().is_some_and(|point| point.0 > 4e-4));
-        assert!(drawn.of(1, channel).is_empty() && drawn.of(1, Channel::ContactForce).is_empty());
+        assert!(drawn.get(0, channel)[0].points.last().is_some_and(|point| point.0 > 4e-4));
+        assert!(drawn.get(1, channel).is_empty() && drawn.get(1, Channel::ContactForce).is_empty());
         drawn.follow(None, charts(5e-4));
-        assert!(drawn.of(0, channel).is_empty());
+        assert!(drawn.get(0, channel).is_empty());
     }
 }

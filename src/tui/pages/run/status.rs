@@ -59,14 +59,14 @@ impl App {
     pub(crate) fn run_status(&self) -> Vec<StatusPart> {
         let state = self.state_words();
         let is_done = self.shown.as_ref().is_some_and(|shown| {
-            shown.took.is_some() && shown.run.end.is_complete() && !self.shows_old()
+            shown.elapsed.is_some() && shown.run.end.is_complete() && !self.shows_old()
         });
         let mut parts = if is_done { self.cost_words().into_iter().collect() } else { vec![state] };
         let Some(shown) = &self.shown else {
             return parts;
         };
         let run = &shown.run;
-        if shown.took.is_none() && self.jobs.current.is_some() {
+        if shown.elapsed.is_none() && self.jobs.current.is_some() {
             // What will become of it is not known yet.
             parts.push(part(Severity::Note, "the curve so far".to_owned()));
             return parts;
@@ -80,7 +80,7 @@ impl App {
         } else if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates {
             parts.push(part(Severity::Warning, "moving after many turns and touches".to_owned()));
         }
-        let verdict = Verdict::of(&run.scene);
+        let verdict = Verdict::from_scene(&run.scene);
         let severity = match verdict.decision {
             Decision::Stops | Decision::NotMeasured => Severity::Note,
             Decision::Open | Decision::Perforates => Severity::Warning,
@@ -98,7 +98,7 @@ impl App {
     /// The estimated error of the run, and how long it took with the estimate.
     fn cost_words(&self) -> Option<StatusPart> {
         let shown = self.shown.as_ref()?;
-        let took = show_duration(shown.took?);
+        let took = show_duration(shown.elapsed?);
         let error = shown.run.error_estimate.map(|error| match error {
             f64::INFINITY => "error unknown".to_owned(),
             0.0 => "exact".to_owned(),
@@ -110,7 +110,8 @@ impl App {
 
     fn state_words(&self) -> StatusPart {
         if let Some(job) = &self.jobs.current
-            && (self.jobs.overdue || self.shown.as_ref().is_none_or(|shown| shown.took.is_none()))
+            && (self.jobs.overdue
+                || self.shown.as_ref().is_none_or(|shown| shown.elapsed.is_none()))
         {
             let reached = job.reached.map_or_else(String::new, |(t_s, elapsed)| {
                 let (seconds, t) = (elapsed.as_secs_f64(), engineering(t_s, "s"));
@@ -126,7 +127,7 @@ impl App {
             Some(_) if self.is_stale() && self.jobs.current.is_none() => {
                 part(Severity::Warning, old("scene"))
             }
-            Some(shown) if shown.took.is_some() => part(Severity::Warning, "ended early"),
+            Some(shown) if shown.elapsed.is_some() => part(Severity::Warning, "ended early"),
             Some(_) => part(Severity::Warning, "cancelled: a part is shown"),
         }
     }

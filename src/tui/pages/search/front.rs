@@ -14,7 +14,7 @@ use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
 use cmra_studies::report::front::{lacks, page_keys, table, warnings};
 use cmra_studies::report::table::Cells;
-use cmra_studies::study::search::front::{self, Objective, Report, USUAL};
+use cmra_studies::study::search::front::{self, DEFAULT, FrontReport, Objective};
 use cmra_studies::study::sweep;
 use cmra_studies::study::validity::counted;
 
@@ -38,7 +38,7 @@ fn rows(app: &App) -> Vec<Row> {
 fn request(app: &App) -> Result<SearchRequest, String> {
     let over = app.varied()?;
     let setup = &app.pages.search.setup;
-    let chosen = USUAL.into_iter().zip(setup.objectives).filter(|(_, is_chosen)| *is_chosen);
+    let chosen = DEFAULT.into_iter().zip(setup.objectives).filter(|(_, is_chosen)| *is_chosen);
     let objectives = chosen.map(|(name, _)| Objective::new(name, false));
     let objectives: Vec<Objective> =
         objectives.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
@@ -56,7 +56,7 @@ fn request(app: &App) -> Result<SearchRequest, String> {
     }))
 }
 
-impl Answer for Report {
+impl Answer for FrontReport {
     fn over(&self) -> &[sweep::Axis] {
         &self.request.over
     }
@@ -174,7 +174,7 @@ impl Answer for Report {
 }
 
 /// The columns of the table of designs.
-fn design_cells(tab: &Searching, front: &Report) -> Vec<Cells> {
+fn design_cells(tab: &Searching, front: &FrontReport) -> Vec<Cells> {
     let objectives = front.request.objectives.len();
     let mut keys = page_keys(front);
     // The objectives first, then the variables.

@@ -9,7 +9,7 @@ use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
 use cmra_studies::report::monte_carlo::{perforation, table, warnings};
 use cmra_studies::study::monte_carlo::{
-    Report, Request, Summary, USUAL_DEVIATION, usual_tolerances,
+    DEFAULT_DEVIATION, MonteCarloReport, Request, Summary, default_tolerances,
 };
 
 /// Columns of the histogram's bins.
@@ -32,18 +32,18 @@ fn rows(_: &App) -> Vec<Row> {
 fn request(app: &App) -> SearchRequest {
     let setup = &app.pages.search.setup;
     let deviation = setup.percent / 100.0;
-    let is_usual = (deviation - USUAL_DEVIATION).abs() < 1e-12;
-    let vary = if is_usual { Vec::new() } else { usual_tolerances(&app.scene, deviation) };
+    let is_usual = (deviation - DEFAULT_DEVIATION).abs() < 1e-12;
+    let vary = if is_usual { Vec::new() } else { default_tolerances(&app.scene, deviation) };
     let samples = Some(setup.samples).filter(|it| *it != Setup::default().samples);
     SearchRequest::MonteCarlo(Request { vary, samples, ..Request::default() })
 }
 
 /// The measure that the page draws, with its values.
-fn drawn<'r>(report: &'r Report, tab: &Searching) -> Option<&'r Summary> {
+fn drawn<'r>(report: &'r MonteCarloReport, tab: &Searching) -> Option<&'r Summary> {
     report.summaries.iter().find(|summary| summary.measure.name == tab.setup.output)
 }
 
-impl Answer for Report {
+impl Answer for MonteCarloReport {
     fn effort(&self) -> Option<String> {
         Some(format!("{} samples", self.samples))
     }

@@ -7,15 +7,15 @@ use crate::tui::pages::search::state::{Page, Searching};
 use crate::tui::pages::search::study_page::Answer;
 use crate::tui::widgets::layout::CHART_ROWS;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
-use cmra_studies::study::search::front::{Design, Report};
+use cmra_studies::study::search::front::{Design, FrontReport};
 
 /// Rows of words that a chart must leave, frame included.
-const LEAST_WORDS: u16 = 6;
+const MIN_WORDS: u16 = 6;
 
 impl Searching {
     /// The result of the page shown, once there is any.
     pub fn shown(&self) -> Option<&CachedResult<SearchAnswer>> {
-        Some(&self.found[self.page as usize]).filter(|kept| kept.found.is_some())
+        Some(&self.results[self.page as usize]).filter(|kept| kept.result.is_some())
     }
 
     /// Why the page shown cannot be computed.
@@ -23,8 +23,8 @@ impl Searching {
         self.problem[self.page as usize].as_ref()
     }
 
-    pub fn front(&self) -> Option<&Report> {
-        match &**self.found[Page::Front as usize].found.as_ref()? {
+    pub fn front(&self) -> Option<&FrontReport> {
+        match &**self.results[Page::Front as usize].result.as_ref()? {
             SearchAnswer::Front(front) => Some(front),
             _ => None,
         }
@@ -32,7 +32,7 @@ impl Searching {
 
     /// Returns the result as its page presents it.
     pub(crate) fn answer(&self) -> Option<&dyn Answer> {
-        Some(self.shown()?.found.as_ref()?.answer())
+        Some(self.shown()?.result.as_ref()?.answer())
     }
 
     /// How many things the cursor can stand on.
@@ -45,7 +45,7 @@ impl Searching {
     pub fn words_height(&self, height: u16, lines: usize) -> u16 {
         let words = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
         let draws = self.answer().is_some_and(|answer| answer.draws(self));
-        if draws && height >= CHART_ROWS + words.min(LEAST_WORDS) {
+        if draws && height >= CHART_ROWS + words.min(MIN_WORDS) {
             words.min(height - CHART_ROWS).max(3)
         } else {
             height
@@ -85,12 +85,12 @@ impl Searching {
 }
 
 /// The places of the measures of a front that are drawn across and up: the first two objectives.
-pub(super) fn axes(front: &Report) -> (usize, usize) {
+pub(super) fn axes(front: &FrontReport) -> (usize, usize) {
     (0, 1.min(front.request.measures().len().saturating_sub(1)))
 }
 
 /// Where a design stands between these axes.
-pub(super) fn place(front: &Report, design: &Design) -> Option<(f64, f64)> {
+pub(super) fn place(front: &FrontReport, design: &Design) -> Option<(f64, f64)> {
     let value = |at: usize| design.measures.get(at).copied().flatten();
     let (across, up) = axes(front);
     value(across).zip(value(up))
@@ -101,7 +101,7 @@ impl App {
     pub fn searching(&self, page: Page) -> Option<&Running> {
         let is_own = |request: &Arc<SearchRequest>| Page::from_request(request) == page;
         let mut studies = self.jobs.studies.iter();
-        studies.find(|running| SearchRequest::of(&running.asked).is_some_and(is_own))
+        studies.find(|running| SearchRequest::downcast(&running.request).is_some_and(is_own))
     }
 
     /// Returns the lines of text of the page shown.
@@ -120,9 +120,9 @@ impl App {
         for axis in answer.over() {
             copy_value(axis, &kept.scene, &mut scene);
         }
-        let asked = kept.asked.as_ref().and_then(SearchRequest::of);
+        let request = kept.request.as_ref().and_then(SearchRequest::downcast);
         let wanted = self.search_request(tab.page).ok();
-        *kept.scene != scene || asked.map(|it| &**it) != wanted.as_ref()
+        *kept.scene != scene || request.map(|it| &**it) != wanted.as_ref()
     }
 
     /// The design under the cursor as a scene, and what it is.

@@ -13,7 +13,7 @@ use crate::worker::studies::SearchRequest;
 use cmra_studies::report::figures::axis_of;
 use cmra_studies::report::seek::{remarks, solution, table, warnings};
 use cmra_studies::study::quantities::named;
-use cmra_studies::study::search::seek::{self, Goal, Report, SCAN};
+use cmra_studies::study::search::seek::{self, Goal, SCAN, SeekReport};
 use cmra_studies::study::sweep;
 
 pub(super) const STUDY: Study = Study {
@@ -40,7 +40,7 @@ fn request(app: &App) -> Result<SearchRequest, String> {
     Ok(SearchRequest::Seek(seek::Request { over, goal }))
 }
 
-impl Answer for Report {
+impl Answer for SeekReport {
     fn over(&self) -> &[sweep::Axis] {
         std::slice::from_ref(&self.axis)
     }
@@ -115,7 +115,7 @@ impl Answer for Report {
         };
         let layout = canvas.draw(&chart, area);
         for (x, _) in self.scan.iter().filter(|point| point.1.is_none()) {
-            let gap = self.of(seek::Kind::Gap).find(|gap| {
+            let gap = self.of_kind(seek::Kind::Gap).find(|gap| {
                 let (a, b) = (gap.place.at, gap.until.map_or(gap.place.at, |it| it.at));
                 (a.min(b)..=a.max(b)).contains(x)
             });

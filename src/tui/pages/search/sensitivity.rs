@@ -10,7 +10,7 @@ use crate::worker::studies::SearchRequest;
 use cmra_engine::model::run::envelope::Check;
 use cmra_studies::report::sensitivity::{ASCII, BLOCKS, COLUMNS, page, table};
 use cmra_studies::study::quantities::named;
-use cmra_studies::study::sensitivity::{OUTPUT, Report, Request};
+use cmra_studies::study::sensitivity::{OUTPUT, Request, SensitivityReport};
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::validity;
 
@@ -40,7 +40,7 @@ pub(crate) fn levels(glyphs: GlyphSet) -> [char; 8] {
     }
 }
 
-impl Answer for Report {
+impl Answer for SensitivityReport {
     fn readout(&self, _app: &App) -> Option<String> {
         let top = self.output.show(self.scale()?, 3);
         Some(format!("bars: 0 to {top}, the 95th percentile of all runs; here: slope at the scene"))

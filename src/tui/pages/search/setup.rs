@@ -9,7 +9,7 @@ use crate::worker::studies::SearchRequest;
 use cmra_engine::model::units;
 use cmra_engine::model::variables::{self, Group, Value, Variable};
 use cmra_studies::study::quantities::{Quantity, named};
-use cmra_studies::study::search::front::{Constraint, USUAL};
+use cmra_studies::study::search::front::{Constraint, DEFAULT};
 use cmra_studies::study::sweep::default_axes::thesis_axes;
 use cmra_studies::study::sweep::{Axis, COUNTS, Spacing};
 
@@ -18,7 +18,7 @@ pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount forc
 
 /// A measure in a word or two.
 pub fn brief(column: &Quantity) -> String {
-    let at = USUAL.iter().position(|name| *name == column.name);
+    let at = DEFAULT.iter().position(|name| *name == column.name);
     at.map_or_else(|| column.heading(), |at| OBJECTIVES[at].to_owned())
 }
 
@@ -28,7 +28,7 @@ fn short_words(bound: &Constraint) -> String {
 }
 
 /// The variables that fronts can vary: those of Table 9.2 that matter are on, whatever else the scene uses is off.
-fn usual_bounds(scene: &Scene) -> Vec<Bound> {
+fn default_bounds(scene: &Scene) -> Vec<Bound> {
     let thesis = thesis_axes(scene).unwrap_or_default();
     let is_there = |it: &Variable| thesis.iter().any(|axis| axis.variable().key == it.key);
     let others = numeric(scene).filter(|variable| {
@@ -47,7 +47,7 @@ impl App {
     pub fn search_bounds(&self) -> Vec<Bound> {
         let kept = &self.pages.search.setup.bounds;
         let kept = |symbol: &str| kept.iter().find(|it| it.axis.symbol() == symbol).cloned();
-        let usual = usual_bounds(&self.scene).into_iter();
+        let usual = default_bounds(&self.scene).into_iter();
         usual.map(|bound| kept(bound.axis.symbol()).unwrap_or(bound)).collect()
     }
 
@@ -105,7 +105,7 @@ impl App {
             ),
             Row::Objective(at) => {
                 let objective = FormRow::switch(OBJECTIVES[at], setup.objectives[at]);
-                objective.means(quantity_meaning(USUAL[at]))
+                objective.means(quantity_meaning(DEFAULT[at]))
             }
             Row::Bounds => {
                 let written = |of: &dyn Fn(&Constraint) -> String| {

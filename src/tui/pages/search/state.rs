@@ -9,8 +9,8 @@ use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 use cmra_engine::model::scene::SweepAxis;
 use cmra_studies::study::quantities;
-use cmra_studies::study::search::front::{self, Constraint, SAMPLES, USUAL};
-use cmra_studies::study::search::seek::{Goal, SCAN, SCAN_USUAL};
+use cmra_studies::study::search::front::{self, Constraint, DEFAULT, SAMPLES};
+use cmra_studies::study::search::seek::{DEFAULT_SCAN, Goal, SCAN};
 use cmra_studies::study::sensitivity;
 use cmra_studies::study::sweep::{Axis, COUNTS};
 
@@ -50,7 +50,7 @@ pub struct Searching {
     pub row: Row,
     pub setup: Arc<Setup>,
     /// The results, page by page.
-    pub found: [CachedResult<SearchAnswer>; Page::COUNT],
+    pub results: [CachedResult<SearchAnswer>; Page::COUNT],
     /// Why a page cannot be computed, page by page.
     pub problem: [Option<String>; Page::COUNT],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
@@ -85,7 +85,7 @@ pub struct Setup {
 impl Default for Setup {
     fn default() -> Self {
         let front = front::Request::default();
-        let scan = usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX);
+        let scan = usize::try_from(DEFAULT_SCAN).unwrap_or(usize::MAX);
         Self {
             seek: SweepAxis::linear("d", 0.0, 0.5, scan),
             goal: ("percent_of_baseline", 60.0),
@@ -107,7 +107,7 @@ impl Setup {
     pub(crate) fn kept(&self) -> Search {
         let (name, target) = self.goal;
         let goal = quantities::find(name).map(|measure| Goal { measure, target });
-        let chosen = USUAL.iter().zip(self.objectives).filter(|(_, is_chosen)| *is_chosen);
+        let chosen = DEFAULT.iter().zip(self.objectives).filter(|(_, is_chosen)| *is_chosen);
         Search {
             seek: Axis::from_sweep_axis(&self.seek, &SCAN)
                 .map_or_else(|_| String::new(), |it| it.to_string()),
@@ -131,10 +131,10 @@ impl Setup {
             let axis = Axis::read_range(text, Some(*COUNTS.start()), &COUNTS).ok()?;
             Some(Bound { axis, on: *on })
         };
-        let seek = Axis::read_range(&kept.seek, Some(SCAN_USUAL), &SCAN);
+        let seek = Axis::read_range(&kept.seek, Some(DEFAULT_SCAN), &SCAN);
         let goal = kept.goal.parse::<Goal>().map(|goal| (goal.measure.name, goal.target));
         let minimise =
-            kept.minimise.as_ref().map(|it| USUAL.map(|name| it.iter().any(|one| one == name)));
+            kept.minimise.as_ref().map(|it| DEFAULT.map(|name| it.iter().any(|one| one == name)));
         let bounds = kept.subject_to.as_ref();
         let bounds = bounds.map(|it| it.iter().filter_map(|text| text.parse().ok()).collect());
         Self {

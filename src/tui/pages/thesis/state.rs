@@ -19,6 +19,6 @@ pub struct Thesis {
 
 impl Thesis {
     pub fn rows(&self) -> &[Row] {
-        self.report.found.as_ref().map_or(&[], |report| report)
+        self.report.result.as_ref().map_or(&[], |report| report)
     }
 }

@@ -22,7 +22,7 @@ fn at_most(name: &str, bound: f64) -> Constraint {
     Constraint { measure: named(name).unwrap(), at_most: true, bound }
 }
 
-fn solve(scene: &Scene, request: &Request) -> Report {
+fn solve(scene: &Scene, request: &Request) -> FrontReport {
     run(scene, request, &mut Context::new(2, &mut never_cancel)).unwrap()
 }
 

@@ -13,11 +13,11 @@ fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Request {
     Request { over, goal: Goal { measure: named(measure).unwrap(), target } }
 }
 
-fn found(scene: &Scene, request: &Request) -> Report {
+fn found(scene: &Scene, request: &Request) -> SeekReport {
     on(2, scene, request).unwrap()
 }
 
-fn on(threads: usize, scene: &Scene, request: &Request) -> Result<Report, SweepError> {
+fn on(threads: usize, scene: &Scene, request: &Request) -> Result<SeekReport, SweepError> {
     run(scene, request, &mut Context::new(threads, &mut never_cancel))
 }
 
@@ -58,7 +58,7 @@ fn perforations_are_a_gap_and_not_a_number() {
     scene.plate.mount = Mount::Rigid;
     let report = found(&scene, &goal("v_i", (100.0, 400.0), "final_penetration_m", 0.02));
     assert_eq!(report.solutions().count(), 1);
-    let gap = report.of(Kind::Gap).last().unwrap();
+    let gap = report.of_kind(Kind::Gap).last().unwrap();
     assert_eq!(
         (gap.outcome, gap.until.unwrap().at),
         (Some(PointOutcome::Ended(Outcome::Perforated)), 400.0)

@@ -168,7 +168,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
             .emphasis(emphasis(view.old, view.letter.is_none()))
     });
     let curves = before.into_iter().chain(curves);
-    let measured = app.pages.run.drawn.of(index, quantity).iter().map(Curve::borrowed);
+    let measured = app.pages.run.drawn.get(index, quantity).iter().map(Curve::borrowed);
     let curves = curves.chain(measured);
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.
@@ -302,7 +302,7 @@ fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
     let at_end = data.iter().filter_map(|curve| quantity.at(curve.view.run, end_s));
     let before = app.run_before().map(|run| before_values(quantity, run, end_s, AXIS_POINTS));
     let before = before.into_iter().flatten().map(|point| point.1);
-    let measured = app.pages.run.drawn.of(chart, quantity).iter();
+    let measured = app.pages.run.drawn.get(chart, quantity).iter();
     let measured = measured.flat_map(|curve| curve.points.iter()).map(|point| point.1);
     let values = points.map(|point| point.1).chain(at_end).chain(before).chain(measured);
     let none = || Axis::new("", ViewRange::default()).unit(Unit::new(quantity.unit()));

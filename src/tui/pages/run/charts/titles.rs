@@ -43,7 +43,7 @@ pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
             vec![if quantity.is_over_time() { title } else { name }]
         }
     };
-    let beside = app.pages.run.differences.of(quantity);
+    let beside = app.pages.run.differences.get(quantity);
     let added = match beside.map(|most| engineering(most, quantity.unit())) {
         Some(most) => vec![format!("greatest difference {most}"), format!("difference {most}")],
         None => changed(app, quantity, run).into_iter().collect(),
