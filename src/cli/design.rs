@@ -12,6 +12,7 @@ use crate::cli::value_parsers::above_zero;
 use cmra_engine::model::design;
 use cmra_engine::model::library;
 use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{Scene, Wire};
 use cmra_engine::model::units::{Dimension, engineering};
@@ -44,9 +45,9 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
         .field("unit", |it| it.2)
         .field("source", |it| it.3);
     let breaches = envelope::of_scene(&preset.scene);
-    let mut warnings: Vec<String> = breaches.iter().map(ToString::to_string).collect();
+    let mut warnings: Vec<Warning> = breaches.iter().map(Warning::from).collect();
     warnings.extend(variables::range_warnings(&preset.scene));
-    warnings.extend(library::warnings(&preset.scene).map(str::to_owned));
+    warnings.extend(library::warnings(&preset.scene));
     let page = page + &arguments.table.warnings(&warnings);
     arguments.table.deliver(Extent::WHOLE, None, &page, None, rows.with_warnings(&warnings))
 }

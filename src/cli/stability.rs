@@ -11,6 +11,7 @@ use crate::cli::study::StudyArguments;
 use crate::cli::table::choice;
 use crate::cli::{CliError, draw, text};
 use cmra_engine::model::library;
+use cmra_engine::model::run::Warning;
 use cmra_studies::report::stability as tables;
 use cmra_studies::report::stability::{HOW_IT_RAN, table};
 use cmra_studies::study::stability;
@@ -77,7 +78,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let (map, extent) =
         arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
-    let warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
+    let warnings: Vec<Warning> = library::warnings(&preset.scene).collect();
     let (page, object) = (map_page(&map, &preset.heading), tables::map_json(name, &map));
     let (source, rows) = ((&preset.scene, wanted.to_string()), tables::map_table(name, &map));
     arguments.study.deliver(extent, source, &warnings, (page, object), rows)?;

@@ -8,8 +8,10 @@ use crate::cli::progress::{self, Extent};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::files::preset::Preset;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
 use cmra_studies::report::table::Table;
+use cmra_studies::report::table::texts;
 use cmra_studies::study::context::Context;
 use cmra_studies::study::parallel::cores;
 use cmra_studies::study::sweep::{Axis, COUNTS};
@@ -47,11 +49,11 @@ impl StudyArguments {
         &self,
         extent: Extent,
         (scene, command): (&Scene, String),
-        warnings: &[String],
+        warnings: &[Warning],
         (page, mut object): (String, Value),
         rows: Table<'_, R>,
     ) -> Result<(), CliError> {
-        object["warnings"] = warnings.into();
+        object["warnings"] = texts(warnings);
         let page = page + &self.table.warnings(warnings);
         let rows = rows.with_warnings(warnings);
         let source = (&self.scene.changes, scene, command);

@@ -13,8 +13,7 @@ use crate::cli::{CliError, output, text};
 use crate::files::atomic::OverwritePolicy;
 use crate::files::error::FileError;
 use crate::files::export::{Destination, Sidecar};
-use crate::tui::widgets::text::wrap;
-use cmra_engine::model::run::envelope::OUTSIDE;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
 use cmra_studies::report::table::{Table, pretty};
 
@@ -66,17 +65,19 @@ impl TableArguments {
     }
 
     /// Warnings below a result, a line each.
-    pub(super) fn warnings(&self, warnings: &[String]) -> String {
+    pub(super) fn warnings(&self, warnings: &[Warning]) -> String {
         if warnings.is_empty() {
             return String::new();
         }
         let room = text::width() - 4;
         // What reads a pipe cannot ask for more.
         let is_full = self.verbose || !text::is_screen();
-        let line = |warning: &String| {
-            if is_full { wrap(warning, room).join("\n    ") } else { brief(warning) }
+        let line = |warning: &Warning| {
+            let whole = warning.to_string();
+            let is_whole = is_full || warning.breach.is_none() && whole.chars().count() <= room;
+            text::hanging("  ! ", &if is_whole { whole } else { warning.short() }, 4)
         };
-        let lines = warnings.iter().map(|warning| format!("  ! {}\n", line(warning)));
+        let lines = warnings.iter().map(line);
         let how = if is_full {
             ""
         } else {
@@ -153,67 +154,4 @@ fn write(
     let beside = source.map(|(_, scene, command)| Sidecar { run: None, scene, notes, command });
     output::note_written(&to.write(text.as_bytes(), beside.as_slice(), is_complete)?);
     Ok(())
-}
-
-/// A warning in brief: of a breach of validity the first clause, which has its name and number, or the first two where the first has
-/// no number, and on which side the answer errs; of any other the clauses that fit in a line, or all of it. A clause is never cut: the
-/// page wraps it.
-fn brief(warning: &str) -> String {
-    let room = text::width() - 4;
-    let Some((lead, text)) = warning.split_once(OUTSIDE) else {
-        let fits = |clause: &&str| clause.chars().count() <= room;
-        return clauses(warning).filter(fits).last().unwrap_or(warning).to_owned();
-    };
-    let (text, direction) = text.rsplit_once(" (").unwrap_or((text, ""));
-    let has_number = |clause: &&str| clause.contains(|c: char| c.is_ascii_digit());
-    let clause = clauses(text).find(has_number).or_else(|| clauses(text).next()).unwrap_or(text);
-    format!("{lead}{clause} ({direction}")
-}
-
-/// A text up to each end of a clause, and the whole.
-fn clauses(text: &str) -> impl Iterator<Item = &str> {
-    let ends = text.match_indices([':', ';']).map(|(at, _)| at);
-    ends.chain([text.len()]).map(|end| &text[..end])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_warning_is_a_line_with_its_number_and_direction() {
-        for (warning, line) in [
-            (
-                "outside validity: h/D = 2: with dishing the law is validated up to about 1; set dishing=off (conservative)",
-                "h/D = 2 (conservative)",
-            ),
-            (
-                "at k = 7.5e6: outside validity: spring end moves at 36.8 m/s: a coil surges (unconservative)",
-                "at k = 7.5e6: spring end moves at 36.8 m/s (unconservative)",
-            ),
-            (
-                "outside validity: nose = blunt: about 60 % too high (unconservative)",
-                "nose = blunt: about 60 % too high (unconservative)",
-            ),
-            (
-                "the horizon of 1 ms was not reached: the run stopped",
-                "the horizon of 1 ms was not reached: the run stopped",
-            ),
-            (
-                "equal velocities at 92 us, before t_d = 185 us: the half-sine history is that of a fixed plate",
-                "equal velocities at 92 us, before t_d = 185 us",
-            ),
-            (
-                "outside validity: rigid stop asks the fused interface for an unbounded force: set it (unconservative)",
-                "rigid stop asks the fused interface for an unbounded force (unconservative)",
-            ),
-        ] {
-            assert_eq!(brief(warning), line);
-        }
-        // A clause longer than a line stays whole.
-        let long = "word ".repeat(40);
-        assert_eq!(brief(long.trim_end()), long.trim_end());
-        let breach = format!("outside validity: {long}is 8.457: explained (unconservative)");
-        assert_eq!(brief(&breach), format!("{long}is 8.457 (unconservative)"));
-    }
 }

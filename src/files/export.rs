@@ -248,7 +248,7 @@ fn outcome(run: &Run) -> String {
 pub fn sweep_notes(plan: &Plan, missing: Option<&str>) -> String {
     let mut text = missing.map_or_else(String::new, |missing| format!("# {missing}\n"));
     for warning in validity::of_plan(plan) {
-        let _ = writeln!(text, "# warning: {}", clean::line(&warning));
+        let _ = writeln!(text, "# warning: {}", clean::line(&warning.to_string()));
     }
     text
 }

@@ -178,6 +178,7 @@ mod tests {
 
     use super::*;
     use cmra_engine::model::library::warnings;
+    use cmra_engine::model::run::Warning;
 
     #[test]
     fn bundled_entries_are_all_read_and_cite_a_source() {
@@ -203,9 +204,9 @@ mod tests {
         let shot = scene.projectile;
         assert_eq!((shot.mass_kg, shot.velocity_m_s), (0.004, 950.0));
         assert_eq!(scene.notes.lines().count(), 2, "{}", scene.notes);
-        let warnings: Vec<&str> = warnings(&scene).collect();
+        let warnings: Vec<Warning> = warnings(&scene).collect();
         assert!(
-            matches!(warnings[..], [one] if one.contains("m855-ball: steel tip")),
+            matches!(&warnings[..], [one] if one.value.contains("m855-ball: steel tip")),
             "{warnings:?}"
         );
         // What has no warning leaves none.

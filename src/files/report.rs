@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::files::{clean, write};
 use cmra_engine::model::library;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::{Run, envelope};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units;
@@ -138,8 +139,8 @@ fn ballistic_limit(page: &mut Document, report: &limit::LimitReport) {
     let remarks = remarks(report).into_iter().chain(taken_to_hold(report)).chain(meaning(report));
     lines.extend(remarks.map(|remark| format!("{}: {}", remark.about, remark.text)));
     let warnings = report.at_limit.as_ref().map(envelope::warnings).unwrap_or_default();
-    let known: Vec<&str> = library::warnings(&report.scene).collect();
-    let of_limit = warnings.iter().filter(|warning| !known.contains(&warning.as_str()));
+    let known: Vec<Warning> = library::warnings(&report.scene).collect();
+    let of_limit = warnings.iter().filter(|warning| !known.contains(warning));
     lines.extend(of_limit.map(|warning| format!("at the limit: {warning}")));
     page.heading("Ballistic limit");
     page.list(&lines);

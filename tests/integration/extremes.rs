@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra_engine::model::contact_kernel::Contact;
-use cmra_engine::model::run::{ContactMode, EndReason, Run, Sample, Warning};
+use cmra_engine::model::run::{ContactMode, EndReason, Run, RunWarning, Sample};
 use cmra_engine::model::scene::{PlateSize, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 
@@ -211,7 +211,7 @@ fn a_horizon_that_is_not_reached_is_reported_and_the_series_is_bounded() {
     assert!(!found.end.is_complete(), "{:?}", found.end);
     let last = found.series.last().unwrap().t_s;
     let told = found.warnings.iter().any(|warning| {
-        matches!(warning, Warning::HorizonNotReached { t_s, horizon_s, .. }
+        matches!(warning, RunWarning::HorizonNotReached { t_s, horizon_s, .. }
             if *t_s >= last * (1.0 - 1e-9) && *horizon_s > 0.09)
     });
     assert!(told, "{:?}", found.warnings);

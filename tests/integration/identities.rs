@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-use cmra_engine::model::run::{ContactMode, Run, Warning};
+use cmra_engine::model::run::{ContactMode, Run, RunWarning};
 use cmra_engine::model::scene::{ContactModel, Scene};
 use cmra_engine::model::variables::{VARIABLES, Value, Variable, validate};
 use cmra_studies::report::run::json;
@@ -142,7 +142,7 @@ fn faults(run: &Run) -> Vec<String> {
     }
     let residual = key("energy_residual");
     let warned =
-        |run: &Run| run.warnings.iter().any(|it| matches!(it, Warning::EnergyDrift { .. }));
+        |run: &Run| run.warnings.iter().any(|it| matches!(it, RunWarning::EnergyDrift { .. }));
     if residual.is_none_or(|residual| residual.abs() > 1e-6) && !run.plates().any(warned) {
         faults.push(format!("energy_residual = {residual:?} without its warning"));
     }

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files;
-use cmra_engine::model::run::{ContactMode, EndReason, EventKind, Outcome, Run, Warning};
+use cmra_engine::model::run::{ContactMode, EndReason, EventKind, Outcome, Run, RunWarning};
 use cmra_engine::model::scene::{ContactModel, PlateSize, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables;
@@ -139,10 +139,10 @@ fn valid_cocked_fused_warns_and_plastic_resumes() {
     assert_near(depth(&fused), 1.658_338_066_423_099e-3, 1e-12);
     let ratio = fused.interface_demand_ratio.unwrap();
     assert!((2.8..3.0).contains(&ratio), "{ratio}");
-    assert!(fused.warnings.iter().any(|w| matches!(w, Warning::InterfacePush { .. })));
+    assert!(fused.warnings.iter().any(|w| matches!(w, RunWarning::InterfacePush { .. })));
 
     let plastic = run("d=0.5 k=1e5 interface=plastic");
-    assert!(plastic.warnings.iter().any(|w| matches!(w, Warning::PenetrationResumed { .. })));
+    assert!(plastic.warnings.iter().any(|w| matches!(w, RunWarning::PenetrationResumed { .. })));
     assert_eq!(plastic.outcome, Outcome::Perforated);
 
     // With a grip that never slips an independent integration has the plate perforated with 86 m/s left.
@@ -294,7 +294,7 @@ fn a_cancelled_run_keeps_its_partial_results() {
     assert_eq!((run.end, run.outcome), (EndReason::Cancelled, Outcome::Moving));
     assert!(run.at_least.penetration_m.unwrap() > 0.0);
     assert!(run.series.len() > 5 && (1..=5).contains(&run.cost.steps));
-    assert!(run.warnings.contains(&Warning::EndedEarly(EndReason::Cancelled)));
+    assert!(run.warnings.contains(&RunWarning::EndedEarly(EndReason::Cancelled)));
 }
 
 #[test]

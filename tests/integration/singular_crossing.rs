@@ -1,6 +1,6 @@
 //! Plates that oscillate through the zero of a power law that is not smooth there, against closed forms.
 
-use cmra_engine::model::run::{ContactMode, EndReason, Outcome, Run, Sample, Warning};
+use cmra_engine::model::run::{ContactMode, EndReason, Outcome, Run, RunWarning, Sample};
 
 use crate::support::{assert_near, run, says, scene};
 
@@ -93,7 +93,7 @@ fn a_plate_that_decays_in_ever_faster_oscillations_is_decided_before_its_horizon
         "n=0.5 k=4.88e5 b=246 d=0.00944 gamma=0.313 v_i=226 interface=plastic g=0.12 h=0.05 run.horizon_s=1",
     ));
     assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::StepBudget));
-    let told = |it: &Warning| matches!(it, Warning::HorizonNotReached { .. });
+    let told = |it: &RunWarning| matches!(it, RunWarning::HorizonNotReached { .. });
     assert!(found.warnings.iter().any(told), "{:?}", found.warnings);
     assert!(found.ledger.residual().abs() < 1e-12, "{:e}", found.ledger.residual());
     // It has swung both ways, with ever smaller greatest displacements.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use cmra::files::{read, write};
-use cmra_engine::model::run::{Outcome, Run, Warning};
+use cmra_engine::model::run::{Outcome, Run, RunWarning};
 use cmra_engine::model::variables;
 
 use crate::support::{assert_near, run, says, scene};
@@ -18,7 +18,7 @@ fn a_stack_of_one_element_is_the_single_run() {
         // What goes through the first plate of a stack meets the next: no warning says that it goes through a rigid one, too.
         stacked
             .warnings
-            .extend(single.warnings.iter().filter(|it| **it == Warning::NoBaseline).copied());
+            .extend(single.warnings.iter().filter(|it| **it == RunWarning::NoBaseline).copied());
         stacked.scene = Arc::clone(&single.scene);
         assert_eq!(stacked, single, "{pairs}");
         let reached_base = single.outcome == Outcome::Perforated;
@@ -139,7 +139,7 @@ fn elements_may_differ_and_are_kept() {
     let thicknesses: Vec<f64> =
         stack.behind.iter().map(|run| run.scene.target.thickness_m).collect();
     assert_eq!(thicknesses, [0.004, 0.003, 0.02]);
-    let meets = found.warnings.iter().filter(|it| matches!(it, Warning::PlateMeetsNext { .. }));
+    let meets = found.warnings.iter().filter(|it| matches!(it, RunWarning::PlateMeetsNext { .. }));
     assert_eq!(meets.count(), 3);
 }
 

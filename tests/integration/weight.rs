@@ -1,6 +1,6 @@
 //! The weight of a projectile that falls on a plate: energy balances, statics, and the warning where it is not counted.
 
-use cmra_engine::model::run::{ContactMode, Outcome, Run, Warning};
+use cmra_engine::model::run::{ContactMode, Outcome, Run, RunWarning};
 
 use crate::support::{assert_near, run, says, scene};
 
@@ -98,7 +98,7 @@ fn nothing_stops_a_plate_without_a_spring() {
 fn valid_a_weight_that_is_not_counted_is_reported_where_it_matters() {
     let share = |run: &Run| {
         run.warnings.iter().find_map(|warning| match warning {
-            Warning::WeightOmitted { share } => Some(*share),
+            RunWarning::WeightOmitted { share } => Some(*share),
             _ => None,
         })
     };

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::model::labelled_enum::labelled_enum;
+use crate::model::run::Warning;
 use crate::model::scene::{Closure, DragSource, Nose, Scene, Target};
 use crate::model::variables::{self, Value, VariableError};
 
@@ -118,6 +119,6 @@ pub fn is_warning(line: &str) -> bool {
 }
 
 /// The warnings of the entries that a scene was made from.
-pub fn warnings(scene: &Scene) -> impl Iterator<Item = &str> {
-    scene.notes.lines().filter(|line| is_warning(line))
+pub fn warnings(scene: &Scene) -> impl Iterator<Item = Warning> {
+    scene.notes.lines().filter(|line| is_warning(line)).map(|line| Warning::remark(line, ""))
 }

@@ -15,7 +15,7 @@ pub mod envelope;
 mod warning;
 
 pub use crate::model::stack::StackRun;
-pub use warning::{NotModelled, Warning};
+pub use warning::{NotModelled, RunWarning, Warning};
 
 /// The output that a run delivers besides its results.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,7 +118,7 @@ pub struct Run {
     /// The terms that this scene did not need.
     pub omitted: Vec<&'static str>,
     /// Warnings.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<RunWarning>,
 }
 
 labelled_enum! {

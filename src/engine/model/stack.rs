@@ -8,7 +8,7 @@
 use std::sync::Arc;
 
 use crate::model::plug::Plug;
-use crate::model::run::{Outcome, Run, Warning};
+use crate::model::run::{Outcome, Run, RunWarning};
 use crate::model::scene::{Closure, Layer, Mount, Nose, PlateSize, Scene, Stack};
 use crate::model::variables::VariableError;
 
@@ -155,7 +155,7 @@ fn warn_of_gaps(scene: &Scene, first: &mut Run, behind: &[Arc<Run>], elements: u
     let travels = std::iter::once(first.max_plate_displacement_m).chain(behind).take(elements);
     first.warnings.extend(travels.enumerate().filter_map(|(plate, travel_m)| {
         let (travel_m, gap_m) = (travel_m?, scene.stack.gap_m?);
-        (travel_m > gap_m).then_some(Warning::PlateMeetsNext { plate, travel_m, gap_m })
+        (travel_m > gap_m).then_some(RunWarning::PlateMeetsNext { plate, travel_m, gap_m })
     }));
 }
 

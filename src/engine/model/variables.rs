@@ -10,6 +10,7 @@ use thiserror::Error;
 
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::kinds::spring_rows;
+use crate::model::run::Warning;
 use crate::model::scene::{
     Contact, Interface, Listing, Mechanism, Plate, Projectile, RunSettings, Scene, Stack, Stop,
     Target, damper_rows, second_rows,
@@ -329,19 +330,20 @@ impl Variable {
         }
     }
 
-    /// A sentence when the value is outside the range the thesis searched: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis
+    /// A warning when the value is outside the range the thesis searched: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis
     /// has no figure there`.
-    pub fn range_warning(&self, scene: &Scene) -> Option<String> {
+    pub fn range_warning(&self, scene: &Scene) -> Option<Warning> {
         let (low, high) = self.thesis_range?;
         let value = (self.number()?.get)(scene)?;
         (!(low..=high).contains(&value)).then(|| {
-            format!(
-                "{} = {} is outside {}..{} of Table 9.2: the thesis has no figure there",
+            let value = format!(
+                "{} = {} is outside {}..{} of Table 9.2",
                 self.symbol,
                 units::significant(value, 6),
                 units::shortest(low),
                 units::shortest(high)
-            )
+            );
+            Warning::remark(value, ": the thesis has no figure there")
         })
     }
 
@@ -413,7 +415,7 @@ pub fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
 
 /// Every value that is legal yet outside the range the thesis searched. Another shot or target than that of the thesis has nothing to
 /// do with its range.
-pub fn range_warnings(scene: &Scene) -> Vec<String> {
+pub fn range_warnings(scene: &Scene) -> Vec<Warning> {
     let usual = Scene::default();
     let is_of_thesis = ["m_p", "R", "rho", "S_y", "closure", "face", "m_2"]
         .iter()

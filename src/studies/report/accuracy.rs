@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
+use crate::report::table::{listed, texts};
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::reference::References;
 use crate::study::accuracy::{
@@ -11,14 +12,15 @@ use crate::study::accuracy::{
 };
 use crate::study::context::Reach;
 use cmra_engine::model::library;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::units::engineering;
 
 /// A point of a method.
 pub type Row<'r> = (&'r MethodReport, &'r Point);
 
 /// Returns the warnings of the library entries that the scene uses.
-pub fn warnings(report: &AccuracyReport) -> Vec<String> {
-    library::warnings(&report.scene).map(str::to_owned).collect()
+pub fn warnings(report: &AccuracyReport) -> Vec<Warning> {
+    library::warnings(&report.scene).collect()
 }
 
 /// The points of all methods on the scene of this name.
@@ -26,7 +28,7 @@ pub fn table<'r>(name: &'r str, report: &'r AccuracyReport) -> Table<'r, Row<'r>
     let rows = |method: &'r MethodReport| method.points.iter().map(move |point| (method, point));
     let measured = |row: &Row<'r>| row.1.result.as_ref().ok();
     let answer = move |row: &Row<'r>| Some(&measured(row)?.answer);
-    let warnings = warnings(report).join("; ");
+    let warnings = listed(&warnings(report));
     let table = Table::new(report.methods.iter().flat_map(rows))
         .field("scene", move |_| name)
         .field("method", |row| row.0.method.name())
@@ -171,7 +173,7 @@ pub fn json(name: &str, report: &AccuracyReport, reach: Reach) -> Value {
         "run_time_s": report.run_s,
         "omitted": savings(&report.savings).objects(|_| true),
         "points": table(name, report).objects(|key| key != WARNINGS),
-        WARNINGS: warnings(report),
+        WARNINGS: texts(&warnings(report)),
     })
 }
 

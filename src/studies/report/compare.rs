@@ -7,6 +7,7 @@ use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
+use crate::report::table::listed;
 use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
 use crate::study::compare::{
@@ -16,6 +17,7 @@ use crate::study::limit::RANGE_M_S;
 use crate::study::quantities::find;
 use cmra_engine::model::library;
 use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{PlateSize, Scene};
 use cmra_engine::model::units::{fixed_significant, velocity};
@@ -173,9 +175,8 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .field("no_mass_efficiency", move |at| Some(cell(at)?.err()?.words))
         .field("warnings", move |at| {
             let breaches = envelope::of_scene(&map.placed(at.0, at.1));
-            let breaches = breaches.iter().map(ToString::to_string);
-            let of_entries = library::warnings(map.scene()).map(str::to_owned);
-            breaches.chain(of_entries).collect::<Vec<String>>().join("; ")
+            let of_entries = library::warnings(map.scene());
+            listed(&breaches.iter().map(Warning::from).chain(of_entries).collect::<Vec<Warning>>())
         })
 }
 

@@ -34,8 +34,8 @@ impl Document {
     }
 
     /// Appends items, a line each.
-    pub fn list(&mut self, items: &[String]) {
-        let items: String = items.iter().map(|item| element("li", item)).collect();
+    pub fn list(&mut self, items: &[impl ToString]) {
+        let items: String = items.iter().map(|item| element("li", &item.to_string())).collect();
         let _ = writeln!(self.0, "<ul>\n{items}</ul>");
     }
 

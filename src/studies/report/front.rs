@@ -9,7 +9,7 @@ use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
 use cmra_engine::model::library;
-use cmra_engine::model::run::Outcome;
+use cmra_engine::model::run::{Outcome, Warning};
 use cmra_engine::model::units::{significant, velocity};
 
 /// The constraint that is kept unless a search is without it.
@@ -17,9 +17,9 @@ pub const FEASIBLE: &str =
     "feasible: the shot is stopped, and no warning that the answer errs on the unsafe side";
 
 /// Warnings about the rows: those of a single best design; of a front how many designs are outside validity.
-pub fn warnings(front: &FrontReport) -> Vec<String> {
+pub fn warnings(front: &FrontReport) -> Vec<Warning> {
     let (scene, request) = (&front.base, &front.request);
-    let known: Vec<String> = library::warnings(scene).map(str::to_owned).collect();
+    let known: Vec<Warning> = library::warnings(scene).collect();
     let mut warnings = known.clone();
     warnings.extend(validity::of_pair(scene, &request.over, &request.measures()));
     if let [design] = &*front.designs {
@@ -27,8 +27,9 @@ pub fn warnings(front: &FrontReport) -> Vec<String> {
         warnings.extend(validity::of_design("best design", &scene, &request.over, &known));
     } else if !front.outside.is_empty() {
         let (count, outside) = (front.designs.len(), validity::counted(&front.outside));
-        warnings.push(format!(
-            "outside validity, of {count} designs: {outside} (`cmra run` of a design says why)"
+        warnings.push(Warning::remark(
+            format!("outside validity, of {count} designs: {outside}"),
+            " (`cmra run` of a design says why)",
         ));
     }
     warnings

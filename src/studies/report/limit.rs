@@ -11,6 +11,7 @@ use crate::study::limit::{Closures, Limit, LimitReport, RANGE_M_S, Shot};
 use crate::study::quantities::find;
 use crate::study::validity;
 use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::{Outcome, Run, envelope};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{engineering, fixed_significant, significant, velocity};
@@ -121,7 +122,7 @@ fn load(run: &Run) -> Option<String> {
 }
 
 /// Warnings about the rows: those of the shot at the limit, without a limit of the scene's own.
-pub fn warnings(report: &LimitReport) -> Vec<String> {
+pub fn warnings(report: &LimitReport) -> Vec<Warning> {
     let at_limit = report.at_limit.as_ref().map(envelope::warnings);
     at_limit.unwrap_or_else(|| validity::of_scene(&report.scene))
 }

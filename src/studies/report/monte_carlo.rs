@@ -11,13 +11,14 @@ use crate::study::monte_carlo::{
 };
 use crate::study::validity;
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::significant;
 
 const DIGITS: usize = 4;
 
 /// Warnings about the rows.
-pub fn warnings(scene: &Scene, report: &MonteCarloReport) -> Vec<String> {
+pub fn warnings(scene: &Scene, report: &MonteCarloReport) -> Vec<Warning> {
     let mut warnings = validity::of_scene(scene);
     let measures: Vec<_> = report.summaries.iter().map(|it| it.measure).collect();
     warnings.extend(validity::of_pair(scene, &[], &measures));
@@ -26,12 +27,15 @@ pub fn warnings(scene: &Scene, report: &MonteCarloReport) -> Vec<String> {
 }
 
 /// Notes the samples that have no limit and are missing in the quantiles; `None` if there are none.
-fn without_limit(report: &MonteCarloReport) -> Option<String> {
+fn without_limit(report: &MonteCarloReport) -> Option<Warning> {
     let limits = report.summaries.iter().find(|it| it.measure.name == LIMIT)?;
     let (all, missing) = (report.samples, report.samples - limits.sorted.len());
     let (low, high) = RANGE_M_S;
     (missing > 0).then(|| {
-        format!("{missing} of {all} samples have no limit from {low} to {high} m/s that runs decide: its quantiles are of the others")
+        let value = format!(
+            "{missing} of {all} samples have no limit from {low} to {high} m/s that runs decide"
+        );
+        Warning::remark(value, ": its quantiles are of the others")
     })
 }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
+use crate::report::table::texts;
 use crate::report::table::{Table, pretty};
 use crate::report::traces::Traces;
 use crate::report::verdict;
@@ -182,7 +183,7 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     object["method_reason"] = run.cost.reason.into();
     object["run_time_s"] = run.cost.took_s.into();
     object["omitted"] = run.omitted.clone().into();
-    object["warnings"] = warnings(run).into();
+    object["warnings"] = texts(&warnings(run));
     let plastic =
         |run: &Arc<Run>| with_results(json!({ "outcome": run.shot_outcome().word() }), run);
     object["plastic"] = run.plastic.as_ref().map(plastic).into();

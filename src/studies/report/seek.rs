@@ -11,16 +11,17 @@ use crate::study::sweep::{PointOutcome, Spacing};
 use crate::study::validity::DesignValidity;
 use crate::study::verdict::Decision;
 use cmra_engine::model::library;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::significant;
 
 /// Warnings about the rows: those of the solutions, and of the library's entries.
-pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<String> {
-    let mut warnings: Vec<String> = library::warnings(scene).map(str::to_owned).collect();
+pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<Warning> {
+    let mut warnings: Vec<Warning> = library::warnings(scene).collect();
     for (solution, checked) in report.solutions().zip(&report.checked) {
         let at = format!("{}={}", report.axis.symbol(), significant(solution.place.at, 4));
         let own = checked.new.iter().chain(&checked.known);
-        warnings.extend(own.map(|text| format!("solution ({at}): {text}")));
+        warnings.extend(own.cloned().map(|warning| warning.at(format!("solution ({at})"))));
     }
     warnings
 }

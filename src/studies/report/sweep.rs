@@ -8,6 +8,7 @@ use std::rc::Rc;
 use serde_json::{Value, json};
 
 use crate::report::table::{Table, pretty};
+use crate::report::table::{listed, texts};
 use crate::report::verdict;
 use crate::study::context::Reach;
 use crate::study::sweep::grid::Grid;
@@ -135,7 +136,7 @@ impl SweepWriter<'_> {
             table = table
                 .field("method", move |row| Some(run(row)?.cost.method))
                 .field("omitted", move |row| Some(run(row)?.omitted.join("; ")))
-                .field("warnings", move |row| Some(envelope::warnings(run(row)?).join("; ")));
+                .field("warnings", move |row| Some(listed(&envelope::warnings(run(row)?))));
         }
         table.field("error", move |row| found[*row].reason())
     }
@@ -150,7 +151,7 @@ impl SweepWriter<'_> {
             "axes": self.plan.axes().iter().map(axis_json).collect::<Value>(),
             "outputs": outputs,
             "version": env!("CARGO_PKG_VERSION"),
-            "warnings": validity::of_plan(self.plan),
+            "warnings": texts(&validity::of_plan(self.plan)),
         });
         pretty(&head).trim_end_matches(['\n', '}']).to_owned() + ",\n  \"rows\": [\n"
     }

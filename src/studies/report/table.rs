@@ -9,6 +9,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::study::context::Reach;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
 
 const DIGITS: usize = 4;
@@ -135,8 +136,8 @@ impl<'c, R> Table<'c, R> {
     }
 
     /// With the warnings of the whole table in every row.
-    pub fn with_warnings(self, warnings: &[String]) -> Self {
-        let text = warnings.join("; ");
+    pub fn with_warnings(self, warnings: &[Warning]) -> Self {
+        let text = listed(warnings);
         self.field("warnings", move |_| text.clone())
     }
 
@@ -299,6 +300,16 @@ fn field(value: &Value) -> Cow<'_, str> {
     }
 }
 
+/// Warnings in a cell of a table.
+pub fn listed(warnings: &[Warning]) -> String {
+    warnings.iter().map(ToString::to_string).collect::<Vec<String>>().join("; ")
+}
+
+/// Warnings in JSON.
+pub fn texts(warnings: &[Warning]) -> Value {
+    warnings.iter().map(ToString::to_string).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -359,7 +370,7 @@ mod tests {
             "name  depth, mm\na, b      300.0\nc             -\nd             -\n\n\
              name  steps\na, b      3\nc      1200\nd         0\n"
         );
-        let warned = table().with_warnings(&["x".to_owned(), "y".to_owned()]);
+        let warned = table().with_warnings(&["x", "y"].map(|text| Warning::remark(text, "")));
         assert!(warned.csv().starts_with("name,depth_m,steps,warnings\n\"a, b\","));
         assert!(warned.csv().contains(",3,x; y\n"));
     }

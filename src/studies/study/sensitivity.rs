@@ -13,6 +13,7 @@ use crate::study::sweep::default_axes::{or_usual, thesis_ends};
 use crate::study::sweep::{Axis, Plan, Point, Spacing, SweepError};
 use crate::study::validity;
 use cmra_engine::model::run::Outcome;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::{self, Allowed, Variable};
@@ -169,7 +170,7 @@ pub struct SensitivityReport {
     /// The effects, in the order of the request.
     pub effects: Vec<Effect>,
     /// Checks of the model's validity that fail at an end of a range and not for the scene itself, each with its warning.
-    pub outside_at_ends: Vec<(Check, String)>,
+    pub outside_at_ends: Vec<(Check, Warning)>,
 }
 
 impl SensitivityReport {

@@ -10,6 +10,7 @@ use serde::Deserialize;
 
 use crate::study::quantities::{Quantity, find};
 use crate::study::{changed, limit, plain_run, run_with};
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::{self, Check};
 use cmra_engine::model::scene::{Closure, Scene};
 use cmra_engine::model::simulate::Settings;
@@ -236,7 +237,7 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
         beyond: envelope::of_scene(&scene)
             .into_iter()
             .find(|breach| breach.check == Check::Thickness)
-            .map(|breach| breach.to_string()),
+            .map(|breach| Warning::from(&breach).to_string()),
     }
 }
 

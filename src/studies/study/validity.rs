@@ -9,7 +9,7 @@ use crate::study::sweep::{Axis, Plan, PointOutcome};
 use crate::study::verdict::Verdict;
 use cmra_engine::model::library;
 use cmra_engine::model::run::envelope::{self, Breach, Check, Direction};
-use cmra_engine::model::run::{EndReason, Run};
+use cmra_engine::model::run::{EndReason, Run, Warning};
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::units::{shortest, significant};
@@ -21,15 +21,15 @@ const STEPS_MAX: usize = 30_000;
 const END_STEPS_MAX: usize = 30;
 
 /// Warnings about a scene's results, from one run.
-pub fn of_scene(scene: &Scene) -> Vec<String> {
+pub fn of_scene(scene: &Scene) -> Vec<Warning> {
     warnings(scene, run(scene, STEPS_MAX).as_ref())
 }
 
-fn warnings(scene: &Scene, run: Option<&Run>) -> Vec<String> {
+fn warnings(scene: &Scene, run: Option<&Run>) -> Vec<Warning> {
     run.map_or_else(
         || {
-            let breaches = envelope::of_scene(scene).into_iter().map(|it| it.to_string());
-            breaches.chain(library::warnings(scene).map(str::to_owned)).collect()
+            let breaches = envelope::of_scene(scene);
+            breaches.iter().map(Warning::from).chain(library::warnings(scene)).collect()
         },
         envelope::warnings,
     )
@@ -66,46 +66,46 @@ fn breaches(scene: &Scene, run: Option<&Run>) -> Vec<Breach> {
 
 /// Warnings about results over these axes: those of the scene, and the breaches at the ends of each axis that the scene itself does
 /// not have, the loads of spring, stop and interface among them. Of each breach the worst is given.
-pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
+pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<Warning> {
     let own = run(scene, STEPS_MAX);
     let far = at_ends(scene, own.as_ref(), axes);
     let mut list = warnings(scene, own.as_ref());
     for breach in breaches(scene, own.as_ref()) {
         if far.iter().any(|(_, worse)| worse.is_same(&breach)) {
-            list.retain(|text| *text != breach.to_string());
+            list.retain(|warning| *warning != Warning::from(&breach));
         }
     }
-    list.extend(far.into_iter().map(|(place, breach)| format!("{place}: {breach}")));
+    list.extend(far.into_iter().map(|(place, breach)| Warning::from(&breach).at(place)));
     list
 }
 
 /// The checks that fail at an end of an axis, and not for the scene itself, each with its warning.
-pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, String)> {
+pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, Warning)> {
     let own = run(scene, STEPS_MAX);
     let known = breaches(scene, own.as_ref());
     let far = at_ends(scene, own.as_ref(), axes).into_iter();
     let new = far.filter(|(_, far)| known.iter().all(|breach| breach.check != far.check));
-    new.map(|(place, breach)| (breach.check, format!("{place}: {breach}"))).collect()
+    new.map(|(place, breach)| (breach.check, Warning::from(&breach).at(place))).collect()
 }
 
 /// Warns that a limit velocity does not account for the springs whose mass is shown; `None` if only one of both was requested, or if
 /// neither scene nor upper ends of its axes have springs.
-pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> Option<String> {
+pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> Option<Warning> {
     let has_limit =
         measures.iter().any(|it| matches!(it.search(), Some(Search::Limit | Search::DesignLimit)));
     let mass = measures.iter().find(|it| has_limit && it.has(QuantityFlag::CountsSprings))?.name;
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
     let is_sprung = |scene: &Scene| scene.is_sprung() && scene.mechanism.has_springs();
     (is_sprung(scene) || is_sprung(&scene_with(scene, axes, &ends))).then(|| {
-        format!(
-            "limit_velocity_m_s is that of the plate, whatever its springs have to store; those in {mass} are sized for v_i and hold \
-             no faster shot: `cmra compare --size` gives the limit with them"
-        )
+        let meaning = format!(
+            "; those in {mass} are sized for v_i and hold no faster shot: `cmra compare --size` gives the limit with them"
+        );
+        Warning::remark("limit_velocity_m_s is that of the plate, whatever its springs have to store", meaning)
     })
 }
 
 /// Warnings about the results of a sweep: those over its axes, and of what its outputs have to do with each other.
-pub fn of_plan(plan: &Plan) -> Vec<String> {
+pub fn of_plan(plan: &Plan) -> Vec<Warning> {
     let mut list = of_axes(plan.base(), plan.axes());
     list.extend(of_pair(plan.base(), plan.axes(), plan.outputs()));
     list
@@ -143,9 +143,9 @@ pub struct DesignValidity {
     /// The checks that fail.
     pub fails: Vec<Check>,
     /// Warnings that the scene itself does not have, without those of library entries.
-    pub new: Vec<String>,
+    pub new: Vec<Warning>,
     /// Warnings that the scene itself has, too.
-    pub known: Vec<String>,
+    pub known: Vec<Warning>,
     /// The verdict on its shot.
     pub verdict: Verdict,
 }
@@ -168,8 +168,8 @@ impl DesignValidity {
         Self {
             plastic: Plastic::beside(design, &fails, measure, goes_on),
             fails,
-            new: new.iter().map(ToString::to_string).chain(remarks).collect(),
-            known: known.iter().map(ToString::to_string).collect(),
+            new: new.iter().map(Warning::from).chain(remarks).collect(),
+            known: known.iter().map(Warning::from).collect(),
             verdict: Verdict::from_scene(design),
         }
     }
@@ -226,13 +226,13 @@ pub fn infeasible(
 }
 
 /// The warnings of a design beyond those that are known already, with the values that make it.
-pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> Vec<String> {
+pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[Warning]) -> Vec<Warning> {
     let value =
         |axis: &Axis| Some(format!("{}={}", axis.symbol(), significant(axis.get(scene)?, 4)));
     let values: Vec<String> = axes.iter().filter_map(value).collect();
     let lead = format!("{name} ({})", values.join(" "));
     let found = of_scene(scene).into_iter().filter(|warning| !known.contains(warning));
-    found.map(|warning| format!("{lead}: {warning}")).collect()
+    found.map(|warning| warning.at(&*lead)).collect()
 }
 
 /// How many designs fail each check, by the checks that each fails.
@@ -254,6 +254,18 @@ mod tests {
     use super::*;
 
     use crate::study::sweep::Spacing;
+
+    fn texts(warnings: &[Warning]) -> Vec<String> {
+        warnings.iter().map(ToString::to_string).collect()
+    }
+
+    fn of_scene(scene: &Scene) -> Vec<String> {
+        texts(&super::of_scene(scene))
+    }
+
+    fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
+        texts(&super::of_axes(scene, axes))
+    }
 
     /// The baseline's interface carries 0.108 of its strength; cocked by 0.5 m, 2.875 times as much as it can.
     #[test]

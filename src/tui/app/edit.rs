@@ -11,6 +11,7 @@ use crate::tui::prelude::*;
 use crate::tui::preset::{LabelledScene, ReferencePreset};
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::value_steps::{self, StepKey};
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{Scene, SpringKind, Table};
 use cmra_engine::model::units::Bare;
@@ -38,11 +39,11 @@ pub(crate) fn set(
         .into_iter()
         .filter(|breach| before.iter().all(|old| old.check != breach.check))
         .find(|breach| breach.check.symbol() == variable.symbol)
-        .map(|breach| breach.brief());
+        .map(|breach| Warning { meaning: String::new(), ..Warning::from(&breach) });
     let warning = breach.or_else(|| variable.range_warning(&scene));
     commit_scene(app, scene, label, stepping);
     if let Some(warning) = warning {
-        app.say(Severity::Warning, warning);
+        app.say(Severity::Warning, warning.to_string());
     }
     Ok(())
 }

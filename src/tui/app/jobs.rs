@@ -11,7 +11,7 @@ use crate::tui::message::Message;
 use crate::tui::prelude::*;
 use crate::worker::studies::{RequestVariant, StudyRequest, StudyResult};
 use crate::worker::{JobProgress, Page, ReportBody, SceneRun, Slot, Task, TaskReport};
-use cmra_engine::model::run::{EndReason, Run, Warning};
+use cmra_engine::model::run::{EndReason, Run, RunWarning};
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::context::Answer;
 use cmra_studies::study::parallel::cores;
@@ -253,9 +253,10 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
 fn show(app: &mut App, run: &Arc<Run>, elapsed: Option<Duration>) {
     let before = app.shown.replace(DisplayedRun { run: Arc::clone(run), elapsed });
     let known = before.as_ref().map_or(&[][..], |shown| &shown.run.warnings);
-    let is_known = |it: &&Warning| known.iter().any(|old| discriminant(old) == discriminant(*it));
+    let is_known =
+        |it: &&RunWarning| known.iter().any(|old| discriminant(old) == discriminant(*it));
     // The status row has the new ones in a few words: their sentences are for the Log tab. What comes after the run stands there anyway.
-    let is_later = |it: &&Warning| matches!(it, Warning::InterfaceRebound { .. });
+    let is_later = |it: &&RunWarning| matches!(it, RunWarning::InterfaceRebound { .. });
     for warning in run.warnings.iter().filter(|it| !is_later(it) && !is_known(it)) {
         let text = app.keymap.shown(&warning.to_string());
         app.keep(Notice { severity: Severity::Warning, text });

@@ -5,7 +5,7 @@ use cmra_studies::enumeration;
 use crate::tui::app::App;
 use crate::tui::theme::Role;
 use cmra_engine::model::run::envelope::{self, Breach, Check};
-use cmra_engine::model::run::{Run, Warning};
+use cmra_engine::model::run::{Run, RunWarning};
 use cmra_engine::model::units::{fixed_significant, scientific};
 
 enumeration! {
@@ -100,25 +100,25 @@ impl App {
 /// The first warning of a run in a few words, for the status row.
 pub(crate) fn demand(run: &Run) -> Option<String> {
     run.warnings.iter().find_map(|warning| match warning {
-        Warning::InterfacePush { ratio, .. } if !ratio.is_finite() => {
+        RunWarning::InterfacePush { ratio, .. } if !ratio.is_finite() => {
             Some("! interface force unbounded".to_owned())
         }
-        Warning::InterfacePush { ratio, .. } => {
+        RunWarning::InterfacePush { ratio, .. } => {
             Some(format!("! interface {} x A S_y", fixed_significant(*ratio, 3)))
         }
-        Warning::InterfacePull { ratio, .. } if !ratio.is_finite() => {
+        RunWarning::InterfacePull { ratio, .. } if !ratio.is_finite() => {
             Some("! pulls without a grip".to_owned())
         }
-        Warning::InterfacePull { ratio, .. } => {
+        RunWarning::InterfacePull { ratio, .. } => {
             Some(format!("! interface {} x g A S_y", fixed_significant(*ratio, 3)))
         }
-        Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
-        Warning::EnergyDrift { residual } => {
+        RunWarning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
+        RunWarning::EnergyDrift { residual } => {
             Some(format!("! energy off by {}", scientific(*residual, 0)))
         }
-        Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
-        Warning::PlateMeetsNext { .. } => Some("! plates meet".to_owned()),
-        Warning::HorizonNotReached { .. } => Some("! horizon not reached".to_owned()),
+        RunWarning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
+        RunWarning::PlateMeetsNext { .. } => Some("! plates meet".to_owned()),
+        RunWarning::HorizonNotReached { .. } => Some("! horizon not reached".to_owned()),
         _ => None,
     })
 }

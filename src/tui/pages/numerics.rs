@@ -6,6 +6,7 @@ pub mod state;
 
 use crate::tui::pages::page::prelude::*;
 use cmra_engine::model::library;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::variables;
 use cmra_studies::report::{accuracy as accuracy_table, stability as stability_table};
 use cmra_studies::study::accuracy::method::Method;
@@ -114,8 +115,7 @@ impl Page for NumericsTab {
                 let (map, name) = (kept.result.clone()?, app.name_of(&kept.scene));
                 let command =
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
-                let warnings = library::warnings(&kept.scene).map(str::to_owned);
-                let warnings: Vec<String> = warnings.collect();
+                let warnings: Vec<Warning> = library::warnings(&kept.scene).collect();
                 let csv = move |reach| {
                     let table = stability_table::map_table(&name, &map);
                     table.with_warnings(&warnings).with_reach(reach).csv()

@@ -18,7 +18,7 @@ use cmra::worker::{JobProgress, ReportBody, Task, TaskReport};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{
     Arrest, ContactMode, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind,
-    MechanismLoad, Outcome, Run, Sample, Warning,
+    MechanismLoad, Outcome, Run, RunWarning, Sample,
 };
 use cmra_engine::model::scene::{Mount, PlateSize, Scene};
 use cmra_studies::study::context::{Answer, Progress, Reach};
@@ -423,7 +423,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
     }
     if scene.plate.cocking_m > 0.0 {
         run.interface_demand_ratio = Some(2.9);
-        run.warnings = vec![Warning::InterfacePush { ratio: 2.9, t_s: 0.4e-3 }];
+        run.warnings = vec![RunWarning::InterfacePush { ratio: 2.9, t_s: 0.4e-3 }];
     }
     if scene.target.thickness_m < 0.01 {
         perforate(&mut run, &shape);

@@ -11,7 +11,7 @@ use crate::model::appendix::{Plate, Scheme, State};
 use crate::model::estimate;
 use crate::model::run::{
     Arrest, AtLeast, ContactMode, EndReason, EstimateBasis, Event, EventKind, NotModelled,
-    Observer, Outcome, Run, RunSnapshot, Sample, Settings, Warning,
+    Observer, Outcome, Run, RunSnapshot, RunWarning, Sample, Settings,
 };
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Scene};
 use crate::numerics::larger;
@@ -280,13 +280,13 @@ impl Work {
         ledger.plate_j = 0.5 * m_2 * w * w;
         ledger.spring_j = self.scheme.plate.spring.integral(x);
         let residual = ledger.residual();
-        self.run.warnings.push(Warning::EnergyDrift { residual });
+        self.run.warnings.push(RunWarning::EnergyDrift { residual });
         self.run.peak_contact_force_n = Some(self.peak_n);
         self.run.mechanism.peak_mount_n = (!is_rigid).then_some(self.peak_mount_n);
         let is_decided = self.run.outcome != Outcome::Moving;
         self.run.final_penetration_m = is_decided.then_some(self.deepest_m);
         if !self.run.end.is_complete() {
-            self.run.warnings.push(Warning::EndedEarly(self.run.end));
+            self.run.warnings.push(RunWarning::EndedEarly(self.run.end));
             let is_known = is_rigid || self.run.max_plate_displacement_m.is_some();
             self.run.at_least = AtLeast {
                 penetration_m: (!is_decided).then_some(self.deepest_m),
@@ -303,7 +303,7 @@ impl Work {
             (is_stopped, NotModelled::Stop),
             (stays_joined, NotModelled::PartingBehindHole),
         ] {
-            self.run.warnings.extend(lacks.then_some(Warning::NotModelled(what)));
+            self.run.warnings.extend(lacks.then_some(RunWarning::NotModelled(what)));
         }
         self.run
     }

@@ -2,7 +2,7 @@
 
 use super::half_sine::History;
 use super::lumped::Lumped;
-use crate::model::run::Warning;
+use crate::model::run::RunWarning;
 use crate::model::scene::{ContactModel, Scene};
 
 /// A projectile that arrives at common velocity within this part of the end of a history has not been overrun.
@@ -47,10 +47,10 @@ impl ContactLaw {
     }
 
     /// Says where a prescribed history has overrun the first common velocity.
-    pub(in crate::model) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
+    pub(in crate::model) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<RunWarning> {
         let Self::History(History { duration_s, .. }) = *self else { return None };
         let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
-        early.map(|t_s| Warning::Overruns { t_s, duration_s })
+        early.map(|t_s| RunWarning::Overruns { t_s, duration_s })
     }
 
     /// Travel at which contact begins in a hole made by this travel, m.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::stiffnesses_n_m;
 use crate::model::appendix::Scheme;
 use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, Sample, Warning};
+use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, RunWarning, Sample};
 use crate::model::scene::{Listing, Scene, SpringKind};
 use crate::model::simulate::{self, RunSnapshot, Settings};
 use crate::model::variables::scene_with;
@@ -50,7 +50,7 @@ fn valid_the_half_sine_carries_the_whole_momentum() {
         assert!(close(run.peak_contact_force_n.unwrap(), amplitude, 1e-12));
         assert!(run.ledger.residual().abs() < 1e-9, "{}", run.ledger.residual());
         // A plate that is free to move has the projectile's velocity before the end.
-        let overrun = |warning: &Warning| matches!(warning, Warning::Overruns { .. });
+        let overrun = |warning: &RunWarning| matches!(warning, RunWarning::Overruns { .. });
         assert!(run.warnings.iter().any(overrun), "{pairs}");
     }
 }
@@ -293,7 +293,7 @@ fn ignored_jumps_end_in_no_number_and_what_the_listing_lacks_is_noted() {
     for (pairs, missing) in
         [("x_stop=0.001", NotModelled::Stop), ("h=0.003 v_i=300", NotModelled::PartingBehindHole)]
     {
-        assert!(listing(pairs).warnings.contains(&Warning::NotModelled(missing)), "{pairs}");
+        assert!(listing(pairs).warnings.contains(&RunWarning::NotModelled(missing)), "{pairs}");
     }
 }
 
@@ -310,7 +310,7 @@ fn valid_a_velocity_that_is_rounding_is_zero() {
 /// the plate on a rigid mount.
 #[test]
 fn valid_a_missing_baseline_is_a_perforation_only_where_the_model_has_a_depth() {
-    let warns = |pairs: &str| run(pairs).warnings.contains(&Warning::NoBaseline);
+    let warns = |pairs: &str| run(pairs).warnings.contains(&RunWarning::NoBaseline);
     for pairs in ["", "v_i=10", "mount=rigid", "k=0", "v_i=500"] {
         assert!(!warns(&format!("model=initial-velocity {pairs}")), "{pairs}");
     }

@@ -13,7 +13,7 @@ use crate::model::impact::recorder::Recorder;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
-    Outcome, Run, Warning,
+    Outcome, Run, RunWarning,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -275,11 +275,11 @@ impl ImpactRun<'_> {
         }
     }
 
-    fn warnings(&self, run: &Run) -> Vec<Warning> {
+    fn warnings(&self, run: &Run) -> Vec<RunWarning> {
         let (setup, scene, loads) = (self.setup, self.scene, &self.record.loads);
         let (reason, t_s) = (run.end, self.state.t_s);
-        let ended = scene.run.horizon_s.map_or(Warning::EndedEarly(reason), |horizon_s| {
-            Warning::HorizonNotReached { reason, t_s, horizon_s }
+        let ended = scene.run.horizon_s.map_or(RunWarning::EndedEarly(reason), |horizon_s| {
+            RunWarning::HorizonNotReached { reason, t_s, horizon_s }
         });
         let [pushed_s, pulled_s] = loads.exceeded_s;
         let push = pushed_s.zip(loads.ratios);
@@ -289,40 +289,40 @@ impl ImpactRun<'_> {
         let drifts = residual.abs() >= DRIFT || residual.is_nan();
         let happened = [
             (!reason.is_complete()).then_some(ended),
-            push.map(|(t_s, [ratio, _])| Warning::InterfacePush { ratio, t_s }),
+            push.map(|(t_s, [ratio, _])| RunWarning::InterfacePush { ratio, t_s }),
             pull.and_then(|ratio| match (pulled_s, pushed_s) {
-                (Some(t_s), _) => Some(Warning::InterfacePull { ratio, t_s }),
-                (None, None) => Some(Warning::InterfaceRebound { ratio }),
+                (Some(t_s), _) => Some(RunWarning::InterfacePull { ratio, t_s }),
+                (None, None) => Some(RunWarning::InterfaceRebound { ratio }),
                 (None, Some(_)) => None,
             }),
-            (loads.no_strength && !setup.plastic).then_some(Warning::InterfaceWithoutStrength),
-            resumed_s.map(|t_s| Warning::PenetrationResumed { t_s }),
-            drifts.then_some(Warning::EnergyDrift { residual }),
+            (loads.no_strength && !setup.plastic).then_some(RunWarning::InterfaceWithoutStrength),
+            resumed_s.map(|t_s| RunWarning::PenetrationResumed { t_s }),
+            drifts.then_some(RunWarning::EnergyDrift { residual }),
         ];
         let far_m = run.max_plate_displacement_m.unwrap_or(self.record.farthest_m);
         let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
-        let limits = load::exceeded(scene, at_m).map(Warning::Limit).filter(|_| !setup.still);
+        let limits = load::exceeded(scene, at_m).map(RunWarning::Limit).filter(|_| !setup.still);
         // The effects that the contact model does not contain.
         let depth_m = run.final_penetration_m.filter(|_| !self.flows());
         let is_through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);
         let is_plastic = !self.flows() && scene.interface.law == InterfaceLaw::Plastic;
         let Run { outcome, at_least, first_arrest, baseline_penetration_m, .. } = *run;
         let Target { tensile_pa, yield_pa, .. } = scene.target;
-        let no_hardening = Warning::NoHardening { tensile_pa, yield_pa };
+        let no_hardening = RunWarning::NoHardening { tensile_pa, yield_pa };
         let is_moving = outcome == Outcome::Moving || at_least != AtLeast::default();
         let by_weight = run.weight_share().filter(|share| *share > WEIGHT_SHARE);
         let omitted_weight = by_weight.filter(|_| !scene.projectile.weight);
         let notes = [
-            is_through.then_some(Warning::NotModelled(NotModelled::RearFace)),
-            is_plastic.then_some(Warning::NotModelled(NotModelled::PlasticLaw)),
+            is_through.then_some(RunWarning::NotModelled(NotModelled::RearFace)),
+            is_plastic.then_some(RunWarning::NotModelled(NotModelled::PlasticLaw)),
             scene.lacks_hardening().then_some(no_hardening).filter(|_| self.flows()),
-            (setup.shears() && outcome != Outcome::Perforated).then_some(Warning::PlugStopped),
+            (setup.shears() && outcome != Outcome::Perforated).then_some(RunWarning::PlugStopped),
             setup.law.overruns(first_arrest.map(|arrest| arrest.t_s)),
-            omitted_weight.map(|share| Warning::WeightOmitted { share }),
+            omitted_weight.map(|share| RunWarning::WeightOmitted { share }),
             // What goes through the first plate of a stack meets the next; a model without a depth has no baseline to miss.
             (baseline_penetration_m.is_none() && self.flows() && !scene.is_stack())
-                .then_some(Warning::NoBaseline),
-            is_moving.then_some(Warning::StillMoving { outcome, at_least }),
+                .then_some(RunWarning::NoBaseline),
+            is_moving.then_some(RunWarning::StillMoving { outcome, at_least }),
         ];
         happened.into_iter().flatten().chain(limits).chain(notes.into_iter().flatten()).collect()
     }
@@ -453,6 +453,6 @@ mod tests {
         assert!(is_near(more_j, 42.825, 1e-12), "{more_j}");
         assert!(is_near(run.at_least.penetration_m.unwrap(), 4e-3, 1e-14));
         assert_eq!(run.at_least.plate_displacement_m, Some(2e-3));
-        assert!(run.warnings.contains(&Warning::InterfaceRebound { ratio: 2.0 }));
+        assert!(run.warnings.contains(&RunWarning::InterfaceRebound { ratio: 2.0 }));
     }
 }

@@ -21,6 +21,18 @@ labelled_enum! {
     }
 }
 
+labelled_enum! {
+    /// On which side the answer errs.
+    pub enum Direction: word {
+        /// The real plate resists more: limits come out too low, depths too great.
+        Conservative = "conservative",
+        /// The real plate resists less: limits come out too high, depths too small.
+        Unconservative = "unconservative",
+        /// Not known.
+        Unknown = "direction unknown",
+    }
+}
+
 impl Check {
     /// Whether it is of what the design itself has to bear, not of the model's choice.
     pub fn is_of_load(self) -> bool {

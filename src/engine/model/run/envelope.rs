@@ -4,15 +4,12 @@
 //! found by [`of_scene`], those that need a run (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation, so
 //! it costs sweeps and searches nothing.
 
-use std::fmt;
-
-pub use crate::model::run::check::Check;
+pub use crate::model::run::check::{Check, Direction};
 
 use crate::model::design::critical_obliquity_deg;
-use crate::model::labelled_enum::labelled_enum;
 use crate::model::library;
 use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::{EventKind, Run, Warning};
+use crate::model::run::{EventKind, Run, RunWarning, Warning};
 use crate::model::scene::{
     Closure, ContactModel, Core, InterfaceLaw, Nose, OwnMass, Projectile, Scene, Target,
 };
@@ -51,21 +48,6 @@ const COIL_END_M_S: f64 = 20.0;
 /// The moving part of the springs' own mass over the plate's that may be omitted.
 const SPRING_MASS_MOST: f64 = 0.1;
 
-/// Prefix of the text of a breach.
-pub const OUTSIDE: &str = "outside validity: ";
-
-labelled_enum! {
-    /// On which side the answer errs.
-    pub enum Direction: word {
-        /// The real plate resists more: limits come out too low, depths too great.
-        Conservative = "conservative",
-        /// The real plate resists less: limits come out too high, depths too small.
-        Unconservative = "unconservative",
-        /// Not known.
-        Unknown = "direction unknown",
-    }
-}
-
 /// A rule of the table that a scene or a run does not keep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breach {
@@ -76,8 +58,10 @@ pub struct Breach {
     /// How far it goes: of two breaches of one fault the one farther from 0 is the worse. Its sign tells faults of one check apart: too
     /// slow a shot, and the surge of a coil, are below 0.
     pub degree: f64,
-    /// The number and what it means.
-    text: String,
+    /// Clause with the number.
+    value: String,
+    /// Rest of the sentence, from its punctuation mark on.
+    meaning: String,
 }
 
 impl Breach {
@@ -91,20 +75,13 @@ impl Breach {
     pub fn is_new_to<'b>(&self, mut others: impl Iterator<Item = &'b Self>) -> bool {
         others.all(|other| !self.is_same(other) || self.degree.abs() > other.degree.abs())
     }
-
-    /// Formats name, number and direction, without the meaning.
-    pub fn brief(&self) -> String {
-        let first = self.text.split([':', ';']).next().unwrap_or_default();
-        Self { text: first.to_owned(), ..self.clone() }.to_string()
-    }
 }
 
-impl fmt::Display for Breach {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (name, text) = (self.check.label(), &self.text);
-        // Its name is what explains it.
-        let lead = if text.starts_with(name) { String::new() } else { format!("{name}: ") };
-        write!(f, "{OUTSIDE}{lead}{text} ({})", self.direction.word())
+impl From<&Breach> for Warning {
+    fn from(breach: &Breach) -> Self {
+        let Breach { check, direction, .. } = *breach;
+        let remark = Self::remark(&breach.value, &breach.meaning);
+        Self { breach: Some((check, direction)), ..remark }
     }
 }
 
@@ -133,58 +110,62 @@ pub fn face_ratio(scene: &Scene) -> Option<f64> {
 /// The breaches that follow from a scene, in the order of the table.
 pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     let mut found: Vec<Breach> = thickness(scene).into_iter().collect();
-    let mut add = |check, direction, degree, text| {
-        found.push(Breach { check, direction, degree, text });
+    let mut add = |check, direction, degree, value: String, meaning: &str| {
+        found.push(Breach { check, direction, degree, value, meaning: meaning.to_owned() });
     };
     let Projectile { nose, mass_kg, obliquity_deg: theta, .. } = scene.projectile;
     let (density, yield_pa) = (scene.target.density_kg_m3, equivalent_yield_pa(scene));
     if density < METAL_KG_M3 && yield_pa < METAL_PA {
-        let text = format!(
-            "material is no metal: rho = {} kg/m^3, Y = {} MPa; both the strength and the drag are laws for metal plates",
+        let value = format!(
+            "material is no metal: rho = {} kg/m^3, Y = {} MPa",
             significant(density, 4),
             significant(1e-6 * yield_pa, 3)
         );
-        add(Check::Material, Unknown, METAL_KG_M3 / density, text);
+        let meaning = "; both the strength and the drag are laws for metal plates";
+        add(Check::Material, Unknown, METAL_KG_M3 / density, value, meaning);
     }
-    for (direction, text) in of_nose(scene) {
-        add(Check::Nose, direction, 1.0, text);
+    for (direction, value, meaning) in of_nose(scene) {
+        add(Check::Nose, direction, 1.0, value, &meaning);
     }
     let pressure = nose_pressure_ratio(scene);
     if pressure > RIGID_UP_TO && !is_measured_nose(scene) {
-        let text = format!(
-            "nose pressure S + c v^2 is {} times 2 GPa; that is the strength of hardened steel, and above {RIGID_UP_TO} the \
-             projectile may deform or break",
-            significant(pressure, 3)
+        let value = format!("nose pressure S + c v^2 is {} times 2 GPa", significant(pressure, 3));
+        let meaning = format!(
+            "; that is the strength of hardened steel, and above {RIGID_UP_TO} the projectile may deform or break"
         );
-        add(Check::NosePressure, Conservative, pressure, text);
+        add(Check::NosePressure, Conservative, pressure, value, &meaning);
     }
     let sphere_kg = scene.projectile.nose_sphere_kg();
     if sphere_kg > mass_kg {
-        let text = format!(
-            "nose mass of a sphere is {} g, the projectile has {} g: radius, density and mass do not fit",
+        let value = format!(
+            "nose mass of a sphere is {} g, the projectile has {} g",
             significant(1e3 * sphere_kg, 3),
             significant(1e3 * mass_kg, 3)
         );
-        add(Check::NoseMass, Unknown, sphere_kg / mass_kg, text);
+        let meaning = ": radius, density and mass do not fit";
+        add(Check::NoseMass, Unknown, sphere_kg / mass_kg, value, meaning);
     }
     if let Some(face) = face_ratio(scene).filter(|face| *face < FACE_LEAST) {
-        let text = format!(
-            "plate face is {} mm square, {} D: below {FACE_LEAST} D its edges yield and the hole has no room; raise gamma or set \
-             face",
+        let value = format!(
+            "plate face is {} mm square, {} D",
             significant(1e3 * scene.plate_face_m(), 3),
             significant(face, 3)
         );
-        add(Check::Face, Unconservative, 1.0 / face, text);
+        let meaning = format!(
+            ": below {FACE_LEAST} D its edges yield and the hole has no room; raise gamma or set face"
+        );
+        add(Check::Face, Unconservative, 1.0 / face, value, &meaning);
     }
     let (v, (slow, fast)) = (scene.closing_velocity_m_s(), VELOCITIES_M_S);
     let symbol = if scene.plate_velocity_m_s() == 0.0 { "v_i" } else { "v_i - w_0 cos(theta)" };
     let shown = format!("{symbol} = {} m/s is", significant(v, 4));
     if v < slow {
-        let text = format!("{shown} below the {slow} m/s of measurements");
-        add(Check::Velocity, Unknown, -slow / v, text);
+        let value = format!("{shown} below the {slow} m/s of measurements");
+        add(Check::Velocity, Unknown, -slow / v, value, "");
     } else if v > fast {
-        let text = format!("{shown} above {fast} m/s: heating, rate and erosion are not modelled");
-        add(Check::Velocity, Unknown, v / fast, text);
+        let value = format!("{shown} above {fast} m/s");
+        let meaning = ": heating, rate and erosion are not modelled";
+        add(Check::Velocity, Unknown, v / fast, value, meaning);
     }
     if theta > 0.0 {
         let ricochet = ricochet(scene).map_or_else(String::new, |text| format!("; {text}"));
@@ -193,13 +174,13 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
         } else {
             (Conservative, oblique_error(theta))
         };
-        let text = format!("theta = {} deg: {error}{ricochet}", significant(theta, 4));
-        add(Check::Obliquity, direction, theta, text);
+        let value = format!("theta = {} deg", significant(theta, 4));
+        add(Check::Obliquity, direction, theta, value, &format!(": {error}{ricochet}"));
     }
     if has_fused_stop(scene) {
-        let text = "rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
-                    interface=plastic";
-        add(Check::Stop, Unconservative, 1.0, text.to_owned());
+        let value = "rigid stop asks the fused interface for an unbounded force".to_owned();
+        let meaning = ": nothing after it is hit is to be believed; set interface=plastic";
+        add(Check::Stop, Unconservative, 1.0, value, meaning);
     }
     found
 }
@@ -211,21 +192,22 @@ fn is_measured_nose(scene: &Scene) -> bool {
 }
 
 /// Returns the breaches that follow from nose and core.
-fn of_nose(scene: &Scene) -> Vec<(Direction, String)> {
+fn of_nose(scene: &Scene) -> Vec<(Direction, String, String)> {
     let Projectile { nose, core, .. } = scene.projectile;
     let is_foreign = nose != Nose::Hemispherical && !is_measured_nose(scene);
     let foreign = is_foreign && scene.contact.model == ContactModel::Hydrodynamic;
     let foreign = foreign.then(|| {
-        let text = format!(
-            "nose is {}: its law is measured with closure = cylindrical, and closure = {} is in effect; set closure=cylindrical with Y, \
-             UTS and E",
-            nose.word(),
+        let meaning = format!(
+            ": its law is measured with closure = cylindrical, and closure = {} is in effect; set closure=cylindrical with Y, UTS and E",
             scene.closure().word()
         );
-        (Unknown, text)
+        (Unknown, format!("nose is {}", nose.word()), meaning)
     });
-    let text = "core is deformable: the law takes the projectile as rigid, which penetrates more than one that deforms";
-    let deforms = (core == Core::Deformable).then(|| (Conservative, text.to_owned()));
+    let deforms = (core == Core::Deformable).then(|| {
+        let meaning =
+            ": the law takes the projectile as rigid, which penetrates more than one that deforms";
+        (Conservative, "core is deformable".to_owned(), meaning.to_owned())
+    });
     foreign.into_iter().chain(deforms).collect()
 }
 
@@ -234,50 +216,55 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         return None;
     }
     let ratio = thickness_ratio(scene);
-    let (direction, text) = match scene.projectile.nose {
-        Nose::Hemispherical => under_hemisphere(scene, ratio)?,
+    let (direction, target, meaning) = match scene.projectile.nose {
+        Nose::Hemispherical => {
+            let (direction, meaning) = under_hemisphere(scene, ratio)?;
+            (direction, String::new(), meaning)
+        }
         Nose::Pointed if scene.target.yield_pa >= BREAKS_PA && ratio < BREAKS_BELOW => {
-            let text = format!(
-                " of a hard plate, Y = {} MPa, under a pointed core: below about {BREAKS_BELOW} limits come out 40 to 50 % too high",
+            let target = format!(
+                " of a hard plate, Y = {} MPa, under a pointed core",
                 significant(1e-6 * scene.target.yield_pa, 4)
             );
-            (Unconservative, text)
+            let meaning =
+                format!(": below about {BREAKS_BELOW} limits come out 40 to 50 % too high");
+            (Unconservative, target, meaning)
         }
         Nose::Blunt if ratio < CYLINDER_FROM => {
-            let text = format!(
-                " under a rigid cylinder: below about {CYLINDER_FROM} the plate dishes, which the plug law does not contain, and its \
-                 limits come out 1.6 to 4 times too low"
+            let meaning = format!(
+                ": below about {CYLINDER_FROM} the plate dishes, which the plug law does not contain, and its limits come out 1.6 to 4 \
+                 times too low"
             );
-            (Conservative, text)
+            (Conservative, " under a rigid cylinder".to_owned(), meaning)
         }
         Nose::Pointed | Nose::Blunt | Nose::Fragment => return None,
     };
     let degree = if direction == Conservative { ratio } else { 1.0 / ratio };
-    let text = format!("h/D = {}{text}", significant(ratio, 3));
-    Some(Breach { check: Check::Thickness, direction, degree, text })
+    let value = format!("h/D = {}{target}", significant(ratio, 3));
+    Some(Breach { check: Check::Thickness, direction, degree, value, meaning })
 }
 
-/// Returns the breach of the thickness ratio under closures for a hemisphere.
+/// Returns direction and meaning of the breach of the thickness ratio under closures for a hemisphere.
 fn under_hemisphere(scene: &Scene, ratio: f64) -> Option<(Direction, String)> {
     let Target { dishing: dishes, closure, .. } = scene.target_in_effect();
     Some(if dishes && ratio > THICKNESS + ABOUT {
         let is_given = closure == Closure::Given;
         let cure = if is_given { "a strength by cavity expansion" } else { "closure=cavity" };
-        let text = ": with dishing the law is validated up to about 1; set dishing=off and ";
-        (Conservative, format!("{text}{cure}"))
+        let meaning = ": with dishing the law is validated up to about 1; set dishing=off and ";
+        (Conservative, format!("{meaning}{cure}"))
     } else if dishes && ratio < SHEET {
-        let text = format!(
+        let meaning = format!(
             ": with dishing each plate dishes over one diameter, however thin; below about {SHEET} several sheets resist more than \
              one plate of their mass, which no measurement supports"
         );
-        (Unconservative, text)
+        (Unconservative, meaning)
     } else if !dishes && ratio < THICKNESS - ABOUT {
         let cure = match closure {
             Closure::Cavity | Closure::Cylindrical => "closure=double-yield and dishing=on",
             Closure::Given | Closure::DoubleYield | Closure::ByThickness => "dishing=on",
         };
-        let text = ": without dishing the law is validated from about 1; a thin plate bulges and resists less; set ";
-        (Unconservative, format!("{text}{cure}"))
+        let meaning = ": without dishing the law is validated from about 1; a thin plate bulges and resists less; set ";
+        (Unconservative, format!("{meaning}{cure}"))
     } else {
         return None;
     })
@@ -325,7 +312,7 @@ pub fn fused_stop_hits(run: &Run) -> Option<usize> {
 pub fn of_run(run: &Run) -> Vec<Breach> {
     let mut found = of_plate(run);
     for (name, plate) in behind(run) {
-        let lead = |breach: Breach| Breach { text: format!("{name}: {}", breach.text), ..breach };
+        let lead = |breach: Breach| Breach { value: format!("{name}: {}", breach.value), ..breach };
         let own = of_plate(plate).into_iter();
         let new: Vec<Breach> = own.filter(|it| it.is_new_to(found.iter())).map(lead).collect();
         found.retain(|old| !new.iter().any(|it| it.is_same(old)));
@@ -347,38 +334,38 @@ fn of_plate(run: &Run) -> Vec<Breach> {
     if fused_stop_hits(run) == Some(0) {
         found.retain(|breach| breach.check != Check::Stop);
     }
-    let mut add = |check, degree, text| {
-        found.push(Breach { check, direction: Unconservative, degree, text });
+    let mut add = |check, degree, (value, meaning)| {
+        found.push(Breach { check, direction: Unconservative, degree, value, meaning });
     };
     let has_coil = run.scene.is_sprung() && run.scene.mechanism.has_coil();
     let arrest = run.first_arrest.filter(|_| has_coil);
     let speed = arrest.map_or(0.0, |arrest| arrest.plate_velocity_m_s.abs());
     if speed > COIL_END_M_S {
-        let text = format!(
-            "spring end moves at {} m/s: above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static one, \
-             and its coils may close",
-            significant(speed, 3)
+        let value = format!("spring end moves at {} m/s", significant(speed, 3));
+        let meaning = format!(
+            ": above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static one, and its coils may close"
         );
-        add(Check::Spring, -speed, text);
+        add(Check::Spring, -speed, (value, meaning));
     }
-    if let Some((degree, text)) = spring_mass(run) {
-        add(Check::SpringMass, degree, text);
+    if let Some((degree, sentence)) = spring_mass(run) {
+        add(Check::SpringMass, degree, sentence);
     }
     for warning in &run.warnings {
         if let Some((check, degree)) = check_of(warning) {
-            add(check, degree, warning.to_string());
+            add(check, degree, warning.sentence());
         }
     }
     found
 }
 
-/// The springs' own mass where it would slow the plate down and is omitted: the part of it that moves over the plate's mass.
-fn spring_mass(run: &Run) -> Option<(f64, String)> {
+/// The springs' own mass where it would slow the plate down and is omitted: the part of it that moves over the plate's mass, with value and
+/// meaning.
+fn spring_mass(run: &Run) -> Option<(f64, (String, String))> {
     let (scene, own) = (&run.scene, Inertia::from_scene(&run.scene));
     if own.is_uncounted {
-        let text = "own_mass=counted adds nothing: the mass of a spring that is neither coil nor beam is not known; give m_spring or \
-                    e_spring";
-        return Some((f64::INFINITY, text.to_owned()));
+        let meaning = ": the mass of a spring that is neither coil nor beam is not known; give m_spring or e_spring";
+        let sentence = ("own_mass=counted adds nothing".to_owned(), meaning.to_owned());
+        return Some((f64::INFINITY, sentence));
     }
     let spring = &scene.mechanism.spring;
     let least_kg = scene.mechanism.min_spring_kg(run.mechanism.stored_j);
@@ -387,63 +374,64 @@ fn spring_mass(run: &Run) -> Option<(f64, String)> {
     let is_of_second = spring.own_mass == OwnMass::Counted;
     let cure =
         if is_of_second { "add the second spring's to m_spring" } else { "set own_mass=counted" };
-    let text = format!(
-        "spring mass moving is {} times the plate's; the spring has {}{} g, which is omitted: {cure}",
-        significant(over_plate, 3),
+    let value = format!("spring mass moving is {} times the plate's", significant(over_plate, 3));
+    let meaning = format!(
+        "; the spring has {}{} g, which is omitted: {cure}",
         if is_least { "at least " } else { "" },
         significant(1e3 * omitted_kg, 3)
     );
-    (over_plate > SPRING_MASS_MOST).then_some((over_plate, text))
+    (over_plate > SPRING_MASS_MOST).then_some((over_plate, (value, meaning)))
 }
 
 /// The row of the table that a warning of a run belongs to, and how far it goes.
-fn check_of(warning: &Warning) -> Option<(Check, f64)> {
+fn check_of(warning: &RunWarning) -> Option<(Check, f64)> {
     match warning {
-        Warning::Limit(limit) => Some((Check::Spring, (limit.required_m / limit.limit_m).abs())),
-        Warning::InterfacePush { ratio, .. } => Some((Check::Interface, *ratio)),
+        RunWarning::Limit(limit) => Some((Check::Spring, (limit.required_m / limit.limit_m).abs())),
+        RunWarning::InterfacePush { ratio, .. } => Some((Check::Interface, *ratio)),
         // The grip is an assumption: a push is the surer of the two.
-        Warning::InterfacePull { .. } => Some((Check::Interface, 0.0)),
-        Warning::InterfaceRebound { ratio } => Some((Check::Rebound, *ratio)),
+        RunWarning::InterfacePull { .. } => Some((Check::Interface, 0.0)),
+        RunWarning::InterfaceRebound { ratio } => Some((Check::Rebound, *ratio)),
         _ => None,
     }
 }
 
 /// Everything a careful reader of a run should know: first what is outside the model's validity, then what happened on the way,
 /// then values outside the range the thesis searched.
-pub fn warnings(run: &Run) -> Vec<String> {
-    let mut list: Vec<String> = of_run(run).iter().map(ToString::to_string).collect();
+pub fn warnings(run: &Run) -> Vec<Warning> {
+    let mut list: Vec<Warning> = of_run(run).iter().map(Warning::from).collect();
     list.extend(remarks(run));
     list.extend(variables::range_warnings(&run.scene));
-    list.extend(library::warnings(&run.scene).map(str::to_owned));
+    list.extend(library::warnings(&run.scene));
     list
 }
 
 /// Warns of a peak contact force above the static collapse load of the clamped plate, pi Y h^2; `None` below it, and for a given strength.
-fn bends(run: &Run) -> Option<String> {
+fn bends(run: &Run) -> Option<Warning> {
     let Target { yield_pa, thickness_m, .. } = run.scene.target;
     let load_n = std::f64::consts::PI * yield_pa * thickness_m * thickness_m;
     let is_known = run.scene.closure() != Closure::Given;
     let peak_n = run.peak_contact_force_n.filter(|peak_n| is_known && *peak_n > load_n)?;
-    Some(format!(
-        "plate bends: the peak contact force of {} exceeds {}, the static collapse load pi Y h^2 of a clamped plate (indicative: short \
-         contacts resist by inertia)",
+    let meaning = format!(
+        ": the peak contact force of {} exceeds {}, the static collapse load pi Y h^2 of a clamped plate (indicative: short contacts \
+         resist by inertia)",
         engineering(peak_n, "N", 3),
         engineering(load_n, "N", 3)
-    ))
+    );
+    Some(Warning::remark("plate bends", meaning))
 }
 
 /// Returns remarks on a run that are no breaches of validity.
-pub fn remarks(run: &Run) -> Vec<String> {
-    let is_remark = |warning: &&Warning| check_of(warning).is_none();
-    let mut list: Vec<String> =
-        run.warnings.iter().filter(is_remark).map(ToString::to_string).collect();
+pub fn remarks(run: &Run) -> Vec<Warning> {
+    let is_remark = |warning: &&RunWarning| check_of(warning).is_none();
+    let mut list: Vec<Warning> = run.warnings.iter().filter(is_remark).map(Warning::from).collect();
     list.extend(bends(run));
     for (name, plate) in behind(run) {
-        list.extend(bends(plate).map(|text| format!("{name}: {text}")));
+        list.extend(bends(plate).map(|warning| warning.at(&*name)));
         // No plate of a stack has a baseline; what the first has, too, is said once.
-        let is_own = |it: &&Warning| **it != Warning::NoBaseline && !run.warnings.contains(*it);
+        let is_own =
+            |it: &&RunWarning| **it != RunWarning::NoBaseline && !run.warnings.contains(*it);
         let own = plate.warnings.iter().filter(is_remark).filter(is_own);
-        list.extend(own.map(|warning| format!("{name}: {warning}")));
+        list.extend(own.map(|warning| Warning::from(warning).at(&*name)));
     }
     list
 }
@@ -457,7 +445,7 @@ mod tests {
     /// The breach of a rule in words; nothing where it is kept.
     fn words(found: &[Breach], check: Check) -> String {
         let breach = found.iter().find(|breach| breach.check == check);
-        breach.map(ToString::to_string).unwrap_or_default()
+        breach.map(|it| Warning::from(it).to_string()).unwrap_or_default()
     }
 
     /// A scene inside every rule, changed: a 12 mm plate under the 20 mm projectile of Borvik 2002, 10 D wide, without a spring.
@@ -550,13 +538,15 @@ mod tests {
         alone.projectile.velocity_m_s = struck;
         let expected = of_run(&run(&alone));
         // 0.03/0.02 = 1.5.
-        assert!(expected.iter().any(|it| it.text.starts_with("h/D = 1.5:")), "{expected:?}");
-        let found: Vec<String> = of_run(&stack).iter().map(ToString::to_string).collect();
+        assert!(expected.iter().any(|it| it.value == "h/D = 1.5"), "{expected:?}");
+        let found = of_run(&stack);
         for breach in expected {
-            let text = format!("element 2: {}", breach.text);
-            assert!(found.iter().any(|it| it.contains(&text)), "{text} {found:?}");
+            let value = format!("element 2: {}", breach.value);
+            let is_it = |it: &Breach| it.value == value && it.meaning == breach.meaning;
+            assert!(found.iter().any(is_it), "{value} {found:?}");
         }
-        assert!(remarks(&stack).iter().all(|it| !it.contains(&Warning::NoBaseline.to_string())));
+        let no_baseline = Warning::from(&RunWarning::NoBaseline);
+        assert!(remarks(&stack).iter().all(|it| it.value != no_baseline.value));
     }
 
     /// Half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves; of a given mass a third of

@@ -1,16 +1,67 @@
-//! Warnings of a run, as sentences.
+//! Warnings: what a run records, and what the reader of a result is told.
 
 use std::fmt;
 
-use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::load::Limit;
+use crate::model::run::check::{Check, Direction};
 use crate::model::run::{AtLeast, EndReason, Outcome};
 use crate::model::units::{engineering, significant};
 
-/// A warning about a run.
+/// Warning about a result. A short text has the value alone, a long one its meaning, too.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warning {
+    /// Place where the warning holds, if not the scene itself: `at d = 0.5`.
+    pub place: Option<String>,
+    /// Check of validity that fails, with the direction of the error; `None` for a remark.
+    pub breach: Option<(Check, Direction)>,
+    /// Clause with the number.
+    pub value: String,
+    /// Rest of the sentence, from its punctuation mark on; may be empty.
+    pub meaning: String,
+}
+
+impl Warning {
+    /// Creates a warning that is no breach of validity.
+    pub fn remark(value: impl Into<String>, meaning: impl Into<String>) -> Self {
+        Self { place: None, breach: None, value: value.into(), meaning: meaning.into() }
+    }
+
+    /// Adds the place where the warning holds.
+    pub fn at(self, place: impl Into<String>) -> Self {
+        let place = place.into();
+        let place = self.place.map_or_else(|| place.clone(), |own| format!("{place}: {own}"));
+        Self { place: Some(place), ..self }
+    }
+
+    /// Formats place, value and direction, without the meaning.
+    pub fn short(&self) -> String {
+        self.text("", "")
+    }
+
+    fn text(&self, outside: &str, meaning: &str) -> String {
+        let place = self.place.as_ref().map_or_else(String::new, |place| format!("{place}: "));
+        let value = &self.value;
+        let Some((check, direction)) = self.breach else {
+            return format!("{place}{value}{meaning}");
+        };
+        // The name of the check is what explains it.
+        let name = check.label();
+        let lead = if value.starts_with(name) { String::new() } else { format!("{name}: ") };
+        format!("{place}{outside}{lead}{value}{meaning} ({})", direction.word())
+    }
+}
+
+impl fmt::Display for Warning {
+    /// Formats the whole warning.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text("outside validity: ", &self.meaning))
+    }
+}
+
+/// Warning that a run records.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the sentence of each says what it means")]
-pub enum Warning {
+pub enum RunWarning {
     InterfacePush { ratio: f64, t_s: f64 },
     InterfacePull { ratio: f64, t_s: f64 },
     InterfaceRebound { ratio: f64 },
@@ -30,30 +81,55 @@ pub enum Warning {
     PlateMeetsNext { plate: usize, travel_m: f64, gap_m: f64 },
 }
 
-labelled_enum! {
-    /// Effect that the contact model neglects although it occurs in the scene or the run.
-    pub enum NotModelled: words {
-        RearFace = "the depth is beyond the rear face, of which this model knows nothing: the plate would be perforated",
-        PlasticLaw = "interface = plastic is ignored: only the hydrodynamic model has an interface that can yield",
-        Stop = "the stop is ignored: the listing of Appendix A has none",
-        PartingBehindHole = "as printed, projectile and plate move on as one body although the plate is perforated",
+/// Effect that the contact model neglects although it occurs in the scene or the run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the sentence of each says what it means")]
+pub enum NotModelled {
+    RearFace,
+    PlasticLaw,
+    Stop,
+    PartingBehindHole,
+}
+
+impl NotModelled {
+    /// Value and meaning.
+    fn sentence(self) -> (&'static str, &'static str) {
+        match self {
+            Self::RearFace => (
+                "the depth is beyond the rear face, of which this model knows nothing",
+                ": the plate would be perforated",
+            ),
+            Self::PlasticLaw => (
+                "interface = plastic is ignored",
+                ": only the hydrodynamic model has an interface that can yield",
+            ),
+            Self::Stop => ("the stop is ignored", ": the listing of Appendix A has none"),
+            Self::PartingBehindHole => (
+                "as printed, projectile and plate move on as one body although the plate is perforated",
+                "",
+            ),
+        }
     }
 }
 
-fn still_moving(outcome: Outcome, at_least: AtLeast) -> String {
+fn still_moving(outcome: Outcome, at_least: AtLeast) -> (String, String) {
     let is_decided = if outcome == Outcome::Moving { "is not" } else { "is" };
     let decided = format!("the outcome {is_decided} decided");
     let bounds = match (at_least.penetration_m, at_least.plate_displacement_m) {
         (None, None) => {
-            return format!(
-                "still oscillating at the end of the run; {decided}, and depth and greatest displacement cannot grow later"
+            return (
+                "still oscillating at the end of the run".to_owned(),
+                format!("; {decided}, and depth and greatest displacement cannot grow later"),
             );
         }
         (Some(_), None) => "depth",
         (None, Some(_)) => "greatest displacement",
         (Some(_), Some(_)) => "depth and greatest displacement",
     };
-    format!("still moving when the run ended; {decided}; lower bounds (values so far): {bounds}")
+    (
+        format!("still moving when the run ended; {decided}"),
+        format!("; lower bounds (values so far): {bounds}"),
+    )
 }
 
 /// The load of the interface over its strength in words.
@@ -67,86 +143,163 @@ fn times(ratio: f64, strength: &str, unbounded: &str) -> String {
 /// Why the plate does not harden.
 fn no_hardening(tensile_pa: Option<f64>, yield_pa: f64) -> String {
     let mega = |pa: f64| significant(1e-6 * pa, 4);
-    let why = tensile_pa.map_or_else(
+    tensile_pa.map_or_else(
         || "UTS is not given".to_owned(),
         |pa| format!("UTS = {} MPa is not above Y = {} MPa", mega(pa), mega(yield_pa)),
-    );
-    format!("{why}: the plate is taken not to harden (n = 0)")
+    )
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl RunWarning {
+    /// Value and meaning of the sentence, the meaning from its punctuation mark on.
+    pub(super) fn sentence(&self) -> (String, String) {
         let pull = |ratio| times(ratio, "g A S_y", "has no grip (g = 0) to hold it");
-        let text = match *self {
-            Self::InterfacePush { ratio, t_s } => format!(
-                "interface push {}; first at t = {:.4} ms, penetration would resume: try interface = plastic",
-                times(ratio, "A S_y", "is unbounded"),
-                t_s * 1e3
+        let owned = |(value, meaning): (&str, &str)| (value.to_owned(), meaning.to_owned());
+        match *self {
+            Self::InterfacePush { ratio, t_s } => (
+                format!("interface push {}", times(ratio, "A S_y", "is unbounded")),
+                format!(
+                    "; first at t = {:.4} ms, penetration would resume: try interface = plastic",
+                    t_s * 1e3
+                ),
             ),
-            Self::InterfacePull { ratio, t_s } => format!(
-                "interface pull {}; first at t = {:.4} ms, the projectile would be pulled out (the grip g is an assumption): try \
-                 interface = plastic",
-                pull(ratio),
-                t_s * 1e3
+            Self::InterfacePull { ratio, t_s } => (
+                format!("interface pull {}", pull(ratio)),
+                format!(
+                    "; first at t = {:.4} ms, the projectile would be pulled out (the grip g is an assumption): try interface = plastic",
+                    t_s * 1e3
+                ),
             ),
-            Self::InterfaceRebound { ratio } => format!(
-                "rebound pull {}; after this run the plate comes back and the projectile may come loose and strike again (the grip g \
-                 is an assumption): try interface = plastic",
-                pull(ratio)
+            Self::InterfaceRebound { ratio } => (
+                format!("rebound pull {}", pull(ratio)),
+                "; after this run the plate comes back and the projectile may come loose and strike again (the grip g is an \
+                 assumption): try interface = plastic"
+                    .to_owned(),
             ),
-            Self::InterfaceWithoutStrength => {
-                "the interface has no strength (S_y = 0): no demand ratio exists".to_owned()
-            }
-            Self::PenetrationResumed { t_s } => format!(
-                "penetration resumed at t = {:.4} ms; the projectile had stopped in the plate, and the final depth is greater than that \
-                 first one",
-                t_s * 1e3
+            Self::InterfaceWithoutStrength => owned((
+                "the interface has no strength (S_y = 0)",
+                ": no demand ratio exists",
+            )),
+            Self::PenetrationResumed { t_s } => (
+                format!("penetration resumed at t = {:.4} ms", t_s * 1e3),
+                "; the projectile had stopped in the plate, and the final depth is greater than that first one".to_owned(),
             ),
-            Self::EnergyDrift { residual } if residual.is_finite() => {
-                format!("the energy balance has an error of {residual:.1e} of the energy at the start")
-            }
-            Self::EnergyDrift { .. } => {
-                "the solution diverged: the method does not resolve this scene; its results are invalid".to_owned()
-            }
-            Self::EndedEarly(reason) => reason.words().to_owned(),
+            Self::EnergyDrift { residual } if residual.is_finite() => (
+                format!("the energy balance has an error of {residual:.1e} of the energy at the start"),
+                String::new(),
+            ),
+            Self::EnergyDrift { .. } => owned((
+                "the solution diverged: the method does not resolve this scene",
+                "; its results are invalid",
+            )),
+            Self::EndedEarly(reason) => owned((reason.words(), "")),
             Self::StillMoving { outcome, at_least } => still_moving(outcome, at_least),
-            Self::HorizonNotReached { reason, t_s, horizon_s } => format!(
-                "the horizon of {} was not reached: the run stopped at t = {} ({})",
-                engineering(horizon_s, "s", 4),
-                engineering(t_s, "s", 4),
-                reason.words()
+            Self::HorizonNotReached { reason, t_s, horizon_s } => (
+                format!("the horizon of {} was not reached", engineering(horizon_s, "s", 4)),
+                format!(
+                    ": the run stopped at t = {} ({})",
+                    engineering(t_s, "s", 4),
+                    reason.words()
+                ),
             ),
-            Self::Overruns { t_s, duration_s } => format!(
-                "equal velocities at {:.4} us, before t_d = {:.4} us: the half-sine history is that of a fixed plate, and the force \
-                 goes on to t_d",
-                t_s * 1e6,
-                duration_s * 1e6
+            Self::Overruns { t_s, duration_s } => (
+                format!(
+                    "equal velocities at {:.4} us, before t_d = {:.4} us",
+                    t_s * 1e6,
+                    duration_s * 1e6
+                ),
+                ": the half-sine history is that of a fixed plate, and the force goes on to t_d".to_owned(),
             ),
-            Self::NotModelled(what) => what.words().to_owned(),
-            Self::PlateMeetsNext { plate, travel_m, gap_m } => format!(
-                "plate {} travels {} m, farther than the gap of {} m behind it: plates that meet are not in the model",
-                plate + 1,
-                significant(travel_m, 4),
-                significant(gap_m, 4)
+            Self::NotModelled(what) => owned(what.sentence()),
+            Self::PlateMeetsNext { plate, travel_m, gap_m } => (
+                format!(
+                    "plate {} travels {} m, farther than the gap of {} m behind it",
+                    plate + 1,
+                    significant(travel_m, 4),
+                    significant(gap_m, 4)
+                ),
+                ": plates that meet are not in the model".to_owned(),
             ),
-            Self::Limit(Limit { required_m, limit_m, what }) => format!(
-                "spring is displaced by {} m, beyond {} m; there {what}",
-                significant(required_m, 4),
-                significant(limit_m, 4)
+            Self::Limit(Limit { required_m, limit_m, what }) => (
+                format!(
+                    "spring is displaced by {} m, beyond {} m",
+                    significant(required_m, 4),
+                    significant(limit_m, 4)
+                ),
+                format!("; there {what}"),
             ),
-            Self::NoHardening { tensile_pa, yield_pa } => no_hardening(tensile_pa, yield_pa),
-            Self::PlugStopped => "depth and forces are indicative: the plug law picks the plug up at any speed, though a slow shot \
-                                  shears nothing"
-                .to_owned(),
-            Self::WeightOmitted { share } => format!(
-                "a shot that falls presses on by its weight, which is not counted: along the stroke {} % of the impact's energy \
-                 (unconservative); set weight = on",
-                significant(100.0 * share, 2)
+            Self::NoHardening { tensile_pa, yield_pa } => (
+                no_hardening(tensile_pa, yield_pa),
+                ": the plate is taken not to harden (n = 0)".to_owned(),
             ),
-            Self::NoBaseline => {
-                "the same shot also perforates the plate on a rigid mount: there is no depth to compare with".to_owned()
-            }
+            Self::WeightOmitted { share } => (
+                "a shot that falls presses on by its weight, which is not counted".to_owned(),
+                format!(
+                    ": along the stroke {} % of the impact's energy (unconservative); set weight = on",
+                    significant(100.0 * share, 2)
+                ),
+            ),
+            Self::PlugStopped => owned((
+                "depth and forces are indicative",
+                ": the plug law picks the plug up at any speed, though a slow shot shears nothing",
+            )),
+            Self::NoBaseline => owned((
+                "the same shot also perforates the plate on a rigid mount",
+                ": there is no depth to compare with",
+            )),
+        }
+    }
+}
+
+impl From<&RunWarning> for Warning {
+    fn from(warning: &RunWarning) -> Self {
+        let (value, meaning) = warning.sentence();
+        Self::remark(value, meaning)
+    }
+}
+
+impl fmt::Display for RunWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Warning::from(self).fmt(f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_short_text_has_place_number_and_direction() {
+        let breach = |check, direction, value: &str, meaning: &str| Warning {
+            breach: Some((check, direction)),
+            ..Warning::remark(value, meaning)
         };
-        f.write_str(&text)
+        let spring = breach(
+            Check::Spring,
+            Direction::Unconservative,
+            "spring end moves at 36.8 m/s",
+            ": a coil surges",
+        );
+        let slow =
+            breach(Check::Velocity, Direction::Unknown, "v_i = 20 m/s is below the 50 m/s", "");
+        let plate = Warning::remark("plate bends", ": the peak contact force exceeds 3 kN");
+        for (warning, short, long) in [
+            (
+                spring.at("at k = 7.5e6"),
+                "at k = 7.5e6: spring end moves at 36.8 m/s (unconservative)",
+                "at k = 7.5e6: outside validity: spring end moves at 36.8 m/s: a coil surges (unconservative)",
+            ),
+            (
+                slow,
+                "velocity: v_i = 20 m/s is below the 50 m/s (direction unknown)",
+                "outside validity: velocity: v_i = 20 m/s is below the 50 m/s (direction unknown)",
+            ),
+            (
+                plate.at("element 2").at("at h = 5"),
+                "at h = 5: element 2: plate bends",
+                "at h = 5: element 2: plate bends: the peak contact force exceeds 3 kN",
+            ),
+        ] {
+            assert_eq!((warning.short(), warning.to_string()), (short.to_owned(), long.to_owned()));
+        }
     }
 }

@@ -11,7 +11,7 @@ use crate::study::limit::{
     closed_form,
 };
 use cmra_engine::model::run::envelope::{self, Check};
-use cmra_engine::model::run::{EndReason, Observer, Outcome, Run, Warning};
+use cmra_engine::model::run::{EndReason, Observer, Outcome, Run, RunWarning};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::numerics::smaller;
@@ -70,7 +70,7 @@ impl ShotRunner<'_, '_, '_> {
         let own = aimed(self.scene, limit_m_s * (1.0 - BESIDE_LIMIT));
         let mut run = simulate(&own, &Settings::SERIES, &mut self.context.observer()).ok()?;
         // The page of a limit has no depth to compare.
-        run.warnings.retain(|warning| *warning != Warning::NoBaseline);
+        run.warnings.retain(|warning| *warning != RunWarning::NoBaseline);
         (run.end != EndReason::Cancelled).then_some(run)
     }
 

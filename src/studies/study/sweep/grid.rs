@@ -11,6 +11,7 @@ use crate::study::context::{Context, Work};
 use crate::study::outcome::OutcomeCounts;
 use crate::study::sweep::{Evaluator, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
 
 /// The most points a grid may have: some tens of megabytes.
@@ -67,7 +68,7 @@ pub struct Grid {
     done: usize,
     /// Checks of the model's validity that fail at an end of an axis and not for the scene itself; known once all is filled; each
     /// with its warning.
-    pub outside_at_ends: Vec<(Check, String)>,
+    pub outside_at_ends: Vec<(Check, Warning)>,
 }
 
 impl Grid {

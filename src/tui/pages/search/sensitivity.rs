@@ -7,6 +7,7 @@ use crate::tui::pages::search::study_page::{Answer, note, table_lines};
 use crate::tui::theme::GlyphSet;
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
 use cmra_studies::report::sensitivity::{ASCII, BLOCKS, COLUMNS, page, table};
 use cmra_studies::study::quantities::named;
@@ -46,7 +47,7 @@ impl Answer for SensitivityReport {
         Some(format!("bars: 0 to {top}, the 95th percentile of all runs; here: slope at the scene"))
     }
 
-    fn outside_at_ends(&self) -> &[(Check, String)] {
+    fn outside_at_ends(&self) -> &[(Check, Warning)] {
         &self.outside_at_ends
     }
 

@@ -4,6 +4,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::state::Searching;
 use crate::tui::widgets::table::{Grid, NAME_LEAST};
 use crate::worker::studies::SearchAnswer;
+use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
 use cmra_studies::report::Remark;
 use cmra_studies::report::table::Table;
@@ -42,7 +43,7 @@ pub(crate) trait Answer {
     }
 
     /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
-    fn outside_at_ends(&self) -> &[(Check, String)] {
+    fn outside_at_ends(&self) -> &[(Check, Warning)] {
         &[]
     }
 

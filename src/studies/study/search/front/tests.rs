@@ -4,7 +4,7 @@ use super::*;
 use crate::study::context::never_cancel;
 use crate::study::run_with;
 use crate::study::testing::{axes, scene};
-use cmra_engine::model::run::Warning;
+use cmra_engine::model::run::RunWarning;
 use cmra_engine::model::run::envelope::{self, Direction};
 use cmra_engine::model::simulate::Settings;
 
@@ -72,7 +72,10 @@ fn feasible_designs_have_no_warning_on_the_unsafe_side() {
         let fails = |design: &&Design| {
             let run = run_with(&front.scene(design), Settings::default()).unwrap();
             let is_overloaded = run.warnings.iter().any(|warning| {
-                matches!(warning, Warning::InterfacePush { .. } | Warning::InterfacePull { .. })
+                matches!(
+                    warning,
+                    RunWarning::InterfacePush { .. } | RunWarning::InterfacePull { .. }
+                )
             });
             assert!(!is_overloaded || design.plastic.is_some(), "{design:?}");
             envelope::of_run(&run).iter().any(|it| it.direction == Direction::Unconservative)

@@ -6,7 +6,7 @@ use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::state::Window;
 use crate::tui::widgets::text::fitting;
 use crate::tui::widgets::value_steps::engineering;
-use cmra_engine::model::run::{Outcome, Run, Warning, envelope};
+use cmra_engine::model::run::{Outcome, Run, RunWarning, envelope};
 use cmra_engine::model::variables::VARIABLES;
 use cmra_studies::report::figures::run::contact_window_s;
 use cmra_studies::report::run::page::{self, of_first};
@@ -161,8 +161,9 @@ fn speed(velocity_m_s: f64) -> String {
 
 /// Describes the result with a plastic interface, if the fused one would exceed its strength.
 fn plastic(run: &Run) -> Option<String> {
-    let is_exceeded =
-        |it: &Warning| matches!(it, Warning::InterfacePush { .. } | Warning::InterfacePull { .. });
+    let is_exceeded = |it: &RunWarning| {
+        matches!(it, RunWarning::InterfacePush { .. } | RunWarning::InterfacePull { .. })
+    };
     let fails = run.warnings.iter().any(is_exceeded);
     let is_hit = envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0);
     let plastic = run.plastic.as_ref().filter(|_| fails || is_hit)?;
