@@ -29,6 +29,9 @@ const ROUNDS_LEFT: i32 = 14;
 const JACOBIAN: usize = 2;
 /// Part of the step's tolerance to which the stage equations are solved: far below the error that is accepted.
 const SOLVED: f64 = 1e-2;
+/// Error relative to the sizes of what moves to which they are solved by a computation that judges another. Iterations from one guess leave
+/// nearly the same error in both, whatever their numbers of stages: this is what the difference does not show.
+const SOLVED_JUDGING: f64 = 1e-13;
 /// Rounding of the stage equations, relative to the scales: a few units of the last place of a sum of ten terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Excess of a step's error over its tolerance that is aimed at, greatest growth, and least and greatest cut.
@@ -78,6 +81,8 @@ pub(crate) struct Collocation<'a, const S: usize> {
     member: &'a RadauIia<S>,
     /// Error of a step relative to the sizes of what moves.
     tolerance: f64,
+    /// Part of it to which the stage equations are solved.
+    solved: f64,
 }
 
 impl<const S: usize> Stepper<S> for Collocation<'_, S> {
@@ -114,7 +119,7 @@ impl<const S: usize> Collocation<'_, S> {
         near: Option<StagePredictor<D, S>>,
         evaluations: &mut usize,
     ) -> Option<Step<D, S>> {
-        let Self { member, tolerance } = *self;
+        let Self { member, tolerance, solved } = *self;
         let guess = match near {
             Some(StagePredictor { acceleration, from, over }) => {
                 by_place(|i| series(&acceleration, from + over * member.nodes[i]))
@@ -123,8 +128,9 @@ impl<const S: usize> Collocation<'_, S> {
         };
         let (place, speed) = law.sizes(&start);
         let weights = array::from_fn(|d| larger(h / speed[d], h * h / place[d]) / tolerance);
-        let enough = SOLVED + ROUNDING / tolerance;
-        let equations = StageEquations { member, law, start, h, weights, tolerance, enough };
+        let enough = solved + ROUNDING / tolerance;
+        let equations =
+            StageEquations { member, law, start, h, weights, tolerance, solved, enough };
         let stages = equations
             .by_fixed_point(guess, evaluations)
             .or_else(|| equations.by_newton(guess, evaluations))?;
@@ -196,7 +202,8 @@ struct StageEquations<'a, L, const D: usize, const S: usize> {
     weights: [f64; D],
     /// Error of the step relative to the scales.
     tolerance: f64,
-    /// Norm of the error to which the equations are solved.
+    /// Norm of the error to which the equations are solved, without rounding and with it.
+    solved: f64,
     enough: f64,
 }
 
@@ -230,7 +237,7 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
             let norm = self.norm(&change);
             // Nothing is known about the contraction of the first change.
             let contraction = if round > 0 { norm / before } else { 1.0 };
-            if norm <= SOLVED || norm * contraction <= self.enough {
+            if norm <= self.solved || norm * contraction <= self.enough {
                 return Some(stages);
             }
             let left = norm * contraction.powi(ROUNDS_LEFT);
@@ -246,7 +253,7 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
 
     /// Newton's method with a Jacobian that is renewed once the iteration contracts slowly; `None` if it diverges.
     fn by_newton(&self, mut stages: Stages<D, S>, evaluations: &mut usize) -> Option<Stages<D, S>> {
-        let Self { member, law, ref start, h, enough, .. } = *self;
+        let Self { member, law, ref start, h, solved, enough, .. } = *self;
         let mut newton = NewtonMatrix::zero();
         let mut is_old = true;
         let mut before = f64::INFINITY;
@@ -280,7 +287,7 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
                 newton.solve(&mut rounding);
                 norm < 10.0 * enough || norm < self.norm(&rounding)
             };
-            if norm <= SOLVED || ahead <= enough || stalls {
+            if norm <= solved || ahead <= enough || stalls {
                 return Some(stages);
             }
             // The first iteration contracts by about the relative change of the Jacobian, which is that of the stages.
@@ -358,7 +365,13 @@ impl<const S: usize> RadauIia<S> {
 
     /// As a method that steps to this tolerance.
     pub(crate) fn to(&self, tolerance: f64) -> Collocation<'_, S> {
-        Collocation { member: self, tolerance }
+        Collocation { member: self, tolerance, solved: SOLVED }
+    }
+
+    /// As a method that steps to this tolerance and shares no error of its iterations with one that is less accurate.
+    pub(crate) fn judging(&self, tolerance: f64) -> Collocation<'_, S> {
+        let solved = smaller(SOLVED, SOLVED_JUDGING / tolerance);
+        Collocation { member: self, tolerance, solved }
     }
 
     /// The coefficients from which on the acceleration's are seen to fall, and how many of the last are the end of the fall.
@@ -598,6 +611,21 @@ mod tests {
         // The iteration would contract by about h²/81.
         step(&RADAU_IIA_17, &law, ONE_OFF, 10.0);
         assert!(law.0.get() > 9, "{law:?}");
+    }
+
+    /// cos t: iterations from the constant first guess leave the same error in both members, which the judging one has to go below.
+    #[test]
+    fn valid_a_judging_step_is_right_to_rounding_where_a_loose_one_stops_its_iteration() {
+        let start = ([1.0], [0.0]);
+        let off = |method: Collocation<'_, 9>, h: f64| {
+            let step = method.solve(&Spring(1.0), start, h, None, &mut 0).unwrap();
+            larger((step.end.0[0] - h.cos()).abs(), (step.end.1[0] + h.sin()).abs())
+        };
+        for h in [0.05, 0.2, 0.4] {
+            assert!(off(RADAU_IIA_17.judging(1e-7), h) < 1e-13, "{h}");
+            assert!(off(RADAU_IIA_17.to(1e-7), h) < 1e-9, "{h}");
+        }
+        assert!(off(RADAU_IIA_17.to(1e-7), 0.4) > 1e-13);
     }
 
     #[test]

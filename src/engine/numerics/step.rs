@@ -85,6 +85,8 @@ impl<const D: usize, const S: usize> Step<D, S> {
         speed: &[[f64; S]; D],
         acceleration: [[f64; S]; D],
     ) -> Self {
+        // A method with more stages would lose its highest degrees here.
+        const { assert!(S <= STAGES_MAX) };
         let mut powers = [([0.0; D], [0.0; D]); S];
         for (k, integral) in INTEGRALS.iter().enumerate().take(S) {
             for ((places, speeds), of_x) in powers.iter_mut().zip(integral) {
@@ -123,7 +125,7 @@ fn sums<const D: usize, const S: usize>(powers: &[Point<D>; S], x: f64) -> Point
 }
 
 /// The most stages that a method has.
-const STAGES_MAX: usize = 9;
+const STAGES_MAX: usize = 11;
 
 /// The integrals of the Legendre polynomials over the part theta of a step, in powers of x = 2 theta - 1 from the first on.
 const INTEGRALS: [[f64; STAGES_MAX]; STAGES_MAX] = {
@@ -192,6 +194,21 @@ pub(super) mod tests {
             assert!((place[0] - 5.0 - way).abs() < 1e-14, "{theta}: {place:?}");
             let acceleration = series(&step.acceleration, theta)[0];
             assert!((acceleration - 2.0 * (2.0 * theta - 1.0)).abs() < 1e-14);
+        }
+    }
+
+    /// The integral of P_k is (P_(k+1) - P_(k-1))/(2 (2 k + 1)) over the parts of a step: the method with the most stages keeps its highest
+    /// degree.
+    #[test]
+    fn valid_the_highest_degree_of_the_longest_method_is_in_its_states() {
+        let mut acceleration = [[0.0; STAGES_MAX]];
+        acceleration[0][STAGES_MAX - 1] = 1.0;
+        let step = Step::new(3.0, [([0.0], [0.0]); 2], &[[0.0; STAGES_MAX]], acceleration);
+        for theta in [0.1, 0.25, 0.6] {
+            let p = legendre::<{ STAGES_MAX + 1 }>(2.0 * theta - 1.0);
+            let exact = 3.0 * (p[STAGES_MAX] - p[STAGES_MAX - 2]) / (4 * STAGES_MAX - 2) as f64;
+            let (_, [speed]) = step.at(theta);
+            assert!(exact.abs() > 1e-3 && (speed - exact).abs() < 1e-13, "{theta}: {speed}");
         }
     }
 

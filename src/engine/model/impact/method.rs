@@ -54,9 +54,9 @@ pub(super) fn run_by(
         IntegrationMethod::Second(tolerance) => {
             let setup = setup(tolerance);
             if setup.is_analytic() {
-                run(scene, &setup, &RADAU_IIA_17.to(tolerance), settings, observer)
+                run(scene, &setup, &RADAU_IIA_17.judging(tolerance), settings, observer)
             } else {
-                run(scene, &setup, &ELEVEN.to(tolerance), settings, observer)
+                run(scene, &setup, &ELEVEN.judging(tolerance), settings, observer)
             }
         }
         IntegrationMethod::Radau5(tolerance) => {
