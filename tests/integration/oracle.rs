@@ -259,6 +259,12 @@ fn valid_random_plates_that_move_at_first_contact_against_tiny_steps() {
 }
 
 #[test]
+fn valid_random_plugs_against_tiny_steps() {
+    let kinds = compare_many(draw::plugged, (120, 7_009));
+    assert!(kinds.contains("plug picked up") && kinds.contains("perforation"), "{kinds:?}");
+}
+
+#[test]
 fn valid_random_bodies_that_fall_against_tiny_steps() {
     compare_many(draw::falling, (60, 9_008));
 }

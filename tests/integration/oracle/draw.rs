@@ -83,6 +83,40 @@ pub(crate) fn moving(random: &mut Random) -> String {
     }
 }
 
+/// Draws a scene with a nose that shears out a plug, on a rigid, a free or a sprung plate. A rigid cylinder shears plates of 0.6 D and more.
+pub(crate) fn plugged(random: &mut Random) -> String {
+    loop {
+        let words = plain(random);
+        let kept = words.split(' ').filter(|word| {
+            let name = word.split('=').next().unwrap();
+            !["h", "v_i", "dishing"].contains(&name)
+        });
+        let kept: Vec<&str> = kept.collect();
+        let nose = random.of(&["fragment", "blunt"]);
+        let metal = random.of(&["rho=2700 E=7e10", "rho=7850 E=2.07e11"]);
+        let y = random.log(1e8, 1e9);
+        let uts = y * (1.0 + 0.6 * random.unit());
+        let r = random.log(3e-3, 1e-2);
+        let m_p = 7850.0 * std::f64::consts::PI * r.powi(3) * random.log(1.0, 6.0);
+        let least = if nose == "blunt" { 0.6 } else { 0.2 };
+        let (h, v) = (2.0 * r * random.log(least, 2.5), random.log(60.0, 1200.0));
+        let mount = match random.of(&[0, 1, 2]) {
+            0 => " mount=rigid",
+            1 => " k=0 b=0",
+            _ => "",
+        };
+        let words = format!(
+            "{} nose={nose} closure=cylindrical {metal} Y={y:e} UTS={uts:e} R={r:e} m_p={m_p:e} h={h:e} v_i={v:.1}{mount}",
+            kept.join(" ")
+        );
+        if variables::changed(Scene::default(), &words)
+            .is_ok_and(|own| variables::validate(&own).is_ok())
+        {
+            return words;
+        }
+    }
+}
+
 /// A scene of a heavy, slow body that falls on a plate, whose weight counts.
 pub(crate) fn falling(random: &mut Random) -> String {
     loop {

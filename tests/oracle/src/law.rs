@@ -12,6 +12,7 @@ use cmra_engine::model::contact::Geometry;
 use cmra_engine::model::scene::{Closure, ContactModel, InterfaceLaw, Scene, Stop, StopKind};
 
 use crate::contacts::Contact;
+use crate::plug::Plug;
 use crate::springs::{Law, moving_kg};
 
 /// A plate that meets its rigid stop more slowly than this stays there, m/s.
@@ -57,7 +58,11 @@ pub struct Shot<'a> {
     /// Displacements at which a step is cut, m.
     corners_m: Vec<f64>,
     strength_pa: f64,
+    projectile_kg: f64,
     plate_kg: f64,
+    plug: Option<Plug>,
+    /// The plug moves with the projectile.
+    is_sheared: bool,
     cos: f64,
     thickness_m: f64,
     /// Travel at which the nose is clear of the rear face.
@@ -98,10 +103,13 @@ impl<'a> Shot<'a> {
             corners_m: law.corners_m(),
             law,
             strength_pa: strength_pa(scene),
+            projectile_kg: scene.projectile.mass_kg,
             plate_kg: moving_kg(scene),
+            plug: Plug::new(scene),
+            is_sheared: false,
             cos: scene.cos_obliquity(),
             thickness_m: scene.effective_thickness_m(),
-            exit_m: exit_m(scene),
+            exit_m: Plug::new(scene).map_or_else(|| exit_m(scene), |plug| plug.to_m),
             step_s,
             t_s: 0.0,
             state: [0.0, closing, start_m, w],
@@ -116,7 +124,26 @@ impl<'a> Shot<'a> {
         if scene.contact.model == ContactModel::InitialVelocity {
             shot.join();
         }
+        if shot.plug.is_some_and(|plug| plug.from_m <= 0.0) {
+            shot.pick_up();
+        }
         shot
+    }
+
+    /// The plug joins the projectile, with the momentum of both; the rest of the plate keeps its velocity.
+    fn pick_up(&mut self) {
+        let Some(plug) = self.plug else { return };
+        self.state[1] *= self.projectile_kg / (self.projectile_kg + plug.mass_kg);
+        self.projectile_kg += plug.mass_kg;
+        if self.scene.is_sprung() {
+            self.plate_kg -= plug.mass_kg;
+        }
+        self.is_sheared = true;
+    }
+
+    /// Travel at which a plug is still to be picked up.
+    fn plug_at_m(&self) -> Option<f64> {
+        self.plug.filter(|_| !self.is_sheared).map(|plug| plug.from_m)
     }
 
     /// A perfectly inelastic collision: one body from now on, with the momentum along the plate's normal that both had.
@@ -219,6 +246,7 @@ impl<'a> Shot<'a> {
     fn settle(&mut self, now: Now) {
         let [q, u, x, w] = self.state;
         match now.interface {
+            Interface::Deepens if self.plug_at_m().is_some_and(|at| q >= at) => self.pick_up(),
             Interface::Deepens if q >= self.exit_m => self.exit = Some((self.t_s, self.state)),
             Interface::Deepens | Interface::Closes if u <= 0.0 => self.meet(),
             Interface::PullsOut if u >= 0.0 => self.meet(),
@@ -252,7 +280,10 @@ impl<'a> Shot<'a> {
     fn changes(&self, now: Now, to: State) -> bool {
         let from = self.state;
         let interface_changes = match now.interface {
-            Interface::Deepens => to[1] <= 0.0 || to[0] >= self.exit_m,
+            Interface::Deepens => {
+                let end_m = self.plug_at_m().unwrap_or(self.exit_m);
+                to[1] <= 0.0 || to[0] >= end_m
+            }
             Interface::Closes => to[1] <= 0.0 || to[0] >= self.deepest_m,
             Interface::PullsOut => to[1] >= 0.0,
             Interface::Pulse => from[1] > 0.0 && to[1] <= 0.0,
@@ -331,7 +362,7 @@ impl<'a> Shot<'a> {
     /// The equations of motion, so long after the start of the step.
     fn rates(&self, after_s: f64, state: State, now: Now) -> State {
         let [_, u, x, w] = state;
-        let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos);
+        let (m_p, m_2, cos) = (self.projectile_kg, self.plate_kg, self.cos);
         let force = self.contact_n(after_s, state, now.interface);
         let back = self.law.force_n(x, self.farthest_m)
             + self.damper_n(w)
@@ -371,6 +402,17 @@ impl<'a> Shot<'a> {
             Interface::Springs => return contact.springs_n(q, u, self.deepest_m),
             _ => {}
         }
+        if let Some(plug) = self.plug.filter(|_| self.is_sheared) {
+            let pushed =
+                if q < plug.from_m { plug.hole_m2 * self.strength_pa } else { plug.shear_n(q) };
+            let grip = self.scene.interface.grip;
+            return match interface {
+                Interface::Deepens => plug.shear_n(q),
+                Interface::Closes if q > 0.0 => grip * pushed,
+                Interface::PullsOut if q > 0.0 => -grip * pushed,
+                _ => 0.0,
+            };
+        }
         let strength = self.strength_pa;
         let grip = self.scene.interface.grip * strength;
         let pressure = match interface {
@@ -394,6 +436,9 @@ impl<'a> Shot<'a> {
     }
 
     fn area_m2(&self, q: f64) -> f64 {
+        if let Some(plug) = self.plug {
+            return if q >= 0.0 { plug.hole_m2 } else { 0.0 };
+        }
         if self.scene.projectile.obliquity_deg > 0.0 {
             return self.geometry.area_m2(q);
         }
@@ -479,14 +524,7 @@ fn strength_pa(scene: &Scene) -> f64 {
 /// The pressure on a cylindrical cavity: equilibrium summed over thin rings of the plastic region, by the middle of each. The ring between
 /// the radii r and r + dr has the strain `ln(r/r_0)/(3/4)^(1/2)`, `r_0² = r² - a²`, and adds 2/3^(1/2) sigma dr/r to the elastic Y/3^(1/2).
 fn cylindrical_pa(y: f64, u: f64, e: f64) -> f64 {
-    // The exponent by bisection of Considere's tensile strength.
-    let (mut low, mut high) = (std::f64::consts::E * y / e, 2.0);
-    for _ in 0..200 {
-        let n = 0.5 * (low + high);
-        let is_strong = y * (e * n / y).powf(n) * (-n).exp() > u;
-        *(if is_strong { &mut high } else { &mut low }) = n;
-    }
-    let n = if u > y { low } else { 0.0 };
+    let n = exponent(y, u, e);
     // With r = a (1 + exp(z)) the rings are thin where the strain is great.
     let rings = 20_000;
     let outer = (e / (3f64.sqrt() * y)).sqrt();
@@ -498,6 +536,17 @@ fn cylindrical_pa(y: f64, u: f64, e: f64) -> f64 {
         2.0 / 3f64.sqrt() * y * (e * strain / y).powf(n) * s / (1.0 + s) * width
     };
     y / 3f64.sqrt() + (0..rings).map(ring).sum::<f64>()
+}
+
+/// Hardening exponent, by bisection of Considere's tensile strength.
+pub(crate) fn exponent(y: f64, u: f64, e: f64) -> f64 {
+    let (mut low, mut high) = (std::f64::consts::E * y / e, 2.0);
+    for _ in 0..200 {
+        let n = 0.5 * (low + high);
+        let is_strong = y * (e * n / y).powf(n) * (-n).exp() > u;
+        *(if is_strong { &mut high } else { &mut low }) = n;
+    }
+    if u > y { low } else { 0.0 }
 }
 
 /// c |z|^exponent sgn z.

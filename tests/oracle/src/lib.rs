@@ -3,6 +3,7 @@
 
 mod contacts;
 mod law;
+mod plug;
 mod springs;
 
 pub use law::{Shot, State};

@@ -52,7 +52,8 @@ impl Equations<'_> {
     pub(super) fn after_first_moment(&self) -> (State, [f64; 2]) {
         let t_s = self.first_moment_s();
         let setup = self.setup;
-        let v = setup.velocity_m_s;
+        // A plug that is picked up at once has taken its part.
+        let v = setup.velocity_m_s * setup.kept;
         let moment = State { t_s, q_m: v * t_s, u_m_s: v, ..State::default() };
         let force_n = self.contact_n(&moment);
         let at_once = self.contact_n(&State { u_m_s: v, ..State::default() }) > 0.0;
