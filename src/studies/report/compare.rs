@@ -297,6 +297,13 @@ fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
         PlateSize::Face(_) => "",
         PlateSize::Ratio(_) | PlateSize::Mass(_) => " (the mass ratio is kept)",
     };
+    let margin = match (sized.margin > 1.0, own.run.scene.is_sprung()) {
+        (false, _) => "",
+        (true, false) => "; below the band of measured limits",
+        (true, true) => {
+            "; both below the band of limits measured on rigid mounts, which is an assumption for a plate that moves"
+        }
+    };
     let scene = &sized.scene;
     let in_thousandths = [scene.target.thickness_m, scene.plate_face_m(), sized.spring_kg, solid_m];
     let [thickness, face, spring, solid] =
@@ -305,7 +312,7 @@ fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
         [sized.areal_kg_m2, sized.solid_areal_kg_m2].map(|value| fixed_significant(value, 4));
     Some(format!(
         "sized to just stop the shot: this armour with {thickness} mm over a face of {face} mm square{given} and {spring} g of spring, \
-         {areal} kg/m^2; a solid plate of {solid} mm, {solid_areal} kg/m^2{efficiency}"
+         {areal} kg/m^2; a solid plate of {solid} mm, {solid_areal} kg/m^2{efficiency}{margin}"
     ))
 }
 

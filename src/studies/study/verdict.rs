@@ -4,9 +4,10 @@
 //! perforates. Without a class of measurements the law decides, and the verdict says so.
 
 use crate::study::limit;
-use crate::study::measured::{Class, Expectation, known};
-use cmra_engine::model::scene::Scene;
+use crate::study::measured::{Class, Expectation, Key, known};
+use cmra_engine::model::scene::{Mount, Scene};
 use cmra_engine::model::units::{fixed_significant, velocity};
+use cmra_engine::numerics::larger;
 
 enumeration! {
     /// The answer to "does this armour stop this shot?".
@@ -100,6 +101,20 @@ impl Verdict {
             }
         });
         Self { limit_m_s, expected, decision }
+    }
+
+    /// Factor by which a design's shot is to be slower than the limit by the law: down to the lower end of the band of measured limits where
+    /// such shots were measured, else 1. On a moving plate it is that of the same plate on a rigid mount, an assumption.
+    pub fn margin(scene: &Scene) -> f64 {
+        let mut rigid = Scene { sweep: None, ..scene.clone() };
+        rigid.plate.mount = Mount::Rigid;
+        if Key::of(&rigid).is_none() {
+            return 1.0;
+        }
+        let verdict = Self::of(&rigid);
+        let low_m_s = verdict.expected.as_ref().map(|band| band.low_m_s);
+        let margin = verdict.limit_m_s.zip(low_m_s).map(|(law_m_s, low_m_s)| law_m_s / low_m_s);
+        margin.map_or(1.0, |margin| larger(margin, 1.0))
     }
 
     /// Whether the shot is slow enough for a design, m/s: below the band where there is one, else below the law's limit. `None` without

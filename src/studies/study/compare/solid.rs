@@ -1,12 +1,16 @@
 //! The plate with a given limit velocity, rigid or free, in closed form.
 
+use crate::study::verdict::Verdict;
 use cmra_engine::model::closed_form::Passage;
 use cmra_engine::model::contact::Geometry;
 use cmra_engine::model::plug::Plug;
-use cmra_engine::model::scene::{Closure, ContactModel, Criterion, Nose, Scene, Target};
+use cmra_engine::model::scene::{Closure, ContactModel, Criterion, Mount, Nose, Scene, Target};
 use cmra_engine::numerics::larger;
 use cmra_engine::numerics::root::bracketed_root;
 
+/// Ratio of the thicknesses that are tried on the way to a plate with the margin of measured limits, and how many.
+const STEP: f64 = 1.05;
+const STEPS: i32 = 60;
 /// Part of a thickness beyond a root at which the limit still has a value.
 const BESIDE: f64 = 1e-9;
 
@@ -29,6 +33,27 @@ pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> 
         }
     }
     None
+}
+
+/// The thickness, m, of the thinnest solid plate on a rigid mount that stops the scene's shot: below the band of measured limits where such
+/// shots were measured, else by the law.
+pub(super) fn solid_thickness(scene: &Scene) -> Option<f64> {
+    let v_m_s = scene.projectile.velocity_m_s;
+    let by_law_m = thickness_of_limit(scene, v_m_s, false)?;
+    let mut rigid = Scene { sweep: None, ..scene.clone() };
+    rigid.plate.mount = Mount::Rigid;
+    let excess_m_s = |thickness_m: f64| {
+        let mut own = rigid.clone();
+        own.target.thickness_m = thickness_m;
+        Verdict::of(&own).expected.map_or(0.0, |band| band.low_m_s - v_m_s)
+    };
+    // Beyond the thickness of measured plates the law decides.
+    if excess_m_s(by_law_m) >= 0.0 {
+        return Some(by_law_m);
+    }
+    let thick_m =
+        (1..STEPS).map(|more| by_law_m * STEP.powi(more)).find(|it| excess_m_s(*it) >= 0.0)?;
+    Some(bracketed_root(thick_m / STEP, thick_m, excess_m_s))
 }
 
 fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
