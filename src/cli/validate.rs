@@ -25,8 +25,9 @@ use cmra_studies::study::validation::{MeasuredQuantity, NOT_COUNTED, Row, biases
 #[derive(Debug, Args)]
 #[command(
     after_help = "FILE.csv has a row for each shot. Columns are variables as `--set` takes them, the unit in the heading: `R [mm]`, `m_p [g]`, \
-    `theta [deg]`; `threat` and `material` name entries of the libraries. Measured are any of limit_m_s, deviation_m_s, depth_m and \
-    residual_velocity_m_s; source and note are free text. A blank cell is not given. The mount is rigid and the closure cylindrical unless the row \
+    `theta [deg]`; `threat` and `material` name entries of the libraries. Measured are any of limit_m_s, deviation_m_s, depth_m, \
+    residual_velocity_m_s, and of a plate that moves first_arrest_plate_velocity_m_s, plate_velocity_after_m_s, separation_velocity_m_s, \
+    max_plate_displacement_m, max_plate_displacement_time_s and peak_mount_force_n; source and note are free text. A blank cell is not given. The mount is rigid and the closure cylindrical unless the row \
     says otherwise.\n\
     Such a file begins, for example:\n  \
     nose,core,R [mm],m_p [g],h [mm],rho [kg/m3],E [GPa],Y [MPa],UTS [MPa],theta [deg],mount,closure,C_d,limit_m_s,source\n\
@@ -136,10 +137,14 @@ fn each_case(page: &mut String, report: &[Row]) {
         let case = row.case;
         let unit = case.quantity.unit();
         let show = |value: f64| match case.quantity {
+            MeasuredQuantity::Bottoms => (if value > 0.5 { "yes" } else { "no" }).to_owned(),
             MeasuredQuantity::Ratio => fixed_significant(value, 4),
             _ => engineering(value, unit, 4),
         };
-        let off = |value: f64| format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value));
+        let off = |value: f64| match case.quantity {
+            MeasuredQuantity::Bottoms => show(value),
+            _ => format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value)),
+        };
         let absent = || "nothing".to_owned();
         let scene = format!("{} {}", case.preset, case.set);
         let _ = writeln!(page, "{}  [{}]", case.id, scene.trim_end());

@@ -29,6 +29,8 @@ mod libraries;
 #[cfg(test)]
 mod limit;
 #[cfg(test)]
+mod measured;
+#[cfg(test)]
 mod mechanisms;
 #[cfg(test)]
 mod models;

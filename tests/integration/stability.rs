@@ -128,7 +128,7 @@ fn measure(run: &Run) -> Option<f64> {
     match run.outcome {
         Outcome::Perforated => run.exit_time_s,
         Outcome::Arrested | Outcome::Separated => run.final_penetration_m,
-        Outcome::Moving => None,
+        Outcome::Moving | Outcome::Unmeasured => None,
     }
 }
 

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 /// Whatever a shot needs to be set on the baseline; its impact velocity stands in each.
-const SHOTS: [(&str, &str); 5] = [
+pub(crate) const SHOTS: [(&str, &str); 5] = [
     (
         "fragment of 20 mm on 25.7 mm of 6061",
         "nose=fragment m_p=53.78g R=9.95mm v_i=500 h=25.7mm rho=2700 E=68.3GPa Y=276MPa UTS=310MPa closure=cylindrical",
@@ -91,6 +91,51 @@ fn valid_every_command_gives_one_answer() {
             let swept =
                 asked("sweep", &changes, &["--over", &over, "--outputs", "final_penetration_m"]);
             assert_eq!(swept["rows"][0]["verdict"], run.0, "sweep: {name}, {mount}");
+        }
+    }
+}
+
+/// What designs are judged by is the shot's own verdict too: at the thickness of each shot seek, the front of optimise and the report have the
+/// answer of `run`; a shot that is not below its band is in no front.
+#[test]
+fn designs_and_reports_give_the_same_answer() {
+    for mount in ["rigid", "sprung"] {
+        for (name, shot) in SHOTS {
+            let changes = format!("mount={mount} {shot}");
+            let value = |key: &str| shot.split_whitespace().find_map(|it| it.strip_prefix(key));
+            let run = asked("run", &changes, &[]);
+            let in_mm = |text: &str| text.trim_end_matches("mm").parse::<f64>().unwrap();
+            let (h, r) =
+                (in_mm(value("h=").unwrap_or("25.4mm")), in_mm(value("R=").unwrap_or("6.35mm")));
+            let over = format!("h={}mm..{}mm", 0.999 * h, 1.001 * h);
+            let goal = format!("thickness_over_diameter={}", 0.5 * h / r);
+            let sought = asked("seek", &changes, &["--over", &over, "--goal", &goal]);
+            let solution = &sought["solutions"][0];
+            assert_eq!(solution["verdict"], run["verdict"], "seek: {name}, {mount}: {sought}");
+            let more =
+                ["--over", &over, "--minimise", "thickness_over_diameter", "--samples", "64"];
+            let front = asked("optimise", &changes, &more);
+            let designs = front["designs"].as_array().unwrap();
+            let verdicts = ["open", "perforates"];
+            assert!(
+                designs.is_empty() || !verdicts.contains(&run["verdict"].as_str().unwrap()),
+                "{name}, {mount}"
+            );
+            for design in designs {
+                assert_eq!(design["verdict"], run["verdict"], "optimise: {name}, {mount}");
+                assert_ne!(design["outcome"], "perforated", "optimise: {name}, {mount}");
+            }
+            let sets: Vec<&str> =
+                changes.split_whitespace().flat_map(|set| ["--set", set]).collect();
+            let report = [&["thesis-baseline"], &sets[..], &["-o", "-"]].concat();
+            let (html, _) = crate::support::says("report", &report, 0);
+            let words = match run["verdict"].as_str().unwrap() {
+                "stops" => "stops: ",
+                "open" => "open: ",
+                "perforates" => "perforates: ",
+                _ => "not measured: ",
+            };
+            assert!(html.contains(words), "report: {name}, {mount}");
         }
     }
 }

@@ -97,7 +97,9 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
     // The depth of a perforation is the plate's own: what was computed is when it is reached.
     let main_result = match run.outcome {
         Outcome::Perforated => "exit_time_s",
-        Outcome::Arrested | Outcome::Separated | Outcome::Moving => "final_penetration_m",
+        Outcome::Arrested | Outcome::Separated | Outcome::Moving | Outcome::Unmeasured => {
+            "final_penetration_m"
+        }
     };
     let found = run.error_estimates.iter().find(|error| error.0 == main_result);
     run.error_estimate = found.map(|error| error.1);

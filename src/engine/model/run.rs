@@ -44,6 +44,9 @@ impl Default for Settings {
     }
 }
 
+/// Part of the greatest displacement at which it is reached.
+const REACHED: f64 = 1e-6;
+
 /// The end of the time in which a contact is drawn, relative to its own end: a little beyond it, so that it is seen.
 pub const CONTACT_WINDOW: f64 = 1.1;
 
@@ -88,8 +91,10 @@ pub struct Run {
     pub residual_velocity_m_s: Option<f64>,
     /// When the nose was clear of the rear face, s.
     pub exit_time_s: Option<f64>,
-    /// When the projectile left through the entry face, and its velocity then.
+    /// When the projectile left through the entry face, and the velocities then.
     pub separation: Option<Departure>,
+    /// Plate velocity when projectile and plate part for good, at either face, m/s; `None` where they do not.
+    pub plate_velocity_after_m_s: Option<f64>,
     /// Greatest N/(A `S_y`) the interface carried, or would have had to carry, while fused.
     pub interface_demand_ratio: Option<f64>,
     /// Greatest tension that the fused interface carried up to the end of the run, over its strength `g A S_y`; infinite where
@@ -131,6 +136,8 @@ labelled_enum! {
         Separated = "separated",
         #[default]
         Moving = "moving",
+        /// By a law that is too low for the shot the plate is perforated: whether it is, is not measured.
+        Unmeasured = "not-measured",
     }
 
     /// Why the computation ended.
@@ -176,6 +183,8 @@ pub struct Departure {
     pub t_s: f64,
     /// Velocity of the projectile then, m/s.
     pub velocity_m_s: f64,
+    /// Velocity of the plate then, m/s.
+    pub plate_velocity_m_s: f64,
 }
 
 labelled_enum! {
@@ -402,8 +411,11 @@ impl Run {
         });
         let base = self.plates().last().filter(|_| is_in_base);
         let by_protrusion = self.scene.target.criterion == Criterion::Protrusion;
-        let is_out = base.is_some_and(|run| run.protrusion_m().is_some());
-        if by_protrusion && is_out { Outcome::Perforated } else { outcome }
+        match base.filter(|run| by_protrusion && run.protrusion_m().is_some()) {
+            Some(base) if envelope::is_law_low(&base.scene) => Outcome::Unmeasured,
+            Some(_) => Outcome::Perforated,
+            None => outcome,
+        }
     }
 
     /// Whether the run reached its end and the outcome of the shot is decided.
@@ -444,6 +456,13 @@ impl Run {
     /// Greatest displacement plus cocking distance: the space the mechanism needs, m.
     pub fn stroke_m(&self) -> Option<f64> {
         Some(self.max_plate_displacement_m? + self.scene.start_m().abs())
+    }
+
+    /// When the plate comes to its greatest displacement, s; `None` without a series that goes so far.
+    pub fn max_displacement_time_s(&self) -> Option<f64> {
+        let far_m = self.max_plate_displacement_m.filter(|_| self.scene.is_sprung())?;
+        let is_there = |row: &&Sample| far_m - row.plate_displacement_m <= REACHED * far_m.abs();
+        self.series.iter().find(is_there).map(|row| row.t_s)
     }
 
     /// Work of the projectile's weight along the stroke of a mechanism, over the kinetic energy of the impact; `None` where there is no

@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use crate::model::appendix::listing;
 use crate::model::impact;
-use crate::model::run::{EndReason, Run};
+use crate::model::run::{
+    AtLeast, ContactMode, EndReason, MechanismLoad, Outcome, Run, RunWarning, envelope,
+};
 pub use crate::model::run::{Observer, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::model::stack;
@@ -28,10 +30,40 @@ pub fn simulate(
         return Ok(listing::run(scene, *settings, observer));
     }
     let mut run = impact::run(scene, *settings, observer);
+    withhold_perforation(&mut run);
     let mut unseen = |look: &RunSnapshot<'_>| observer(&RunSnapshot { so_far: &|| None, ..*look });
     let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, &mut unseen);
     run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
     Ok(run)
+}
+
+/// Withholds what a law that is too low for the shot says of a perforation: outcome, residual velocity and what follows.
+fn withhold_perforation(run: &mut Run) {
+    if !envelope::is_law_low(&run.scene) {
+        return;
+    }
+    run.warnings.retain(|warning| *warning != RunWarning::NoBaseline);
+    if run.outcome != Outcome::Perforated {
+        return;
+    }
+    let exit_s = run.exit_time_s.unwrap_or(f64::INFINITY);
+    run.events.retain(|event| event.t_s < exit_s);
+    run.series.retain(|row| row.mode != ContactMode::Perforated);
+    let MechanismLoad { added_kg, spring_mass_kg, .. } = run.mechanism;
+    *run = Run {
+        outcome: Outcome::Unmeasured,
+        final_penetration_m: None,
+        max_plate_displacement_m: None,
+        at_least: AtLeast::default(),
+        penetration_at_most_m: None,
+        residual_velocity_m_s: None,
+        plate_velocity_after_m_s: None,
+        exit_time_s: None,
+        error_estimate: None,
+        error_estimates: Vec::new(),
+        mechanism: MechanismLoad { added_kg, spring_mass_kg, ..MechanismLoad::default() },
+        ..std::mem::take(run)
+    };
 }
 
 /// Refuses rows that do not follow each other in time.
@@ -69,13 +101,35 @@ pub(in crate::model) fn bare_run(scene: &Scene) -> Run {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::run::EVERY_ROWS_MAX;
+    use crate::model::run::{EVERY_ROWS_MAX, EventKind};
     use crate::model::variables::scene_with;
 
     fn run(pairs: &str, every_s: f64) -> Result<Run, VariableError> {
         let settings = Settings { every_s: Some(every_s), ..Settings::SERIES };
         let go_on = &mut |_: &RunSnapshot<'_>| std::ops::ControlFlow::Continue(());
         simulate(&Arc::new(scene_with(pairs)), &settings, go_on)
+    }
+
+    /// A cylinder of 20 mm at 400 m/s: 12 mm of steel are 0.6 of it, 11.9 mm less. The base plate behind is not struck by it.
+    #[test]
+    fn a_law_that_is_low_says_of_no_shot_that_it_perforates() {
+        let steel =
+            "nose=blunt m_p=197g R=10mm rho=7850 closure=cylindrical E=200GPa Y=490MPa UTS=567MPa";
+        for (more, outcome) in [
+            ("h=12mm v_i=400", Outcome::Perforated),
+            ("h=11.9mm v_i=400", Outcome::Unmeasured),
+            ("h=11.9mm v_i=400 mount=sprung k=1e6 m_2=1", Outcome::Unmeasured),
+            ("h=11.9mm v_i=100", Outcome::Arrested),
+            ("h=11.9mm v_i=400 h_base=50mm", Outcome::Unmeasured),
+        ] {
+            let run = bare_run(&scene_with(&format!("mount=rigid {steel} {more}")));
+            assert_eq!(run.shot_outcome(), outcome, "{more}");
+            if outcome == Outcome::Unmeasured {
+                assert_eq!((run.residual_velocity_m_s, run.exit_time_s), (None, None), "{more}");
+                assert!(run.events.iter().all(|event| event.kind != EventKind::Perforation));
+                assert!(run.stack.is_none_or(|stack| stack.behind.is_empty()), "{more}");
+            }
+        }
     }
 
     #[test]

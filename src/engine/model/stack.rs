@@ -44,6 +44,9 @@ impl StackRun {
                 let how = if is_back { "thrown back by" } else { "stopped in" };
                 format!("stack: {how} {last}, {:.4} mm in all", depth * 1e3)
             }
+            (Outcome::Unmeasured, _) => {
+                format!("stack: not measured whether the shot goes through {last}")
+            }
             _ => format!("stack: undecided in {last}"),
         }
     }
@@ -88,7 +91,7 @@ pub fn follow(
         Outcome::Perforated if last.end.is_complete() && residual_velocity_m_s.is_none() => {
             (Outcome::Separated, Some(last.scene.effective_thickness_m()))
         }
-        Outcome::Perforated | Outcome::Moving => (last.outcome, None),
+        Outcome::Perforated | Outcome::Moving | Outcome::Unmeasured => (last.outcome, None),
         Outcome::Arrested | Outcome::Separated => (last.outcome, last.final_penetration_m),
     };
     Ok(Some(StackRun {

@@ -260,6 +260,7 @@ pub fn residual(report: &LimitReport, own_m_s: f64) -> Option<Chart<'static>> {
         shots('o', "through", &[Outcome::Perforated]).colour(3),
         shots('s', "stopped", &[Outcome::Arrested, Outcome::Separated]).colour(4),
         shots('m', "moving", &[Outcome::Moving]).colour(4),
+        shots('d', "not measured", &[Outcome::Unmeasured]).colour(3),
     ];
     let curves = curves.into_iter().filter(|curve| !curve.points.is_empty());
     let limit = limit.map(|at| Mark::new(at, "ballistic limit").tag("v_bl"));

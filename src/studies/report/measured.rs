@@ -5,7 +5,8 @@ use serde_json::{Value, json};
 use crate::report::chart::{Axis, Chart, Curve, Scale, Unit};
 use crate::report::table::Table;
 use crate::report::verdict;
-use crate::study::measured::{Errors, Row, errors};
+use crate::study::measured::{Errors, OUTPUTS, Row, errors};
+use crate::study::quantities::find;
 
 /// Markers of the classes in the picture, the largest class first.
 const MARKERS: [char; 8] = ['o', 'x', '+', 's', 'd', '*', 'v', 'm'];
@@ -20,7 +21,7 @@ pub fn rows(rows: &[Row]) -> Table<'_, &Row> {
         .field("deviation_m_s", move |row| measured(row).deviation_m_s)
         .with("limit_velocity_m_s", "law", "m/s", |row| row.verdict()?.limit_m_s);
     let table = verdict::expected_columns(table, |row| row.verdict()?.expected.as_ref());
-    table
+    let table = table
         .with("relative_error", "error", "", |row| row.limit_error())
         .shown(|_, value| Some(format!("{:+.1} %", 100.0 * value.as_f64()?)))
         .with("inside_band", "inside", "", |row| row.is_inside())
@@ -31,7 +32,19 @@ pub fn rows(rows: &[Row]) -> Table<'_, &Row> {
         })
         .with("residual_velocity_m_s", "computed", "m/s", |row| {
             row.computed.as_ref().ok()?.residual_velocity_m_s
-        })
+        });
+    let outputs = (0..OUTPUTS.len()).fold(table, |table, at| {
+        let (name, key) = OUTPUTS[at];
+        let (title, unit) =
+            find(name).map_or((name.to_owned(), ""), |it| (it.heading(), it.unit()));
+        table.with(key, title, unit, move |row| measured(row).outputs[at]).with(
+            name,
+            "computed",
+            unit,
+            move |row| row.computed.as_ref().ok()?.outputs[at],
+        )
+    });
+    outputs
         .field("note", |row| row.measurement.note.as_str())
         .with("refused", "", "", |row| row.computed.as_ref().err().cloned())
 }
@@ -56,6 +69,11 @@ pub fn page_keys(rows: &[Row]) -> Vec<&'static str> {
     }
     if has(|row| row.measurement.measured.residual_velocity_m_s.is_some()) {
         keys.extend(["measured_residual_velocity_m_s", "residual_velocity_m_s"]);
+    }
+    for (at, (name, key)) in OUTPUTS.into_iter().enumerate() {
+        if rows.iter().any(|row| row.measurement.measured.outputs[at].is_some()) {
+            keys.extend([key, name]);
+        }
     }
     keys
 }

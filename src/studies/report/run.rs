@@ -161,9 +161,13 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
         "complete": run.is_decided(),
     });
     let mut object = with_results(object, run);
-    for (key, value) in verdict::object(&Verdict::from_scene(scene)) {
+    let verdict = Verdict::from_scene(scene);
+    for (key, value) in verdict::object(&verdict) {
         object[key] = value;
     }
+    let is_searched = verdict.limit_m_s.is_none();
+    object["no_limit"] =
+        is_searched.then_some("no closed form: `cmra limit` searches it by many shots").into();
     let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());
     object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
     object["penetration_at_most_m"] = run.penetration_at_most_m.into();

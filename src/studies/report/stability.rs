@@ -28,6 +28,7 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         Outcome::Perforated => "perf",
         Outcome::Separated => "sep",
         Outcome::Moving => "mov",
+        Outcome::Unmeasured => "open",
     };
     Table::new(rows)
         .with("scene", "scene", "", |row| row.case.name)

@@ -3,8 +3,9 @@
 use serde_json::{Map, Value, json};
 
 use crate::report::table::Table;
+use crate::study::limit;
 use crate::study::verdict::{Decision, Expected, Verdict};
-use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::run::{Outcome, Run, envelope};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{fixed_significant, velocity};
 
@@ -45,9 +46,21 @@ pub fn object(verdict: &Verdict) -> Map<String, Value> {
 pub fn sentence(scene: &Scene, verdict: &Verdict, by_law: Option<Outcome>) -> String {
     let v = velocity(scene.projectile.velocity_m_s, 4);
     let Some(expected) = &verdict.expected else {
+        let is_low = envelope::is_law_low(scene);
+        let is_stopped = matches!(by_law, Some(Outcome::Arrested | Outcome::Separated));
+        let is_between = is_stopped && !limit::is_stopped_by_every_closure(scene);
         let law = by_law.map_or_else(String::new, |outcome| match outcome {
+            _ if is_between => format!(
+                "; by the law alone {v} is stopped, but not by the lowest of the three rules: open"
+            ),
+            Outcome::Perforated if is_low => {
+                format!("; the law is low, safe for stopping, and says nothing of {v}")
+            }
             Outcome::Perforated => format!("; by the law alone {v} perforates"),
             Outcome::Arrested | Outcome::Separated => format!("; by the law alone {v} is stopped"),
+            Outcome::Unmeasured => {
+                format!("; the law is low, safe for stopping, and says nothing of {v}")
+            }
             Outcome::Moving => String::new(),
         });
         return format!("not measured: {}{law}", why_not(scene));
@@ -73,6 +86,8 @@ fn why_not(scene: &Scene) -> &'static str {
         "no measured limit of a stack is public"
     } else if scene.is_sprung() {
         "no measured limit of a spring-mounted or free plate is public"
+    } else if envelope::is_law_low(scene) {
+        "no limit of a rigid cylinder on a plate thinner than 0.6 D, which dishes, is in the table"
     } else {
         "no class of measurements has such shots (`cmra validate` lists the classes)"
     }

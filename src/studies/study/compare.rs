@@ -195,6 +195,7 @@ impl ComparisonReport {
         }
         match own.run.shot_outcome() {
             Outcome::Perforated => return not_met("the design shot perforates the plate as built"),
+            Outcome::Unmeasured => return Verdict::Unknown,
             _ if !own.is_held => return not_met("nothing stops plate and projectile"),
             // A run that still oscillates is decided by the limit.
             Outcome::Moving if own.perforation.velocity_m_s().is_none_or(is_below_design) => {

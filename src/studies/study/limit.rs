@@ -20,7 +20,7 @@ pub mod residual_law;
 mod search;
 pub(in crate::study) mod shot_outcome;
 
-pub use closures::Closures;
+pub use closures::{Closures, is_stopped_by_every_closure};
 pub use cmra_engine::model::closed_form::ballistic_limit_m_s as closed_form;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.

@@ -63,7 +63,7 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
             Outcome::Arrested => 0.0,
             Outcome::Perforated => run.residual_velocity_m_s?,
             Outcome::Separated => run.separation?.velocity_m_s,
-            Outcome::Moving => return None,
+            Outcome::Moving | Outcome::Unmeasured => return None,
         };
         return Some(m_p * cos * (struck - left));
     }

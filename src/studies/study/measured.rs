@@ -10,7 +10,7 @@ mod table;
 
 pub use class::{Alloy, Class, Expectation, Key, Sample, classes};
 pub use errors::{Computed, Errors, Row, WITHOUT_CLASS, errors, evaluate, leave_out};
-pub use table::{FindEntry, Measured, Measurement, read};
+pub use table::{FindEntry, Measured, Measurement, OUTPUTS, read};
 
 /// The measured limits as they are written.
 const FILE: &str = include_str!("../data/limits.csv");

@@ -382,7 +382,8 @@ fn sample(
 
 /// The part that perforates, of all that came to an end.
 fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
-    let ended = (counts.total() - counts.failed - counts.count(Outcome::Moving)) as f64;
+    let open = counts.count(Outcome::Moving) + counts.count(Outcome::Unmeasured);
+    let ended = (counts.total() - counts.failed - open) as f64;
     let part = counts.count(Outcome::Perforated) as f64 / ended;
     (ended > 0.0).then(|| {
         let (low_95, high_95) = wilson(part, ended);

@@ -51,6 +51,7 @@ impl PointOutcome {
             Self::Ended(Outcome::Arrested | Outcome::Separated) => 'n',
             Self::Ended(Outcome::Perforated) => 'P',
             Self::Ended(Outcome::Moving) => 'M',
+            Self::Ended(Outcome::Unmeasured) => 'U',
             Self::Failed(_) => '?',
         }
     }
@@ -61,6 +62,7 @@ impl PointOutcome {
             Self::Ended(Outcome::Arrested | Outcome::Separated) => output.absence,
             Self::Ended(Outcome::Perforated) => "perforated",
             Self::Ended(Outcome::Moving) => "still moving",
+            Self::Ended(Outcome::Unmeasured) => "not measured",
             Self::Failed(_) => "failed",
         }
     }
@@ -72,6 +74,11 @@ impl PointOutcome {
         } else {
             Self::Failed(Failure::Early(run.end))
         }
+    }
+
+    /// Whether the shot goes through, by the law at least.
+    pub fn is_through(self) -> bool {
+        matches!(self, Self::Ended(Outcome::Perforated | Outcome::Unmeasured))
     }
 
     /// Whether the shot was stopped.

@@ -122,6 +122,10 @@ pub enum MeasuredQuantity {
     ProjectileShare,
     /// Change of the plate's velocity over the closing velocity.
     PlateShare,
+    /// Momentum that the struck plate and the projectile have together over that of the shot.
+    MomentumShare,
+    /// Whether an absorber is crushed flat: 1 if it is, else 0.
+    Bottoms,
     /// A quantity of the run, by its name.
     Output(&'static str),
 }
@@ -139,6 +143,8 @@ impl MeasuredQuantity {
             Self::Bulge => "bulge",
             Self::ProjectileShare => "projectile's velocity change over closing velocity",
             Self::PlateShare => "plate's velocity change over closing velocity",
+            Self::MomentumShare => "momentum of plate and projectile over the shot's",
+            Self::Bottoms => "absorber crushed flat",
             Self::Output(name) => find(name).map_or(name, |quantity| quantity.meaning),
         }
     }
@@ -149,6 +155,7 @@ impl MeasuredQuantity {
             Self::Limit | Self::RepeatLimit(_) => "m/s",
             Self::Depth | Self::Bulge => "m",
             Self::Ratio | Self::ProjectileShare | Self::PlateShare => "",
+            Self::MomentumShare | Self::Bottoms => "",
             Self::Output(name) => find(name).map_or("", Quantity::unit),
             Self::Strength => "Pa",
         }
@@ -276,6 +283,14 @@ fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
         MeasuredQuantity::Depth => plain_run(scene)?.final_penetration_m,
         MeasuredQuantity::ProjectileShare => shares(scene).map(|shares| shares.0),
         MeasuredQuantity::PlateShare => shares(scene).map(|shares| shares.1),
+        MeasuredQuantity::MomentumShare => {
+            let common_m_s = plain_run(scene)?.first_arrest?.plate_velocity_m_s;
+            Some((1.0 + scene.mass_ratio()) * common_m_s / scene.projectile.velocity_m_s)
+        }
+        MeasuredQuantity::Bottoms => {
+            let far_m = plain_run(scene)?.max_plate_displacement_m?;
+            Some(if far_m > scene.mechanism.spring.crush.stroke_m { 1.0 } else { 0.0 })
+        }
         MeasuredQuantity::Output(name) => find(name)?.value(&run_with(scene, Settings::SERIES)?),
     }
 }

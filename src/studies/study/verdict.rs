@@ -108,10 +108,10 @@ impl Verdict {
     pub fn margin(scene: &Scene) -> f64 {
         let mut rigid = Scene { sweep: None, ..scene.clone() };
         rigid.plate.mount = Mount::Rigid;
-        if Key::of(&rigid).is_none() {
+        if Key::from_scene(&rigid).is_none() {
             return 1.0;
         }
-        let verdict = Self::of(&rigid);
+        let verdict = Self::from_scene(&rigid);
         let low_m_s = verdict.expected.as_ref().map(|band| band.low_m_s);
         let margin = verdict.limit_m_s.zip(low_m_s).map(|(law_m_s, low_m_s)| law_m_s / low_m_s);
         margin.map_or(1.0, |margin| larger(margin, 1.0))

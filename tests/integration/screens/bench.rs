@@ -383,6 +383,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         scene: Arc::clone(scene),
         outcome: Outcome::Arrested,
         end: EndReason::Decided,
+        plate_velocity_after_m_s: None,
         first_arrest: Some(Arrest {
             t_s: ARREST_S,
             penetration_m: arrest.penetration_m,

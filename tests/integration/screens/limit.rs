@@ -302,6 +302,33 @@ fn the_tab_and_the_commands_give_the_same_digits() {
     }
 }
 
+/// The shots of `verdict.rs`, on a rigid mount and on a spring, by the limit that the tab would find.
+#[test]
+fn the_tab_has_the_answer_of_the_commands() {
+    let rigid = [
+        "is perforated",
+        "stops it",
+        "open: within the band of the limit",
+        "not measured",
+        "not measured",
+    ];
+    for (mount, expected) in [("rigid", rigid), ("sprung", ["not measured"; 5])] {
+        for ((name, shot), words) in crate::verdict::SHOTS.iter().zip(expected) {
+            let pairs = format!("mount={mount} {shot}");
+            let scene = cmra_engine::model::variables::changed(Scene::default(), &pairs).unwrap();
+            let watch = &mut never_cancel;
+            let context = &mut Context::new(1, watch);
+            let found =
+                cmra_studies::study::limit::alone(&Arc::new(scene.clone()), context).unwrap();
+            let mut bench = Bench::ascii(160, 36);
+            bench.app.scene = Arc::new(scene);
+            bench.keys("3");
+            end(&mut bench, |report| report.limit = found);
+            assert!(bench.screen().contains(words), "{name}, {mount}: {}", bench.screen());
+        }
+    }
+}
+
 /// The fragment of `verdict.rs` on a rigid mount: the tab has the answer of the commands.
 #[test]
 fn the_headline_of_a_measured_shot_is_its_verdict() {

@@ -317,7 +317,8 @@ impl Recorder {
         let setup = before.setup;
         let (old, new) = (before.mode, after.mode);
         let flows = setup.law == ContactLaw::Flow;
-        let departure = Departure { t_s: to.t_s, velocity_m_s: setup.projectile_m_s(to) };
+        let (velocity_m_s, plate_velocity_m_s) = (setup.projectile_m_s(to), to.w_m_s);
+        let departure = Departure { t_s: to.t_s, velocity_m_s, plate_velocity_m_s };
         match event {
             // A prescribed history goes on.
             modes::Event::SlipZero if !flows && old.contact == Contact::Withdrawing => {}

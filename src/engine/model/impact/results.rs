@@ -201,7 +201,7 @@ impl ImpactRun<'_> {
             Outcome::Arrested | Outcome::Separated => hole_m,
             Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
             // A hole that can grow by less than the error of the run has its final depth.
-            Outcome::Moving => {
+            Outcome::Moving | Outcome::Unmeasured => {
                 let (now_m, most_m) = (hole_m?, at_most_m?);
                 (most_m - now_m <= self.scene.run.tolerance * now_m).then_some(now_m)
             }
@@ -403,6 +403,10 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
         residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
         exit_time_s: record.exit.map(|exit| exit.t_s),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
+        plate_velocity_after_m_s: record
+            .exit
+            .or_else(|| record.separation.filter(|_| outcome == Outcome::Separated))
+            .map(|parting| parting.plate_velocity_m_s),
         interface_demand_ratio: record.loads.ratios.map(|[push, _]| push),
         interface_tension_ratio: course.tension(),
         series,

@@ -96,6 +96,14 @@ pub fn thickness_ratio(scene: &Scene) -> f64 {
     0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m
 }
 
+/// Whether the plate dishes under a rigid cylinder more than it shears: the law of the plug is too low. What it stops is stopped; it says
+/// of no shot that it perforates, and with which velocity.
+pub fn is_law_low(scene: &Scene) -> bool {
+    scene.contact.model == ContactModel::Hydrodynamic
+        && scene.projectile.nose == Nose::Blunt
+        && thickness_ratio(scene) < CYLINDER_FROM
+}
+
 /// Pressure on the nose at impact, S + c v², over the strength of hardened steel.
 pub fn nose_pressure_ratio(scene: &Scene) -> f64 {
     let v = scene.closing_velocity_m_s();

@@ -78,6 +78,6 @@ pub fn tone(outcome: PointOutcome) -> Tone {
     match outcome {
         PointOutcome::Ended(Outcome::Arrested | Outcome::Separated) => Tone::Faint,
         PointOutcome::Ended(Outcome::Perforated) | PointOutcome::Failed(_) => Tone::Error,
-        PointOutcome::Ended(Outcome::Moving) => Tone::Warning,
+        PointOutcome::Ended(Outcome::Moving | Outcome::Unmeasured) => Tone::Warning,
     }
 }

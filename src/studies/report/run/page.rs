@@ -102,6 +102,11 @@ fn known_sentence(run: &Run) -> String {
             format!("separated: the projectile leaves through the entry face{left}{depth}")
         }
         Outcome::Moving => format!("still moving: {}", run.end.words()),
+        Outcome::Unmeasured => {
+            "not-measured: the law of the plug, low for a rigid cylinder on a plate thinner than 0.6 D, does not stop it; what becomes of it \
+             is not known"
+                .to_owned()
+        }
     }
 }
 

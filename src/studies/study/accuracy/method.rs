@@ -265,7 +265,7 @@ fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
 
 /// The answer of a run that is decided.
 pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
-    if run.outcome == Outcome::Moving || !run.end.is_complete() {
+    if matches!(run.outcome, Outcome::Moving | Outcome::Unmeasured) || !run.end.is_complete() {
         return Err(Refusal::Ended(run.end));
     }
     let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);

@@ -7,8 +7,9 @@ use crate::study::compare::sizing::{self, sized};
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, hold_spring_mass};
 use crate::study::context::{Context, never_cancel};
 use crate::study::limit::{self, BESIDE_LIMIT, Limit};
+use crate::study::outcome::PointOutcome;
 use crate::study::verdict::Verdict;
-use cmra_engine::model::run::{EndReason, Outcome, Run};
+use cmra_engine::model::run::{EndReason, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables;
@@ -74,7 +75,7 @@ impl CandidateEvaluator<'_, '_> {
             None => None,
         };
         // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
-        let is_through = run.shot_outcome() == Outcome::Perforated && plate_m_s.is_some();
+        let is_through = PointOutcome::from_run(&run).is_through() && plate_m_s.is_some();
         let sizing = fastest.as_ref().filter(|_| is_through).unwrap_or(&run);
         let built = InstalledSpring::from_scene(&scene, self.hardware, &demand(sizing));
         let at_design = built.failure(&scene, &demand(&run)).map(|failure| (design_m_s, failure));

@@ -45,7 +45,7 @@ pub(super) fn solid_thickness(scene: &Scene) -> Option<f64> {
     let excess_m_s = |thickness_m: f64| {
         let mut own = rigid.clone();
         own.target.thickness_m = thickness_m;
-        Verdict::of(&own).expected.map_or(0.0, |band| band.low_m_s - v_m_s)
+        Verdict::from_scene(&own).expected.map_or(0.0, |band| band.low_m_s - v_m_s)
     };
     // Beyond the thickness of measured plates the law decides.
     if excess_m_s(by_law_m) >= 0.0 {

@@ -1,10 +1,14 @@
 //! Limit velocities by the closures of the flow strength under a hemisphere, and the band between them.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::study::context::Context;
 use crate::study::limit::alone;
-use cmra_engine::model::scene::{Closure, Nose, Scene, Target};
+use crate::study::limit::shot_outcome::{ShotOutcome, decide};
+use cmra_engine::model::closed_form::ballistic_limit_m_s as closed_form;
+use cmra_engine::model::scene::{Closure, ContactModel, Nose, Scene, Target};
+use cmra_engine::model::simulate::RunSnapshot;
 use cmra_engine::numerics::{larger, smaller};
 
 /// How near to the thickness at which a closure changes a plate has to be for the jump there to matter, relative.
@@ -51,6 +55,25 @@ impl Closures {
         let c = self.cylindrical_m_s?;
         Some((smaller(smaller(a, b), c), larger(larger(a, b), c)))
     }
+}
+
+/// Whether a valid scene's shot is stopped by each of the three rules for the flow strength under a hemisphere: no measurement chooses one.
+/// True where there is one rule.
+pub fn is_stopped_by_every_closure(scene: &Scene) -> bool {
+    let has_one = scene.projectile.nose != Nose::Hemispherical
+        || scene.contact.model != ContactModel::Hydrodynamic
+        || scene.closure() == Closure::Given;
+    let closures = [Closure::DoubleYield, Closure::Cavity, Closure::Cylindrical];
+    has_one
+        || closures.into_iter().filter(|closure| *closure != scene.closure()).all(|closure| {
+            let own = by_closure(scene, closure);
+            if let Some(limit_m_s) = closed_form(&own) {
+                return own.projectile.velocity_m_s < limit_m_s;
+            }
+            let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
+            let shot = decide(&Arc::new(own), go_on);
+            shot.is_some_and(|(_, outcome)| outcome == ShotOutcome::Stopped)
+        })
 }
 
 /// Between which limits, m/s, the limit of a scene jumps at the nearest thickness where its closure changes; `None` where its closure does

@@ -32,7 +32,8 @@ impl ShotOutcome {
     /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
     pub(in crate::study) fn from_run(run: &Run) -> Self {
         match run.shot_outcome() {
-            Outcome::Perforated => Self::Perforated,
+            // The limit of the law is that of the law, also where it is low.
+            Outcome::Perforated | Outcome::Unmeasured => Self::Perforated,
             Outcome::Arrested | Outcome::Separated => Self::Stopped,
             Outcome::Moving => {
                 let behind = run.stack.as_ref().and_then(|stack| stack.behind.last());

@@ -152,7 +152,9 @@ fn squares(values: &[f64]) -> f64 {
 /// The classes of samples, in the order in which they come up.
 ///
 /// The variance of a class is that within its papers plus that between papers. The latter is estimated from all classes with several
-/// papers. A class of fewer than five rows or three papers has the variance within the papers of all classes.
+/// papers, as the variance of their means: in the built-in table a deviation of 3.2 %, between those of an analysis of variance that gives
+/// each paper one weight, 2.6 %, and one that weights it by its rows, 3.4 %. A class of fewer than five rows or three papers has the
+/// variance within the papers of all classes.
 pub fn classes(samples: &[Sample]) -> Vec<Class> {
     let mut groups: Vec<(Key, Vec<Paper<'_>>)> = Vec::new();
     for sample in samples {

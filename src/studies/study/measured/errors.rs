@@ -2,11 +2,13 @@
 
 use crate::study::context::Context;
 use crate::study::limit;
-use crate::study::measured::{Class, Key, Measured, Measurement, Sample, classes};
-use crate::study::plain_run;
+use crate::study::measured::{Class, Key, Measured, Measurement, OUTPUTS, Sample, classes};
+use crate::study::quantities::find;
+use crate::study::run_with;
 use crate::study::verdict::Verdict;
 use cmra_engine::model::run::envelope::thickness_ratio;
 use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::Settings;
 use cmra_engine::numerics::statistics::moments;
 
 /// Group of the rows that no class has.
@@ -30,6 +32,8 @@ pub struct Computed {
     pub depth_m: Option<f64>,
     /// Residual velocity, m/s; `None` if it was not measured or does not exist.
     pub residual_velocity_m_s: Option<f64>,
+    /// Quantities of a plate that moves, in the order of [`OUTPUTS`], SI; `None` if one was not measured.
+    pub outputs: [Option<f64>; OUTPUTS.len()],
 }
 
 impl Row {
@@ -80,22 +84,30 @@ impl Row {
 /// Computes a measurement by the classes of the built-in table.
 fn computed(measurement: &Measurement) -> Result<Computed, String> {
     let scene = measurement.scene.as_ref().map_err(String::clone)?;
-    let Measured { limit_m_s, depth_m, residual_velocity_m_s, .. } = measurement.measured;
+    let Measured { limit_m_s, depth_m, residual_velocity_m_s, outputs, .. } = measurement.measured;
     // A search costs some hundred runs.
     let law = match (limit::closed_form(scene), limit_m_s) {
         (Some(law), _) => Some(law),
         (None, Some(_)) => Some(limit::velocity_m_s(scene)?),
         (None, None) => None,
     };
-    let is_run = depth_m.or(residual_velocity_m_s).is_some();
-    let run = is_run.then(|| plain_run(scene)).flatten();
+    let is_run = measurement.measured.needs_run();
+    let run = is_run.then(|| run_with(scene, Settings::SERIES)).flatten();
     let depth = || run.as_ref()?.shot_depth_m();
     let residual = || run.as_ref()?.shot_residual_m_s();
     let computed = Computed {
         verdict: Verdict::with_limit(scene, law),
         depth_m: depth_m.and_then(|_| depth()),
         residual_velocity_m_s: residual_velocity_m_s.and_then(|_| residual()),
+        outputs: std::array::from_fn(|at| {
+            outputs[at].and_then(|_| find(OUTPUTS[at].0)?.value(run.as_ref()?))
+        }),
     };
+    let lacks = |at: &usize| outputs[*at].is_some() && computed.outputs[*at].is_none();
+    if let Some(at) = (0..OUTPUTS.len()).find(lacks) {
+        let outcome = run.as_ref().map_or("not computed", |run| run.shot_outcome().word());
+        return Err(format!("the computed shot, {outcome}, has no {}", OUTPUTS[at].0));
+    }
     if depth_m.is_some() && computed.depth_m.is_none() {
         return Err("the computed shot has no depth: it perforates".to_owned());
     }
@@ -128,6 +140,7 @@ fn by_law(measurement: &Measurement) -> Option<Row> {
         verdict: verdict(scene),
         depth_m: None,
         residual_velocity_m_s: None,
+        outputs: [None; OUTPUTS.len()],
     });
     Some(Row { computed: computed.map_err(String::clone), measurement: measurement.clone() })
 }

@@ -10,8 +10,9 @@ use cmra_engine::model::variables::{self, Kind, Value, Variable};
 pub type FindEntry<'a> = &'a dyn Fn(Library, &str) -> Result<Entry, String>;
 
 /// Inputs that every row gives: by itself, or by the entry of a library.
-const REQUIRED: [&str; 4] =
-    ["projectile.mass_kg", "projectile.tip_radius_m", "target.thickness_m", "target.density_kg_m3"];
+const REQUIRED: [&str; 4] = ["projectile.mass_kg", RADIUS, THICKNESS, "target.density_kg_m3"];
+const RADIUS: &str = "projectile.tip_radius_m";
+const THICKNESS: &str = "target.thickness_m";
 const CLOSURE: &str = "target.closure";
 const DISHING: &str = "target.dishing";
 const STRENGTH: &str = "target.flow_strength_pa";
@@ -47,16 +48,42 @@ pub struct Measured {
     pub depth_m: Option<f64>,
     /// Projectile velocity after perforation, m/s.
     pub residual_velocity_m_s: Option<f64>,
+    /// Quantities of a plate that moves, in the order of [`OUTPUTS`], SI.
+    pub outputs: [Option<f64>; OUTPUTS.len()],
+}
+
+/// Measured quantities of a plate that moves: the name of each, which is that of the result, and the key of its measurement in files.
+pub const OUTPUTS: [(&str, &str); 6] = [
+    ("first_arrest_plate_velocity_m_s", "measured_first_arrest_plate_velocity_m_s"),
+    ("plate_velocity_after_m_s", "measured_plate_velocity_after_m_s"),
+    ("separation_velocity_m_s", "measured_separation_velocity_m_s"),
+    ("max_plate_displacement_m", "measured_max_plate_displacement_m"),
+    ("max_plate_displacement_time_s", "measured_max_plate_displacement_time_s"),
+    ("peak_mount_force_n", "measured_peak_mount_force_n"),
+];
+
+impl Measured {
+    /// Whether anything but the limit was measured, which a run of the shot gives.
+    pub fn needs_run(&self) -> bool {
+        let besides = self.depth_m.or(self.residual_velocity_m_s);
+        besides.is_some() || self.outputs.iter().any(Option::is_some)
+    }
 }
 
 /// A measured quantity: its heading, its dimension, and its place in [`Measured`].
 type MeasuredColumn = (&'static str, Dimension, fn(&mut Measured) -> &mut Option<f64>);
 
-const MEASURED: [MeasuredColumn; 4] = [
+const MEASURED: [MeasuredColumn; 4 + OUTPUTS.len()] = [
     ("limit_m_s", Dimension::Velocity, |it| &mut it.limit_m_s),
     ("deviation_m_s", Dimension::Velocity, |it| &mut it.deviation_m_s),
     ("depth_m", Dimension::Length, |it| &mut it.depth_m),
     ("residual_velocity_m_s", Dimension::Velocity, |it| &mut it.residual_velocity_m_s),
+    (OUTPUTS[0].0, Dimension::Velocity, |it| &mut it.outputs[0]),
+    (OUTPUTS[1].0, Dimension::Velocity, |it| &mut it.outputs[1]),
+    (OUTPUTS[2].0, Dimension::Velocity, |it| &mut it.outputs[2]),
+    (OUTPUTS[3].0, Dimension::Length, |it| &mut it.outputs[3]),
+    (OUTPUTS[4].0, Dimension::Time, |it| &mut it.outputs[4]),
+    (OUTPUTS[5].0, Dimension::Force, |it| &mut it.outputs[5]),
 ];
 
 /// Headings that are neither variables nor measured quantities.
@@ -278,9 +305,12 @@ impl Table<'_> {
         let given = self.given(row);
         let mut scene = given.as_ref().map_err(String::clone).and_then(|it| self.scene(row, it));
         for (heading, cell) in self.cells(row) {
-            let Column::Measured((_, quantity, place)) = heading.column else { continue };
+            let Column::Measured((name, quantity, place)) = heading.column else { continue };
+            // A plate may move either way.
+            let is_signed =
+                quantity == Dimension::Velocity && OUTPUTS.iter().any(|it| it.0 == name);
             match heading.number(&self.csv.with_points(cell), quantity) {
-                Ok(value) if value > 0.0 => *place(&mut measured) = Some(value),
+                Ok(value) if value > 0.0 || is_signed => *place(&mut measured) = Some(value),
                 Ok(_) => {
                     let problem = format!("{} = `{cell}` must be greater than 0", heading.text);
                     scene = scene.and(Err(problem));
@@ -292,9 +322,8 @@ impl Table<'_> {
             let names = MEASURED.map(|it| it.0).join(", ");
             scene = scene.and_then(|_| Err(format!("nothing is measured: fill in one of {names}")));
         }
-        let needs_velocity = measured.depth_m.or(measured.residual_velocity_m_s).is_some();
-        if needs_velocity && given.is_ok_and(|given| !given.gives(VELOCITY)) {
-            let text = "v_i is not given: a depth and a residual velocity need the impact velocity";
+        if measured.needs_run() && given.is_ok_and(|given| !given.gives(VELOCITY)) {
+            let text = "v_i is not given: all but a limit needs the impact velocity";
             scene = scene.and_then(|_| Err(text.to_owned()));
         }
         let text = |is_chosen: fn(&Column) -> bool| {
@@ -395,7 +424,10 @@ impl Given {
             Closure::DoubleYield => &[YIELD],
             _ => &[YIELD, MODULUS],
         };
-        let required = REQUIRED.iter().chain(strength).filter(|key| !gives(key));
+        // A model of the contact that knows no penetration needs no plate material and no nose.
+        let uses = |key: &str| variables::find(key).is_ok_and(|it| variables::is_used(it, scene));
+        let is_needed = |key: &str| uses(if key == RADIUS { THICKNESS } else { key });
+        let required = REQUIRED.iter().chain(strength).filter(|key| !gives(key) && is_needed(key));
         let missing: Vec<&str> =
             required.filter_map(|key| variables::find(key).ok()).map(|it| it.symbol).collect();
         if !missing.is_empty() {

@@ -13,8 +13,8 @@ use crate::study::sweep::default_axes::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
 use crate::study::validity::{self, DesignValidity, Plastic};
 use crate::study::verdict::Verdict;
+use cmra_engine::model::run::EndReason;
 use cmra_engine::model::run::envelope::Check;
-use cmra_engine::model::run::{EndReason, Outcome};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::larger;
 use cmra_engine::numerics::statistics::sorted_by;
@@ -273,7 +273,7 @@ impl Search {
 
     /// By how much the shot is too fast for a design, relative to the velocity that it stops; 1 for a shot that perforates in its own run.
     fn excess(&self, design: &[f64], outcome: PointOutcome) -> f64 {
-        let is_perforated = outcome == PointOutcome::Ended(Outcome::Perforated);
+        let is_perforated = outcome.is_through();
         let scene = self.plan.scene_of(design);
         let by_band = Verdict::from_scene(&scene).expected.map_or(0.0, |expected| {
             larger(scene.projectile.velocity_m_s / expected.low_m_s - 1.0, 0.0)
@@ -313,7 +313,7 @@ impl Search {
 
     /// A measure of a design; `None` where it does not exist, and where the plate is perforated and designs may not be compared by it.
     fn value(&self, found: &Point, measure: &Quantity) -> Option<f64> {
-        let is_perforated = found.outcome == PointOutcome::Ended(Outcome::Perforated);
+        let is_perforated = found.outcome.is_through();
         let at = self.plan.outputs().iter().position(|other| *other == measure)?;
         found.values[at].filter(|_| !is_perforated || measure.is_defined_when_perforated())
     }

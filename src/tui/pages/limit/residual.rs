@@ -6,6 +6,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::{CHART_ROWS, NARROW};
 use crate::tui::widgets::text::fitting;
 use crate::worker::studies::LimitSearch;
+use cmra_engine::model::run::envelope;
 use cmra_engine::model::units::{self, fixed_significant};
 use cmra_studies::report::Remark;
 use cmra_studies::report::limit::{remarks, residual, taken_to_hold};
@@ -112,7 +113,15 @@ impl App {
         }
         let margin = velocity_m_s / own_m_s - 1.0;
         // Where a faster shot is stopped again, being beyond the limit tells nothing.
+        let lowest_m_s = report.closures.and_then(|it| it.band_m_s()).map(|(low_m_s, _)| low_m_s);
+        let is_between = lowest_m_s.is_some_and(|lowest_m_s| own_m_s >= lowest_m_s);
         let ends = match (margin < 0.0, stopped_at_m_s) {
+            (false, _) if is_between => {
+                format!(": {own} m/s is stopped by this rule, not by the lowest; not measured")
+            }
+            (true, None) if envelope::is_law_low(&scene) => {
+                format!(": the law, low here, says nothing of {own} m/s; not measured")
+            }
             (false, _) => format!(": {own} m/s is stopped by the law, not measured"),
             (true, None) => format!(": {own} m/s perforates by the law, not measured"),
             (true, Some(_)) => format!(" at {own} m/s, not measured"),

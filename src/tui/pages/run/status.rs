@@ -74,7 +74,7 @@ impl App {
         if let Some(stack) = &run.stack {
             let severity = match stack.outcome {
                 Outcome::Arrested | Outcome::Separated => Severity::Note,
-                Outcome::Perforated | Outcome::Moving => Severity::Warning,
+                Outcome::Perforated | Outcome::Moving | Outcome::Unmeasured => Severity::Warning,
             };
             parts.push(part(severity, stack.sentence()));
         } else if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates {
