@@ -40,6 +40,7 @@ pub static BUNDLED: &[Bundled] = bundled![
     "concept-cocked-cantilever",
     "concept-bistable-shuttle",
     "concept-buckling-tube",
+    "concept-crushed-tube",
     "concept-helical-spring",
     "array-lateral",
     "array-stacked",

@@ -47,6 +47,9 @@ fn valid_rows_have_the_known_numbers() {
         ("A.1-case", "computed", "38.1"),
         ("A.1-case", "as_printed", "6.8806 mm"),
         ("9.5.1-stop", "computed", "64.22 % at the first stop, 82.7"),
+        // A sweep of 101 x 101 points gives 45.4 and 31.1.
+        ("9.10a-mass", "computed", "45.29, 31.06"),
+        ("9.5.2-reduction", "computed", "64.28, 58.8"),
     ] {
         assert!(text(id, column).contains(expected), "{id}: {}", text(id, column));
     }

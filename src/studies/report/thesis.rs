@@ -22,6 +22,7 @@ pub fn claims(report: &[Row]) -> Table<'_, &Row> {
 pub fn concepts() -> Table<'static, Concept> {
     Table::new(CONCEPTS)
         .field("concept", |it| it.name)
+        .field("functions", |it| it.functions.join(", "))
         .field("total", Concept::weighted)
         .field("total_printed", |it| it.total)
         .field("rank_printed", |it| it.rank)

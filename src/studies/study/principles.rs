@@ -17,6 +17,10 @@ pub struct Principle {
     pub preset: &'static str,
 }
 
+/// The functions of chapter 5, each with its letter in the tables of the workbench.
+pub const FUNCTIONS: [(char, &str); 4] =
+    [('O', ORIENTATION), ('A', ACCELERATED), ('S', STIFFNESS), ('L', LATERAL)];
+
 const ORIENTATION: &str = "armor plate orientation";
 const ACCELERATED: &str = "accelerated elements";
 const STIFFNESS: &str = "controlled stiffness";
@@ -65,6 +69,8 @@ pub const CRITERIA: [(&str, f64); 7] = [
 pub struct Concept {
     /// Name of the concept.
     pub name: &'static str,
+    /// The functions that the concept can provide, in the order of [`FUNCTIONS`].
+    pub functions: &'static [&'static str],
     /// Ratings from 1 (much worse than the reference) to 5 (much better), by criterion.
     pub ratings: [f64; 7],
     /// The total as printed.
@@ -84,23 +90,32 @@ impl Concept {
 
 const fn concept(
     name: &'static str,
+    functions: &'static [&'static str],
     ratings: [f64; 7],
     total: f64,
     rank: usize,
     preset: &'static str,
 ) -> Concept {
-    Concept { name, ratings, total, rank, preset }
+    Concept { name, functions, ratings, total, rank, preset }
 }
 
-/// The concepts, in the table's order.
+/// The concepts, in the table's order. Section 6.2 names the functions; section 6.2.1 those of both emergent and buckling four-bars.
 #[rustfmt::skip]
 pub const CONCEPTS: [Concept; 8] = [
-    concept("Emergent four-bar", [3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0], 3.0, 4, "concept-emergent-four-bar"),
-    concept("Buckling four-bar", [2.0, 3.0, 1.0, 3.0, 2.0, 3.0, 1.0], 2.02, 8, "concept-buckling-four-bar"),
-    concept("Buckling cantilever", [2.0, 3.0, 1.0, 3.0, 3.0, 3.0, 2.0], 2.47, 5, "concept-buckling-cantilever"),
-    concept("Cocked four-bar", [3.0, 4.0, 4.0, 3.0, 3.0, 3.0, 3.0], 3.23, 3, "concept-cocked-four-bar"),
-    concept("Cocked cantilever", [3.0, 4.0, 4.0, 3.0, 4.0, 4.0, 4.0], 3.78, 1, "concept-cocked-cantilever"),
-    concept("Bistable shuttle", [1.0, 2.0, 4.0, 3.0, 3.0, 4.0, 2.0], 2.34, 6, "concept-bistable-shuttle"),
-    concept("Buckling tube", [2.0, 1.0, 1.0, 4.0, 3.0, 2.0, 2.0], 2.07, 7, "concept-buckling-tube"),
-    concept("Helical rotating spring", [2.0, 4.0, 2.0, 4.0, 2.0, 2.0, 4.0], 3.3, 2, "concept-helical-spring"),
+    concept("Emergent four-bar", &[ORIENTATION, STIFFNESS, LATERAL],
+        [3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0], 3.0, 4, "concept-emergent-four-bar"),
+    concept("Buckling four-bar", &[ORIENTATION, STIFFNESS, LATERAL],
+        [2.0, 3.0, 1.0, 3.0, 2.0, 3.0, 1.0], 2.02, 8, "concept-buckling-four-bar"),
+    concept("Buckling cantilever", &[ORIENTATION, STIFFNESS, LATERAL],
+        [2.0, 3.0, 1.0, 3.0, 3.0, 3.0, 2.0], 2.47, 5, "concept-buckling-cantilever"),
+    concept("Cocked four-bar", &[ACCELERATED, STIFFNESS, LATERAL],
+        [3.0, 4.0, 4.0, 3.0, 3.0, 3.0, 3.0], 3.23, 3, "concept-cocked-four-bar"),
+    concept("Cocked cantilever", &[ORIENTATION, ACCELERATED, STIFFNESS, LATERAL],
+        [3.0, 4.0, 4.0, 3.0, 4.0, 4.0, 4.0], 3.78, 1, "concept-cocked-cantilever"),
+    concept("Bistable shuttle", &[ORIENTATION, ACCELERATED, STIFFNESS, LATERAL],
+        [1.0, 2.0, 4.0, 3.0, 3.0, 4.0, 2.0], 2.34, 6, "concept-bistable-shuttle"),
+    concept("Buckling tube", &[STIFFNESS, LATERAL],
+        [2.0, 1.0, 1.0, 4.0, 3.0, 2.0, 2.0], 2.07, 7, "concept-buckling-tube"),
+    concept("Helical rotating spring", &[ACCELERATED, STIFFNESS, LATERAL],
+        [2.0, 4.0, 2.0, 4.0, 2.0, 2.0, 4.0], 3.3, 2, "concept-helical-spring"),
 ];

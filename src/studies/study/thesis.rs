@@ -217,6 +217,13 @@ struct Range {
     count: u32,
 }
 
+impl Range {
+    fn values(&self) -> impl Iterator<Item = f64> {
+        let step = (self.to - self.from) / f64::from(self.count - 1);
+        (0..self.count).map(move |i| self.from + step * f64::from(i))
+    }
+}
+
 const fn range(variable: &'static str, from: f64, to: f64, count: u32) -> Range {
     Range { variable, from, to, count }
 }
@@ -233,11 +240,7 @@ const NOISE: f64 = 1e-3;
 
 impl Curve {
     fn new(unit: &'static str, range: &Range, value: impl Fn(f64) -> f64) -> Self {
-        let step = (range.to - range.from) / f64::from(range.count - 1);
-        let points = (0..range.count)
-            .map(|i| range.from + step * f64::from(i))
-            .map(|x| (x, value(x)))
-            .filter(|point| point.1.is_finite());
+        let points = range.values().map(|x| (x, value(x))).filter(|point| point.1.is_finite());
         Self { variable: range.variable, unit, points: points.collect() }
     }
 

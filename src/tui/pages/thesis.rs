@@ -13,7 +13,7 @@ use crate::tui::widgets::table::{NO_MATCH, filtered};
 use crate::worker::studies::Claims;
 use cmra_studies::report::{measured as limits, thesis};
 use cmra_studies::study::measured::{errors, left_out};
-use cmra_studies::study::principles;
+use cmra_studies::study::principles::{self, Concept, FUNCTIONS, Principle};
 use cmra_studies::study::thesis::{ClaimVerdict, Row, tally};
 
 pub use state::{CLAIMS, CONCEPTS, MEASURED, PRINCIPLES};
@@ -32,7 +32,10 @@ const PANES: &[PaneSpec] = &[
         key(A::Enter, "open", "load the preset that shows the claim"),
         key(A::Find, "find", "find a claim"),
     ] },
-    PaneSpec { pane: PRINCIPLES, label: "Principles", keys: &[] },
+    PaneSpec { pane: PRINCIPLES, label: "Principles", keys: &[
+        key(A::Down, "principle", "select another principle"),
+        key(A::Enter, "open", "load the preset that shows the principle"),
+    ] },
     PaneSpec { pane: CONCEPTS, label: "Concepts", keys: &[] },
     PaneSpec { pane: MEASURED, label: "Measurements", keys: &[] },
 ];
@@ -68,19 +71,21 @@ impl Page for ThesisTab {
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
-        if app.pane() != CLAIMS {
-            return false;
-        }
-        match action {
+        match (app.pane(), action) {
             // The scene plays no part.
-            Action::Run => jobs::study_of(app, action, &Arc::default(), Claims),
-            Action::Enter => open(app),
+            (CLAIMS, Action::Run) => jobs::study_of(app, action, &Arc::default(), Claims),
+            (CLAIMS, Action::Enter) => open(app, app.claim().and_then(|row| row.claim.preset)),
+            (PRINCIPLES, Action::Enter) => open(app, Some(principle(app).preset)),
             _ => return false,
         }
         true
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
+        if app.pane() == PRINCIPLES {
+            let Principle { section, preset, .. } = principle(app);
+            return note(Some(format!("section {section}: <enter> opens {preset}")));
+        }
         let claim = app.claim().filter(|_| app.pane() == CLAIMS)?.claim;
         let opens = match claim.preset {
             Some(name) => format!("<enter> opens {name}"),
@@ -128,12 +133,20 @@ impl Page for ThesisTab {
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
-        let (count, selected) = (app.claims().len(), app.pages.thesis.selected);
-        (app.pane() == CLAIMS).then(|| Rows { count, selected, shown: app.list_rows() })
+        let (tab, shown) = (&app.pages.thesis, app.list_rows());
+        match app.pane() {
+            CLAIMS => Some(Rows { count: app.claims().len(), selected: tab.selected, shown }),
+            PRINCIPLES => {
+                Some(Rows { count: principles::PRINCIPLES.len(), selected: tab.principle, shown })
+            }
+            _ => None,
+        }
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        app.pages.thesis.selected = row;
+        let is_principle = app.pane() == PRINCIPLES;
+        let tab = &mut app.pages.thesis;
+        *(if is_principle { &mut tab.principle } else { &mut tab.selected }) = row;
     }
 
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
@@ -150,9 +163,13 @@ impl Page for ThesisTab {
     }
 }
 
-/// Open the preset that shows the selected claim: a sweep in its tab, another scene in the Run tab.
-fn open(app: &mut App) {
-    let preset = app.claim().and_then(|row| row.claim.preset);
+/// Returns the selected principle.
+fn principle(app: &App) -> Principle {
+    principles::PRINCIPLES[app.pages.thesis.principle.min(principles::PRINCIPLES.len() - 1)]
+}
+
+/// Opens the preset that shows the selected row: a sweep in Explore, another scene in the Run tab.
+fn open(app: &mut App, preset: Option<&str>) {
     let entry = app.files.presets.iter().find(|entry| Some(entry.name.as_str()) == preset);
     match entry.cloned() {
         Some(entry) => show(app, entry.base()),
@@ -304,13 +321,7 @@ fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// Rows that the picture of measured limits has at least, frame included.
 const CHART_LEAST: u16 = 8;
 
-/// A letter for each function of Table 5.1; the title explains them.
-const FUNCTIONS: [(char, &str); 4] = [
-    ('O', "armor plate orientation"),
-    ('A', "accelerated elements"),
-    ('S', "controlled stiffness"),
-    ('L', "lateral array"),
-];
+/// Meaning of the letters of [`FUNCTIONS`].
 const LEGEND: &str = "O orientation, A acceleration, S stiffness, L lateral";
 
 fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -318,20 +329,31 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .right(app.keymap.shown("<next-pane>: concepts"))
         .focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
-    let (mut y, mut family) = (0, "");
-    for principle in principles::PRINCIPLES {
-        if principle.family != family {
-            family = principle.family;
-            canvas.put(inner, (0, y), family, Role::Title);
-            y += 1;
+    let all = principles::PRINCIPLES;
+    // The rows of the list: a principle by its index, or the title of its family.
+    let begins = |at: usize| at == 0 || all[at - 1].family != all[at].family;
+    let rows = (0..all.len()).flat_map(|at| [(at, true), (at, false)]);
+    let rows: Vec<(usize, bool)> = rows.filter(|&(at, title)| !title || begins(at)).collect();
+    let own = principle(app);
+    let selected = rows.iter().position(|row| !row.1 && all[row.0] == own).unwrap_or(0);
+    let list = RowList { count: rows.len(), selected, painted: app.dialog.is_none() };
+    let target = |row: usize| (!rows[row].1).then(|| Target::Row(PRINCIPLES, rows[row].0));
+    list.render(canvas, inner, target, |canvas, line, row| {
+        let (at, is_title) = rows[row];
+        if is_title {
+            canvas.put(line, (0, 0), all[at].family, Role::Title);
+            return;
         }
-        canvas.put(inner, (1, y), principle.name, Role::Text);
+        canvas.put(line, (1, 0), all[at].name, Role::Text);
         for (column, (letter, function)) in (47..).step_by(3).zip(FUNCTIONS) {
-            if principle.functions.contains(&function) {
-                canvas.put(inner, (column, y), &letter.to_string(), Role::Text);
+            if all[at].functions.contains(&function) {
+                canvas.put(line, (column, 0), &letter.to_string(), Role::Text);
             }
         }
-        y += 1;
+    });
+    let below = (u16::try_from(rows.len()).unwrap_or(u16::MAX)..inner.height).skip(1);
+    for (y, line) in below.zip(wrap(own.idea, usize::from(inner.width.saturating_sub(1)))) {
+        canvas.put(inner, (1, y), &line, Role::Dim);
     }
 }
 
@@ -356,9 +378,16 @@ fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
     put(canvas, 8, "total", "", principles::CONCEPTS.map(|it| format!("{:.2}", it.total)));
     put(canvas, 9, "rank", "", principles::CONCEPTS.map(|it| it.rank.to_string()));
-    for (y, it) in (11..inner.height).zip(principles::CONCEPTS) {
+    let letters = |it: Concept| {
+        FUNCTIONS.iter().filter(|row| it.functions.contains(&row.1)).map(|row| row.0).collect()
+    };
+    put(canvas, 10, "functions", "", principles::CONCEPTS.map(letters));
+    canvas.put(inner, (0, 11), LEGEND, Role::Dim);
+    let half = principles::CONCEPTS.len() / 2;
+    for (at, it) in principles::CONCEPTS.iter().enumerate() {
+        let (column, row) = if at < half { (0, at) } else { (inner.width / 2, at - half) };
         let line = format!("{}  {}", initials(it.name), it.name);
-        canvas.put(inner, (0, y), &line, Role::Dim);
+        canvas.put(inner, (column, 12 + u16::try_from(row).unwrap_or(u16::MAX)), &line, Role::Dim);
     }
 }
 

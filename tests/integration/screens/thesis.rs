@@ -6,6 +6,7 @@ use cmra::tui::keymap::Tab;
 use cmra::tui::preset::PresetEntry;
 use cmra::worker::studies::{Claims, RequestVariant, StudyResult};
 use cmra_studies::study::context::CancelFlag;
+use cmra_studies::study::principles::PRINCIPLES;
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::thesis::{self, Claim, Row, claims};
 use insta::assert_snapshot;
@@ -99,12 +100,28 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
 }
 
 #[test]
+fn enter_on_a_principle_loads_its_preset() {
+    let mut bench = Bench::ascii(80, 24);
+    let preset = PRINCIPLES[3].preset;
+    let found = cmra::files::preset::resolve(preset, None).expect("a bundled preset");
+    let (name, scene) = (preset.to_owned(), found.scene);
+    bench.app.files.presets.push(PresetEntry { name, scene, ..PresetEntry::default() });
+    bench.keys("6<Tab>jjj");
+    let screen = bench.screen();
+    for text in [PRINCIPLES[3].idea, "section 4.4.1: Enter opens constant-force"] {
+        assert!(screen.contains(text), "{text}: {screen}");
+    }
+    bench.press("<Enter>");
+    assert_eq!((bench.app.tab, bench.app.base.name.as_str()), (Tab::Run, preset));
+}
+
+#[test]
 fn each_page_is_exported() {
     let mut bench = bench(80, 24);
     for (file, head, rows) in [
         ("claims.csv", "id,where,says,computed,as_printed,verdict,holds,cause,preset", 24),
         ("principles.csv", "family,principle,section,idea,functions,preset", 7),
-        ("concepts.csv", "concept,total,total_printed,rank_printed,preset", 8),
+        ("concepts.csv", "concept,functions,total,total_printed,rank_printed,preset", 8),
     ] {
         bench.keys("e<Enter>");
         let (to, text, has_scene) = bench.exported().expect("an export");

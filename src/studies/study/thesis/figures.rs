@@ -10,6 +10,7 @@ const DAMPING: Range = range("b", 0.0, 2000.0, 21);
 const STIFFNESS: Range = range("k", 0.0, 7.5e6, 26);
 const FEW_STIFFNESSES: Range = range("k", 1e5, 7.5e6, 9);
 const EXPONENT: Range = range("n", 0.1, 3.0, 30);
+const HIGH_EXPONENT: Range = range("n", 0.5, 3.0, 26);
 const LOW_EXPONENT: Range = range("n", 0.1, 1.0, 46);
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -77,6 +78,15 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the greatest displacement falls with stiffness",
         "the same energy in a stiffer spring",
         |shots| shots.travels("", &STIFFNESS).that(Curve::falls),
+    ),
+    claim(
+        ("9.5a-damping", "9.3.4, Figure 9.5(a)", Reproduced, Some("figure-9.5")),
+        "depth grows more slowly with the spring's coefficient than with the damper's",
+        "over the ranges of Table 9.2",
+        |shots| {
+            let spans = [shots.depths("k=0", &DAMPING).span(), shots.depths("", &STIFFNESS).span()];
+            Check::new("change over all b, over all k:", &spans, "%", spans[0] > spans[1])
+        },
     ),
     claim(
         ("9.6a-edge", "9.3.4, Figure 9.6(a)", NotReproduced, Some("figure-9.6")),
@@ -152,6 +162,24 @@ pub(super) const CLAIMS: &[Claim] = &[
         },
     ),
     claim(
+        ("9.7b-interaction", "9.3.5, Figure 9.7(b)", Reproduced, Some("figure-9.7")),
+        "the mass ratio has less effect on displacement as the coefficient grows, and the coefficient as the mass ratio grows",
+        "a stiff spring stops every plate early, and a heavy plate moves little on any spring",
+        |shots| {
+            let over_gamma =
+                ["k=1e5", "k=1e6", "k=7.5e6"].map(|k| shots.travels(k, &FEW_GAMMAS).span());
+            let over_k = ["gamma=0.8", "gamma=2", "gamma=7"]
+                .map(|gamma| shots.travels(gamma, &FEW_STIFFNESSES).span());
+            let falls = |spans: &[f64]| spans.is_sorted_by(|a, b| a > b);
+            let holds = falls(&over_gamma) && falls(&over_k);
+            let [over_gamma, over_k] = [over_gamma, over_k].map(|spans| list(&spans, "mm"));
+            let text = format!(
+                "change over gamma at k = 1e5, 1e6, 7.5e6: {over_gamma}; over k at gamma = 0.8, 2, 7: {over_k}"
+            );
+            Check { text, holds }
+        },
+    ),
+    claim(
         ("9.8a", "9.3.5, Figure 9.8(a)", NotReproduced, Some("figure-9.8")),
         "at k = 1e5 and below n = 0.5 even a low mass ratio hardly helps",
         "so it is at k = 1e6: at the k of the caption the spring is already too soft",
@@ -160,6 +188,22 @@ pub(super) const CLAIMS: &[Claim] = &[
                 ["k=1e5", "k=1e6"].map(|k| shots.percent(&format!("gamma=0.8 n=0.45 {k}")));
             let holds = depths[0] < 90.0 && depths[1] > 90.0;
             Check::new("gamma = 0.8, n = 0.45, k = 1e5, 1e6:", &depths, "%", holds)
+        },
+    ),
+    claim(
+        ("9.8a-mass", "9.3.5, Figure 9.8(a)", Reproduced, Some("figure-9.8")),
+        "above n = 0.5 the mass ratio has more effect on depth than the exponent",
+        "at the k of the caption; at k = 1e6 the drop lies above n = 0.5, and the exponent has more effect on a light plate",
+        |shots| {
+            let over_gamma = ["n=0.5", "n=1", "n=3"].map(|n| shots.depths(n, &FEW_GAMMAS).span());
+            let over_n = ["gamma=0.8", "gamma=2", "gamma=7"]
+                .map(|gamma| shots.depths(gamma, &HIGH_EXPONENT).span());
+            let holds = over_gamma.iter().all(|gamma| over_n.iter().all(|n| gamma > n));
+            let [over_gamma, over_n] = [over_gamma, over_n].map(|spans| list(&spans, "%"));
+            let text = format!(
+                "change over gamma at n = 0.5, 1, 3: {over_gamma}; over n at gamma = 0.8, 2, 7: {over_n}"
+            );
+            Check { text, holds }
         },
     ),
     claim(
@@ -195,6 +239,17 @@ pub(super) const CLAIMS: &[Claim] = &[
         },
     ),
     claim(
+        ("9.9b-low", "9.3.5, Figure 9.9(b)", Reproduced, Some("figure-9.9")),
+        "at low exponents displacement hardly depends on the coefficient, at higher ones ever more",
+        "the low power holds the plate at every k of the range",
+        |shots| {
+            let spans = [0.1, 0.3, 1.0, 2.0, 3.0]
+                .map(|n| shots.travels(&format!("n={n}"), &FEW_STIFFNESSES).span());
+            let holds = spans.is_sorted() && spans[1] < 0.05 * spans[4];
+            Check::new("change over k at n = 0.1, 0.3, 1, 2, 3:", &spans, "mm", holds)
+        },
+    ),
+    claim(
         ("9.10a", "9.3.5, Figure 9.10(a)", Reproduced, Some("figure-9.10")),
         "cocking cuts depth at every mass ratio, more so at low ones",
         "the spring pulls every plate away, the light one faster",
@@ -204,6 +259,18 @@ pub(super) const CLAIMS: &[Claim] = &[
             let spans: Vec<f64> = curves.iter().map(Curve::span).collect();
             let holds = curves.iter().all(Curve::falls) && spans.is_sorted_by(|a, b| a > b);
             Check::new("change over d at gamma = 0.8, 2, 7:", &spans, "%", holds)
+        },
+    ),
+    claim(
+        ("9.10a-mass", "9.3.5, Figure 9.10(a)", Reproduced, Some("figure-9.10")),
+        "over the ranges of the figure the mass ratio has more effect on depth than cocking",
+        "the mean of the changes along each variable",
+        |shots| {
+            let over_gamma = mean_span(&COCKING, |d| shots.depths(&format!("d={d}"), &GAMMA));
+            let over_d =
+                mean_span(&GAMMA, |gamma| shots.depths(&format!("gamma={gamma}"), &COCKING));
+            let spans = [over_gamma, over_d];
+            Check::new("mean change over gamma, over d:", &spans, "%", over_gamma > over_d)
         },
     ),
     claim(
@@ -319,3 +386,9 @@ pub(super) const CLAIMS: &[Claim] = &[
         |shots| shots.depths("d=0.1", &DAMPING).that(Curve::rises),
     ),
 ];
+
+/// Returns the mean span of the curves along a second variable.
+fn mean_span(range: &Range, curve: impl Fn(f64) -> Curve) -> f64 {
+    let spans = range.values().map(|x| curve(x).span());
+    spans.sum::<f64>() / f64::from(range.count)
+}

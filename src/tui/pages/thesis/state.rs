@@ -14,7 +14,10 @@ pub struct Thesis {
     pub report: CachedResult<Vec<Row>>,
     /// The claims shown match this.
     pub find: String,
+    /// The selected row of Claims, among those shown.
     pub selected: usize,
+    /// The selected row of Principles.
+    pub principle: usize,
 }
 
 impl Thesis {
