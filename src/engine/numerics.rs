@@ -1,12 +1,11 @@
-//! Numerical methods that know no plate, no projectile, no metre and no screen.
+//! Numerical methods, independent of the physics and of the user interface.
 //!
-//! `collocation` is the one method of the engine for smooth, stiff and steep alike, `explicit` the Runge-Kutta methods that it is
-//! compared with; both give a `step` as polynomials, on which `event_location` finds the first event. [`root`] finds a zero in a bracket,
-//! [`quadrature`] integrates, [`maximum`] searches maxima, `monotone` interpolates data; [`random`], [`sobol`] and
-//! [`statistics`] serve samples.
+//! `collocation` holds the implicit method that integrates smooth, stiff and singular equations; `explicit` holds the Runge-Kutta methods
+//! it is compared with. Both return a `step` with dense output, on which `event_location` finds the first event. [`root`] finds a zero in
+//! a bracket, `series_root` the zero of a power series, [`quadrature`] integrates, [`maximum`] maximises and `monotone` interpolates
+//! tables. [`random`] and [`sobol`] draw samples, [`statistics`] summarises them.
 //!
-//! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
-//! is bounded.
+//! An integration step uses fixed-size arrays and allocates nothing; quadrature, tables and samples use vectors. Every loop is bounded.
 
 pub(crate) mod collocation;
 pub(crate) mod event_location;

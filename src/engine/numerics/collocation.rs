@@ -15,55 +15,59 @@ use crate::numerics::step::{
 };
 use crate::numerics::{larger, smaller};
 
-/// Iterations of the stage equations by each method. A contraction rate of 0.2 reaches rounding within this limit.
+/// Maximum number of iterations of each method for the stage equations. A contraction rate of 0.2 reaches rounding error within it.
 const ITERATIONS_MAX: usize = 20;
-/// Greatest contraction rate of Newton's iteration with the Jacobian of an earlier iterate. A new Jacobian costs less than slower ones.
+/// Contraction rate of Newton's iteration above which the Jacobian is evaluated anew. A new Jacobian then costs less than the additional
+/// iterations with the old one.
 const JACOBIAN_REUSE_RATE: f64 = 0.2;
-/// Greatest contraction rate of the fixed-point iteration. Newton's method costs less than slower ones: factoring takes about as many
-/// instructions as ten iterations of an inexpensive law.
+/// Contraction rate above which the fixed-point iteration is replaced by Newton's method. One factorisation costs about as much as ten
+/// iterations with an inexpensive right-hand side.
 const SLOW_FIXED_POINT: f64 = 0.5;
-/// Most further fixed-point iterations that are expected to cost less than Newton's method from the first guess.
+/// Predicted number of further fixed-point iterations above which Newton's method from the initial guess costs less.
 const ROUNDS_LEFT: i32 = 14;
-/// Evaluations that a Jacobian counts as, per stage and place: those by which differences of place and of speed would give it. It takes
-/// about as long, with its factoring.
+/// Evaluations counted for one Jacobian, per stage and position: one difference quotient by position and one by velocity. The analytic
+/// Jacobian with its factorisation takes about the same time.
 const JACOBIAN: usize = 2;
-/// Part of the step's tolerance to which the stage equations are solved: far below the error that is accepted.
+/// Tolerance of the stage equations, relative to the tolerance of the step. The iteration error is then negligible beside the local error.
 const SOLVED: f64 = 1e-2;
-/// Error relative to the sizes of what moves to which they are solved by a computation that judges another. Iterations from one guess leave
-/// nearly the same error in both, whatever their numbers of stages: this is what the difference does not show.
+/// Tolerance of the stage equations in the second computation of an error estimate, relative to the error scales. From the same initial
+/// guess both computations are left with nearly the same iteration error, which their difference does not show.
 const SOLVED_JUDGING: f64 = 1e-13;
-/// Rounding of the stage equations, relative to the scales: a few units of the last place of a sum of ten terms.
+/// Rounding error of the stage equations, relative to the error scales: a few units in the last place of a sum of ten terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Excess of a step's error over its tolerance that is aimed at, greatest growth, and least and greatest cut.
+/// Error norm that the step-size controller aims at; below 1, so that most steps are accepted.
 const TARGET_ERROR_NORM: f64 = 0.5;
+/// Largest step-size factor after an accepted step.
 const GROWTH_MAX: f64 = 4.0;
+/// Smallest and largest step-size factor after a rejected step.
 const CUT: (f64, f64) = (0.1, 0.7);
-/// Part of a step that is tried where its equations were not solved.
+/// Step-size factor after a step whose stage equations did not converge.
 const AFTER_FAILURE: f64 = 0.25;
-/// Real eigenvalue of A of the nine stages is near 0.1: the filter of the error estimate damps like the method.
+/// Coefficient of the filter of the error estimate. The real eigenvalue of A with nine stages is near 0.1: the filter damps stiff
+/// components as the method does.
 const FILTER: f64 = 0.1;
 
-/// Length of tables by number of stages: the greatest number of stages plus one.
+/// Number of Legendre polynomials in a table: the largest number of stages plus one.
 const STAGES_MORE: usize = 12;
 
-/// Accelerations of each place at the stages.
+/// Acceleration of each position at each stage.
 type Stages<const D: usize, const S: usize> = [[f64; S]; D];
 
-/// A member of the family.
+/// Coefficients of the method with `S` stages.
 #[derive(Debug)]
 pub(crate) struct RadauIia<const S: usize> {
-    /// The nodes, of which the last is 1.
+    /// Nodes in (0, 1]; the last is 1.
     nodes: [f64; S],
-    /// A and its square, by columns: row j is what the value at node j adds at each node.
+    /// Runge-Kutta matrix A by columns: row j has the contributions of node j to every node.
     a: Square<S>,
     square: Square<S>,
-    /// From values at the nodes to Legendre coefficients, by columns.
+    /// Transformation of nodal values into Legendre coefficients, by columns.
     modes: Square<S>,
-    /// Gauss's rule with as many points.
+    /// Gauss-Legendre rule with `S` points, for the defect.
     gauss: [Gauss<S>; S],
 }
 
-/// A node of Gauss's rule on a step, its weight, and the Legendre polynomials there.
+/// Node of the Gauss-Legendre rule in (0, 1), its weight, and the Legendre polynomials at the node.
 #[derive(Debug)]
 struct Gauss<const S: usize> {
     at: f64,
@@ -76,10 +80,10 @@ pub(crate) static RADAU_IIA_17: LazyLock<RadauIia<9>> = LazyLock::new(RadauIia::
 pub(crate) static THREE: LazyLock<RadauIia<3>> = LazyLock::new(RadauIia::new);
 pub(crate) static SEVEN: LazyLock<RadauIia<7>> = LazyLock::new(RadauIia::new);
 
-/// A member that steps to a tolerance.
+/// Radau IIA method with a tolerance: a [`Stepper`].
 pub(crate) struct Collocation<'a, const S: usize> {
     member: &'a RadauIia<S>,
-    /// Error of a step relative to the sizes of what moves.
+    /// Relative tolerance of the local error.
     tolerance: f64,
     /// Part of it to which the stage equations are solved.
     solved: f64,
@@ -95,7 +99,7 @@ impl<const S: usize> Stepper<S> for Collocation<'_, S> {
         evaluations: &mut usize,
     ) -> Result<(Step<D, S>, f64), f64> {
         let step = self.solve(law, start, h, near, evaluations);
-        // The step before may mislead.
+        // Extrapolation from the previous step can be a poor initial guess.
         let anew = || near.and_then(|_| self.solve(law, start, h, None, evaluations));
         let step = step.or_else(anew).ok_or(AFTER_FAILURE * h)?;
         *evaluations += S;
@@ -110,7 +114,8 @@ impl<const S: usize> Stepper<S> for Collocation<'_, S> {
 }
 
 impl<const S: usize> Collocation<'_, S> {
-    /// A step of `h` from a point; `None` if no iteration converges. The first guess is the acceleration at the start, or that `near` it.
+    /// Solves a step of size `h`; `None` if no iteration converges. The initial guess is extrapolated by `near`, otherwise the acceleration
+    /// at the start.
     fn solve<const D: usize>(
         &self,
         law: &impl SecondOrderOde<D>,
@@ -137,11 +142,12 @@ impl<const S: usize> Collocation<'_, S> {
         Some(member.polynomial(start, h, &stages))
     }
 
-    /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
+    /// Error norm of a step: the larger of two estimates over the tolerance. The step is accepted if it is at most 1.
     ///
-    /// The tail: as the acceleration's Legendre coefficients fall from the first of them to the last, so they go on; the error of the
-    /// end is theirs of about twice the degree. It misses a corner that begins softly within the step. The defect: what the
-    /// polynomial misses of the equations at Gauss's nodes, summed; it misses what is over before the first of them.
+    /// - Truncation estimate: the decay of the Legendre coefficients of the acceleration is extrapolated to about twice the degree. It
+    ///   underestimates a discontinuity of a high derivative within the step.
+    /// - Defect estimate: quadrature of the residual of the differential equation at the Gauss nodes. It misses a transient that decays
+    ///   before the first node.
     fn error_norm<const D: usize>(
         &self,
         law: &impl SecondOrderOde<D>,
@@ -158,7 +164,7 @@ impl<const S: usize> Collocation<'_, S> {
             let high = modes[S - last..].iter().copied().fold(0.0, larger);
             let low = larger(modes[from], modes[from + 1]);
             let fall = if high < low { high / low } else { 1.0 };
-            // Over four degrees: the error is taken to be that of six degrees more.
+            // The decay is measured over four degrees and extrapolated over six.
             let falling = if S > 4 { fall * fall.sqrt() } else { fall };
             tail.1[d] = h * high * falling;
             tail.0[d] = h * tail.1[d];
@@ -177,7 +183,7 @@ impl<const S: usize> Collocation<'_, S> {
         filter.set(&[[FILTER]], &[[FILTER * FILTER]], &slopes, h);
         let filtered = |error: [f64; D]| {
             let mut all = error.map(|error| [error]);
-            // An infinite slope at the end damps without bound: nothing is known of the error then.
+            // Singular for an infinite Jacobian at the end: the error remains unfiltered.
             if filter.solve(&mut all) { all.map(|[error]| error) } else { error }
         };
         let [before, after] = [start, &step.end].map(|point| law.sizes(point));
@@ -192,23 +198,25 @@ impl<const S: usize> Collocation<'_, S> {
     }
 }
 
-/// The equations of the stages of one step: each stage acceleration equals the law's at its node.
+/// Stage equations of a step: each stage acceleration equals the right-hand side at its node.
 struct StageEquations<'a, L, const D: usize, const S: usize> {
     member: &'a RadauIia<S>,
     law: &'a L,
     start: Point<D>,
     h: f64,
-    /// Weights of accelerations in the norm, which is the change of place or speed over the step's tolerance.
+    /// Weights of the accelerations in the norm: change of position or velocity, over the error scale times the tolerance.
     weights: [f64; D],
-    /// Error of the step relative to the scales.
+    /// Relative tolerance of the local error.
     tolerance: f64,
-    /// Norm of the error to which the equations are solved, without rounding and with it.
+    /// Norm of the iteration error at which the equations count as solved, without rounding errors.
     solved: f64,
+    /// Norm of the iteration error at which the equations count as solved, with rounding errors.
     enough: f64,
 }
 
 impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L, D, S> {
-    /// Expected contraction rate of the fixed-point iteration, from the Jacobian at the start: the eigenvalues of A are about 1/S.
+    /// Returns the expected contraction rate of the fixed-point iteration: h times the Jacobian at the start, over S. The eigenvalues of A
+    /// are about 1/S.
     fn contraction_rate(&self) -> f64 {
         let Jacobian { place, speed } = self.law.slopes(&self.start);
         let part = self.h / S as f64;
@@ -217,9 +225,9 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
         rates.fold(0.0, |worst, (by_place, by_speed)| larger(rate(by_place, by_speed), worst))
     }
 
-    /// Iterates `stages = f(stages)`; `None` unless the iteration contracts fast.
+    /// Solves by fixed-point iteration; `None` unless it contracts fast.
     ///
-    /// Errors of a stiff component may lie below the tolerance, and above its value: Newton's method damps them, this does not.
+    /// The error of a stiff component can be below the tolerance and above the component itself. Newton's method damps such an error.
     fn by_fixed_point(
         &self,
         mut stages: Stages<D, S>,
@@ -243,7 +251,7 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
             let left = norm * contraction.powi(ROUNDS_LEFT);
             let contracts = contraction <= SLOW_FIXED_POINT && left <= self.enough;
             if (round > 0 && !contracts) || !norm.is_finite() {
-                // Changes this small are rounding.
+                // A change this small is rounding error.
                 return (norm < 10.0 * self.enough).then_some(stages);
             }
             before = norm;
@@ -251,7 +259,7 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
         None
     }
 
-    /// Newton's method with a Jacobian that is renewed once the iteration contracts slowly; `None` if it diverges.
+    /// Solves by Newton's method, with a new Jacobian if the contraction is slow; `None` if the iteration diverges.
     fn by_newton(&self, mut stages: Stages<D, S>, evaluations: &mut usize) -> Option<Stages<D, S>> {
         let Self { member, law, ref start, h, solved, enough, .. } = *self;
         let mut newton = NewtonMatrix::zero();
@@ -280,8 +288,8 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
             // With a new Jacobian the convergence is quadratic.
             let next = if is_new { contraction * contraction } else { contraction };
             let ahead = if contraction < 1.0 { norm * next } else { norm };
-            // Changes that no longer shrink are rounding if they are far below the tolerance, or no larger than the solution for the
-            // rounding of the forces, taken as equal at all stages.
+            // Changes that no longer decrease are rounding error if they are below ten times the tolerance, or below the solution for
+            // the rounding errors of the accelerations, assumed equal at all stages.
             let stalls = before.is_finite() && contraction > 0.5 && {
                 let mut rounding = law.rounding(0.0, start).map(|rounding| [rounding; S]);
                 newton.solve(&mut rounding);
@@ -290,7 +298,7 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
             if norm <= solved || ahead <= enough || stalls {
                 return Some(stages);
             }
-            // The first iteration contracts by about the relative change of the Jacobian, which is that of the stages.
+            // The first contraction rate is about the relative change of the Jacobian, and thus of the stages.
             let slow = if before.is_finite() { contraction } else { norm * self.tolerance };
             is_old = slow > JACOBIAN_REUSE_RATE;
             before = norm;
@@ -302,7 +310,7 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
         self.member.points(self.start, self.h, stages)
     }
 
-    /// The law's accelerations at the points of the stages, less the stages.
+    /// Returns the residual: accelerations at the stage points minus the stages.
     fn residual(&self, stages: &Stages<D, S>, points: &[Point<D>; S]) -> Stages<D, S> {
         let mut residual = by_place(|i| self.law.at(self.h * self.member.nodes[i], &points[i]));
         for (residual, stage) in residual.as_flattened_mut().iter_mut().zip(stages.as_flattened()) {
@@ -311,7 +319,7 @@ impl<L: SecondOrderOde<D>, const D: usize, const S: usize> StageEquations<'_, L,
         residual
     }
 
-    /// The greatest component by weight; infinite or NaN if one is.
+    /// Returns the weighted maximum norm; infinite or NaN if a component is.
     fn norm(&self, change: &Stages<D, S>) -> f64 {
         change.iter().zip(self.weights).fold(0.0, |norm, (change, weight)| {
             change.iter().fold(norm, |norm, change| larger(weight * change.abs(), norm))
@@ -326,7 +334,7 @@ fn add<const D: usize, const S: usize>(stages: &mut Stages<D, S>, change: &Stage
     }
 }
 
-/// The integrals of the Legendre polynomials of degree below S, shifted to (0, 1), from 0 to theta.
+/// Returns the integrals from 0 to theta of the Legendre polynomials of degree below S, shifted to (0, 1).
 fn integrals<const S: usize>(theta: f64) -> [f64; S] {
     let p = legendre::<STAGES_MORE>(2.0 * theta - 1.0);
     array::from_fn(|k| if k == 0 { theta } else { (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64 })
@@ -345,7 +353,7 @@ impl<const S: usize> RadauIia<S> {
             });
             *node = 0.5 * (1.0 + x);
         }
-        // Radau's weights make the Legendre polynomials orthogonal on the nodes.
+        // The Legendre polynomials are orthogonal on the nodes with Radau's weights.
         let modes = nodes.map(|node| {
             let x = 2.0 * node - 1.0;
             let p = legendre::<STAGES_MORE>(x);
@@ -363,7 +371,7 @@ impl<const S: usize> RadauIia<S> {
         Self { nodes, a, square, modes, gauss }
     }
 
-    /// As a method that steps to this tolerance.
+    /// Returns the method with a relative tolerance of the local error.
     pub(crate) fn to(&self, tolerance: f64) -> Collocation<'_, S> {
         Collocation { member: self, tolerance, solved: SOLVED }
     }
@@ -374,13 +382,13 @@ impl<const S: usize> RadauIia<S> {
         Collocation { member: self, tolerance, solved }
     }
 
-    /// The coefficients from which on the acceleration's are seen to fall, and how many of the last are the end of the fall.
+    /// Index of the first Legendre coefficient whose decay is measured, and number of trailing coefficients that it is compared with.
     const FALL: (usize, usize) = if S > 4 { (S - 6, 2) } else { (0, 1) };
 
-    /// The power of the step by which its error grows, about: of the estimate below, no more than the order of the method.
+    /// Exponent of the step size in the error estimate, for the step-size controller; at most the order of the method.
     const ERROR_ORDER: f64 = if S > 4 { S + 6 } else { 2 * S - 1 } as f64;
 
-    /// Places and speeds at the nodes.
+    /// Returns positions and velocities at the nodes.
     fn points<const D: usize>(
         &self,
         (place, speed): Point<D>,
@@ -409,7 +417,7 @@ impl<const S: usize> RadauIia<S> {
     }
 }
 
-/// A matrix by columns times a column.
+/// Returns the product of a matrix, given by columns, and a vector.
 fn times<const S: usize>(columns: &Square<S>, values: &[f64; S]) -> [f64; S] {
     let mut sum = [0.0; S];
     for (column, value) in columns.iter().zip(values) {
@@ -420,7 +428,7 @@ fn times<const S: usize>(columns: &Square<S>, values: &[f64; S]) -> [f64; S] {
     sum
 }
 
-/// Values of each stage as those of each place.
+/// Transposes stage-by-stage values into position-by-position values.
 fn by_place<const D: usize, const S: usize>(values: impl Fn(usize) -> [f64; D]) -> Stages<D, S> {
     let mut stages = [[0.0; S]; D];
     for i in 0..S {

@@ -1,29 +1,29 @@
-//! The first event on a step: a gap that is above zero and falls through it.
+//! Event location: the first sign change of the event functions on a step, from positive to negative.
 
 use crate::numerics::maximum;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::smaller;
 
-/// Parts of a step at whose ends the gaps are looked at.
+/// Number of equal subintervals of a step; the event functions are sampled at their ends.
 pub(crate) const CELLS: usize = 16;
-/// A dip whose parabola through three looks comes below this part of the least of them is looked into: a step's gap has few wiggles as
-/// narrow as a cell, and the parabola misses the bottom by less than that.
+/// Threshold for a minimum between sampling points, relative to the smallest of three samples. If the parabola through the samples falls
+/// below it, the minimum is located and checked for two sign changes. A step is smooth: the parabola is accurate to this fraction.
 const DEEP: f64 = 0.25;
 
 /// Result of the search for a sign change of the event functions on a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum EventSearch {
-    /// None falls through zero.
+    /// No sign change.
     Nothing,
-    /// The one with this index does, first of all, at this part of the step.
+    /// Index of the event function with the first sign change, and the fraction of the step at which it occurs.
     Fall(usize, f64),
     /// Event function that starts at zero and is negative at the first sampling point; it may have changed sign twice before.
     Unresolved(usize),
 }
 
-/// Looks for the first fall of gaps, of which each is given at the ends of the cells, and by its index at a part of the step.
+/// Locates the first sign change, given samples of each event function and the function itself by fraction of the step and index.
 ///
-/// A gap that begins at zero has to rise first.
+/// An event function that starts at zero triggers only after it has been positive.
 pub(crate) fn first_crossing(
     gaps: &[[f64; CELLS + 1]],
     gap: impl Fn(f64, usize) -> f64,
@@ -42,7 +42,7 @@ pub(crate) fn first_crossing(
     first.map_or(EventSearch::Nothing, |(which, place)| EventSearch::Fall(which, place))
 }
 
-/// Where one of them falls first.
+/// Returns the fraction of the step at the first sign change of an event function.
 fn fall(gaps: &[f64; CELLS + 1], gap: impl Fn(f64) -> f64) -> Option<f64> {
     let end = |cell: usize| cell as f64 / CELLS as f64;
     (1..=CELLS).find_map(|cell| {
@@ -58,11 +58,11 @@ fn fall(gaps: &[f64; CELLS + 1], gap: impl Fn(f64) -> f64) -> Option<f64> {
     })
 }
 
-/// Whether the parabola through three gaps above zero has a deep bottom between the outer ones.
+/// Returns `true` if the parabola through three positive samples has a minimum near or below zero between the outer two.
 fn is_deep([a, b, c]: [f64; 3]) -> bool {
     let (bend, slope) = (a - 2.0 * b + c, 0.5 * (c - a));
     let (least, lowest) = (smaller(smaller(a, b), c), b - 0.5 * slope * slope / bend);
-    // A gap that begins at zero has risen by the first look.
+    // A function that starts at zero is positive at the first sampling point.
     least > 0.0 && slope.abs() < bend && (lowest < DEEP * least || b < DEEP * smaller(a, c))
 }
 

@@ -1,8 +1,9 @@
-//! Explicit Runge-Kutta methods, which the engine's own is compared with: the classical one with a fixed step, and DOP853.
+//! Explicit Runge-Kutta methods for comparison: the classical method with a fixed step size, and DOP853.
 //!
 //! W. Kutta, *Zeitschrift für Mathematik und Physik* 46 (1901) 435-453; J. R. Dormand and P. J. Prince's pair of order eight with error
 //! estimates of order five and three, in the form of E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential Equations
-//! I*, 2nd ed. (1993), section II.10. Within a step the place is the quintic through places, speeds and accelerations of both ends.
+//! I*, 2nd ed. (1993), section II.10. The dense output is the quintic Hermite interpolant of positions, velocities and accelerations at
+//! both ends.
 
 use crate::numerics::larger;
 use crate::numerics::step::{Point, SecondOrderOde, StagePredictor, Step, Stepper};
@@ -10,19 +11,21 @@ use tableau::{ERRORS, STAGES};
 
 mod tableau;
 
-/// Coefficients of a step: its acceleration is a cubic, its speed of degree four.
+/// Number of Legendre coefficients of the dense output: the acceleration is a cubic, the velocity of degree four.
 pub(crate) const COEFFICIENTS: usize = 5;
 
-/// The usual safety and limits of the control of DOP853's step.
+/// Safety factor of the step-size controller of DOP853. This value and the limits below are those of the published program.
 const SAFETY: f64 = 0.9;
+/// Smallest step-size factor.
 const CUT_MAX: f64 = 1.0 / 3.0;
+/// Largest step-size factor.
 const GROWTH_MAX: f64 = 6.0;
-/// Part of a step that is tried where it left all numbers.
+/// Step-size factor after a step with a result that is not finite.
 const AFTER_FAILURE: f64 = 0.1;
 /// Order of DOP853.
 const ORDER: f64 = 8.0;
 
-/// Row i gives the stage after the first i + 1 stages; the last gives the end of the step.
+/// Runge-Kutta matrix without its first row, which is zero; the last row has the weights.
 const CLASSICAL: [[f64; 4]; 4] = [
     [0.5, 0.0, 0.0, 0.0],
     [0.0, 0.5, 0.0, 0.0],
@@ -30,19 +33,19 @@ const CLASSICAL: [[f64; 4]; 4] = [
     [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
 ];
 
-/// The classical method with a fixed step.
+/// Classical Runge-Kutta method of order four with a fixed step size.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rk4 {
-    /// Length of a step, above zero.
+    /// Step size; positive.
     pub(crate) step: f64,
-    /// Whether events are located, or only noticed after the step in which they happened.
+    /// Whether events are located within the step; otherwise they take effect at its end.
     pub(crate) locates: bool,
 }
 
-/// DOP853 to a tolerance.
+/// DOP853, an embedded method of order eight with adaptive step size.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Dop853 {
-    /// Error of a step relative to the sizes of what moves.
+    /// Relative tolerance of the local error.
     pub(crate) tolerance: f64,
 }
 
@@ -99,7 +102,7 @@ impl Stepper<COEFFICIENTS> for Dop853 {
     }
 }
 
-/// A step by the rows of a method, and the rates (speeds and accelerations) at its stages.
+/// Computes a step from a Runge-Kutta matrix; also returns the derivatives (velocities and accelerations) at the stages.
 fn of_stages<const D: usize, const N: usize>(
     law: &impl SecondOrderOde<D>,
     start: Point<D>,
@@ -123,7 +126,7 @@ fn of_stages<const D: usize, const N: usize>(
     (through(h, start, at, [rates[0].1, law.at(h, &at)]), rates)
 }
 
-/// The step between two points with these accelerations at its ends.
+/// Returns the quintic Hermite interpolant between two points, given the accelerations there.
 fn through<const D: usize>(
     h: f64,
     start: Point<D>,
@@ -132,7 +135,7 @@ fn through<const D: usize>(
 ) -> Step<D, COEFFICIENTS> {
     let (mut acceleration, mut speed) = ([[0.0; COEFFICIENTS]; D], [[0.0; COEFFICIENTS]; D]);
     for d in 0..D {
-        // In Legendre polynomials of the part of the step: the mean is the change of the speed, the moment about the end that of the place.
+        // Legendre coefficients of the acceleration: its mean gives the change of velocity, its first moment the change of position.
         let mean = (end.1[d] - start.1[d]) / h;
         let moment = ((end.0[d] - start.0[d]) / h - start.1[d]) / h;
         let tilt = 3.0 * mean - 6.0 * moment;

@@ -1,24 +1,24 @@
-//! The greatest value of a function on an interval: samples, and Brent's method around each of their maxima that may exceed what
-//! is known (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), chapter 5).
+//! Maximum of a function on an interval by sampling and Brent's method (R. P. Brent, *Algorithms for Minimization without Derivatives*
+//! (1973), chapter 5).
 
 use crate::numerics::larger;
 
-/// Cells of the interval.
+/// Number of equal subintervals between the samples.
 const CELLS: usize = 8;
-/// Part of the interval from its end at which the rate of the function shows whether it rises to a maximum inside, and that by which two
-/// places lie apart whose values show it. The end itself shows nothing: at the corner of a law that is made of pieces it may have the
-/// value of the next piece.
+/// Distance from an end of the interval, relative to its length, at which the sign of the derivative is determined. The end itself is
+/// unsuitable: for a piecewise function it can belong to the next piece.
 const INSIDE: f64 = 1e-6;
-/// Part of the interval to which a maximum is located: the value is then right to rounding.
+/// Tolerance of the position of a maximum, relative to the interval. The error of the value is its square, which is rounding error.
 const LOCATED: f64 = 1e-8;
-/// Evaluations after which the best place found is taken.
+/// Maximum number of iterations; afterwards the best point is returned.
 const ROUNDS_MAX: usize = 60;
 /// (3 - sqrt 5)/2.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
-/// The greatest value of `f` between 0 and 1, where it has no more than one maximum in each of eight cells, at whose ends its values are
-/// given. Maxima are located only if they may exceed `known`. `rate` has the sign of its derivative, where that is known better than by the
-/// difference of two values.
+/// Returns the maximum of `f` on (0, 1).
+///
+/// `values` are samples at the ends of eight subintervals, each with at most one local maximum. Only a maximum that can exceed `known` is
+/// located. `rate` has the sign of the derivative of `f`; without it a difference of two values is used.
 pub(crate) fn greatest(
     values: &[f64; CELLS + 1],
     known: f64,
@@ -49,11 +49,11 @@ pub(crate) fn greatest(
     best
 }
 
-/// Where `f` has its only maximum between `a` and `b`.
+/// Returns the position of the only maximum of `f` between `a` and `b`.
 pub fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     let (mut a, mut b, tolerance) = (a, b, LOCATED * (b - a));
     let first = a + GOLDEN * (b - a);
-    // The three best places, the best first, and their values.
+    // The three best points with their values, best first.
     let mut best = [(first, f(first)); 3];
     let (mut step, mut before_last) = (0.0f64, 0.0f64);
     for _ in 0..ROUNDS_MAX {
@@ -62,7 +62,7 @@ pub fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
         if (x - middle).abs() <= 2.0 * tolerance - 0.5 * (b - a) {
             break;
         }
-        // The vertex of the parabola through the three best places.
+        // Vertex of the parabola through the three best points.
         let r = (x - w) * (at_x - at_v);
         let q = (x - v) * (at_x - at_w);
         let vertex = -((x - v) * q - (x - w) * r) / (2.0 * (q - r));

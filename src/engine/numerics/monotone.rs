@@ -1,8 +1,8 @@
-//! Cubic interpolation that keeps the shape of the data: no overshoot where the data rise, fall or are level.
+//! Monotone piecewise cubic interpolation: the interpolant is monotone where the data are.
 //!
 //! F. N. Fritsch and J. Butland, *SIAM J. Sci. Stat. Comput.* 5 (1984) 300, as in PCHIP.
 
-/// Slopes at the points of a table with rising x; at least two points.
+/// Returns the slopes at the points of a table with increasing x and at least two points.
 pub(crate) fn slopes(points: &[[f64; 2]]) -> Vec<f64> {
     let stretch = |pair: &[[f64; 2]]| {
         let width = pair[1][0] - pair[0][0];
@@ -19,7 +19,8 @@ pub(crate) fn slopes(points: &[[f64; 2]]) -> Vec<f64> {
     slopes
 }
 
-/// The weighted harmonic mean of the secants on both sides; level where they disagree in sign. Of each stretch its width and secant.
+/// Returns the weighted harmonic mean of the secants of two adjacent intervals; 0 if their signs differ. Each interval has its width and
+/// its secant.
 fn inner([width, secant]: [f64; 2], [width_after, secant_after]: [f64; 2]) -> f64 {
     if secant * secant_after <= 0.0 {
         return 0.0;
@@ -28,7 +29,7 @@ fn inner([width, secant]: [f64; 2], [width_after, secant_after]: [f64; 2]) -> f6
     (a + b) / (a / secant + b / secant_after)
 }
 
-/// The one-sided three-point formula, kept from overshooting.
+/// Returns the slope at an end by the one-sided three-point formula, limited so that the interpolant stays monotone.
 fn end([width, secant]: [f64; 2], [width_next, secant_next]: [f64; 2]) -> f64 {
     let slope = secant + width * (secant - secant_next) / (width + width_next);
     if slope * secant <= 0.0 {
@@ -40,7 +41,7 @@ fn end([width, secant]: [f64; 2], [width_next, secant_next]: [f64; 2]) -> f64 {
     }
 }
 
-/// The cubic between two points with given slopes: coefficients of 1, z, z², z³ with z = x - `from[0]`.
+/// Returns the cubic Hermite interpolant of two points with slopes: coefficients of 1, z, z², z³ with z = x - `from[0]`.
 pub(crate) fn cubic(from: [f64; 2], to: [f64; 2], slopes: [f64; 2]) -> [f64; 4] {
     let h = to[0] - from[0];
     let secant = (to[1] - from[1]) / h;

@@ -6,24 +6,24 @@ use std::sync::LazyLock;
 
 use crate::numerics::root::newton_root;
 
-/// The integral of `f` from `a` to `b` with the sixteen-point rule on each of `panels` equal parts.
+/// Returns the integral of `f` from `a` to `b` by the sixteen-point rule on each of `panels` equal subintervals.
 pub fn gauss(a: f64, b: f64, panels: usize, f: impl Fn(f64) -> f64) -> f64 {
     let half = 0.5 * (b - a) / panels as f64;
     let middle = |panel: usize| a + half * (2 * panel + 1) as f64;
     (0..panels).map(|panel| by_rule(&*GAUSS_16, middle(panel), half, &f)).sum()
 }
 
-/// The integral of `f` over so much on both sides of a place.
+/// Returns the integral of `f` from `middle - half` to `middle + half` by a rule.
 fn by_rule(rule: &[(f64, f64)], middle: f64, half: f64, f: impl Fn(f64) -> f64) -> f64 {
     half * rule.iter().map(|(at, weight)| weight * f(middle + half * at)).sum::<f64>()
 }
 
-/// Parts into which [`converged`] may cut an interval in all.
+/// Maximum number of subintervals of [`converged`].
 const PARTS_MAX: usize = 200;
-/// Part of an integral by which six more points may change it: what it is off by with them is far less.
+/// Tolerance of the difference of the rules with ten and sixteen points, relative to the integral. The error of the latter is far smaller.
 const CONVERGED: f64 = 1e-10;
 
-/// The integral of `f` from `a` to `b` to rounding, on halves of halves until six more points on each change nothing.
+/// Returns the integral of `f` from `a` to `b` to about rounding error, by adaptive bisection with the rules of ten and sixteen points.
 pub(crate) fn converged(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut open, mut sum, mut parts) = (vec![(a, b)], 0.0, 0);
     while let Some((a, b)) = open.pop() {
@@ -40,12 +40,13 @@ pub(crate) fn converged(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
     sum
 }
 
-/// The rules with ten and with sixteen points.
+/// Ten-point rule.
 pub(crate) static GAUSS_10: LazyLock<[(f64, f64); 10]> = LazyLock::new(rule);
+/// Sixteen-point rule.
 static GAUSS_16: LazyLock<[(f64, f64); 16]> = LazyLock::new(rule);
 
-/// The nodes on (-1, 1) and the weights of the rule with N points, 19 at most: exact for polynomials of degree 2 N - 1. The nodes are the
-/// roots of P(N), which lie near those of a cosine.
+/// Returns nodes in (-1, 1) and weights of the rule with N <= 19 points, exact for polynomials of degree 2 N - 1. The nodes are the roots
+/// of P(N); Newton's method starts from the roots of a cosine.
 pub(crate) fn rule<const N: usize>() -> [(f64, f64); N] {
     array::from_fn(|i| {
         let guess = ((i as f64 + 0.75) / (N as f64 + 0.5) * PI).cos();
@@ -55,13 +56,13 @@ pub(crate) fn rule<const N: usize>() -> [(f64, f64); N] {
     })
 }
 
-/// The Legendre polynomial of degree n, from 1 to 19, and its derivative.
+/// Returns the Legendre polynomial of degree n (1 to 19) and its derivative.
 pub(crate) fn legendre_and_slope(n: usize, x: f64) -> (f64, f64) {
     let p = legendre::<20>(x);
     (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
 }
 
-/// The first N Legendre polynomials, by Bonnet's recurrence (n + 1) P(n+1) = (2n + 1) x P(n) - n P(n-1).
+/// Returns the first N Legendre polynomials, by Bonnet's recurrence (n + 1) P(n+1) = (2n + 1) x P(n) - n P(n-1).
 pub(crate) fn legendre<const N: usize>(x: f64) -> [f64; N] {
     let (mut p, mut before) = ([1.0; N], 0.0);
     for n in 0..N - 1 {

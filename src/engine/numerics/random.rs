@@ -1,23 +1,23 @@
-//! Random numbers that are the same on every machine for the same seed.
+//! Pseudorandom numbers, reproducible from the seed on every platform.
 //!
 //! `SplitMix64`: G. L. Steele, D. Lea and C. H. Flood, "Fast splittable pseudorandom number generators", *OOPSLA* 2014. Normal numbers
 //! after G. E. P. Box and M. E. Muller, *Annals of Mathematical Statistics* 29 (1958) 610-611.
 
 use std::f64::consts::TAU;
 
-/// A stream of random numbers.
+/// Pseudorandom number generator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Random {
     state: u64,
 }
 
 impl Random {
-    /// The stream of a seed.
+    /// Creates a generator from a seed.
     pub fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
-    /// 64 random bits.
+    /// Returns 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;
@@ -26,18 +26,18 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Uniform in 0 to 1, 1 excluded.
+    /// Returns a uniform number in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// A whole number from 0 to below `count` (at least 1), each as likely up to 2⁻⁵³.
+    /// Returns a uniform integer in [0, `count`), with `count >= 1`; the bias is below 2⁻⁵³.
     pub fn below(&mut self, count: usize) -> usize {
         let wide = u128::from(self.bits()) * count as u128;
         usize::try_from(wide >> 64).unwrap_or(0)
     }
 
-    /// Normal with mean 0 and deviation 1.
+    /// Returns a normal number with mean 0 and standard deviation 1.
     pub fn normal(&mut self) -> f64 {
         // 1 - unit is never zero.
         let (radius, angle) = ((-2.0 * (1.0 - self.unit()).ln()).sqrt(), TAU * self.unit());

@@ -1,9 +1,9 @@
-//! The root of a function in a bracket, or close by.
+//! Root finding: in a bracket, or from an initial guess.
 
-/// The root of an increasing or decreasing function between `a` and `b`, where it has opposite signs: regula falsi in the
-/// Illinois form, with a bisection where three rounds have not halved the bracket, to full precision of x.
+/// Returns the root of a function between `a` and `b` to full precision of x, by the Illinois method.
 ///
-/// Returns the end with the smaller absolute value when the signs are equal.
+/// A bisection follows if three iterations have not halved the bracket. If the signs at `a` and `b` are equal, returns the end with the
+/// smaller absolute value.
 pub fn bracketed_root(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
@@ -13,7 +13,7 @@ pub fn bracketed_root(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> 
         return if fa.abs() < fb.abs() { a } else { b };
     }
     let mut halved = 0.5 * (b - a).abs();
-    // The end that the round before has moved: the other has to move too.
+    // Whether the previous iteration replaced `b`. The value at an end that is retained twice is halved.
     let mut moved_b = None;
     for round in 0..200 {
         let secant = (a * fb - b * fa) / (fb - fa);
@@ -42,7 +42,7 @@ pub fn bracketed_root(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> 
     0.5 * (a + b)
 }
 
-/// The root of a function close to a value: Newton's method to rounding. `f` gives the function and its slope.
+/// Returns the root of a function near `start` to rounding error, by Newton's method. `f` returns the value and the derivative.
 pub(crate) fn newton_root(start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let mut x = start;
     for _ in 0..10 {

@@ -1,18 +1,18 @@
-//! Where a series that crosses a level once on a stretch does so, and whether one may touch zero within it.
+//! Zeros of a power series on an interval: the position of a single crossing, and a bound for further ones.
 
-/// Maximum number of rounds.
+/// Maximum number of iterations; bisection alone needs 53.
 const ROUNDS_MAX: usize = 60;
-/// A relative move of Halley's method after which what is left is less than rounding.
+/// Relative change of an iterate at which Halley's method stops. Its convergence is cubic: the remaining error is below rounding.
 const SETTLED: f64 = 1e-6;
 
-/// Where a rising series reaches `level`, between 0 and `end`.
+/// Returns the position between 0 and `end` at which an increasing series reaches `level`.
 pub(crate) fn rise<const N: usize>(c: &[f64; N], level: f64, end: f64) -> f64 {
     let mut c = *c;
     c[0] -= level;
     zero(&c, end)
 }
 
-/// Whether a series that is positive at both ends may have touched zero between them.
+/// Returns `true` if a series that is positive at 0 and at `end` can have a zero between them.
 pub(crate) fn dips<const N: usize>(c: &[f64; N], end: f64) -> bool {
     let mut below = c[0];
     let mut power = 1.0;
@@ -23,8 +23,10 @@ pub(crate) fn dips<const N: usize>(c: &[f64; N], end: f64) -> bool {
     below <= 0.0 && c[1] < 0.0 && jet(c, end).1 > 0.0
 }
 
-/// The zero between 0 and `end`, where the series has opposite signs: Halley's method, kept inside the bracket by
-/// bisection, from the parabola's zero moved by what the cubic term changes to second order.
+/// Returns the zero between 0 and `end`, where the series has opposite signs.
+///
+/// Halley's method, safeguarded by bisection. The initial guess is the zero of the quadratic part, corrected for the cubic term to second
+/// order.
 pub(crate) fn zero<const N: usize>(c: &[f64; N], end: f64) -> f64 {
     let (mut low, mut high) = (0.0, end);
     let steep = (c[1] * c[1] - 4.0 * c[0] * c[2]).sqrt().copysign(c[1]);
@@ -42,7 +44,7 @@ pub(crate) fn zero<const N: usize>(c: &[f64; N], end: f64) -> f64 {
             high = s;
         }
         let halley = s - value * slope / (slope * slope - value * half_bend);
-        // The method triples the digits: a move this small leaves rounding alone.
+        // Cubic convergence: the remaining error is below rounding.
         if (halley - s).abs() <= SETTLED * s {
             return halley;
         }
@@ -51,7 +53,7 @@ pub(crate) fn zero<const N: usize>(c: &[f64; N], end: f64) -> f64 {
     s
 }
 
-/// The series, its slope and half its second derivative at `s`.
+/// Returns the series, its derivative and half its second derivative at `s`.
 fn jet<const N: usize>(c: &[f64; N], s: f64) -> (f64, f64, f64) {
     c.iter().rev().fold((0.0, 0.0, 0.0), |(value, slope, half_bend), c| {
         (value * s + c, slope * s + value, half_bend * s + slope)

@@ -1,4 +1,4 @@
-//! Sobol's sequence to the digit, any point from its index: 32 binary digits, Gray-code order.
+//! Sobol sequence in Gray-code order with 32 binary digits; a point is computed from its index.
 //!
 //! Direction numbers: S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM J.
 //! Sci. Comput. 30 (2008), file new-joe-kuo-6.21201.
@@ -7,10 +7,10 @@ use std::sync::LazyLock;
 
 use crate::numerics::random::Random;
 
-/// Dimensions the table is good for.
+/// Number of dimensions in the table of direction numbers.
 pub const DIMENSIONS: usize = 24;
 
-/// Degree s and coefficients a of the primitive polynomial, and the first s odd numbers m, of dimensions 2 and on.
+/// Primitive polynomial (degree s, coefficients a) and initial direction numbers m of each dimension from the second on.
 const TABLE: [(usize, u32, &[u32]); DIMENSIONS - 1] = [
     (1, 0, &[1]),
     (2, 1, &[1, 3]),
@@ -39,7 +39,7 @@ const TABLE: [(usize, u32, &[u32]); DIMENSIONS - 1] = [
 
 const DIGITS: usize = 32;
 
-/// Each digit's direction, dimension by dimension.
+/// Direction numbers by dimension and digit.
 static DIRECTIONS: LazyLock<[[u32; DIGITS]; DIMENSIONS]> =
     LazyLock::new(|| std::array::from_fn(directions));
 
@@ -60,15 +60,15 @@ fn directions(dimension: usize) -> [u32; DIGITS] {
     directions
 }
 
-/// Where point `index` lies in a dimension (from 0, below [`DIMENSIONS`]), in [0, 1); the sequence repeats after 2^32 points. A seed
-/// other than 0 shifts it digit by digit.
+/// Returns a coordinate, in [0, 1), of the point `index`. The `dimension` is below [`DIMENSIONS`]; the sequence repeats after 2^32
+/// points. A seed other than 0 applies a random digital shift.
 pub fn point_coordinate(index: u64, dimension: usize, seed: u64) -> f64 {
     let of_dimension = Random::new(dimension as u64 + 1).bits();
     let shift = if seed == 0 { 0 } else { Random::new(seed ^ of_dimension).bits() >> 32 };
     (u64::from(bits(index, dimension)) ^ shift) as f64 / 4_294_967_296.0
 }
 
-/// The 32 digits of a point.
+/// Returns the 32 digits of a coordinate.
 fn bits(index: u64, dimension: usize) -> u32 {
     let mut gray = index ^ (index >> 1);
     let mut bits = 0;

@@ -1,20 +1,20 @@
-//! Statistics of samples: moments, quantiles, and the interval of a proportion.
+//! Statistics of samples: moments, quantiles, confidence intervals of a proportion, and the least-squares slope.
 
 use std::f64::consts::FRAC_PI_2;
 
 use crate::numerics::root::bracketed_root;
 
-/// Standard normal quantile of a two-sided 95 % interval.
+/// Standard normal quantile for a two-sided 95 % interval.
 pub const Z95: f64 = 1.959_963_984_540_054;
 
-/// Mean and standard deviation; `None` of fewer than two values.
+/// Returns mean and sample standard deviation; `None` for fewer than two values.
 pub fn moments(values: &[f64]) -> Option<(f64, f64)> {
     let count = values.len();
     if count < 2 {
         return None;
     }
     let n = count as f64;
-    // Shifted by a value, so that a small variance is not lost beside a great mean.
+    // Shifted by a value: a small variance beside a large mean would be lost to cancellation.
     let origin = values[count / 2];
     let (mut sum, mut squares) = (0.0, 0.0);
     for value in values {
@@ -25,13 +25,13 @@ pub fn moments(values: &[f64]) -> Option<(f64, f64)> {
     Some((origin + sum / n, if variance > 0.0 { variance.sqrt() } else { 0.0 }))
 }
 
-/// Items in the ascending order of a value of theirs: equal ones stay in their order, and NaN stands last.
+/// Sorts items by a value in ascending order. The sort is stable; NaN comes last.
 pub fn sorted_by<T>(mut items: Vec<T>, value: impl Fn(&T) -> f64) -> Vec<T> {
     items.sort_by(|a, b| value(a).total_cmp(&value(b)));
     items
 }
 
-/// Quantile of sorted values, interpolated.
+/// Returns a quantile of sorted values by linear interpolation.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place in the list")]
 pub fn quantile(sorted: &[f64], fraction: f64) -> f64 {
     let last = sorted.len() - 1;
@@ -44,16 +44,17 @@ pub fn quantile(sorted: &[f64], fraction: f64) -> f64 {
     sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
 }
 
-/// Wilson's 95 % interval of a proportion (*Journal of the American Statistical Association* 22 (1927) 209-212).
+/// Returns Wilson's 95 % interval for the proportion `p` of `n` trials (*Journal of the American Statistical Association* 22 (1927)
+/// 209-212).
 pub fn wilson(p: f64, n: f64) -> (f64, f64) {
     let z2 = Z95 * Z95;
     let centre = (p + 0.5 * z2 / n) / (1.0 + z2 / n);
     let half = Z95 / (1.0 + z2 / n) * (p * (1.0 - p) / n + 0.25 * z2 / (n * n)).sqrt();
-    // None and all leave nothing on that side but rounding.
+    // The bound is exactly 0 or 1 there; the formula gives rounding error.
     (if p > 0.0 { centre - half } else { 0.0 }, if p < 1.0 { centre + half } else { 1.0 })
 }
 
-/// Quantile of Student's distribution for a whole number of degrees of freedom >= 1 and a fraction in (0.5, 1).
+/// Returns a quantile of Student's t distribution for an integer number of degrees of freedom >= 1 and a fraction in (0.5, 1).
 ///
 /// The distribution function is the finite sum of Abramowitz and Stegun 26.7.3 and 26.7.4; its root is bracketed in atan(t/sqrt(nu)).
 pub fn student_quantile(fraction: f64, freedom: usize) -> f64 {
@@ -62,7 +63,7 @@ pub fn student_quantile(fraction: f64, freedom: usize) -> f64 {
     bracketed_root(0.0, FRAC_PI_2, excess).tan() * (freedom as f64).sqrt()
 }
 
-/// Probability that |t| is below tan(angle) sqrt(nu).
+/// Returns the probability that |t| < tan(angle) sqrt(nu).
 fn student_within(angle: f64, freedom: usize) -> f64 {
     let is_odd = freedom % 2 == 1;
     let (sine, cosine) = angle.sin_cos();
@@ -78,7 +79,7 @@ fn student_within(angle: f64, freedom: usize) -> f64 {
     if is_odd { (angle + sine * sum) / FRAC_PI_2 } else { sine * sum }
 }
 
-/// The slope of the straight line that fits points (x, y) best by least squares; not finite where they do not differ in x.
+/// Returns the slope of the least-squares line through points (x, y); not finite if all x are equal.
 pub fn slope(points: &[(f64, f64)]) -> f64 {
     let count = points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;

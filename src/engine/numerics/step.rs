@@ -1,42 +1,43 @@
-//! Interface between equations of motion and one-step methods: the accelerations, and each step as a polynomial.
+//! Interface between second-order differential equations and one-step methods; dense output of a step.
 
 use crate::numerics::quadrature::legendre;
 
-/// A square matrix.
+/// Square matrix.
 pub(crate) type Square<const D: usize> = [[f64; D]; D];
 
-/// Derivatives of the acceleration by places and by speeds.
+/// Partial derivatives of the accelerations by positions and by velocities.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jacobian<const D: usize> {
     pub(crate) place: Square<D>,
     pub(crate) speed: Square<D>,
 }
 
-/// The law of motion of `D` places.
+/// System of `D` second-order differential equations, y'' = f(t, y, y').
 pub(crate) trait SecondOrderOde<const D: usize> {
-    /// Accelerations at a point, after a time from where a step begins.
+    /// Returns the accelerations at a point; `t` is the time since the start of the step.
     fn at(&self, t: f64, point: &Point<D>) -> [f64; D];
 
+    /// Returns the Jacobian at a point.
     fn slopes(&self, point: &Point<D>) -> Jacobian<D>;
 
-    /// Error scales of positions and velocities at a point.
+    /// Returns the error scales of positions and velocities at a point.
     fn sizes(&self, at: &Point<D>) -> Point<D>;
 
-    /// Rounding errors of the accelerations at a point; large if forces cancel.
+    /// Returns the rounding errors of the accelerations at a point; large if forces cancel.
     fn rounding(&self, _: f64, _: &Point<D>) -> [f64; D] {
         [0.0; D]
     }
 }
 
-/// Places and speeds.
+/// Positions and velocities.
 pub(crate) type Point<const D: usize> = ([f64; D], [f64; D]);
 
-/// A method that steps through motions.
+/// One-step method with dense output.
 pub(crate) trait Stepper<const S: usize> {
-    /// A step of length `h` from a point and the length of the next, or else the length to try. Counts evaluations.
+    /// Computes a step of size `h`; returns it with the size proposed for the next step. Adds to `evaluations`.
     ///
     /// # Errors
-    /// The shorter length to try, where the step is not as accurate as it has to be.
+    /// The step is rejected: the error is the smaller step size to try.
     fn step<const D: usize>(
         &self,
         law: &impl SecondOrderOde<D>,
@@ -46,13 +47,13 @@ pub(crate) trait Stepper<const S: usize> {
         evaluations: &mut usize,
     ) -> Result<(Step<D, S>, f64), f64>;
 
-    /// Whether events are located, or only noticed after the step in which they happened.
+    /// Returns `true` if events are located within a step; otherwise they take effect at its end.
     fn locates(&self) -> bool {
         true
     }
 }
 
-/// Predictor of the stages from the previous step: its acceleration is extrapolated from the fraction `from` over `lengths` step sizes.
+/// Predictor of the stages: extrapolates the acceleration of the previous step from its fraction `from` over `over` of its step sizes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StagePredictor<const D: usize, const S: usize> {
     pub(crate) acceleration: [[f64; S]; D],
@@ -60,25 +61,25 @@ pub(crate) struct StagePredictor<const D: usize, const S: usize> {
     pub(crate) over: f64,
 }
 
-/// A step of length h, in polynomials of the part theta of it, 0 to 1.
+/// Step with dense output: polynomials in the fraction theta of the step, 0 to 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Step<const D: usize, const S: usize> {
     /// Step size.
     pub(crate) h: f64,
-    /// Places and speeds at its start.
+    /// Positions and velocities at the start.
     start: Point<D>,
     /// Legendre coefficients of the acceleration.
     pub(crate) acceleration: [[f64; S]; D],
     /// Coefficients of the changes of position and velocity in powers of x = 2 theta - 1, from x on.
     powers: [Point<D>; S],
-    /// Their sums at x = -1, so that exactly nothing has changed where the step begins.
+    /// Sums of `powers` at x = -1, subtracted so that the change at the start is exactly zero.
     at_start: Point<D>,
-    /// Places and speeds at its end.
+    /// Positions and velocities at the end.
     pub(crate) end: Point<D>,
 }
 
 impl<const D: usize, const S: usize> Step<D, S> {
-    /// From Legendre coefficients of the acceleration, and of the speed as far as the places follow from it.
+    /// Creates a step from Legendre coefficients of velocity and acceleration.
     pub(crate) fn new(
         h: f64,
         [start, end]: [Point<D>; 2],
@@ -100,7 +101,7 @@ impl<const D: usize, const S: usize> Step<D, S> {
         Self { h, start, acceleration, powers, at_start, end }
     }
 
-    /// Places and speeds at a part of it; a little beyond its end, too.
+    /// Returns positions and velocities at a fraction of the step; valid slightly beyond the end.
     #[inline]
     pub(crate) fn at(&self, theta: f64) -> Point<D> {
         let changed = sums(&self.powers, 2.0 * theta - 1.0);
@@ -112,7 +113,7 @@ impl<const D: usize, const S: usize> Step<D, S> {
     }
 }
 
-/// Sums of coefficients of x, x² and so on times those.
+/// Evaluates the polynomials with coefficients of x, x² and so on.
 fn sums<const D: usize, const S: usize>(powers: &[Point<D>; S], x: f64) -> Point<D> {
     let (mut place, mut speed) = ([0.0; D], [0.0; D]);
     for (places, speeds) in powers.iter().rev() {
@@ -124,10 +125,10 @@ fn sums<const D: usize, const S: usize>(powers: &[Point<D>; S], x: f64) -> Point
     (place, speed)
 }
 
-/// The most stages that a method has.
+/// Largest number of stages of a method.
 const STAGES_MAX: usize = 11;
 
-/// The integrals of the Legendre polynomials over the part theta of a step, in powers of x = 2 theta - 1 from the first on.
+/// Integrals of the Legendre polynomials over theta, as coefficients of x, x² and so on with x = 2 theta - 1.
 const INTEGRALS: [[f64; STAGES_MAX]; STAGES_MAX] = {
     let mut table = [[0.0; STAGES_MAX]; STAGES_MAX];
     let (mut before, mut p, mut degree) = ([0.0; STAGES_MAX], [0.0; STAGES_MAX], 0);
@@ -145,7 +146,7 @@ const INTEGRALS: [[f64; STAGES_MAX]; STAGES_MAX] = {
     table
 };
 
-/// Sums of Legendre polynomials of a part of a step, 0 to 1, with these coefficients.
+/// Evaluates Legendre series at the fraction theta of a step.
 pub(crate) fn series<const D: usize, const S: usize>(
     coefficients: &[[f64; S]; D],
     theta: f64,
@@ -154,7 +155,7 @@ pub(crate) fn series<const D: usize, const S: usize>(
     coefficients.each_ref().map(|coefficients| dot(coefficients, &values))
 }
 
-/// The sum of the products of two rows.
+/// Returns the dot product.
 pub(crate) fn dot<const S: usize>(one: &[f64; S], other: &[f64; S]) -> f64 {
     one.iter().zip(other).map(|(a, b)| a * b).sum()
 }

@@ -1,10 +1,10 @@
-//! The numbers of DOP853: weights and error weights. Its nodes are the sums of the rows.
+//! Coefficients of DOP853: Runge-Kutta matrix, weights and error weights. The nodes are the row sums of the matrix.
 //!
 //! Published in E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. (1993), section
-//! II.10, in the program DOP853 that comes with it; rounded to double precision. Knows nothing else. The tests of the parent
-//! check quadrature and row conditions, and the order that is observed.
+//! II.10, in the program DOP853 that comes with it; rounded to double precision. The tests of the parent module check the quadrature
+//! conditions, the row conditions and the observed order.
 
-/// Row i - 1 gives stage i from the stages before it; row 11 (stage 12, the end of the step) holds the weights.
+/// Runge-Kutta matrix: row i - 1 gives stage i from the earlier stages. Row 11 (stage 12, the end of the step) has the weights.
 pub(super) const STAGES: [[f64; 12]; 12] = filled(&[
     (0, 0, 0.052_600_151_958_767_73),
     (1, 0, 0.019_725_056_984_537_9),
@@ -65,7 +65,7 @@ pub(super) const STAGES: [[f64; 12]; 12] = filled(&[
     (11, 10, 0.201_365_400_804_030_34),
     (11, 11, 0.044_710_615_727_772_59),
 ]);
-/// Weights of the third-order error, those of the step less those of the embedded formula, and of the fifth-order error.
+/// Error weights: weights of the step minus those of the embedded formulas of order three (row 0) and order five (row 1).
 pub(super) const ERRORS: [[f64; 12]; 2] = filled(&[
     (0, 0, -0.189_800_754_072_407_62),
     (0, 5, 4.450_312_892_752_409),
@@ -84,7 +84,7 @@ pub(super) const ERRORS: [[f64; 12]; 2] = filled(&[
     (1, 10, 0.081_923_206_485_115_71),
     (1, 11, -0.022_355_307_863_886_294),
 ]);
-/// A matrix of which the entries that are not zero are given: row, column, value.
+/// Returns a matrix from its nonzero entries: row, column, value.
 const fn filled<const ROWS: usize, const COLUMNS: usize>(
     entries: &[(usize, usize, f64)],
 ) -> [[f64; COLUMNS]; ROWS] {
