@@ -196,6 +196,9 @@ fn map_page(name: &str, map: &Map) -> String {
         page.push_str("no point has a mass efficiency\n");
         return page;
     };
+    if let Some(place) = tables::where_it_pays(map, map.scene()) {
+        let _ = writeln!(page, "{place}\n");
+    }
     page.push_str(&draw::map(&drawn, chart_size(MAP)));
     page
 }

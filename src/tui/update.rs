@@ -46,7 +46,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     }
     run::follow_traces(app);
     if is_by_person || is_edited {
-        run::matters::wait(app);
+        pages::page(app.tab).await_rest(app);
     }
     keep_listed(app);
     std::mem::take(&mut app.effects)
@@ -70,7 +70,8 @@ fn take(app: &mut App, message: Message) {
             }
         }
         Message::RunDue(serial) => jobs::run_due(app, serial),
-        Message::Rest(serial) => run::matters::rested(app, serial),
+        Message::Rest(serial) if serial == app.jobs.rest => pages::page(app.tab).rested(app),
+        Message::Rest(_) => {}
         Message::LongJob(id) => app.jobs.long.push(id),
         Message::Tick(serial) => impact::tick(app, serial),
         Message::Done(report) => done(app, report),

@@ -67,6 +67,7 @@ typed_enum! {
     Limit(LimitSearch),
     Spread(V50Study),
     EqualMass(MassComparison),
+    EfficiencyMap(EfficiencyMapStudy),
     Measurements(MethodBenchmark),
     StabilityMap(StabilityMap),
     StiffScenes(StiffScenes),
@@ -83,7 +84,8 @@ typed_enum! {
     Grid(Grid),
     Limit(limit::LimitReport),
     Spread(monte_carlo::MonteCarloReport),
-    Comparison(Comparison),
+    Comparison(compare::ComparisonReport),
+    EfficiencyMap(EfficiencyMap),
     Measurements(accuracy::AccuracyReport),
     StabilityMap(StabilityCells),
     StiffScenes(Vec<stability::Row>),
@@ -129,9 +131,13 @@ pub struct LimitSearch;
 #[derive(Debug, PartialEq)]
 pub struct V50Study(pub monte_carlo::Request);
 
-/// Compares at equal areal mass, and maps the mass efficiency around the scene.
+/// Compares at equal areal mass.
 #[derive(Debug)]
 pub struct MassComparison;
+
+/// Maps the mass efficiency around the scene: over impact velocity and mass ratio, or what gives the plate's size in its place.
+#[derive(Debug)]
+pub struct EfficiencyMapStudy;
 
 /// Measures error and run time of every method.
 #[derive(Debug)]
@@ -149,19 +155,13 @@ pub struct StiffScenes;
 #[derive(Debug)]
 pub struct Claims;
 
-/// A comparison at equal areal mass with its map, where there is one.
-#[derive(Clone, Debug)]
-pub struct Comparison {
-    pub report: compare::ComparisonReport,
-    /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
-    pub map: Option<EfficiencyMap>,
-}
-
 impl StudyRequest {
     /// When it shows what it has so far.
     pub(super) fn tempo(&self) -> ReportInterval {
         match self {
-            Self::Picture(_) => ReportInterval { first: FIRST, between: BETWEEN_PASSES },
+            Self::Picture(_) | Self::EfficiencyMap(_) => {
+                ReportInterval { first: FIRST, between: BETWEEN_PASSES }
+            }
             _ => ReportInterval { first: BETWEEN, between: BETWEEN },
         }
     }
@@ -185,7 +185,17 @@ impl StudyRequest {
                 let watch = &mut reporter.watch(monte_carlo::MonteCarloReport::clone);
                 monte_carlo::run(scene, &request.0, &mut Context::new(threads, watch))?.into()
             }
-            Self::EqualMass(_) => equal_mass(scene, reporter)?.into(),
+            Self::EqualMass(_) => {
+                let watch = &mut reporter.progress();
+                compare::compare(scene, Hardware::default(), &mut Context::new(threads, watch))?
+                    .into()
+            }
+            Self::EfficiencyMap(_) => {
+                let axes = default_axes(scene).ok_or("no map over v_i and the plate's size")?;
+                let watch = &mut reporter.watch(EfficiencyMap::clone);
+                let context = &mut Context::new(threads, watch);
+                EfficiencyMap::compute(scene, &axes, Hardware::default(), context)?.into()
+            }
             Self::Measurements(request) => {
                 let watch = &mut reporter.watch(accuracy::AccuracyReport::clone);
                 let context = &mut Context::new(1, watch);
@@ -226,30 +236,6 @@ fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<StudyResult, Box<dy
         reporter.report_progress(progress, &|| pass.map(|grid| grid.clone().into()))
     };
     Ok(grid.fill(grid::PIECE, &mut Context::new(reporter.threads.clone(), watch)).into())
-}
-
-/// Compares, then maps; a scene without such a map has none.
-fn equal_mass(scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Comparison, Box<dyn Error>> {
-    let axes = default_axes(scene);
-    let points = axes.as_ref().map_or(0, |[x, y]| x.count() * y.count());
-    let points = usize::try_from(points)?;
-    let whole = points + compare::Candidate::ALL.len();
-    let of_all =
-        |progress: Progress, before: usize| Progress { done: before + progress.done, total: whole };
-    let watch =
-        &mut |progress, _: Option<&()>| reporter.report_progress(of_all(progress, 0), &|| None);
-    let context = &mut Context::new(1, watch);
-    let report = compare::compare(scene, Hardware::default(), context)?;
-    let is_stopped = context.is_stopped();
-    let first = Comparison { report, map: None };
-    let Some(axes) = axes.filter(|_| !is_stopped) else { return Ok(first) };
-    let part = || Some(first.clone().into());
-    let done = whole - points;
-    let watch =
-        &mut |progress, _: Option<&()>| reporter.report_progress(of_all(progress, done), &part);
-    let context = &mut Context::new(reporter.threads.clone(), watch);
-    let map = EfficiencyMap::compute(scene, &axes, Hardware::default(), context).ok();
-    Ok(Comparison { map, ..first })
 }
 
 /// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.

@@ -11,7 +11,7 @@ use crate::report::table::listed;
 use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
 use crate::study::compare::{
-    Candidate, ComparisonReport, Entry, Hardware, SizedArmour, THINNEST_M, Verdict,
+    Candidate, ComparisonReport, Entry, Hardware, SizedArmour, THINNEST_M, Verdict, is_equal,
 };
 use crate::study::limit::RANGE_M_S;
 use crate::study::quantities::find;
@@ -20,12 +20,12 @@ use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{PlateSize, Scene};
-use cmra_engine::model::units::{fixed_significant, velocity};
+use cmra_engine::model::units::{fixed_significant, significant, velocity};
 
 /// The meaning of the contour on a map.
 const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
 /// The limit of plate and spring together.
-const SURVIVES: &str = "if spring must survive";
+const SURVIVES: &str = "if spring holds";
 /// The lines of a page, by their keys.
 const LINES: [&str; 22] = [
     "candidate",
@@ -85,7 +85,7 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
         .with("stroke_m", "stroke", "m", own("stroke_m"))
         .with("stored_energy_j", "stored energy", "J", own("stored_energy_j"))
         .with("peak_mount_force_n", "mount force", "N", own("peak_mount_force_n"))
-        .with("mount_impulse_n_s", "impulse into mount", "N s", own("mount_impulse_n_s"))
+        .with("mount_impulse_n_s", "mount impulse", "N s", own("mount_impulse_n_s"))
         .with("preload_energy_j", "preloaded energy", "J", preload_j)
         .with("stroke_at_limit_m", "  at the limit", "m", at_limit("stroke_m"))
         .with("stored_energy_at_limit_j", "  at the limit", "J", at_limit("stored_energy_j"))
@@ -182,22 +182,108 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
 
 /// The map as a picture; `None` where no point has a mass efficiency.
 pub fn picture(found: &Map) -> Option<map::Map<'static>> {
-    let cell = |x: usize, y: usize| match found.cell(x as u64, y as u64) {
+    let cell = |x: usize, y: usize| match found.shown(x as u64, y as u64) {
         Some(Ok(value)) => Cell::Value(value),
         Some(Err(absence)) => Cell::Mark(absence.letter, Tone::Faint),
         None => Cell::Empty,
     };
-    let absences = found.cells.iter().filter_map(|cell| cell.err());
+    let absences = found.cells.iter().filter_map(|cell| (*cell)?.err());
     let mut marks: Vec<(char, String)> =
         absences.map(|absence| (absence.letter, absence.words.to_owned())).collect();
     marks.sort();
     marks.dedup();
-    let levels = Levels::from_values(found.cells.iter().filter_map(|cell| cell.ok()))?;
+    let levels = Levels::from_values(found.cells.iter().filter_map(|cell| (*cell)?.ok()))?;
+    let bounds = (1..levels.bands()).map(|band| levels.band(band).0).filter(|it| !is_equal(*it));
+    let labels = std::iter::once(1.0).chain(bounds);
+    let labels = labels.map(|bound| (bound, significant(bound, 3))).collect();
     Some(map::Map {
         contour: Some((1.0, LINE.into())),
+        labels,
         marks,
         ..map_over("mass efficiency", found.x(), found.y(), Some(levels), cell)
     })
+}
+
+/// Where on a map the mechanism pays at the second variable's value of a scene: ranges of the first variable where the mass
+/// efficiency is above 1, or where on the map it is greatest; `None` while too little is computed.
+pub fn where_it_pays(map: &Map, scene: &Scene) -> Option<String> {
+    let (x, y) = (map.x(), map.y());
+    let (row, points) = map.row(y.nearest(y.own_value(scene)?));
+    let points: Vec<(f64, f64)> = points.into_iter().map(|(at, it)| (x.value(at), it)).collect();
+    let [(first, _), .., (last, _)] = points[..] else { return None };
+    let ranges = above_one(&points);
+    let about = if map.is_complete() { "" } else { "about " };
+    let at = format!("at {} {}", y.symbol(), y.show(y.value(row), 3));
+    let show = |value: f64| x.show(value, 3);
+    let range = |&(from, to): &(f64, f64)| match (from <= first, to >= last) {
+        (true, true) => format!("at all {} of the map", x.symbol()),
+        (true, false) => format!("below {about}{}", show(to)),
+        (false, true) => format!("above {about}{}", show(from)),
+        (false, false) => format!("from {about}{} to {}", show(from), show(to)),
+    };
+    if !ranges.is_empty() {
+        let ranges: Vec<String> = ranges.iter().map(range).collect();
+        return Some(format!("it pays {} {at}", ranges.join(" and ")));
+    }
+    let place = |(x_at, y_at): (u64, u64)| {
+        let [(a, a_at), (b, b_at)] = [(x, x_at), (y, y_at)];
+        let [one, other] = [(a, a_at), (b, b_at)]
+            .map(|(axis, at)| format!("{} {}", axis.symbol(), axis.show(axis.value(at), 3)));
+        format!("{one}, {other}")
+    };
+    let all = (0..x.count()).flat_map(|x| (0..y.count()).map(move |y| (x, y)));
+    let known = all.filter_map(|at| Some((at, map.cell(at.0, at.1)?.ok()?)));
+    let (best, most) = known.max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let (best, most) = (place(best), fixed_significant(most, 3));
+    Some(if most.parse().is_ok_and(|most: f64| most > 1.0) {
+        format!("it does not pay {at}; most on the map: {most} at {best}")
+    } else {
+        format!("it pays nowhere on the map; most: {most} at {best}")
+    })
+}
+
+/// The ranges in which a curve through these points is above 1, by interpolation over the logarithm of `x`.
+fn above_one(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut ranges: Vec<(f64, f64)> = Vec::new();
+    let mut before: Option<(f64, f64)> = None;
+    let mut is_inside = false;
+    for &(x, it) in points {
+        let is_above = it > 1.0;
+        if is_above != is_inside {
+            let edge = match before {
+                Some((x_0, it_0)) if it.is_finite() && it_0.is_finite() => {
+                    let part = (1.0 - it_0) / (it - it_0);
+                    if x_0 > 0.0 { x_0 * (x / x_0).powf(part) } else { x_0 + (x - x_0) * part }
+                }
+                Some((x_0, _)) if is_inside => x_0,
+                _ => x,
+            };
+            match ranges.last_mut().filter(|_| is_inside) {
+                Some(range) => range.1 = edge,
+                None => ranges.push((edge, f64::INFINITY)),
+            }
+            is_inside = is_above;
+        }
+        before = Some((x, it));
+    }
+    ranges
+}
+
+/// Whether moving pays for the scene's own shot: the answer, and what it rests on.
+pub fn short_verdict(report: &ComparisonReport) -> (&'static str, String) {
+    match report.verdict() {
+        Verdict::Stops(efficiency) => {
+            let answer = match efficiency {
+                _ if is_equal(efficiency) => "Moving makes no difference",
+                _ if efficiency > 1.0 => "Moving pays",
+                _ => "Moving does not pay",
+            };
+            let efficiency = fixed_significant(efficiency, 4);
+            (answer, format!(": mass efficiency {efficiency}{}", uncounted(report)))
+        }
+        Verdict::NotMet(why) => ("Moving does not pay", format!(": {why}")),
+        Verdict::Unknown => ("Whether moving pays is undecided", String::new()),
+    }
 }
 
 /// Whether the mechanism pays, and by how much.
@@ -338,4 +424,40 @@ fn limits(report: &ComparisonReport) -> Vec<String> {
         }
     }
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::context::{Context, never_cancel};
+    use crate::study::sweep::{Axis, Spacing};
+    use cmra_engine::model::variables::changed_free_plate;
+
+    /// With e J/kg and no dishing the mechanism pays if and only if v^2 < 2 (1 + gamma) e; a steel coil has 196.8 J/kg.
+    #[test]
+    fn valid_the_edge_of_where_it_pays_is_the_closed_form() {
+        for (gamma, edge) in [(1.0, "28.1 m/s"), (3.0, "39.7 m/s")] {
+            let scene = changed_free_plate(&format!("dishing=off k=1 gamma={gamma}")).unwrap();
+            let axis = |name, ends, count, spacing| Axis::new(name, ends, count, spacing).unwrap();
+            let axes = [
+                axis("v_i", (10.0, 90.0), 41, Spacing::Log),
+                axis("gamma", (1.0, 3.0), 2, Spacing::Linear),
+            ];
+            let mut watch = never_cancel;
+            let context = &mut Context::new(1, &mut watch);
+            let map = Map::compute(&scene, &axes, Hardware::default(), context).unwrap();
+            let told = format!("it pays below {edge} at gamma {gamma}");
+            assert_eq!(where_it_pays(&map, &scene), Some(told));
+        }
+    }
+
+    #[test]
+    fn ranges_above_one_end_where_the_curve_crosses_it() {
+        let inf = f64::INFINITY;
+        assert_eq!(above_one(&[(1.0, 2.0), (4.0, 0.0)]), [(1.0, 2.0)]);
+        assert_eq!(above_one(&[(1.0, 0.0), (4.0, 2.0), (9.0, 2.0)]), [(2.0, inf)]);
+        assert_eq!(above_one(&[(1.0, 2.0), (2.0, f64::NAN), (3.0, 2.0)]), [(1.0, 1.0), (3.0, inf)]);
+        assert_eq!(above_one(&[(0.0, 0.0), (1.0, 2.0), (2.0, 0.5)]).len(), 1);
+        assert!(above_one(&[(1.0, 0.5), (2.0, 0.9)]).is_empty());
+    }
 }

@@ -7,9 +7,12 @@ use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit};
 use crate::report::table::Table;
 use crate::report::verdict;
 use crate::study::limit::residual_law::ResidualLaw;
-use crate::study::limit::{Closures, Limit, LimitReport, RANGE_M_S, Shot};
+use crate::study::limit::{
+    Closures, Limit, LimitReport, RANGE_M_S, Shot, is_stopped_by_every_closure,
+};
 use crate::study::quantities::find;
 use crate::study::validity;
+use crate::study::verdict::{Decision, Verdict};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::{Outcome, Run, envelope};
@@ -132,6 +135,46 @@ pub fn meaning(report: &LimitReport) -> Vec<Remark> {
     let is_found = report.limit.velocity_m_s().is_some();
     let remarks = [Remark::new("meaning", verdict::V50), Remark::new("repeated hits", REPEATED)];
     remarks.into_iter().filter(|_| is_found).collect()
+}
+
+/// The answer to "does it stop this shot?" in a line, from the longest to the shortest.
+pub fn headlines(scene: &Scene, limit: Limit, condition: &str) -> Vec<String> {
+    let own_m_s = scene.projectile.velocity_m_s;
+    let own = format!("{} m/s", significant(own_m_s, 4));
+    let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = limit else {
+        return limit.absence().into_iter().collect();
+    };
+    let verdict = Verdict::with_limit(scene, Some(velocity_m_s));
+    let law = format!("{} m/s", fixed_significant(velocity_m_s, 6));
+    if let Some(expected) = &verdict.expected {
+        let digits = |value: f64| fixed_significant(value, 4);
+        let [low, limit, high] =
+            [expected.low_m_s, expected.limit_m_s, expected.high_m_s].map(digits);
+        let own = match verdict.decision {
+            Decision::Stops => format!("{own} is stopped"),
+            Decision::Perforates => format!("{own} perforates"),
+            Decision::Open | Decision::NotMeasured => format!("{own} is open"),
+        };
+        let answer = format!("{own}: expected limit {limit} ({low} to {high}) m/s");
+        return vec![format!("{answer}; law {law}"), answer];
+    }
+    let margin = 100.0 * (velocity_m_s / own_m_s - 1.0);
+    // Where a faster shot is stopped again, being beyond the limit tells nothing.
+    let answer = match (margin < 0.0, stopped_at_m_s) {
+        (false, _) if !is_stopped_by_every_closure(scene) => {
+            format!("{own} is stopped by this rule, not by the lowest")
+        }
+        (true, None) if envelope::is_law_low(scene) => {
+            format!("the law, low here, says nothing of {own}")
+        }
+        (false, _) => format!("{own} is stopped by the law"),
+        (true, None) => format!("{own} perforates by the law"),
+        (true, Some(_)) => own,
+    };
+    let condition = if margin < 0.0 { "" } else { condition };
+    let full = format!("{answer}, not measured: v_bl {law}, margin {margin:+.1} %");
+    let short = format!("{answer}: v_bl {law}, {margin:+.1} %");
+    vec![full.clone() + condition, full, short]
 }
 
 /// The verdict on the scene's shot in a sentence.

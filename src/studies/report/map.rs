@@ -48,6 +48,8 @@ pub struct Map<'a> {
     pub levels: Option<Levels>,
     /// A contour at this value, and what it means.
     pub contour: Option<(f64, Cow<'a, str>)>,
+    /// Values with their texts, written where neighbouring values lie on both sides, those first that come first.
+    pub labels: Vec<(f64, String)>,
     /// A point to be seen, and its letter.
     pub present: Option<((usize, usize), char)>,
     /// The meaning of the letters.

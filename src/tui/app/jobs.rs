@@ -26,6 +26,9 @@ pub(crate) const LONG: Duration = Duration::from_secs(5);
 /// less than 0.2 s of processor time. The rest waits for a key.
 pub(crate) const LOOK: Duration = Duration::from_millis(160);
 
+/// Time without a key after which a page computes what it shows at rest.
+const REST: Duration = Duration::from_millis(300);
+
 /// The message about a study that a person stopped.
 pub(crate) const CANCELLED: &str = "cancelled: partial results are shown, <run> runs again";
 
@@ -95,6 +98,17 @@ where
     }
 }
 
+/// Submits several studies that a page shows together; one question stands for all of them.
+pub(crate) fn studies(app: &mut App, action: Action, all: Vec<(Arc<Scene>, StudyRequest)>) {
+    let slots = all.iter().filter_map(|(_, asked)| app.jobs.slot(app.tab, asked));
+    let long = slots.map(|running| running.id).find(|id| app.jobs.is_long(*id));
+    if may_end(app, long, action) {
+        for (scene, asked) in all {
+            begin(app, &scene, asked, None);
+        }
+    }
+}
+
 /// Submits a study of the scene because its page is shown. It has little time, a thread, and never ends a long one.
 pub(crate) fn look<S: RequestVariant + Into<StudyRequest>>(
     app: &mut App,
@@ -114,6 +128,12 @@ where
     if !id.is_some_and(|id| app.jobs.is_long(id)) {
         begin(app, scene, request, Some(time));
     }
+}
+
+/// Begins a time of rest, after which the page computes.
+pub(crate) fn begin_rest(app: &mut App) {
+    app.jobs.rest += 1;
+    app.request(Effect::After(REST, Message::Rest(app.jobs.rest)));
 }
 
 /// Ends what was begun by looking: a key has been pressed.

@@ -46,6 +46,8 @@ pub struct Jobs {
     pub last_id: u64,
     /// Counts edits: a `RunDue` with an older number is out of date.
     pub serial: u64,
+    /// Counts the times of rest that have begun: a `Rest` with an older number is out of date.
+    pub rest: u64,
     /// The run of the scene on the screen.
     pub current: Option<Running>,
     pub studies: Vec<Running>,
@@ -143,6 +145,11 @@ impl<T> CachedResult<T> {
     /// Whether no more of it is computed by looking at its page: a study that a person stopped waits for the key that runs it again.
     pub fn is_over(&self) -> bool {
         self.elapsed.is_some() && (self.is_complete() || !self.is_look)
+    }
+
+    /// Returns whether looking at the page computes no more of it: it is complete, or this time was used up.
+    pub fn has_been_looked_at(&self, time: Duration) -> bool {
+        self.elapsed.is_some_and(|took| self.is_over() || took >= time)
     }
 
     /// Returns whether the result for a scene is settled.

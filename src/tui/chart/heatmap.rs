@@ -23,7 +23,7 @@ use ratatui::style::{Color, Modifier, Style};
 
 use super::{Chart, Draw, Layout, Mapping};
 use crate::tui::theme::colours::ink_on;
-use crate::tui::theme::{GlyphSet, Role, Theme};
+use crate::tui::theme::{GlyphSet, Role, Theme, columns};
 use cmra_studies::report::chart::levels::BANDS_MAX;
 use cmra_studies::report::map::{Cell, Map, Tone};
 
@@ -46,6 +46,7 @@ impl Draw for Map<'_> {
         }
         draw_bands(self, &layout, buffer, theme);
         draw_contour(self, &layout, buffer);
+        draw_labels(self, &layout, buffer);
         if let Some((point, letter)) = self.present {
             put(buffer, place(self, &layout, point), letter, theme.style(Role::Title));
         }
@@ -100,6 +101,46 @@ fn draw_contour(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
         let beside = beside.into_iter().filter(|at| plot.contains(*at));
         if beside.filter_map(value).any(is_crossed) {
             over(buffer, at, 'O');
+        }
+    }
+}
+
+/// Writes each label where its value is crossed, in a row of its own: of the places that have room the one nearest to the middle.
+fn draw_labels(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
+    let plot = layout.plot;
+    let cross = map.cursor.map(|point| place(map, layout, point));
+    let present = map.present.map(|(point, _)| place(map, layout, point));
+    let mut rows: Vec<u16> = Vec::new();
+    for (bound, text) in &map.labels {
+        let width = u16::try_from(columns(text)).unwrap_or(u16::MAX);
+        let is_below = |at: Position| match shown(map, layout, at) {
+            Cell::Value(value) => Some(value < *bound),
+            Cell::Mark(..) | Cell::Empty => None,
+        };
+        let is_crossed = |at: &Position| {
+            at.x + 1 < plot.right()
+                && match (is_below(*at), is_below(*at + Offset::new(1, 0))) {
+                    (Some(left), Some(right)) => left != right,
+                    _ => false,
+                }
+        };
+        let has_room = |at: &Position| {
+            let around = (at.x.saturating_sub(1)..=at.x + width, at.y);
+            let covers = |point: Position| point.y == around.1 && around.0.contains(&point.x);
+            at.x + width < plot.right()
+                && rows.iter().all(|row| row.abs_diff(at.y) > 1)
+                && cross.is_none_or(|cross| cross.y != at.y && !around.0.contains(&cross.x))
+                && !present.is_some_and(covers)
+        };
+        let far = |at: &Position| {
+            let middle = (plot.left() + plot.width / 2, plot.top() + plot.height / 2);
+            at.x.abs_diff(middle.0) / 2 + at.y.abs_diff(middle.1)
+        };
+        let places = plot.positions().filter(is_crossed).filter(has_room);
+        let Some(at) = places.min_by_key(far) else { continue };
+        rows.push(at.y);
+        for (column, letter) in (at.x..).zip(text.chars()) {
+            over(buffer, Position { x: column, ..at }, letter);
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::keymap::GLOBAL_KEYS;
-use crate::tui::pages::limit::COMPARISON;
+use crate::tui::pages::limit::CANDIDATES;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::pages::numerics::stability::stiff_scenes_words;
@@ -67,7 +67,7 @@ const KEY_ROWS: usize = 5;
 fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
     let is_run = matches!(app.pane(), run::VARIABLES | run::CHARTS | run::RUNS);
     let words = match app.pane() {
-        COMPARISON => COMPARISON_WORDS.to_owned(),
+        CANDIDATES => COMPARISON_WORDS.to_owned(),
         STIFF_SCENES => stiff_scenes_words(),
         _ if is_run => RUN_WORDS.to_owned(),
         _ => return Vec::new(),

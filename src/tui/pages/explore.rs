@@ -212,9 +212,7 @@ impl Page for ExploreTab {
 
     fn places(&self, app: &App) -> Vec<(String, String)> {
         let grid = app.pages.explore.found().filter(|_| app.pane() == RESULTS);
-        let axes = grid.into_iter().flat_map(|grid| grid.plan().axes());
-        let place = |axis: &Axis| (axis.symbol().to_owned(), app.unit_of(axis.symbol()).to_owned());
-        axes.map(place).collect()
+        cursor::places_of(app, grid.into_iter().flat_map(|grid| grid.plan().axes()))
     }
 
     fn go_to_place(&self, app: &mut App, text: &str) -> Result<(), String> {

@@ -126,6 +126,12 @@ pub(crate) trait Page: Sync {
     /// Another of its panes has been given the keys.
     fn focused(&self, _app: &mut App) {}
 
+    /// A key has been pressed, or the scene has changed: what is computed at rest waits again.
+    fn await_rest(&self, _app: &mut App) {}
+
+    /// The time of rest is over: the page computes what it shows at rest.
+    fn rested(&self, _app: &mut App) {}
+
     /// Do what a key means here; `false` where the page has no meaning of its own for it.
     fn act(&self, _app: &mut App, _action: Action) -> bool {
         false

@@ -75,6 +75,14 @@ impl Page for RunTab {
         About { pages: &[], panes: PANES, commands: COMMANDS }
     }
 
+    fn await_rest(&self, app: &mut App) {
+        matters::wait(app);
+    }
+
+    fn rested(&self, app: &mut App) {
+        matters::rested(app);
+    }
+
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (action, app.pane()) {
             (Action::Run, VARIABLES) if matters::fill(app, action) => {}

@@ -250,6 +250,7 @@ fn named(name: &str) -> KeyEvent {
         "BS" => (KeyCode::Backspace, KeyModifiers::NONE),
         "PgUp" => (KeyCode::PageUp, KeyModifiers::NONE),
         "PgDn" => (KeyCode::PageDown, KeyModifiers::NONE),
+        "F2" => (KeyCode::F(2), KeyModifiers::NONE),
         "F5" => (KeyCode::F(5), KeyModifiers::NONE),
         "C-c" => (KeyCode::Char('c'), KeyModifiers::CONTROL),
         "C-r" => (KeyCode::Char('r'), KeyModifiers::CONTROL),

@@ -81,9 +81,10 @@ fn the_command_beside_an_exported_table_makes_its_rows_again() {
     let mut bench = open(folder.path());
     for (at, (pressed, page, command)) in [
         ("2", None, "sweep"),
-        ("3", None, "limit"),
-        ("v", None, "limit"),
+        ("3r", None, "compare"),
         ("<Tab>", None, "compare"),
+        ("v", None, "limit"),
+        ("r", None, "limit"),
         ("4r", Some(Page::Seek), "seek"),
         ("r", Some(Page::Front), "optimise"),
         ("r", Some(Page::Sensitivity), "sensitivity"),

@@ -11,7 +11,7 @@ use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message}
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{
-    Comparison, LimitSearch, MassComparison, RequestVariant, SearchAnswer, SearchRequest,
+    EfficiencyMapStudy, LimitSearch, MassComparison, RequestVariant, SearchAnswer, SearchRequest,
 };
 use cmra::worker::{ReportBody, TaskReport, Worker};
 use cmra_engine::model::run::EndReason;
@@ -36,14 +36,6 @@ pub(super) fn writes_a_part(bench: &Bench) -> bool {
         _ => None,
     });
     content.expect("an export").contains("is_complete: false")
-}
-
-/// The comparison with a part of its map, as a person left it.
-fn part_of(bench: &Bench) -> Comparison {
-    let found = bench.app.comparison().expect("a comparison").clone();
-    let mut map = found.map.clone().expect("a map");
-    map.cells.truncate(30);
-    Comparison { map: Some(map), ..found }
 }
 
 #[test]
@@ -77,8 +69,8 @@ fn escape_leaves_the_jobs_of_other_tabs_alone() {
 #[test]
 fn counters_do_not_pass_their_totals() {
     let mut bench = Bench::ascii(120, 36);
-    bench.press("3");
-    let study = bench.studies().remove(0);
+    bench.press("3v");
+    let study = bench.studies().pop().expect("a search for the limit");
     bench.progress(study.id, 90, 80);
     assert!(bench.screen().contains("80 of about 80 shots"), "{}", bench.screen());
     let mut bench = Bench::ascii(120, 36);
@@ -172,7 +164,7 @@ fn monte_carlo_and_a_goal_seek_run_at_once_and_both_end() {
 #[test]
 fn looking_starts_little_work_and_a_key_ends_it() {
     let mut bench = Bench::ascii(80, 24);
-    for keys in ["4", "4", "4", "4", "3", "2", "5", "5", "<Tab>", "6"] {
+    for keys in ["4", "4", "4", "4", "3", "v", "2", "5", "5", "<Tab>", "6"] {
         bench.press(keys);
         let looks = bench.tasks(|task| Some((task.id, task.threads, task.budget)));
         let time: Duration = looks.iter().map(|look| look.2.expect("little time")).sum();
@@ -223,7 +215,7 @@ fn a_long_job_is_ended_only_after_a_question() {
         ("2", "r"),
         ("44", "r"),
         ("4444", "r"),
-        ("3v", "v"),
+        ("3v", "r"),
     ] {
         let mut bench = Bench::ascii(120, 36);
         bench.press(open);
@@ -281,31 +273,30 @@ fn an_error_stays_with_the_page_that_was_searched() {
     assert!(bench.message().contains("no design has a stroke"), "{}", bench.message());
 }
 
-/// Each pane of the Limit tab tells of its own study; what a person stopped waits for `r`, also where the tab is shown again.
+/// What a person stopped waits for `r`, also where the tab is shown again, and is written as a part.
 #[test]
-fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
+fn a_stopped_map_says_so_and_waits() {
     let mut bench = limit::open(GlyphSet::Ascii, (120, 40));
-    bench.keys("<Tab>r");
-    search::answer(&mut bench);
-    let part = part_of(&bench);
-    bench.keys("r");
-    let study = bench.studies().remove(0);
-    assert!(MassComparison::downcast(&study.request).is_some());
+    let found = bench.app.pages.limit.map.result.clone().expect("a map");
+    let mut part = cmra_studies::study::compare::map::Map::clone(&found);
+    part.cells[34..].fill(None);
+    bench.press("r");
+    let study = bench.studies().pop().expect("a map");
+    assert!(EfficiencyMapStudy::downcast(&study.request).is_some());
     bench.keys("<Esc>");
-    bench.reply(study.id, stopped((34, 445), part));
-    for pane in ["comparison", "mass efficiency"] {
-        let screen = bench.screen();
-        assert!(screen.contains("cancelled: press r (34 of 445)"), "{pane}: {screen}");
-        bench.keys("<Tab>");
-    }
-    assert!(!bench.screen().contains("cancelled"), "the limit is there: {}", bench.screen());
+    bench.reply(study.id, stopped((16, 169), part));
+    let screen = bench.screen();
+    assert!(screen.contains("cancelled: press r (34 of 169 points)"), "{screen}");
     bench.keys("13");
     let again = bench.studies();
+    assert!(again.iter().all(|study| EfficiencyMapStudy::downcast(&study.request).is_none()));
     assert!(again.iter().all(|study| LimitSearch::downcast(&study.request).is_none()));
-    assert!(again.iter().all(|study| MassComparison::downcast(&study.request).is_none()));
-    // Its map is written as a part.
-    bench.keys("<S-Tab>e<Enter>");
+    bench.keys("e<Enter>");
     assert!(writes_a_part(&bench));
+    bench.press("<Esc><Tab>v");
+    let asked = bench.studies();
+    assert!(asked.iter().all(|study| MassComparison::downcast(&study.request).is_none()));
+    assert!(asked.iter().any(|study| LimitSearch::downcast(&study.request).is_some()));
 }
 
 /// A pin whose run was stopped has no result, and gets one with the next pins that are computed.

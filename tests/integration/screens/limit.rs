@@ -1,14 +1,17 @@
-//! The Limit tab: keys and whole screens, on a made-up limit whose digits never change a picture.
+//! The Limit tab: keys and whole screens. The curve of residual velocities is made up, the comparison and a coarse map are computed.
 
 use std::sync::Arc;
 
 use super::at_every_size;
-use super::bench::{Bench, ended, stopped};
+use super::bench::{Bench, Study, ended, stopped};
 use crate::support::says;
+use cmra::tui::message::{Effect, Message};
 use cmra::tui::theme::GlyphSet;
+use cmra::worker::ReportBody;
 use cmra::worker::studies::{LimitSearch, MassComparison, RequestVariant, StudyRequest, V50Study};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::Scene;
+use cmra_studies::study::compare::map::{Map, default_axis};
 use cmra_studies::study::compare::{Hardware, compare};
 use cmra_studies::study::context::{Context, never_cancel};
 use cmra_studies::study::limit::residual_law::ResidualLaw;
@@ -52,21 +55,50 @@ pub(super) fn stop(bench: &mut Bench) {
     }
 }
 
+/// A map of few points.
+fn mapped(scene: &Arc<Scene>) -> Map {
+    let axes = ["v_i", "gamma"].map(|name| default_axis(scene, name, 13).unwrap());
+    let mut watch = never_cancel;
+    Map::compute(scene, &axes, Hardware::default(), &mut Context::new(1, &mut watch)).unwrap()
+}
+
+/// Answers all studies of the tab, and those that follow them.
 pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut LimitReport)) {
-    for study in bench.studies() {
-        if let Some(V50Study(task)) = V50Study::downcast(&study.request).map(|it| &**it) {
-            let few = monte_carlo::Request { samples: Some(20), ..task.clone() };
-            let watch = &mut never_cancel;
-            let v50 = monte_carlo::run(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
-            bench.reply(study.id, ended(v50));
-            continue;
+    loop {
+        let studies = bench.studies();
+        let is_of_tab = |study: &&Study| answers(study, &change).is_some();
+        if studies.iter().filter(is_of_tab).count() == 0 {
+            return;
         }
-        let StudyRequest::Limit(_) = study.request else { continue };
-        let mut report = found(&study.scene);
-        change(&mut report);
-        let body = ended(report);
-        bench.reply(study.id, body);
+        for study in studies {
+            if let Some(body) = answers(&study, &change) {
+                bench.reply(study.id, body);
+            }
+        }
     }
+}
+
+/// The last report of a study of the tab.
+fn answers(study: &Study, change: &impl Fn(&mut LimitReport)) -> Option<ReportBody> {
+    let watch = &mut never_cancel;
+    Some(match &study.request {
+        StudyRequest::EqualMass(_) => {
+            let context = &mut Context::new(1, watch);
+            ended(compare(&study.scene, Hardware::default(), context).unwrap())
+        }
+        StudyRequest::EfficiencyMap(_) => ended(mapped(&study.scene)),
+        StudyRequest::Spread(task) => {
+            let few = monte_carlo::Request { samples: Some(20), ..task.0.clone() };
+            let watch = &mut never_cancel;
+            ended(monte_carlo::run(&study.scene, &few, &mut Context::new(1, watch)).unwrap())
+        }
+        StudyRequest::Limit(_) => {
+            let mut report = found(&study.scene);
+            change(&mut report);
+            ended(report)
+        }
+        _ => return None,
+    })
 }
 
 /// Answer what was requested.
@@ -74,7 +106,7 @@ pub(super) fn answer(bench: &mut Bench) {
     end(bench, |_| {});
 }
 
-/// The tab with its limit.
+/// The tab with its map and its comparison.
 pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
     bench.keys("3");
@@ -82,15 +114,99 @@ pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     bench
 }
 
+/// The tab with its curve of residual velocities.
+pub(super) fn open_residual(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+    let mut bench = open(glyphs, size);
+    bench.keys("v");
+    answer(&mut bench);
+    bench
+}
+
+/// The time without a key is over; answers what is requested then.
+fn rest(bench: &mut Bench) {
+    let mut serials = bench.effects.iter().rev().filter_map(|effect| match effect {
+        Effect::After(_, Message::Rest(serial)) => Some(*serial),
+        _ => None,
+    });
+    let serial = serials.next().expect("a rest");
+    bench.send(Message::Rest(serial));
+    answer(bench);
+}
+
 #[test]
 fn the_limit_tab_at_every_size() {
     for (glyphs, (columns, rows)) in at_every_size(&[(60, 16), (80, 24), (120, 36)]) {
         let mut bench = open(glyphs, (columns, rows));
+        bench.keys("=v_i 40 gamma 4<Enter>");
+        rest(&mut bench);
         assert_snapshot!(format!("limit_{columns}x{rows}_{glyphs}"), bench.screen());
-        bench.keys("v");
+        bench.keys("<Tab>");
+        assert_snapshot!(format!("limit_candidates_{columns}x{rows}_{glyphs}"), bench.screen());
+        bench.keys("vr");
         answer(&mut bench);
         assert_snapshot!(format!("limit_v50_{columns}x{rows}_{glyphs}"), bench.screen());
     }
+}
+
+/// The first line answers whether the shot is stopped, the second whether moving pays and where: with e J/kg it pays below
+/// sqrt(2 (1 + gamma) e) without dishing, 28.06 m/s for a steel coil of 196.8 J/kg and equal masses.
+#[test]
+fn the_first_lines_are_the_verdict() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.scene = Arc::new(crate::support::scene("dishing=off k=1"));
+    bench.keys("3");
+    answer(&mut bench);
+    let screen = bench.screen();
+    let lines: Vec<&str> = screen.lines().collect();
+    assert!(lines[1].contains("100 m/s is stopped by the law, not measured: v_bl "), "{screen}");
+    let edge = lines[2].split("it pays below ").nth(1).expect(lines[2]);
+    let edge: f64 = edge.split(' ').next().unwrap().parse().unwrap();
+    assert!((edge / 28.06 - 1.0).abs() < 0.05 && lines[2].ends_with("at gamma 1"), "{screen}");
+    assert!(lines[2].contains("Moving does not pay: mass efficiency 0.1"), "{screen}");
+}
+
+/// The numbers below the map are those of the design under the cursor; Enter loads it, Space pins it, Esc goes back to the scene.
+#[test]
+fn the_cursor_of_the_map_chooses_a_design() {
+    let mut bench = open(GlyphSet::Ascii, (120, 36));
+    let own = Arc::clone(&bench.app.scene);
+    assert!(bench.screen().contains("Candidates: this scene"));
+    bench.press("=v_i 20 gamma 4<Enter>");
+    let asked = bench.studies();
+    assert!(asked.is_empty(), "computed at rest");
+    assert!(bench.screen().contains("computed when the cursor rests"), "{}", bench.screen());
+    rest(&mut bench);
+    let screen = bench.screen();
+    assert!(screen.contains("Candidates: v_i 21.147 m/s, gamma 4.6416"), "{screen}");
+    assert!(screen.contains(": mass efficiency 1.1"), "{screen}");
+    assert_eq!(bench.app.scene, own, "the scene stays as it is");
+    // Back at the same place nothing is computed again.
+    bench.press("<Esc>");
+    assert!(bench.screen().contains("Candidates: this scene"));
+    bench.press("=v_i 20 gamma 4<Enter> ");
+    assert!(bench.studies().is_empty());
+    assert_eq!(bench.app.pins.len(), 1);
+    bench.press("<Enter>");
+    let loaded = &bench.app.scene;
+    assert!((loaded.projectile.velocity_m_s - 21.147).abs() < 0.01, "{}", bench.message());
+    assert!((loaded.mass_ratio() - 4.642).abs() < 0.01);
+    // The map is that of the loaded design, too.
+    rest(&mut bench);
+    assert!(bench.app.pages.limit.map.scene != bench.app.scene);
+    bench.press("=v_i 5000<Enter>");
+    assert!(bench.screen().contains("is not on the axis"), "{}", bench.screen());
+}
+
+#[test]
+fn no_line_of_the_candidates_is_cut() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.scene = Arc::new(crate::support::scene("k=0"));
+    bench.press("3");
+    answer(&mut bench);
+    let lines = bench.app.candidate_lines(60);
+    let text: Vec<&str> = lines.iter().map(|line| line.0.trim()).collect();
+    assert!(lines.iter().all(|line| line.0.chars().count() <= 60), "{text:?}");
+    assert!(text.join(" ").contains("not an alternative, only the effect of the mass ratio"));
 }
 
 /// The plate of 3 mm is a thin sheet, overloads its fused interface just below its limit, and its spring's end moves too fast.
@@ -102,7 +218,7 @@ fn the_status_names_what_is_outside_validity_at_the_limit() {
     let real = cmra_studies::study::limit::find(&Arc::new(scene), &mut Context::new(1, watch));
     let at_limit = real.unwrap().at_limit;
     let mut bench = Bench::ascii(120, 36);
-    bench.keys("3");
+    bench.keys("3v");
     end(&mut bench, |report| report.at_limit.clone_from(&at_limit));
     let screen = bench.screen();
     assert!(
@@ -116,6 +232,7 @@ fn missing_results_are_explained() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("3");
     assert_snapshot!("limit_begins", bench.screen());
+    bench.keys("v");
     end(&mut bench, |report| {
         report.limit = Limit::Never;
         (report.recht_ipson, report.lambert_jonas) = (None, None);
@@ -138,8 +255,9 @@ fn missing_results_are_explained() {
 
 #[test]
 fn the_limit_is_found_once_for_each_scene_and_again_on_request() {
-    let mut bench = open(GlyphSet::Ascii, (80, 24));
-    assert!(bench.screen().contains("v_bl 232.300 m/s, margin +132.3 % if the mechanism holds"));
+    let mut bench = open_residual(GlyphSet::Ascii, (80, 24));
+    let told = "100 m/s is stopped by the law, not measured: v_bl 232.300 m/s, margin +132.3 %";
+    assert!(bench.screen().contains(told), "{}", bench.screen());
     bench.keys("13");
     assert!(bench.studies().is_empty());
     // An edit from within the tab makes it old; r finds the new scene's.
@@ -148,7 +266,7 @@ fn the_limit_is_found_once_for_each_scene_and_again_on_request() {
     assert!(bench.screen().contains("another scene's results: press r"), "{}", bench.screen());
     bench.keys("r");
     let asked = bench.studies();
-    assert_eq!((asked.len(), &asked[0].scene), (1, &bench.app.scene));
+    assert_eq!((asked.len(), &asked[0].scene), (2, &bench.app.scene));
     // Leaving and coming back does not ask twice.
     bench.keys("13");
     let again = bench.studies();
@@ -158,8 +276,8 @@ fn the_limit_is_found_once_for_each_scene_and_again_on_request() {
 #[test]
 fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("3");
-    let study = bench.studies().remove(0);
+    bench.keys("3v");
+    let study = bench.studies().pop().expect("a search");
     bench.progress(study.id, 12, 111);
     assert!(bench.screen().contains("finding the limit: 12 of about 111 shots (Esc cancels)"));
     bench.keys("<Esc>");
@@ -176,10 +294,10 @@ fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
 
 /// The study is that of `cmra montecarlo --outputs limit_velocity_m_s`, with the known error of the model.
 #[test]
-fn v_computes_v50_as_the_command_does() {
-    let mut bench = open(GlyphSet::Ascii, (120, 36));
-    bench.keys("v");
-    let asked = bench.studies().remove(0).request;
+fn v50_is_that_of_the_command() {
+    let mut bench = open_residual(GlyphSet::Ascii, (120, 36));
+    bench.keys("r");
+    let asked = bench.studies().pop().expect("V50").request;
     let task = monte_carlo::Request::v50();
     assert_eq!(V50Study::downcast(&asked).map(|it| &**it), Some(&V50Study(task)));
 }
@@ -192,7 +310,7 @@ fn a_search_under_way_goes_on_at_another_impact_velocity() {
         let studies = bench.studies().into_iter();
         studies.filter(|study| LimitSearch::downcast(&study.request).is_some()).count()
     };
-    bench.keys("3");
+    bench.keys("3v");
     assert_eq!(asked(&mut bench), 1);
     bench.keys("1/v_i<Enter><Enter>150<Enter>3");
     assert_eq!(asked(&mut bench), 0);
@@ -200,7 +318,7 @@ fn a_search_under_way_goes_on_at_another_impact_velocity() {
 
 #[test]
 fn shots_are_exported() {
-    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    let mut bench = open_residual(GlyphSet::Ascii, (80, 24));
     bench.keys("e");
     assert_snapshot!("limit_export", bench.screen());
     bench.keys("<Enter>");
@@ -216,14 +334,14 @@ fn a_path_that_ends_in_svg_gets_the_charts_on_the_screen() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("e<C-u>limit.svg<Enter>");
     let (_, drawn, has_scene) = bench.exported().expect("an export");
-    assert!(drawn.contains("Residual velocity") && drawn.contains("<polyline"), "{drawn}");
+    assert!(drawn.contains("Mass efficiency") && drawn.contains("<polyline"), "{drawn}");
     assert!(!has_scene);
 }
 
 #[test]
 fn j_goes_from_the_curve_to_the_words_where_both_have_no_room() {
-    let mut bench = open(GlyphSet::Ascii, (60, 16));
-    bench.keys("v");
+    let mut bench = open_residual(GlyphSet::Ascii, (60, 16));
+    bench.keys("r");
     answer(&mut bench);
     let curve = bench.screen();
     assert!(curve.contains("Residual velocity") && curve.contains("j: laws"), "{curve}");
@@ -246,7 +364,7 @@ fn j_goes_from_the_curve_to_the_words_where_both_have_no_room() {
 #[test]
 fn an_oblique_limit_comes_with_the_measured_bias() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("/theta<Enter><Enter>30<Enter>3");
+    bench.keys("/theta<Enter><Enter>30<Enter>3v");
     answer(&mut bench);
     let screen = bench.screen();
     assert!(screen.contains("oblique limits come out below measured ones"), "{screen}");
@@ -276,7 +394,7 @@ fn the_tab_and_the_commands_give_the_same_digits() {
     for name in ["thesis-baseline", "rigid-mount", "cocked", "oblique", "thin-plate-perforation"] {
         let mut bench = Bench::ascii(80, 24);
         bench.app.scene = Arc::new(cmra::files::preset::resolve(name, None).unwrap().scene);
-        bench.keys("3");
+        bench.keys("3v");
         let read = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
         let json = |command: &str| read(&says(command, &[name, "--json"], 0).0);
         let mut asked = 0;
@@ -336,11 +454,11 @@ fn the_headline_of_a_measured_shot_is_its_verdict() {
     let mut bench = Bench::ascii(120, 36);
     bench.app.scene =
         Arc::new(cmra_engine::model::variables::changed(Scene::default(), pairs).unwrap());
-    bench.keys("3");
+    bench.keys("3v");
     end(&mut bench, |report| {
         report.limit = Limit::found(452.133_810_6, LimitMethod::ClosedForm);
     });
     let screen = bench.screen();
-    let told = "expected 447.4 (406.1 to 493.0) m/s: 500 m/s is perforated; law 452.134 m/s";
+    let told = "500 m/s perforates: expected limit 447.4 (406.1 to 493.0) m/s; law 452.134 m/s";
     assert!(screen.contains(told), "{screen}");
 }

@@ -20,7 +20,7 @@ fn the_focus_belongs_to_the_tab() {
     assert_eq!(bench.app.pane(), explore::SETUP);
     let before = Arc::clone(&bench.app.scene);
     bench.keys("30ll");
-    assert_eq!(bench.app.pane(), cmra::tui::pages::limit::RESIDUAL);
+    assert_eq!(bench.app.pane(), cmra::tui::pages::limit::EFFICIENCY_MAP);
     assert_eq!(bench.app.scene, before);
     bench.keys("2");
     assert_eq!(bench.app.pane(), explore::SETUP, "each tab keeps its own");

@@ -9,9 +9,6 @@ use super::bench::{Bench, Study, ended, stopped};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
-use cmra_studies::study::compare::map::{Map, default_axis};
-use cmra_studies::study::compare::{self, Hardware};
-use cmra_studies::study::context::{Context, never_cancel};
 use cmra_studies::study::search::front::{self, Design, FrontReport};
 use cmra_studies::study::sweep::PointOutcome;
 use cmra_studies::study::sweep::default_axes::{or_usual, thesis_axes};
@@ -20,9 +17,7 @@ use cmra::tui::keymap::Tab;
 use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::{Page, Row};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{
-    Comparison, MassComparison, RequestVariant, SearchAnswer, SearchRequest, StudyResult,
-};
+use cmra::worker::studies::{RequestVariant, SearchAnswer, SearchRequest, StudyResult};
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
@@ -58,15 +53,6 @@ fn made(scene: &Arc<Scene>, request: &SearchRequest) -> SearchAnswer {
     request.run(scene, 1, &|_, _| ControlFlow::Continue(())).unwrap()
 }
 
-fn compared(scene: &Arc<Scene>) -> Comparison {
-    let mut watch = never_cancel;
-    let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
-    let report = compare::compare(scene, hardware, context).unwrap();
-    let axes = ["v_i", "gamma"].map(|name| default_axis(scene, name, 21).unwrap());
-    let map = Map::compute(scene, &axes, hardware, context).ok();
-    Comparison { report, map }
-}
-
 /// Answer what was requested, and what is requested then.
 pub(super) fn answer(bench: &mut Bench) {
     loop {
@@ -93,15 +79,11 @@ pub(super) fn found(study: &Study) -> StudyResult {
 }
 
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
-    let found = if SearchRequest::downcast(&study.request).is_some() {
-        found(study)
-    } else if MassComparison::downcast(&study.request).is_some() {
-        StudyResult::from(compared(&study.scene))
-    } else {
-        return false;
-    };
-    bench.reply(study.id, ended(found));
-    true
+    let is_search = SearchRequest::downcast(&study.request).is_some();
+    if is_search {
+        bench.reply(study.id, ended(found(study)));
+    }
+    is_search
 }
 
 /// Opens Search with its results selected.
@@ -359,16 +341,4 @@ fn what_an_absorber_uses_can_be_varied_and_any_quantity_bounded() {
     assert_eq!(other.app.pages.search.setup.subject_to, bench.app.pages.search.setup.subject_to);
     bench.press("<Enter><C-u>stroke_m=1<Enter>");
     assert!(bench.screen().contains("write QUANTITY<=VALUE"), "{}", bench.screen());
-}
-
-#[test]
-fn no_line_of_the_comparison_is_cut() {
-    let mut bench = Bench::ascii(80, 24);
-    bench.app.scene = Arc::new(crate::support::scene("k=0"));
-    bench.press("3");
-    answer(&mut bench);
-    let lines = bench.app.comparison_lines(60);
-    let text: Vec<&str> = lines.iter().map(|line| line.0.trim()).collect();
-    assert!(lines.iter().all(|line| line.0.chars().count() <= 60), "{text:?}");
-    assert!(text.join(" ").contains("not an alternative, only the effect of the mass ratio"));
 }

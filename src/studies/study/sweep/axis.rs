@@ -108,6 +108,15 @@ impl Axis {
         (self.number.get)(scene)
     }
 
+    /// The value that a scene has, also where another variable gives the plate its size.
+    pub fn own_value(&self, scene: &Scene) -> Option<f64> {
+        self.get(scene).or_else(|| match self.variable().key {
+            "plate.mass_kg" => Some(scene.plate_mass_kg()),
+            "plate.face_m" => Some(scene.plate_face_m()),
+            _ => None,
+        })
+    }
+
     /// Gives a scene this value of the variable; NaN stands for a variable that is absent, such as a stop.
     pub fn set(&self, scene: &mut Scene, value: f64) {
         (self.number.set)(scene, (!value.is_nan()).then_some(value));

@@ -37,7 +37,7 @@ impl App {
         }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
-            nearest(axis, here(axis, &self.scene)?)
+            nearest(axis, axis.own_value(&self.scene)?)
         };
         let axes = grid.plan().axes();
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
@@ -48,7 +48,7 @@ impl App {
         let grid = self.pages.explore.found()?;
         let (x, y) = self.cursor_point(grid);
         let values = || values_at(grid, (x, y));
-        let is_here = |(axis, value): (&Axis, f64)| here(axis, &self.scene) == Some(value);
+        let is_here = |(axis, value): (&Axis, f64)| axis.own_value(&self.scene) == Some(value);
         let near = if values().all(is_here) { "" } else { "near " };
         let place =
             values().map(|(axis, value)| format!("{} {}", axis.symbol(), axis.show(value, 5)));
@@ -85,7 +85,16 @@ pub(crate) fn no_sweep(app: &App) -> String {
 /// The grid point nearest to the place that a text says; along an axis that it does not name it stays.
 pub(super) fn place(app: &App, text: &str) -> Result<(usize, usize), String> {
     let Some(grid) = app.pages.explore.found() else { return Err(no_sweep(app)) };
-    let axes = grid.plan().axes();
+    place_on(app, grid.plan().axes(), app.cursor_point(grid), text)
+}
+
+/// The point of some axes nearest to the place that a text says, from a point on.
+pub(crate) fn place_on(
+    app: &App,
+    axes: &[Axis],
+    (mut x, mut y): (usize, usize),
+    text: &str,
+) -> Result<(usize, usize), String> {
     let names: Vec<&str> = axes.iter().map(Axis::symbol).collect();
     let read = |at: usize, text: &str| {
         let number = axes[at].variable().number();
@@ -98,13 +107,21 @@ pub(super) fn place(app: &App, text: &str) -> Result<(usize, usize), String> {
         on_axis(names[at], value, ends, |value| axes[at].show(value, 5))
     };
     let values = place::values(text, &names, read)?;
-    let (mut x, mut y) = app.cursor_point(grid);
     for (at, value) in values.into_iter().enumerate() {
         if let Some(near) = value.and_then(|value| nearest(&axes[at], value)) {
             *(if at == 0 { &mut x } else { &mut y }) = near;
         }
     }
     Ok((x, y))
+}
+
+/// The axes with the units of bare numbers, as the field of a place names them.
+pub(crate) fn places_of<'a>(
+    app: &App,
+    axes: impl IntoIterator<Item = &'a Axis>,
+) -> Vec<(String, String)> {
+    let place = |axis: &Axis| (axis.symbol().to_owned(), app.unit_of(axis.symbol()).to_owned());
+    axes.into_iter().map(place).collect()
 }
 
 /// An output at a point: its value, or why there is none.
@@ -125,15 +142,6 @@ fn cell_words(output: &Quantity, cell: Cell) -> String {
         Cell::Outcome(outcome) => outcome.without_value(output).to_owned(),
         Cell::Waiting => "not computed yet".to_owned(),
     }
-}
-
-/// The value that a scene has of an axis, also where another variable gives the plate its size.
-fn here(axis: &Axis, scene: &Scene) -> Option<f64> {
-    axis.get(scene).or_else(|| match axis.variable().key {
-        "plate.mass_kg" => Some(scene.plate_mass_kg()),
-        "plate.face_m" => Some(scene.plate_face_m()),
-        _ => None,
-    })
 }
 
 /// The axes of a grid with their values at a point.

@@ -1,19 +1,18 @@
 //! The ballistic limit and the residual velocity of the Limit tab, in words and drawn.
 
 use crate::tui::chart::Emphasis;
-use crate::tui::pages::limit::state::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
+use crate::tui::pages::limit::area;
+use crate::tui::pages::limit::state::RESIDUAL;
 use crate::tui::pages::page::prelude::*;
-use crate::tui::widgets::layout::{CHART_ROWS, NARROW};
+use crate::tui::widgets::layout::CHART_ROWS;
 use crate::tui::widgets::text::fitting;
 use crate::worker::studies::LimitSearch;
-use cmra_engine::model::run::envelope;
-use cmra_engine::model::units::{self, fixed_significant};
+use cmra_engine::model::units;
 use cmra_studies::report::Remark;
-use cmra_studies::report::limit::{remarks, residual, taken_to_hold};
+use cmra_studies::report::limit::{headlines, remarks, residual, taken_to_hold};
 use cmra_studies::report::monte_carlo::{perforation, v50};
 use cmra_studies::study::limit::Limit;
 use cmra_studies::study::monte_carlo;
-use cmra_studies::study::verdict::Verdict;
 
 /// Columns of a fact's label.
 const LABEL: u16 = 15;
@@ -28,7 +27,7 @@ impl App {
             let words = [v50(spread), perforation(spread)].into_iter().flatten();
             facts.extend(words.map(|text| Remark::new("V50", text)));
         } else if report.limit.velocity_m_s().is_some() && tab.report.is_complete() {
-            let text = self.keymap.shown("<view>: V50 and its spread, inputs varied by 2 %");
+            let text = self.keymap.shown("<run>: V50 and its spread, inputs varied by 2 %");
             facts.push(Remark::new("V50", text));
         }
         let room = usize::from(width.saturating_sub(LABEL + 2)).max(10);
@@ -92,46 +91,12 @@ impl App {
     /// The limit and the margin of the scene it belongs to, in one line of a given number of columns.
     pub fn limit_headline(&self, width: usize) -> Option<String> {
         let report = self.pages.limit.report.result.as_ref()?;
-        let is_old = self.limit_is_old();
-        let of = if is_old { " of another scene" } else { "" };
-        let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = report.limit else {
-            return Some(fitting([report.limit.absence()? + of], width));
-        };
-        let own_m_s = self.limit_shot_m_s();
+        let of = if self.limit_is_old() { " of another scene" } else { "" };
         let mut scene = Scene::clone(&report.scene);
-        scene.projectile.velocity_m_s = own_m_s;
-        let verdict = Verdict::with_limit(&scene, Some(velocity_m_s));
-        let own = significant(own_m_s, 4);
-        let law = format!("{} m/s{of}", fixed_significant(velocity_m_s, 6));
-        if let Some(expected) = &verdict.expected {
-            let digits = |value: f64| fixed_significant(value, 4);
-            let [low, limit, high] =
-                [expected.low_m_s, expected.limit_m_s, expected.high_m_s].map(digits);
-            let bare = format!("expected {limit} ({low} to {high}) m/s{of}");
-            let answer = format!("{bare}: {own} m/s {}", verdict.decision.words());
-            return Some(fitting([format!("{answer}; law {law}"), answer, bare], width));
-        }
-        let margin = velocity_m_s / own_m_s - 1.0;
-        // Where a faster shot is stopped again, being beyond the limit tells nothing.
-        let lowest_m_s = report.closures.and_then(|it| it.band_m_s()).map(|(low_m_s, _)| low_m_s);
-        let is_between = lowest_m_s.is_some_and(|lowest_m_s| own_m_s >= lowest_m_s);
-        let ends = match (margin < 0.0, stopped_at_m_s) {
-            (false, _) if is_between => {
-                format!(": {own} m/s is stopped by this rule, not by the lowest; not measured")
-            }
-            (true, None) if envelope::is_law_low(&scene) => {
-                format!(": the law, low here, says nothing of {own} m/s; not measured")
-            }
-            (false, _) => format!(": {own} m/s is stopped by the law, not measured"),
-            (true, None) => format!(": {own} m/s perforates by the law, not measured"),
-            (true, Some(_)) => format!(" at {own} m/s, not measured"),
-        };
-        let limit = format!("v_bl {law}");
-        let is_conditional = margin >= 0.0 && taken_to_hold(report).is_some();
-        let condition = if is_conditional { " if the mechanism holds" } else { "" };
-        let bare = format!("{limit}, margin {:+.1} %", 100.0 * margin);
-        let short = format!("{bare}{condition}");
-        Some(fitting([format!("{short}{ends}"), short, bare, limit], width))
+        scene.projectile.velocity_m_s = self.limit_shot_m_s();
+        let holds = if taken_to_hold(report).is_some() { " if the mechanism holds" } else { "" };
+        let lines = headlines(&scene, report.limit, holds).into_iter();
+        Some(fitting(lines.map(|line| line + of), width))
     }
 
     /// Describes the limit.
@@ -148,9 +113,8 @@ impl App {
         let turn = if self.pages.limit.word == 0 { "<down>: laws" } else { "<first>: curve" };
         parts.extend(self.limit_words().map(|_| turn.to_owned()));
         parts.extend(self.v50().and_then(v50).map(|text| format!("V50 {text}")));
-        // Where there is one row, the pane itself has the limit in full.
-        if self.layout().message.height > 1 {
-            parts.insert(0, self.limit_headline(usize::MAX)?);
+        if parts.is_empty() {
+            return None;
         }
         Some((severity, parts.join("; ")))
     }
@@ -219,32 +183,3 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     chart.focused = app.has_focus(RESIDUAL);
     canvas.draw(&chart, area);
 }
-
-/// Where a pane stands: the residual velocity and the map above the comparison; the pane that has the keys alone where
-/// there is no room for three.
-pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
-    let focus = app.pane();
-    let rows = if body.height < ROOM_FOR_FIGURES { VERDICT_ROWS } else { COMPARISON_ROWS };
-    if body.height < rows + 8 {
-        return (pane == focus).then_some(body);
-    }
-    let (above, comparison) = split_bottom(body, rows);
-    let (left, right) = split_left(above, above.width / 2);
-    let is_narrow = body.width < NARROW;
-    let at_right = match focus {
-        EFFICIENCY_MAP => focus,
-        _ if is_narrow => RESIDUAL,
-        _ => EFFICIENCY_MAP,
-    };
-    match pane {
-        COMPARISON => Some(comparison),
-        _ if is_narrow => (pane == at_right).then_some(above),
-        RESIDUAL => Some(left),
-        _ => (pane == at_right).then_some(right),
-    }
-}
-
-/// Rows of the comparison, frame included; of the verdict alone where the body is lower than this, so that charts can be read.
-const COMPARISON_ROWS: u16 = 10;
-const VERDICT_ROWS: u16 = 6;
-const ROOM_FOR_FIGURES: u16 = 26;

@@ -1,8 +1,5 @@
 //! Sensitivity bars beside the variables: the effect of every variable on one result of the scene.
 
-use std::time::Duration;
-
-use crate::tui::message::Message;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::state::Matters;
 use crate::tui::pages::search::levels;
@@ -16,9 +13,6 @@ use cmra_studies::study::sensitivity::{OUTPUT, POINTS, Request, SensitivityRepor
 /// The results that bars show in turn, each with a word.
 const OUTPUTS: [(&str, &str); 3] =
     [(OUTPUT, "depth"), ("max_plate_displacement_m", "travel"), ("peak_contact_force_n", "force")];
-
-/// Time without a key after which the bars are computed.
-const REST: Duration = Duration::from_millis(300);
 
 /// A bar beside a variable.
 pub(crate) struct Bar {
@@ -46,8 +40,7 @@ impl Matters {
     /// Whether looking computes no more of the report of a scene: it is complete, or its time was used up.
     fn is_settled(&self, scene: &Scene) -> bool {
         let kept = &self.kept;
-        let has_looked = kept.elapsed.is_some_and(|took| kept.is_over() || took >= jobs::LOOK);
-        self.report().is_some() && *kept.scene == *scene && has_looked
+        self.report().is_some() && *kept.scene == *scene && kept.has_been_looked_at(jobs::LOOK)
     }
 }
 
@@ -85,20 +78,14 @@ fn look(app: &mut App) {
 
 /// A key has been pressed: the rest before the bars are computed begins again.
 pub(crate) fn wait(app: &mut App) {
-    let matters = &mut app.pages.run.matters;
-    if matters.output.is_none() || app.tab != Tab::Run || matters.is_settled(&app.scene) {
-        return;
+    let matters = &app.pages.run.matters;
+    if matters.output.is_some() && !matters.is_settled(&app.scene) {
+        jobs::begin_rest(app);
     }
-    matters.serial += 1;
-    let serial = matters.serial;
-    app.request(Effect::After(REST, Message::Rest(serial)));
 }
 
 /// The rest is over: the bars are computed, unless the run of the scene still goes on.
-pub(crate) fn rested(app: &mut App, serial: u64) {
-    if serial != app.pages.run.matters.serial {
-        return;
-    }
+pub(crate) fn rested(app: &mut App) {
     if app.jobs.current.is_some() { wait(app) } else { look(app) }
 }
 

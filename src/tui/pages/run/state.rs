@@ -40,8 +40,6 @@ pub struct Matters {
     pub output: Option<usize>,
     /// The newest report, whole or as far as it is.
     pub kept: CachedResult<SearchAnswer>,
-    /// Counts keys: an older rest is out of date.
-    pub serial: u64,
 }
 
 /// The greatest differences of a run from traces, by quantity: computed once for each pair.

@@ -1,0 +1,192 @@
+//! The map of mass efficiency with its cursor, the slices through the cursor, and the design there.
+
+use crate::tui::chart::{self, Chart, Curve, Frame, Mark, align_gutters};
+use crate::tui::pages::explore::cursor::{place_on, places_of};
+use crate::tui::pages::explore::state::{copy_value, nearest, placed};
+use crate::tui::pages::limit::state::EFFICIENCY_MAP;
+use crate::tui::pages::page::prelude::*;
+use crate::tui::widgets::layout::NARROW;
+use crate::tui::widgets::moved;
+use crate::worker::studies::{EfficiencyMapStudy, MassComparison};
+use cmra_engine::model::units::fixed_significant;
+use cmra_studies::report::chart::Below;
+use cmra_studies::report::compare::picture;
+use cmra_studies::report::figures::{axis_of, column_of};
+use cmra_studies::report::map::Map;
+use cmra_studies::study::compare::map::{Map as EfficiencyMap, default_axes};
+use cmra_studies::study::sweep::Axis;
+
+/// Letter of the scene on the map.
+const SCENE: char = 'S';
+/// Least rows of two slices above each other: a title, three rows and an axis each.
+const TWO_SLICES: u16 = 10;
+
+impl App {
+    /// The map, as far as it is, where it is one of this scene: the scene differs at most in what the axes change, and lies on them.
+    pub(crate) fn efficiency_map(&self) -> Option<&EfficiencyMap> {
+        let kept = &self.pages.limit.map;
+        let found = kept.result.as_deref()?;
+        let axes = [found.x(), found.y()];
+        let mut own = (*kept.scene).clone();
+        own.sweep.clone_from(&self.scene.sweep);
+        for axis in axes {
+            copy_value(axis, &self.scene, &mut own);
+        }
+        let is_on = |axis: &Axis| {
+            let (low, high) = axis.ends();
+            axis.get(&self.scene).is_some_and(|own| (low..=high).contains(&own))
+        };
+        (own == *self.scene && axes.into_iter().all(is_on)).then_some(found)
+    }
+
+    /// The point under the cursor: the one it was moved to, or the one nearest to the scene.
+    fn map_point(&self, map: &EfficiencyMap) -> (usize, usize) {
+        let own = |axis: &Axis| axis.get(&self.scene).and_then(|own| nearest(axis, own));
+        let scene = || (own(map.x()).unwrap_or(0), own(map.y()).unwrap_or(0));
+        self.pages.limit.cursor.unwrap_or_else(scene)
+    }
+
+    /// The design under the cursor, which is the scene until the cursor is moved.
+    pub(crate) fn design(&self) -> Result<LabelledScene, String> {
+        let Some(at) = self.pages.limit.cursor else {
+            return Ok(LabelledScene { scene: (*self.scene).clone(), label: "scene".to_owned() });
+        };
+        let map = self.efficiency_map().ok_or_else(|| old("scene"))?;
+        Ok(placed((*self.scene).clone(), values_at(map, at)))
+    }
+}
+
+/// The axes of the map with their values at a point.
+fn values_at(map: &EfficiencyMap, (x, y): (usize, usize)) -> [(&Axis, f64); 2] {
+    [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)))
+}
+
+/// Whether a scene has a map at all.
+pub(super) fn has_map(scene: &Scene) -> bool {
+    !scene.is_stack() && default_axes(scene).is_some()
+}
+
+/// Move the cursor by points; the scene stays as it is.
+pub(super) fn move_cursor(app: &mut App, by: (isize, isize)) {
+    let Some(map) = app.efficiency_map() else {
+        return app.report_progress(nothing::<EfficiencyMapStudy>(app, BEING_COMPUTED, None));
+    };
+    let next = moved(app.map_point(map), by, counts(map));
+    app.pages.limit.cursor = Some(next);
+}
+
+fn counts(map: &EfficiencyMap) -> (usize, usize) {
+    let count = |axis: &Axis| usize::try_from(axis.count()).unwrap_or(usize::MAX);
+    (count(map.x()), count(map.y()))
+}
+
+pub(super) fn places(app: &App) -> Vec<(String, String)> {
+    places_of(app, app.efficiency_map().into_iter().flat_map(|map| [map.x(), map.y()]))
+}
+
+pub(super) fn go_to_place(app: &mut App, text: &str) -> Result<(), String> {
+    let Some(map) = app.efficiency_map() else { return Err(old("scene")) };
+    let axes = [map.x().clone(), map.y().clone()];
+    app.pages.limit.cursor = Some(place_on(app, &axes, app.map_point(map), text)?);
+    Ok(())
+}
+
+/// Describes the point under the cursor.
+pub(super) fn readout(app: &App) -> Option<String> {
+    let map = app.efficiency_map()?;
+    let Some(at) = app.pages.limit.cursor else {
+        let own = [map.x(), map.y()].map(|axis| {
+            let value = axis.get(&app.scene).unwrap_or_default();
+            format!("{} {}", axis.symbol(), axis.show(value, 4))
+        });
+        let moves = app.keymap.shown("<left> <down> <up> <right> move, the numbers follow");
+        return Some(format!("{SCENE}: this scene, {}; {moves}", own.join(", ")));
+    };
+    let place =
+        values_at(map, at).map(|(axis, it)| format!("{} {}", axis.symbol(), axis.show(it, 4)));
+    let words = match map.cell(at.0 as u64, at.1 as u64) {
+        Some(Ok(value)) => format!("mass efficiency {}", fixed_significant(value, 4)),
+        Some(Err(absence)) => absence.words.to_owned(),
+        None if app.jobs.running::<EfficiencyMapStudy>().is_some() => "not computed yet".to_owned(),
+        None => app.keymap.shown("not computed yet: <run> computes the whole map"),
+    };
+    Some(format!("{}: {words}", place.join(", ")))
+}
+
+/// The map, and right of it the slices through its cursor.
+pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let focused = app.has_focus(EFFICIENCY_MAP);
+    let found = app.efficiency_map();
+    let Some((found, map)) = found.and_then(|found| Some((found, picture(found)?))) else {
+        let inner = PaneFrame::new("Mass efficiency").focused(focused).draw(area, canvas);
+        let why = match found {
+            Some(map) if map.cells.iter().any(Option::is_some) => {
+                Some("no point has a mass efficiency")
+            }
+            _ if app.scene.is_stack() => Some("a stack is compared with nothing"),
+            _ if !has_map(&app.scene) => Some("no map over v_i and the plate's size"),
+            _ if app.jobs.running::<MassComparison>().is_some() => {
+                Some("computed after the comparison")
+            }
+            _ => None,
+        };
+        return canvas
+            .put_centred(inner, &nothing::<EfficiencyMapStudy>(app, "computing the map", why));
+    };
+    let has_slices = area.width >= NARROW;
+    let (left, right) =
+        split_left(area, if has_slices { area.width * 11 / 20 } else { area.width });
+    let at = app.map_point(found);
+    let column =
+        |point: (usize, usize)| column_of(found.x(), point.0).zip(column_of(found.y(), point.1));
+    let own = |axis: &Axis| axis.get(&app.scene).and_then(|own| nearest(axis, own));
+    let present = own(found.x()).zip(own(found.y())).and_then(column);
+    let title = format!("Mass efficiency, up: {}", found.y().symbol()).into();
+    let mut map = Map { title, focused, present: present.map(|at| (at, SCENE)), ..map };
+    map.cursor = app.pages.limit.cursor.and_then(column);
+    let layout = canvas.draw_map(&map, left);
+    canvas.plot(&layout, |x, y| {
+        Some(Target::Cell(EFFICIENCY_MAP, (nearest(found.x(), x)?, nearest(found.y(), y)?)))
+    });
+    if has_slices {
+        slices(found, at, right, canvas);
+    }
+}
+
+/// The mass efficiency along the row and along the column of a point.
+fn slices(map: &EfficiencyMap, (x, y): (usize, usize), area: Rect, canvas: &mut Canvas<'_>) {
+    let (row, across) = map.row(y as u64);
+    let (column, up) = map.column(x as u64);
+    let is_both = area.height >= TWO_SLICES;
+    let (above, below) = split_bottom(area, if is_both { area.height / 2 } else { 0 });
+    let parts = [
+        (map.x(), (map.y(), row), across, x, above, Below::Across),
+        (map.y(), (map.x(), column), up, y, below, Below::End),
+    ];
+    let mut charts: Vec<(Chart<'_>, Rect)> = Vec::new();
+    for (axis, (held, held_at), points, own, area, below) in parts {
+        let points: Vec<(f64, f64)> =
+            points.into_iter().map(|(at, value)| (axis.value(at), value)).collect();
+        let begins = charts.is_empty();
+        let frame = Frame::Stacked { begins, below: if is_both { below } else { Below::End } };
+        let held = format!("{} {}", held.symbol(), held.show(held.value(held_at), 3));
+        let title = format!("over {}, at {held}", axis.symbol());
+        let values = points.iter().map(|point| point.1).filter(|value| value.is_finite());
+        let Some(y) = chart::Axis::fitted("", "", values) else { continue };
+        let curve = Curve::new('*', "", points);
+        let levels = vec![Mark::new(1.0, "")];
+        let crosshair = Some(axis.value(own as u64));
+        let chart =
+            Chart { crosshair, frame, levels, ..Chart::new(title, axis_of(axis), y, vec![curve]) };
+        charts.push((chart, area));
+        if !is_both {
+            break;
+        }
+    }
+    let areas: Vec<Rect> = charts.iter().map(|it| it.1).collect();
+    let mut charts: Vec<Chart<'_>> = charts.into_iter().map(|it| it.0).collect();
+    align_gutters(&mut charts, &areas);
+    for (chart, area) in charts.iter().zip(areas) {
+        canvas.draw(chart, area);
+    }
+}
