@@ -3,7 +3,6 @@
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
-use crate::model::mechanism::Mechanism;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::numerics::larger;
 
@@ -65,9 +64,6 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
         EstimateBasis::ClosedForm | EstimateBasis::OutcomeDiffers(_) => (1.0, ROUNDING),
     };
     let struck = run.scene.projectile.velocity_m_s;
-    // Both computations creep alike.
-    let fastest = larger(struck, run.scene.closing_velocity_m_s());
-    let creep_m_s = Mechanism::from_scene(&run.scene).damper.creep_m_s(fastest);
     run.error_estimates = ESTIMATED
         .iter()
         .filter_map(|(name, scale, get)| {
@@ -75,14 +71,11 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
             let (value, other) = (value(run)?, value(second)?);
             let rounding = match scale {
                 Scale::Own => 0.0,
-                Scale::ImpactVelocity => larger(ROUNDING * struck, creep_m_s) / value.abs(),
+                Scale::ImpactVelocity => ROUNDING * struck / value.abs(),
                 Scale::LimitVelocity => {
                     f64::EPSILON * (struck / run.residual_velocity_m_s?).powi(2)
                 }
-                Scale::CockingDistance => {
-                    let creep_m = creep_m_s * run.contact_end_s();
-                    larger(ROUNDING * run.scene.start_m().abs(), creep_m) / value.abs()
-                }
+                Scale::CockingDistance => ROUNDING * run.scene.start_m().abs() / value.abs(),
             };
             let interval_m = match *name {
                 "final_penetration_m" => {

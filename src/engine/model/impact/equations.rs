@@ -175,9 +175,8 @@ impl ImpactParameters {
     /// The constants for steps by a method.
     pub(super) fn by(mut self, stepping: IntegrationMethod) -> Self {
         self.stepping = stepping;
-        if let Some(plug) = &mut self.plug {
-            plug.stepping = stepping;
-        }
+        self.creep_m_s *= self.rule_part();
+        self.plug = self.plug.map(|plug| Box::new(plug.by(stepping)));
         self
     }
 
