@@ -21,7 +21,7 @@ pub enum IntegrationMethod {
     /// Collocation; the plate is integrated to its turning point even if its energy gives the maximum displacement.
     CollocationInFull(f64),
     /// Collocation with two more stages, for the error estimate. Events force both computations to the same steps, on which a member with
-    /// equally many stages would have the same errors. It records only the compression of the interface among the loads.
+    /// equally many stages would have the same errors.
     Second(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
     Radau5(f64),

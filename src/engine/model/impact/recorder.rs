@@ -42,7 +42,7 @@ pub(super) struct Recorder {
     /// Greatest displacement and when it was reached, m and s.
     pub(super) farthest_m: f64,
     pub(super) farthest_s: f64,
-    /// Greatest speed of the plate at the ends of steps and before events, m/s.
+    /// Greatest speed of the plate, m/s: of one that turns nothing at the ends of steps and before events alone.
     pub(super) fastest_m_s: f64,
     /// A steep spring held the plate up to the first arrest.
     pub(super) was_held: bool,
@@ -108,6 +108,11 @@ impl Recorder {
         self.cost.steps += 1;
         self.add_work(equations, path);
         self.note_displacements(equations, path);
+        if equations.setup.turning_kg > 0.0 {
+            let known_m_s = self.fastest_m_s;
+            let greatest_m_s = path.greatest(known_m_s, |state| state.w_m_s.abs());
+            self.fastest_m_s = larger(greatest_m_s, known_m_s);
+        }
         self.note_forces(equations, path);
         self.draw(equations, path);
     }

@@ -6,7 +6,6 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
-use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, HybridMode};
 use crate::model::impact::outcome::NEGLIGIBLE;
 use crate::model::impact::recorder::Recorder;
@@ -83,25 +82,20 @@ impl ImpactRun<'_> {
         (is_little || is_long).then_some((Outcome::Arrested, deepens_m))
     }
 
-    /// Whether what follows may load the mount, or the joined interface, more than they have been; or, if not all loads are asked for, push
-    /// the interface more.
+    /// Whether what follows may load the mount, or the joined interface, more than they have been.
     pub(super) fn loads_may_grow(&mut self) -> bool {
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         let equations = Equations { setup, mode };
-        let all = !matches!(setup.stepping, IntegrationMethod::Second(_));
         let is_joined = mode.contact == Contact::Fused;
-        let is_loaded =
-            !equations.is_in_equilibrium(state) && equations.drives_away(state).is_none();
-        if !is_loaded || !(all || is_joined) {
+        if equations.is_in_equilibrium(state) || equations.drives_away(state).is_some() {
             return false;
         }
         let energy_j = equations.energy_j(state);
         let bounds = equations.peak_load_bounds_n(state, energy_j);
         let most_n = equations.mechanism_bounds_n(bounds);
         let known_n = record.loads.known_n(&equations, state);
-        let grows = |way: usize| most_n[way] > known_n[way] * (1.0 + GROWTH);
-        let grows = grows(0) || all && grows(1);
-        let exceeds = all && is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
+        let grows = (0..2).any(|way| most_n[way] > known_n[way] * (1.0 + GROWTH));
+        let exceeds = is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
             || setup.has_stop()
             || setup.absorber.is_some()
