@@ -1,5 +1,6 @@
 //! The contact phase beside other solvers, in one run: `cargo bench -p cmra-benches [-- S4 S13]`, then the surfaces of chapter 9
-//! (`surfaces.rs`; alone: `-- surfaces`) and whole runs by each method (`runs.rs`; alone: `-- runs`).
+//! (`surfaces.rs`; alone: `-- surfaces`) and whole runs by each method (`runs.rs`; alone: `-- runs`). A thousand random scenes by
+//! each method take minutes and run alone only (`methods.rs`: `-- methods`).
 //!
 //! Eighteen scenes from first contact to first arrest or exit, on one core. Each solver runs at its loosest tolerance whose
 //! *measured* error, and that of all tighter ones, is below 1e-8: the greater of the relative errors of depth and time, against
@@ -10,6 +11,7 @@
 mod equations;
 mod explicit;
 mod first_contact;
+mod methods;
 mod runs;
 mod scenes;
 mod solvers;
@@ -27,13 +29,17 @@ use timing::{TARGET, Times, Tuned, alternate, tune};
 
 /// Scenes on which implicit peers are worth their time.
 const STIFF: [&str; 4] = ["S13", "S14'", "S15", "S16'"];
-/// The arguments that run the surfaces, or the whole runs, only.
+/// The arguments that run the surfaces, the whole runs or the random scenes, only.
 const SURFACES: &str = "surfaces";
 const RUNS: &str = "runs";
+const METHODS: &str = "methods";
 
 fn main() -> std::io::Result<()> {
     let asked: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
     let mut out = std::io::stdout().lock();
+    if asked.iter().any(|asked| asked == METHODS) {
+        return methods::print(&mut out);
+    }
     let wants = |part: &str| asked.is_empty() || asked.iter().any(|asked| asked == part);
     if !asked.iter().any(|asked| [SURFACES, RUNS].contains(&asked.as_str())) {
         contacts(&mut out, &asked)?;
