@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files;
+use cmra_engine::model::reference::TABLE;
 use cmra_engine::model::run::{ContactMode, EndReason, EventKind, Outcome, Run, RunWarning};
 use cmra_engine::model::scene::{ContactModel, PlateSize, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
@@ -41,7 +42,7 @@ fn depth(run: &Run) -> f64 {
 
 #[test]
 fn valid_every_row_of_the_reference_to_1e_9_in_depth_and_time() {
-    let mut reader = csv::Reader::from_path("src/engine/data/reference.csv").unwrap();
+    let mut reader = csv::Reader::from_reader(TABLE.as_bytes());
     let mut rows = 0;
     for row in reader.records() {
         let row = row.unwrap();

@@ -2,7 +2,10 @@
 
 use crate::model::run::Outcome;
 
-/// A row of `data/reference.csv`.
+/// Text of the table, CSV with a header row.
+pub const TABLE: &str = include_str!("../data/reference.csv");
+
+/// A row of [`TABLE`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stored {
     /// Name of the reference scene.
@@ -22,7 +25,7 @@ pub struct Stored {
 impl Stored {
     /// Every row.
     pub fn rows() -> impl Iterator<Item = Self> {
-        let lines = include_str!("../data/reference.csv").lines().skip(1);
+        let lines = TABLE.lines().skip(1);
         lines.filter_map(|line| {
             let fields: Vec<&'static str> = line.split(',').collect();
             let [name, changes, end, t_s, depth_m, _, _, trusted] = fields[..] else {
