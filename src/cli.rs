@@ -1,7 +1,7 @@
-//! The command line: arguments, and one file a subcommand.
+//! Command line: arguments, and one file for each subcommand.
 //!
-//! Results go to standard output, everything else to standard error; both through `cli::output` alone. A person who can
-//! compute something in the workbench can compute it here, with the same code.
+//! Results go to standard output and everything else to standard error, both through `cli::output`. Every result of the workbench has a
+//! subcommand that computes it with the same code.
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -83,7 +83,7 @@ pub(crate) enum Glyphs {
     Braille,
 }
 
-/// Runs a command line like [`run()`]; a given clock decides when the progress of a long computation is shown.
+/// Runs a command line as [`run()`] does, with a clock for the progress of long computations.
 pub fn run_by(
     clock: Clock,
     arguments: impl Iterator<Item = OsString>,
@@ -92,7 +92,7 @@ pub fn run_by(
     run(arguments)
 }
 
-/// Carry out a command line; the first argument is the program's name.
+/// Runs a command line; the first argument is the name of the program.
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
     progress::survive_large_files();
     let written: Vec<OsString> = arguments.collect();
@@ -100,7 +100,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Ok(matches) => matches,
         Err(error) => {
             if let Some(line) = usage::line(&error, &commands::whole(), &written) {
-                // The parser repeats what was written; a terminal would obey it.
+                // The message repeats the arguments, which can contain control sequences of the terminal.
                 output::note(&clean::line(&format!("error: {line}")));
             } else {
                 // Help and version.
@@ -110,7 +110,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
             return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
         }
     };
-    // The parser has checked them.
+    // The parser has checked the arguments.
     let arguments = Arguments::from_arg_matches(&matches)
         .map_err(|error| CliError::Option(error.to_string()))?;
     match arguments.command {

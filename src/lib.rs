@@ -1,14 +1,13 @@
 //! `cmra`: a workbench for compliant mechanically reactive armour.
 //!
-//! A projectile strikes a plate carried on a spring and a damper. The library computes what happens; the binary of the
-//! same name shows it in a terminal, or prints it.
+//! A projectile strikes a plate on a spring and a damper. The packages `cmra-engine` and `cmra-studies` compute the impact and studies of
+//! many impacts. This package has the workbench, the command line and the files.
 //!
-//! Modules import only what stands to their right:
-//! `cli -> tui -> worker -> files -> report -> study -> model -> numerics`. A test reads the source and holds them to it.
+//! A module imports only modules to its right: `cli -> tui -> worker -> files -> report -> study -> model -> numerics`. A test checks it.
 
 pub mod cli;
 pub mod files;
-// Public for the tests only.
+// Public only for the integration tests.
 #[doc(hidden)]
 pub mod tui;
 #[doc(hidden)]

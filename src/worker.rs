@@ -1,10 +1,9 @@
-//! The background jobs: tasks in, reports out.
+//! Background tasks: [`Worker::submit`] takes a [`Task`], a callback receives its [`TaskReport`]s.
 //!
-//! Each task runs on a thread of its own, from its submission on; studies share the cores. A newer task of a slot replaces the older
-//! one of that slot. A panic in a task is contained and reported. Time is measured here, not in the model. Does not depend on the
-//! terminal or the file system.
+//! Each task starts at once on its own thread; the threads of studies share the cores. A new task cancels the running task of the same
+//! [`Slot`]. A panic in a task becomes a report. Each task ends with exactly one final report: `Ended` or `Failed`.
 //!
-//! Every task submitted gets exactly one last report: `Ended` or `Failed`.
+//! Elapsed time is measured here, not in the model. This module depends on neither the terminal nor the file system.
 
 pub mod clock;
 mod reporter;
@@ -27,45 +26,45 @@ use cmra_studies::study::parallel::cores;
 
 pub use studies::SceneRun;
 
-/// Duration of a task that leaves so much free memory behind that returning it is worth a millisecond; the same for the many short
-/// tasks within `WHILE`.
+/// Duration of a task after which free memory is returned to the system. Returning it takes about 1 ms, little beside such a task.
 const LONG: Duration = Duration::from_millis(100);
+/// Interval at which free memory is returned if all tasks are short.
 const WHILE: Duration = Duration::from_secs(5);
 
-/// Work for a background thread: a run, or a study.
+/// Input of a background thread: a run or a study.
 #[derive(Clone, Debug)]
 pub struct Task {
-    /// Counts up; reports carry it.
+    /// Identifier, increasing with each task; its reports contain it.
     pub id: u64,
-    /// Page that shows the result: the same study of two pages is two tasks.
+    /// Page that shows the result. Two pages with the same study have two tasks.
     pub page: Page,
-    /// On how many threads, where the work can be divided.
+    /// Number of threads, for work that can be divided.
     pub threads: usize,
-    /// Time after which the task ends with the part done so far; `None`: runs to its end.
+    /// Time limit, after which the task ends with its partial result; unlimited if `None`.
     pub budget: Option<Duration>,
     pub scene: Arc<Scene>,
     pub request: StudyRequest,
 }
 
 impl Task {
-    /// Whose result it is.
+    /// Returns the slot of the result.
     pub fn slot(&self) -> Slot {
         self.request.slot(self.page)
     }
 }
 
-/// Number of a page that asks for studies.
+/// Number of a page that submits studies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Page(pub usize);
 
-/// Whose result a task is: a newer task of a slot replaces an older one.
+/// Destination of a result. A new task cancels the running task with the same destination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slot {
-    /// The scene on the screen.
+    /// Run of the scene on the screen.
     Current,
-    /// A pinned run, by its letter.
+    /// Pinned run with this letter.
     Pin(char),
-    /// A study of a page.
+    /// Study of a page.
     Study(Page, StudyKind),
 }
 
@@ -74,7 +73,7 @@ pub enum Slot {
 pub struct StudyKind(Discriminant<StudyRequest>, Option<Discriminant<SearchRequest>>);
 
 impl StudyRequest {
-    /// Whose result it is when a page asks for it.
+    /// Returns the slot of the result on a page.
     pub fn slot(&self, page: Page) -> Slot {
         match self {
             Self::Run(run) => run.0,
@@ -98,19 +97,19 @@ pub struct TaskReport {
 pub enum ReportBody {
     Progress {
         progress: JobProgress,
-        /// How long it has been running.
+        /// Time since the start of the task.
         elapsed: Duration,
     },
     /// Partial result of a running task.
     Part(Answer<StudyResult>),
     /// Final result, or the partial result of a stopped task; `None` if it had none.
     Ended(Option<Answer<StudyResult>>),
-    /// Failure to start, or a panic; the text is for the message row.
+    /// Message for the user: the thread could not start, or the task panicked.
     Failed(String),
 }
 
 impl ReportBody {
-    /// The result, or the partial result, if it has this type.
+    /// Returns the final or partial result if it has this type.
     pub fn found<T: ResultVariant>(&self) -> Option<Answer<Arc<T>>> {
         match self {
             Self::Part(answer) | Self::Ended(Some(answer)) => {
@@ -121,7 +120,7 @@ impl ReportBody {
         }
     }
 
-    /// Whether no further report of this task will follow.
+    /// Returns `true` for the final report of a task.
     pub fn is_last(&self) -> bool {
         matches!(self, Self::Ended(_) | Self::Failed(_))
     }
@@ -129,23 +128,23 @@ impl ReportBody {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JobProgress {
-    /// Simulated time reached, s; 0 when it has begun.
+    /// Simulated time reached, s; 0 at the start.
     Time(f64),
     Points(usize, usize),
 }
 
-/// Where reports go; called on the threads and on the submitting one.
+/// Callback for reports, called on the threads of the tasks and on the submitting thread.
 type Sink = dyn Fn(TaskReport) + Send + Sync;
 
-/// Does a task.
+/// Function that computes the result of a task.
 type Make = fn(&Task, &Reporter<'_>) -> Result<StudyResult, Box<dyn Error>>;
 
-/// The owner of the jobs, which are cancelled when this is dropped.
+/// Owner of the running tasks; dropping it cancels them.
 pub struct Worker {
     shared: Arc<Shared>,
 }
 
-/// The state shared by the threads and their owner.
+/// State shared by [`Worker`] and the threads of the tasks.
 struct Shared {
     jobs: Mutex<Jobs>,
     cores: Arc<SharedCores>,
@@ -157,12 +156,12 @@ struct Shared {
 #[derive(Default)]
 struct Jobs {
     running: Vec<(u64, Slot, CancelFlag)>,
-    /// When free memory was returned to the system last.
+    /// Time at which free memory was last returned to the system.
     trimmed: Duration,
 }
 
 impl Jobs {
-    /// Cancels the jobs that are selected.
+    /// Cancels the running tasks for which `is_selected` returns `true`.
     fn cancel(&self, is_selected: impl Fn(u64, Slot) -> bool) {
         for (_, _, flag) in self.running.iter().filter(|job| is_selected(job.0, job.1)) {
             flag.store(true);
@@ -171,18 +170,18 @@ impl Jobs {
 }
 
 impl Worker {
-    /// Start without a job; `sink` is given every report.
+    /// Creates a worker without tasks; `sink` receives every report.
     pub fn spawn(sink: impl Fn(TaskReport) + Send + Sync + 'static) -> Self {
         Self::with(clock::wall(), |task, reporter| task.request.make(&task.scene, reporter), sink)
     }
 
-    /// Builds a worker with another clock, which times progress and partial results, and another function for tasks.
+    /// Creates a worker with a given clock, for the times of reports, and a given function that computes tasks.
     fn with(clock: Clock, make: Make, sink: impl Fn(TaskReport) + Send + Sync + 'static) -> Self {
         let (jobs, cores) = (Mutex::default(), SharedCores::new(cores()));
         Self { shared: Arc::new(Shared { jobs, cores, clock, make, sink: Box::new(sink) }) }
     }
 
-    /// Starts a task; the older one of its slot is cancelled.
+    /// Starts a task and cancels the running task of its slot.
     pub fn submit(&self, task: Task) {
         let (id, slot, flag) = (task.id, task.slot(), CancelFlag::default());
         let mut jobs = self.shared.lock();
@@ -198,7 +197,7 @@ impl Worker {
         }
     }
 
-    /// Cancel the task of this number; others go on.
+    /// Cancels the task with this identifier.
     pub fn cancel(&self, id: u64) {
         self.shared.lock().cancel(|other, _| other == id);
     }
@@ -206,26 +205,26 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        // Not joined: a computation that asks too seldom must not hold up leaving.
+        // The threads are not joined: a task that polls its cancel flag too rarely would delay the exit.
         self.shared.lock().cancel(|_, _| true);
     }
 }
 
 impl Shared {
     fn lock(&self) -> MutexGuard<'_, Jobs> {
-        // No code that can panic runs under this lock, so a poisoned one is still sound.
+        // No code that can panic runs under this lock: the state is valid even if the lock is poisoned.
         self.jobs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn run(&self, task: &Task, cancel: &CancelFlag) {
         let begun = (self.clock)();
         let send = |body| (self.sink)(TaskReport { id: task.id, body });
-        // The run of the edited scene takes a core of its own from the studies.
+        // A run of the edited scene reduces the number of cores of the studies.
         let user = self.cores.enter();
         let reporter = Reporter::new(self, task, &send, cancel);
         let body = reporter.finish(|| (self.make)(task, &reporter));
         drop(user);
-        // Free before the report: its receiver may submit at once.
+        // The slot is free before the final report, whose receiver may submit the next task.
         self.lock().running.retain(|job| job.0 != task.id);
         send(body);
         let now = (self.clock)();
@@ -241,17 +240,19 @@ impl Shared {
 #[cfg(test)]
 mod tests;
 
-/// Give back every free page, of all threads: a millisecond for a heap of 100 MB. GNU's C library keeps what a thread has freed
-/// between pieces still in use: in an hour of searches and sweeps the process would grow to ten times of what it holds.
+/// Returns the free pages of all threads to the system; about 1 ms for a heap of 100 MB.
+///
+/// The GNU C library keeps memory that a thread has freed between blocks in use. Without this call an hour of searches and sweeps takes
+/// ten times the memory in use.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 #[expect(unsafe_code, reason = "a call of the C library, which no crate wraps")]
 fn trim_heap() {
-    // SAFETY: it takes the locks of the heap by itself, and what is in use stays where it is.
+    // SAFETY: `malloc_trim` locks the heap itself and does not move blocks in use.
     unsafe {
         libc::malloc_trim(0);
     }
 }
 
-/// Nothing to do: these heaps do not grow so.
+/// Does nothing: other allocators return free memory themselves.
 #[cfg(not(all(target_os = "linux", target_env = "gnu")))]
 fn trim_heap() {}

@@ -1,4 +1,4 @@
-//! `cmra accuracy [SCENE]`: error against run time of every method, as a chart with a table and answers, CSV or JSON.
+//! `cmra accuracy [SCENE]`: error and run time of every method, as a page with a chart, CSV or JSON.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -39,7 +39,7 @@ pub(super) struct AccuracyArguments {
     table: TableArguments,
 }
 
-/// Compare the methods on the scene; exit status 1 when `auto` gave no answer somewhere.
+/// Compares the methods on the scene; exit status 1 if `auto` returns no result at a point.
 pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(true)?;
     let Preset { name, scene, .. } = arguments.scene.load()?;
@@ -87,7 +87,7 @@ fn page(name: &str, report: &AccuracyReport, reach: Reach) -> String {
     page
 }
 
-/// The run times for some accuracies, and what is gained by leaving out parts of a run.
+/// Appends the run times for some accuracies, and the gain from omitted terms.
 fn answers(page: &mut String, report: &AccuracyReport) {
     page.push_str("\nrun time for a given accuracy\n");
     for target in ANSWERS {

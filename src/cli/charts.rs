@@ -1,4 +1,4 @@
-//! `--svg FILE`: the pictures of a study as a file.
+//! `--svg FILE`: charts of a study as a file.
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +10,7 @@ use crate::files::{atomic, export};
 use cmra_studies::report::svg::{self, Picture, Svg};
 use cmra_studies::study::context::Reach;
 
-/// `--svg FILE`.
+/// Arguments of the charts: `--svg FILE`.
 #[derive(Debug, Args)]
 pub(super) struct ChartArguments {
     /// Write the charts to this file as SVG; `-` writes them to standard output instead of the page
@@ -23,12 +23,12 @@ impl ChartArguments {
         self.svg.is_some()
     }
 
-    /// Whether they replace the page on standard output.
+    /// Returns `true` if the charts go to standard output, instead of the page.
     pub(super) fn is_stdout(&self) -> bool {
         self.svg.as_deref() == Some(Path::new("-"))
     }
 
-    /// Whether they can be written where they are to go: checked before a long computation, not after it.
+    /// Checks, before a long computation, that the charts can be written.
     pub(super) fn check(&self, table: &TableArguments) -> Result<(), CliError> {
         if self.is_stdout() && (table.json || table.is_stdout()) {
             return Err(CliError::Option(
@@ -49,7 +49,7 @@ impl ChartArguments {
         Ok(())
     }
 
-    /// Writes them; an interrupted result is not drawn.
+    /// Writes the charts; an interrupted study has none.
     pub(super) fn write(
         &self,
         table: &TableArguments,

@@ -1,4 +1,4 @@
-//! The commands of the program: what each does, its arguments, and the function that carries it out.
+//! Subcommands: description, arguments and function of each.
 
 use std::process::ExitCode;
 
@@ -10,8 +10,7 @@ use crate::cli::{
     sweep, validate,
 };
 
-/// Every command, in the order of `cmra --help`. The descriptions are attributes since those of shared arguments would replace doc
-/// comments.
+/// Subcommands in the order of `cmra --help`. The descriptions are attributes: doc comments of shared arguments would replace them.
 #[derive(Debug, Subcommand)]
 pub(super) enum Commands {
     #[command(about = "Run one scene and print what happened", long_about = None)]
@@ -60,7 +59,7 @@ pub(super) enum Commands {
 }
 
 impl Commands {
-    /// Carry it out.
+    /// Runs the command.
     pub(super) fn carry_out(&self) -> Result<ExitCode, CliError> {
         let done = |()| ExitCode::SUCCESS;
         match self {
@@ -88,7 +87,7 @@ impl Commands {
     }
 }
 
-/// The whole command line, for those that look up its parts.
+/// Returns the complete parser, with all subcommands built.
 pub(super) fn whole() -> Command {
     let mut program = Arguments::command();
     program.build();

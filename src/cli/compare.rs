@@ -21,10 +21,10 @@ use cmra_studies::study::compare::{Candidate, ComparisonReport, Hardware, Reques
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::validity;
 
-/// Columns by which the further lines of a sentence are indented.
+/// Indent of the continuation lines of a sentence.
 const INDENT: usize = 2;
 const MAP: draw::Size = (78, 30);
-/// Points that an axis of a map may have.
+/// Allowed number of points of an axis of a map.
 const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
 
 #[derive(Debug, Args)]
@@ -45,7 +45,7 @@ pub(super) struct CompareArguments {
     study: StudyArguments,
 }
 
-/// Runs the comparison; a mechanism that does not pay is a valid result.
+/// Runs the comparison; exit status 0 also if the mechanism has no advantage.
 pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     arguments.pictures.check(&arguments.study.table)?;
     let preset = arguments.study.load()?;
@@ -182,7 +182,7 @@ fn masses(page: &mut String, report: &ComparisonReport) {
     }
 }
 
-/// The energy that the springs take up per mass of their own.
+/// Formats the energy per mass of the springs.
 fn per_mass(scene: &Scene) -> String {
     let energy_j_kg = scene.mechanism.specific_energy_j_kg();
     let known = energy_j_kg.map(|energy| significant(energy, 4));

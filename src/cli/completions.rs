@@ -1,4 +1,4 @@
-//! `cmra completions SHELL`: a completion script, made from the arguments themselves.
+//! `cmra completions SHELL`: a completion script, generated from the parser.
 
 use clap::{Args, Command};
 use clap_complete::Shell;

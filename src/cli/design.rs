@@ -1,4 +1,4 @@
-//! `cmra design`: a shot by formulas, without a simulation.
+//! `cmra design`: results of a shot by formulas, without a simulation.
 
 use std::fmt::Write as _;
 
@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     arguments.table.deliver(Extent::WHOLE, None, &page, None, rows.with_warnings(&warnings))
 }
 
-/// The name of a value, the value by a formula, its unit, and where the formula is from.
+/// Name of a value, the value by its formula, unit, and source of the formula.
 type Formula = (&'static str, f64, &'static str, &'static str);
 
 fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {

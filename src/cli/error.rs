@@ -9,7 +9,7 @@ use crate::files::error::FileError;
 use cmra_engine::model::variables::VariableError;
 use cmra_studies::study::sweep::SweepError;
 
-/// The error of a command.
+/// Error of a command.
 #[derive(Debug, Error)]
 pub enum CliError {
     /// A file cannot be read, written or found.
@@ -30,7 +30,7 @@ pub enum CliError {
 }
 
 impl From<FileError> for CliError {
-    /// Adds the cure of the command line for an existing file.
+    /// Adds the remedy of the command line for an existing file: `--force`.
     fn from(error: FileError) -> Self {
         match error {
             FileError::Exists(path) => Self::Exists(path.display().to_string()),
@@ -52,10 +52,10 @@ impl From<SweepError> for CliError {
 }
 
 impl CliError {
-    /// 1 where the computation or the system failed, 2 where the command line or an input file is wrong.
+    /// Returns the exit code: 1 if the computation or the system failed, 2 if the command line or an input file is invalid.
     pub fn code(&self) -> ExitCode {
         match self {
-            // The reader has closed the pipe: not a failure.
+            // A pipe closed by its reader is not a failure.
             _ if self.is_quiet() => ExitCode::SUCCESS,
             Self::Stdout(_)
             | Self::Workbench(_)
@@ -66,12 +66,12 @@ impl CliError {
         }
     }
 
-    /// Whether its text has several lines: those of a scene file, one for each problem.
+    /// Returns `true` if the message has several lines: one for each problem of a scene file.
     pub(super) fn has_lines(&self) -> bool {
         matches!(self, Self::File(FileError::Scene(_) | FileError::Unmendable { .. }))
     }
 
-    /// Whether standard output is closed: there is no reader left.
+    /// Returns `true` if the reader has closed standard output.
     pub(super) fn is_quiet(&self) -> bool {
         matches!(self, Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe)
     }

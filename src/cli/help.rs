@@ -10,7 +10,7 @@ use crate::tui::keymap::{GLOBAL_KEYS, KeyHelp, Keymap, PANE_KEYS};
 use crate::tui::pages::all_panes;
 use crate::tui::widgets::text::wrap;
 
-/// The pages of `cmra help` in the order of the list: name, subject, text. The table of keys is made from the key bindings.
+/// Pages of `cmra help`: name, subject, text. The page of keys is generated from the key bindings.
 #[rustfmt::skip]
 const TOPICS: [(&str, &str, &str); 8] = [
     ("scenes", "scene files, presets, values and units", include_str!("help/scenes.txt")),
@@ -33,7 +33,7 @@ pub(super) struct HelpArguments {
 /// How many of the commands do what most people come for.
 const FIRST: usize = 9;
 
-/// The command line with its commands in groups: those that most people come for, then the others, with what they do.
+/// Returns the parser with the subcommands of its help in two groups: the main ones, then the others.
 pub(super) fn grouped(program: Command) -> Command {
     let mut groups = String::from("Commands:\n");
     for (index, command) in program.get_subcommands().enumerate() {
@@ -49,7 +49,7 @@ pub(super) fn grouped(program: Command) -> Command {
     ))
 }
 
-/// Print a topic, the help of a command, or the list of topics.
+/// Prints a topic, the help of a command, or the list of topics.
 pub(super) fn run(arguments: &HelpArguments, program: Command) -> Result<(), CliError> {
     let Some(name) = arguments.topic.as_deref() else {
         return output::print(&list());
@@ -89,10 +89,10 @@ fn list() -> String {
     text + "\nor a command: `cmra help run` prints `cmra run --help`.\n`cmra --help` lists the commands.\n"
 }
 
-/// Width of the text of a key, for a terminal of 80 columns.
+/// Width of the description of a key, for a terminal of 80 columns.
 const HELP_WIDTH: usize = 52;
 
-/// The table of keys: what each means in every pane, then what it does in particular in each.
+/// Returns the page of keys: those with one meaning in all panes, then those of each pane.
 fn keys() -> String {
     let map = Keymap::default();
     let mut text = String::from(

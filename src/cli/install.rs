@@ -1,4 +1,4 @@
-//! `cmra install`: manual pages and completion scripts, where `man` and the shells look for them.
+//! `cmra install`: manual pages and completion scripts in the folders that `man` and the shells search.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ pub(super) struct InstallArguments {
     prefix: Option<PathBuf>,
 }
 
-/// Where each shell looks below `share`.
+/// Path of the completion script of each shell, below `share`.
 const SCRIPTS: [(Shell, &str); 3] = [
     (Shell::Bash, "bash-completion/completions/cmra"),
     (Shell::Zsh, "zsh/site-functions/_cmra"),
@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &InstallArguments, program: &Command) -> Result<(),
     Ok(())
 }
 
-/// The manual page of the program or of a command, in roff, made from its arguments.
+/// Returns path and text (roff) of the manual page of the program or of a command.
 fn manual_page(command: Command, folder: &Path) -> Result<(PathBuf, Vec<u8>), CliError> {
     let title = command.get_display_name().unwrap_or("cmra").to_owned();
     let mut content = Vec::new();

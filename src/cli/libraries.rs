@@ -1,4 +1,4 @@
-//! `cmra libraries`: threats, materials and absorbers, bundled and own.
+//! `cmra libraries`: threats, materials and absorbers, bundled or the user's own.
 
 use std::fmt::Write as _;
 

@@ -24,7 +24,7 @@ pub(super) struct LimitArguments {
     study: StudyArguments,
 }
 
-/// Finds the limit; "no limit" is a valid result. Exit status 1 after an interrupt.
+/// Finds the limit. Exit status 0 also if there is none, 1 after an interrupt.
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let LimitArguments { study, pictures, .. } = arguments;
     pictures.check(&study.table)?;
@@ -46,7 +46,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
 
 const WIDTH: u16 = 80;
 const HEIGHT: u16 = 18;
-/// Columns of a label.
+/// Width of a label.
 const LABEL: usize = 16;
 
 fn page(name: &str, report: &LimitReport) -> String {

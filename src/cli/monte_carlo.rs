@@ -1,4 +1,4 @@
-//! `cmra montecarlo [SCENE]`: how the results spread when the inputs do, as a page, CSV or JSON.
+//! `cmra montecarlo [SCENE]`: distribution of results for random inputs, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -90,7 +90,7 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
     Tolerance::parse(name.trim(), how, scene).map_err(|why| refuse(&why))
 }
 
-/// Draws the samples; exit status 1 when a sample failed, or after an interrupt.
+/// Runs the samples; exit status 1 if a sample failed, or after an interrupt.
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     let request = arguments.request(&preset.scene)?;

@@ -1,4 +1,4 @@
-//! `cmra optimise [SCENE] --over ...`: the Pareto front, as a page, CSV or JSON.
+//! `cmra optimise [SCENE] --over ...`: Pareto front, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -18,7 +18,7 @@ use cmra_studies::study::search::front::{
 };
 use cmra_studies::study::sweep::Spacing;
 
-/// Designs of a front that are listed.
+/// Maximum number of designs that a page lists.
 const LISTED: usize = 16;
 
 #[derive(Debug, Args)]
@@ -89,7 +89,7 @@ impl OptimiseArguments {
     }
 }
 
-/// Runs the search; exit status 1 when no design keeps every constraint, or after an interrupt.
+/// Runs the search; exit status 1 if no design satisfies every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let request = arguments.request()?;
     let preset = arguments.study.load()?;
@@ -156,7 +156,7 @@ fn designs(page: &mut String, front: &FrontReport, reach: Reach) {
     for lack in front::lacks(front) {
         *page += &hanging("  ", &lack, 2);
     }
-    // Spread over the front, the first and the last among them.
+    // Evenly spaced along the front, including both ends.
     let listed = count.min(LISTED);
     if count > 0 {
         let place = |at: usize| if listed > 1 { at * (count - 1) / (listed - 1) } else { 0 };

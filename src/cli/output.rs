@@ -1,4 +1,4 @@
-//! The only place that writes to standard output and standard error.
+//! Writes to standard output and standard error; no other module does.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -8,8 +8,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::cli::CliError;
 use crate::files::clean;
 
-/// Whether standard output was closed when the process began. The runtime opens `/dev/null` in its place before `main`: a result
-/// would vanish without an error.
+/// Whether standard output was closed when the process started. Rust's runtime opens `/dev/null` in its place before `main`, and a result
+/// would be lost without an error: only a function that runs earlier detects it.
 static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
 
 #[cfg(target_os = "linux")]
@@ -32,7 +32,7 @@ mod before_main {
     }
 }
 
-/// Whether there is somewhere to write a result to.
+/// Checks that standard output was open when the process started.
 pub(super) fn open() -> Result<(), CliError> {
     if WAS_CLOSED.load(Ordering::Relaxed) {
         return Err(CliError::Stdout(io::Error::other("it is closed")));
@@ -47,7 +47,7 @@ pub(super) fn print(text: &str) -> Result<(), CliError> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
 }
 
-/// Writes a piece of a result.
+/// Writes a part of a result.
 pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), CliError> {
     open()?;
     io::stdout().lock().write_all(bytes).map_err(CliError::Stdout)
@@ -56,11 +56,11 @@ pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), CliError> {
 /// Shows the progress of a long computation in place of the previous text; an empty text removes it.
 pub(super) fn progress(text: &str) {
     let mut error = io::stderr().lock();
-    // As with notes: where it is lost, there is nowhere else to show it.
+    // An error is ignored: there is no other place to report it.
     let _ = write!(error, "\r\x1b[K{text}").and_then(|()| error.flush());
 }
 
-/// Writes a note beside the result, on standard error. A closed standard error loses it.
+/// Writes a note to standard error; ignored if that is closed.
 pub(super) fn note(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", clean::page(text));
 }
@@ -76,7 +76,7 @@ pub(super) fn note_written(files: &[PathBuf]) {
 pub fn fail(error: &CliError) -> ExitCode {
     if !error.is_quiet() {
         let text = format!("error: {error}");
-        // Most errors are of one line, whatever a name or an argument in them holds.
+        // Most errors have one line; a name or an argument in them can contain line ends.
         note(&if error.has_lines() { text } else { clean::line(&text).into_owned() });
     }
     error.code()

@@ -1,4 +1,4 @@
-//! `cmra presets [show NAME]`: bundled and own presets.
+//! `cmra presets [show NAME]`: presets, bundled or the user's own.
 
 use std::fmt::Write as _;
 
@@ -31,7 +31,7 @@ pub(super) fn run(arguments: &PresetsArguments) -> Result<(), CliError> {
     }
 }
 
-/// A preset's file with every value; one's own file may have only those that differ from the baseline.
+/// Returns the file of a preset with every value. A user's own file may contain only values that differ from the baseline.
 fn whole(preset: &Preset) -> String {
     if preset.origin == Origin::Bundled {
         return preset.text.clone();

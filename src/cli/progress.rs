@@ -1,7 +1,7 @@
-//! How far a long computation is, and whether somebody wants it to end.
+//! Progress of long computations, and interrupts.
 //!
-//! After half a second there is one line on standard error, on a terminal only, taken away when the result comes. The first
-//! interrupt, or a dropped connection, keeps what is finished; a Ctrl-C half a second later ends the process.
+//! After half a second a line on standard error shows the progress, on a terminal only; the result replaces it. The first interrupt or
+//! hang-up stops the computation and keeps the finished part. A second Ctrl-C, half a second later or more, ends the process.
 
 use std::io::{self, IsTerminal as _};
 use std::ops::ControlFlow;
@@ -21,21 +21,21 @@ use crate::worker::clock::{Clock, wall};
 use cmra_engine::model::run::{EndReason, Run};
 use cmra_studies::study::context::{CancelFlag, Context, Progress, Reach};
 
-/// Set by the first interrupt. Global, as signals are.
+/// Flag set by the first interrupt; global, as signals are.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
-/// The clock that decides when progress is shown. Global, as the terminal is.
+/// Clock of the progress line; global, as the terminal is.
 static CLOCK: OnceLock<Clock> = OnceLock::new();
 
-/// Time before the progress of a computation is shown first, and between updates.
+/// Delay before the first progress line, and interval between updates.
 const SHOWN_AFTER: Duration = Duration::from_millis(500);
 const UPDATED_EVERY: Duration = Duration::from_millis(200);
 
-/// Time within which further interrupts are those of the first request: programs that end others send their signal twice, to the
-/// process and to its group. A person's second one comes later.
+/// Time within which further interrupts belong to the first one. Some programs send a signal twice, to the process and to its group; a
+/// second Ctrl-C by hand comes later.
 const SAME_REQUEST: Duration = Duration::from_millis(500);
 
-/// The line on the terminal that says how far a computation is.
+/// Progress line on the terminal.
 pub(super) struct ProgressLine {
     start: Duration,
     last_shown: Duration,
@@ -45,7 +45,7 @@ pub(super) struct ProgressLine {
 }
 
 impl ProgressLine {
-    /// Starts now; an interrupt is noted from now on.
+    /// Starts the clock and the handling of interrupts.
     pub(super) fn begin() -> Self {
         let now = now();
         let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
@@ -53,7 +53,7 @@ impl ProgressLine {
         Self { start: now, last_shown: now, shown: false, wanted, stop: interruptible() }
     }
 
-    /// Shows the progress regularly, by a text made from the elapsed seconds; `Break` after an interrupt.
+    /// Updates the line if an update is due, with a text of the elapsed seconds; returns `Break` after an interrupt.
     pub(super) fn update(&mut self, text: impl FnOnce(f64) -> String) -> ControlFlow<()> {
         if self.wanted
             && self.elapsed() > SHOWN_AFTER
@@ -66,7 +66,7 @@ impl ProgressLine {
         self.stop.flow()
     }
 
-    /// How long the computation has lasted.
+    /// Returns the time since the start.
     fn elapsed(&self) -> Duration {
         now().saturating_sub(self.start)
     }
@@ -79,7 +79,7 @@ impl ProgressLine {
     }
 }
 
-/// Extent of the study of a command, counted in its items.
+/// Completeness of a study: the number of finished items.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
     pub(super) reach: Reach,
@@ -87,23 +87,23 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// Extent of what cannot be interrupted.
+    /// Extent of a computation without interrupts.
     pub(super) const WHOLE: Self = Self { reach: Reach::Complete, items: "" };
 
-    /// Extent of some runs, each of which an interrupt may have stopped.
+    /// Returns the extent of several runs, each of which may have been interrupted.
     pub(super) fn of_runs<'r>(runs: impl ExactSizeIterator<Item = &'r Run>) -> Self {
         let total = runs.len();
         let done = runs.filter(|run| run.end != EndReason::Cancelled).count();
         Self { reach: Reach::new(done < total, Progress { done, total }), items: "runs" }
     }
 
-    /// `not complete: interrupted after 30 of 49 rows`; `None` for a complete study.
+    /// Formats an incomplete extent: `not complete: interrupted after 30 of 49 rows`; `None` for a complete study.
     pub(super) fn missing(self) -> Option<String> {
         let after = self.reach.counted(self.items)?;
         Some(format!("not complete: interrupted after {after}"))
     }
 
-    /// Exit status 0 for success, 1 for failure or after an interrupt, which is reported below the result.
+    /// Returns the exit code: 0 for success, 1 for failure or after an interrupt, which it also reports.
     pub(super) fn exit_code(self, good: bool) -> ExitCode {
         let is_complete = self.reach.is_complete();
         if !is_complete {
@@ -112,15 +112,14 @@ impl Extent {
         if good && is_complete { ExitCode::SUCCESS } else { ExitCode::FAILURE }
     }
 
-    /// Prints failures and returns the exit code: 0 if there are none.
+    /// Prints failures and returns the exit code: 0 without failures.
     pub(super) fn exit_code_after(self, failures: impl IntoIterator<Item = String>) -> ExitCode {
         let failures = failures.into_iter().inspect(|failure| output::note(failure)).count();
         self.exit_code(failures == 0)
     }
 }
 
-/// Runs a study on this number of threads, and shows how many of its items are done, and the remaining time at this rate. Returns its
-/// result and how far it came.
+/// Runs a study on a number of threads and shows finished items and remaining time. Returns the result and its extent.
 pub(super) fn study<P: ?Sized, T>(
     threads: usize,
     items: &'static str,
@@ -144,7 +143,7 @@ pub(super) fn study<P: ?Sized, T>(
     (found, Extent { reach: Reach::new(is_stopped, reached), items })
 }
 
-/// Lets this clock decide when progress is shown. The first one handed in stays.
+/// Sets the clock of the progress line; only the first call has an effect.
 pub(super) fn use_clock(clock: Clock) {
     let _ = CLOCK.set(clock);
 }
@@ -153,7 +152,7 @@ fn now() -> Duration {
     CLOCK.get_or_init(wall)()
 }
 
-/// A flag that the first interrupt, or a dropped connection, sets; a later Ctrl-C ends the process.
+/// Returns a flag that the first interrupt or hang-up sets; a later Ctrl-C ends the process.
 pub(super) fn interruptible() -> CancelFlag {
     let stop = STOP.get_or_init(|| {
         let stop = Arc::new(AtomicBool::new(false));
@@ -162,7 +161,7 @@ pub(super) fn interruptible() -> CancelFlag {
         }
         let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
         for signal in [SIGINT, SIGTERM].into_iter().chain(hangup) {
-            // Where it cannot be done, the interrupt just ends the process.
+            // If the registration fails, an interrupt ends the process.
             let _ = flag::register(signal, Arc::clone(&stop));
         }
         stop
@@ -170,7 +169,7 @@ pub(super) fn interruptible() -> CancelFlag {
     CancelFlag::from(Arc::clone(stop))
 }
 
-/// Ends the process at the first interrupt that is a request of its own after another one.
+/// Ends the process at a second interrupt.
 #[expect(clippy::exit, reason = "a person does not want to wait for the result")]
 fn end_by_a_later_one(mut interrupts: Signals) {
     let mut first = None;
@@ -181,18 +180,18 @@ fn end_by_a_later_one(mut interrupts: Signals) {
     }
 }
 
-/// A file beyond the limit of its size (`ulimit -f`) is an error of writing, as on a full disk, and not the end of the process.
+/// Makes a file above the size limit (`ulimit -f`) a write error, as on a full disk; by default the signal ends the process.
 pub(super) fn survive_large_files() {
-    // Where it cannot be done, the signal ends the process, as it does by default.
+    // If the registration fails, the signal ends the process, as by default.
     let _ = flag::register(SIGXFSZ, Arc::default());
 }
 
-/// Whether a computation was interrupted: its result is not complete.
+/// Returns `true` after an interrupt: the result is incomplete.
 pub(super) fn was_interrupted() -> bool {
     STOP.get().is_some_and(|stop| stop.load(Ordering::Relaxed))
 }
 
-/// Whether the program was started so that it outlives a signal, as `nohup` does. Assumed where the system does not tell.
+/// Returns `true` if the process was started with a signal ignored, as by `nohup`, or if this is unknown.
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

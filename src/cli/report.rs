@@ -1,4 +1,4 @@
-//! `cmra report SCENE -o FILE`: one self-contained file with the scene, its results, charts and warnings.
+//! `cmra report SCENE -o FILE`: a self-contained HTML file with the scene, results, charts and warnings.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -37,7 +37,7 @@ pub(super) struct ReportArguments {
     threads: Threads,
 }
 
-/// Write a report; exit status 1 for a run that ended early, or after an interrupt.
+/// Writes a report; exit status 1 for a run that ended early, or after an interrupt.
 pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
     let existing = OverwritePolicy::replaced(arguments.force);
@@ -73,7 +73,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     Ok(exit_code(&run))
 }
 
-/// The sweep that is kept with the scene.
+/// Computes the sweep stored in the scene.
 fn own_sweep(scene: &Scene, threads: usize) -> Result<Option<Grid>, CliError> {
     if scene.sweep.is_none() {
         return Ok(None);

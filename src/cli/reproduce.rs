@@ -1,4 +1,4 @@
-//! `cmra reproduce`: what the thesis prints, against what is computed.
+//! `cmra reproduce`: statements of the thesis with the computed results.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;

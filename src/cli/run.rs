@@ -66,16 +66,16 @@ pub(super) struct RunArguments {
     glyphs: Glyphs,
 }
 
-/// Steps after which it is shown again how far a run is: a look at the clock costs a part of a step.
+/// Steps between two readings of the clock, each of which takes a fraction of a step.
 const LOOK: u64 = 64;
 
-/// Compute a scene, and measure the time of the computation alone. The series is always kept: it costs little, and every
-/// output of one scene then shows the digits and events of one and the same computation.
+/// Computes a scene and measures the time of the computation alone. The time series is always computed: it costs little, and all outputs
+/// of a scene then have the digits and events of the same computation.
 pub(super) fn compute(scene: &Arc<Scene>) -> Result<Run, VariableError> {
     compute_by(scene, Settings::default())
 }
 
-/// Runs the scene with the series at equal time steps.
+/// Runs the scene with the time series at equal time steps.
 fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
     variables::require_hydrodynamic(scene)?;
     variables::require_single(scene)?;
@@ -164,7 +164,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     Ok(exit_code(&run))
 }
 
-/// The summary, the differences from traces, and charts of these characters below it where they are wanted.
+/// Prints the summary, the differences from traces, and charts if requested.
 pub(super) fn print_readable(
     (name, run, with): (&str, &Run, Option<&Traces>),
     charts: Option<Glyphs>,
@@ -181,7 +181,7 @@ pub(super) fn print_readable(
     output::print(&fitted(&text))
 }
 
-/// 0 for a complete run, 1 for one that ended early.
+/// Returns exit code 0 for a complete run, 1 for a run that ended early.
 pub(super) fn exit_code(run: &Run) -> ExitCode {
     if run.end.is_complete() {
         ExitCode::SUCCESS
@@ -191,7 +191,7 @@ pub(super) fn exit_code(run: &Run) -> ExitCode {
     }
 }
 
-/// The run; of a stack the run of every plate that was struck.
+/// Returns the run with its name; for a stack the run of every plate that was struck.
 fn named(name: &str, first: &Arc<Run>) -> Vec<NamedRun> {
     let Some(stack) = &first.stack else { return vec![(name.to_owned(), Arc::clone(first))] };
     std::iter::once(first)
@@ -201,11 +201,11 @@ fn named(name: &str, first: &Arc<Run>) -> Vec<NamedRun> {
         .collect()
 }
 
-/// Columns and rows of a chart below the summary.
+/// Size of a chart below the summary: columns and rows.
 const SIZE: draw::Size = (78, 15);
 
 impl Glyphs {
-    /// The set that was chosen, if one was.
+    /// Returns the selected character set; `None` for `auto`.
     pub(super) fn chosen(self) -> Option<GlyphSet> {
         match self {
             Self::Auto => None,
@@ -216,10 +216,10 @@ impl Glyphs {
     }
 }
 
-/// The charts of a run and of its mechanism, each under the other: the contact first, since it is over in a fraction of a
-/// millisecond. Event lines carry the letters of the list of events in the summary.
+/// Draws the charts of a run and of its mechanism, one below the other. The contact comes first: it ends within a fraction of a
+/// millisecond. The event lines have the letters of the event list in the summary.
 fn drawn(run: &Run, with: Option<&Traces>, glyphs: Glyphs) -> String {
-    // Letters and punctuation work everywhere.
+    // ASCII is available in every locale.
     let glyphs = glyphs.chosen().unwrap_or(GlyphSet::Ascii);
     let theme = Theme { glyphs, depth: ColourDepth::None };
     let charts = response(run, with).into_iter().chain(mechanism(run));
@@ -261,7 +261,7 @@ fn summary(name: &str, run: &Run, table: &TableArguments) -> String {
     page
 }
 
-/// The scene by every model. What a model cannot run has no row.
+/// Runs the scene with every contact model; a model that does not apply has no row.
 fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     variables::require_single(&preset.scene)?;
@@ -276,7 +276,7 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
                 let lead = if parameters.is_empty() { "" } else { "; " };
                 remarks.push(format!("{}{lead}{parameters}", model.about()));
             }
-            // Without the first there is nothing to compare with.
+            // The first model is the reference of the comparison.
             Err(problem) if runs.is_empty() => return Err(problem.into()),
             Err(problem) => output::note(&format!("not run: {word}: {problem}")),
         }

@@ -1,4 +1,4 @@
-//! The scene a command works on: SCENE, then entries of the libraries, then every `--set` in order.
+//! Scene of a command: SCENE, then library entries, then every `--set` in order.
 
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -21,7 +21,7 @@ use cmra_engine::model::variables::{self, Variable, is_used, used_where};
 
 const VELOCITY: &str = "projectile.velocity_m_s";
 
-/// SCENE and its changes.
+/// Arguments of a scene: SCENE and its changes.
 #[derive(Debug, Args)]
 pub(super) struct SceneArguments {
     /// A preset's name, the path of a TOML file, or `-` for standard input [default: thesis-baseline]
@@ -30,7 +30,7 @@ pub(super) struct SceneArguments {
     pub(super) changes: SceneOverrides,
 }
 
-/// Entries of the libraries, then `--set`.
+/// Changes of a scene: library entries, then `--set`.
 #[derive(Debug, Args)]
 pub(super) struct SceneOverrides {
     /// Take mass, radius and velocity of a threat (`cmra libraries threats` lists them)
@@ -54,7 +54,7 @@ pub(super) struct SceneOverrides {
 }
 
 impl SceneArguments {
-    /// The scene with every change made.
+    /// Returns the scene with all changes applied.
     pub(super) fn load(&self) -> Result<Preset, CliError> {
         let mut preset = match self.scene.as_deref() {
             Some(name) if name == "-" => from_stdin()?,
@@ -69,7 +69,7 @@ impl SceneArguments {
         Ok(preset)
     }
 
-    /// Whether a scene, or a change of one, was named.
+    /// Returns `true` if a scene or a change is given.
     pub(super) fn is_given(&self) -> bool {
         self.scene.is_some() || !self.changes.typed().is_empty()
     }
@@ -94,14 +94,14 @@ impl SceneOverrides {
         change(scene, &self.set)?;
         let set = |key| self.set_of(|found| found == key).is_some();
         if set("target.drag_coefficient") && !set("target.drag") {
-            // It may stand before a closure by thickness.
+            // The default drag coefficient depends on the closure, which can be set later.
             scene.target.give_drag();
         }
         if self.material.is_none() || set("target.closure") {
             return Ok(());
         }
         let is_given = set("target.flow_strength_pa");
-        // What was typed holds, beside what suits the thickness.
+        // A value given explicitly takes precedence over the default for the thickness.
         let own_dishing = set("target.dishing").then_some(scene.target.dishing);
         if !is_given && own_dishing.is_none() {
             note_closure(scene);
@@ -120,8 +120,8 @@ impl SceneOverrides {
         Ok(())
     }
 
-    /// Names every `--set` that the scene does not use, and the changes with which it would. Names every stiffness or damping of a
-    /// linear law whose law is not linear.
+    /// Prints a note for each `--set` without effect, with the changes that would give it one, and for each coefficient with the unit of a
+    /// linear law if the law is not linear.
     fn say_unused(&self, scene: &Scene) {
         for argument in &self.set {
             let Some(variable) = variable_of(argument) else { continue };
@@ -146,7 +146,7 @@ impl SceneOverrides {
         }
     }
 
-    /// The entries that were named, by their libraries.
+    /// Returns the library entries given.
     fn entries(&self) -> impl Iterator<Item = (Library, &str)> {
         let named = [
             (Library::Threats, &self.threat),
@@ -172,7 +172,7 @@ impl SceneOverrides {
         Some(clean::line(&format!("{subject}, from {name}{set}")).into_owned())
     }
 
-    /// Lines for the head of a page that repeat what was changed; empty where nothing was.
+    /// Returns the heading lines that list the changes; empty without changes.
     pub(super) fn changed(&self) -> String {
         let typed = self.typed();
         if typed.is_empty() {
@@ -182,25 +182,25 @@ impl SceneOverrides {
         text::hanging("", &format!("changed: {}", clean::line(&changes)), 2)
     }
 
-    /// The changes as they were typed.
+    /// Returns the changes as given.
     fn typed(&self) -> Vec<String> {
         let entries = self.entries().map(|(library, name)| format!("{} {name}", library.key()));
         entries.chain(self.set.iter().cloned()).collect()
     }
 
-    /// The first `--set` of a variable that is chosen by its key.
+    /// Returns the first `--set` whose key satisfies a predicate.
     pub(super) fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
         let mut set = self.set.iter().map(String::as_str);
         set.find(|argument| variable_of(argument).is_some_and(|found| is_chosen(found.key)))
     }
 }
 
-/// The variable that a `--set` is of.
+/// Returns the variable of a `--set`.
 fn variable_of(argument: &str) -> Option<&'static Variable> {
     variables::find(argument.split('=').next()?.trim()).ok()
 }
 
-/// The power law of a coefficient that was written in the unit of a linear one, where its exponent is not 1.
+/// Returns the power law of a coefficient with the unit of a linear law, if the exponent is not 1.
 fn bent_law(variable: &Variable, value: &str, scene: &Scene) -> Option<PowerLaw> {
     let number = variable.number()?;
     let (linear, exponent) = match number.quantity {
@@ -228,7 +228,7 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
             .split_once('=')
             .ok_or_else(|| refuse("write NAME=VALUE, for example --set gamma=2"))?;
         if CURVE_NAMES.contains(&name.trim()) {
-            // A file makes its spring one of the kind `table`.
+            // A file with points sets the kind of the spring to `table`.
             scene.mechanism.spring.table.points = read_table::curve(Path::new(value.trim()))?;
             scene.mechanism.spring.kind = SpringKind::Table;
             has_curve = true;
@@ -239,7 +239,7 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
     }
     let spring = &scene.mechanism.spring;
     let begins = spring.kind == SpringKind::Table && was != SpringKind::Table;
-    // The scene may have the points of a curve that it did not use.
+    // The scene can contain points that its spring does not use.
     if begins && !has_curve && spring.table == Table::default() {
         return Err(CliError::Option(
             "--set spring=table: the table has no measured curve: add --set table=FILE, a CSV file of displacement (m) and force (N)"
@@ -249,7 +249,7 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Refuses two inputs that both give the plate's size: the last one would win without a word.
+/// Rejects two inputs that both set the size of the plate: the last one would silently replace the first.
 fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
     let keys = set.iter().filter_map(|argument| Some((variable_of(argument)?.key, argument)));
     let mut given = keys.filter(|(key, _)| PlateSize::KEYS.contains(key));
@@ -261,17 +261,17 @@ fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
     })
 }
 
-/// The names of the spring's measured curve.
+/// Names of the measured curve of the spring.
 const CURVE_NAMES: [&str; 3] = ["table", "mechanism.spring.table", "mechanism.spring.table.file"];
 
-/// A scene by name or path. Without a home directory there are just no own presets.
+/// Loads a scene by name or path. Without a home directory there are only bundled presets.
 pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {
     let mut preset = match name.to_str() {
         Some(name) => preset::resolve(name, Paths::of_user().ok().as_ref())?,
-        // Only a file can have such a name.
+        // A name that is not UTF-8 can only be a path.
         None => preset::from_file(Path::new(name))?,
     };
-    // Every page, table and message has it.
+    // The name appears in pages, tables and messages: control characters are removed.
     preset.name = clean::line(&preset.name).into_owned();
     preset.heading.clone_from(&preset.name);
     Ok(preset)

@@ -1,4 +1,4 @@
-//! `cmra seek [SCENE] --over k=0..7.5e6 --goal percent_of_baseline=60`: which values of one variable reach a goal.
+//! `cmra seek [SCENE] --over k=0..7.5e6 --goal percent_of_baseline=60`: values of a variable for which a quantity reaches a goal.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -38,7 +38,7 @@ pub(super) struct SeekArguments {
     study: StudyArguments,
 }
 
-/// Runs the goal seek; exit status 1 when nothing reaches the goal.
+/// Runs the goal seek; exit status 1 if no value reaches the goal.
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let refuse = |why| CliError::Option(format!("--goal {}: {why}", arguments.goal));
     let goal: Goal = arguments.goal.parse().map_err(refuse)?;
@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     Ok(extent.exit_code(report.solutions().next().is_some()))
 }
 
-/// The page.
+/// Returns the page of results.
 fn page(name: &str, report: &SeekReport, reach: Reach) -> String {
     let axis = &report.axis;
     let (low, high) = axis.ends();

@@ -1,4 +1,4 @@
-//! `cmra sensitivity [SCENE]`: which variables matter to one result, as a page, CSV or JSON.
+//! `cmra sensitivity [SCENE]`: effect of each variable on a quantity, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -17,7 +17,7 @@ use cmra_studies::study::sensitivity::{
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::validity;
 
-/// The columns of the page.
+/// Keys of the columns of the page.
 const KEYS: [&str; 5] = ["variable", "range", "bar", "span", "slope"];
 
 #[derive(Debug, Args)]

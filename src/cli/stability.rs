@@ -1,4 +1,4 @@
-//! `cmra stability`: the battery of stiff and extreme scenes, or the map of a fixed-step method.
+//! `cmra stability`: stiff and extreme test scenes, or the stability map of a method with a fixed step size.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -18,7 +18,7 @@ use cmra_studies::study::stability;
 use cmra_studies::study::stability::map::{self, Axis, FixedStep, Map, StabilityMapRequest};
 use cmra_studies::study::stability::{ERROR_MAX, RESIDUAL_MAX, Row};
 
-/// From this width on there is room for what makes a scene hard.
+/// Minimum width of a page with the column `difficulty`.
 const WIDE: usize = 118;
 
 #[derive(Debug, Args)]
@@ -62,7 +62,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     Ok(extent.exit_code_after(failures(&rows)))
 }
 
-/// A sentence for each scene that fails.
+/// Returns a sentence for each scene that fails.
 fn failures(rows: &[Row]) -> impl Iterator<Item = String> {
     rows.iter().filter_map(|row| {
         let (name, end) = (row.case.name, row.run.end.words());
@@ -85,7 +85,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     Ok(extent.exit_code(true))
 }
 
-/// The table of the battery, what it means, and one line that sums it up.
+/// Returns the page of the test scenes: table, legend and a summary line.
 fn battery_page(rows: &[Row], took_s: f64, width: usize, extent: Extent) -> String {
     let mut keys = vec!["scene"];
     keys.extend(HOW_IT_RAN);

@@ -1,4 +1,4 @@
-//! Common parts of the commands that study a scene: their arguments, their course, and the bounds of their variables.
+//! Common parts of the commands that study a scene: arguments, execution, and ranges of variables.
 
 use clap::Args;
 use serde_json::Value;
@@ -16,7 +16,7 @@ use cmra_studies::study::context::Context;
 use cmra_studies::study::parallel::cores;
 use cmra_studies::study::sweep::{Axis, COUNTS};
 
-/// Arguments of every study of a scene.
+/// Common arguments of the studies of a scene.
 #[derive(Debug, Args)]
 pub(super) struct StudyArguments {
     #[command(flatten)]
@@ -28,13 +28,13 @@ pub(super) struct StudyArguments {
 }
 
 impl StudyArguments {
-    /// The scene, once it is certain that the table can be written where it is to go.
+    /// Loads the scene, after a check that the table can be written.
     pub(super) fn load(&self) -> Result<Preset, CliError> {
         self.table.check(true)?;
         self.scene.load()
     }
 
-    /// Runs a study, and shows its progress.
+    /// Runs a study and shows its progress.
     pub(super) fn run<P: ?Sized, T>(
         &self,
         items: &'static str,
@@ -43,8 +43,8 @@ impl StudyArguments {
         progress::study(self.threads.count(), items, study)
     }
 
-    /// Prints the page or the object, and writes the rows, each with the warnings. The command is that which makes them of the scene:
-    /// its name and options.
+    /// Prints the page or the JSON object and writes the table, with the warnings in each row. `command` is the name and the options of the
+    /// command, for the scene file beside the table.
     pub(super) fn deliver<R>(
         &self,
         extent: Extent,
@@ -61,7 +61,7 @@ impl StudyArguments {
     }
 }
 
-/// `--threads`.
+/// Argument `--threads`.
 #[derive(Debug, Args)]
 pub(super) struct Threads {
     /// Threads; the digits do not depend on it [default: one for each core]
@@ -70,13 +70,13 @@ pub(super) struct Threads {
 }
 
 impl Threads {
-    /// The number given, or one for each core.
+    /// Returns the number of threads; by default one for each core.
     pub(super) fn count(&self) -> usize {
         self.threads.map_or_else(cores, usize::from)
     }
 }
 
-/// `--seed`.
+/// Argument `--seed`.
 #[derive(Debug, Args)]
 pub(super) struct Random {
     /// Random seed: the same seed gives the same digits
@@ -84,7 +84,7 @@ pub(super) struct Random {
     pub(super) seed: u64,
 }
 
-/// Variables and their bounds.
+/// Parses variables with their ranges.
 pub(super) fn axes(texts: &[String]) -> Result<Vec<Axis>, CliError> {
     let read = |text: &String| Ok(Axis::read_range(text, Some(*COUNTS.start()), &COUNTS)?);
     texts.iter().map(read).collect()

@@ -1,6 +1,6 @@
-//! `cmra sweep SCENE --over ...`: what comes out over one or more axes, as a page of text, CSV or JSON.
+//! `cmra sweep SCENE --over ...`: results over one or more axes, as a page, CSV or JSON.
 //!
-//! Rows are written as they are made, so that a sweep needs no memory; an interrupt keeps the finished ones.
+//! Rows are written as they are computed: the memory does not grow with the sweep, and an interrupt keeps the finished rows.
 
 pub(super) mod axes;
 pub(super) mod page;

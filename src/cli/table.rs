@@ -1,5 +1,4 @@
-//! Where a table of rows goes: to a file beside the page, to standard output instead of it, or as JSON. The one declaration of
-//! `--json`, `--csv` and `--force`.
+//! Output of tables (`--json`, `--csv`, `--force`): to a file in addition to the page, or to standard output instead of it.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +16,7 @@ use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
 use cmra_studies::report::table::{Table, pretty};
 
-/// `--json`, `--csv FILE`, `--force`.
+/// Arguments of the output of a table: `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Default, Args)]
 #[command(group = clap::ArgGroup::new("files").multiple(true))]
 pub(super) struct TableArguments {
@@ -35,7 +34,7 @@ pub(super) struct TableArguments {
     verbose: bool,
 }
 
-/// Reads one of these choices by its word; `--help` says what each is.
+/// Returns a parser of choices by their words; `--help` describes each choice.
 pub(super) fn choice<T: Copy + Send + Sync + 'static>(
     all: &'static [T],
     word: fn(T) -> &'static str,
@@ -48,29 +47,29 @@ pub(super) fn choice<T: Copy + Send + Sync + 'static>(
 }
 
 impl TableArguments {
-    /// Whether a table is wanted.
+    /// Returns `true` if a table is requested.
     pub(super) fn is_wanted(&self) -> bool {
         self.csv.is_some()
     }
 
-    /// Whether it replaces the page on standard output.
+    /// Returns `true` if the table goes to standard output, instead of the page.
     pub(super) fn is_stdout(&self) -> bool {
         self.csv.as_deref() == Some(Path::new("-"))
     }
 
-    /// The file that it goes to.
+    /// Returns the destination of the table.
     pub(super) fn file(&self) -> Option<Destination> {
         let path = self.csv.clone().filter(|_| !self.is_stdout())?;
         Some(Destination { path, existing: self.existing() })
     }
 
-    /// Warnings below a result, a line each.
+    /// Formats warnings below a result; short on a terminal unless `--verbose` is given.
     pub(super) fn warnings(&self, warnings: &[Warning]) -> String {
         if warnings.is_empty() {
             return String::new();
         }
         let room = text::width() - 4;
-        // What reads a pipe cannot ask for more.
+        // The reader of a pipe cannot repeat the command: the full text.
         let is_full = self.verbose || !text::is_screen();
         let line = |warning: &Warning| {
             let whole = warning.to_string();
@@ -86,19 +85,18 @@ impl TableArguments {
         format!("\nwarnings{how}\n{}", lines.collect::<String>())
     }
 
-    /// The handling of an existing file.
+    /// Returns the policy for an existing file.
     pub(super) fn existing(&self) -> OverwritePolicy {
         OverwritePolicy::replaced(self.force)
     }
 
-    /// Whether the table, and its scene where one goes beside it, can be written where they are to go: checked before a long
-    /// computation, not after it.
+    /// Checks, before a long computation, that the table and the scene file beside it can be written.
     pub(super) fn check(&self, has_scene: bool) -> Result<(), CliError> {
         self.check_stdout()?;
         Ok(self.file().map_or(Ok(()), |to| to.check(has_scene))?)
     }
 
-    /// Checks that only one kind of result goes to standard output.
+    /// Checks that at most one kind of result goes to standard output.
     pub(super) fn check_stdout(&self) -> Result<(), CliError> {
         if self.json && self.is_stdout() {
             return Err(CliError::Option(
@@ -108,8 +106,8 @@ impl TableArguments {
         Ok(())
     }
 
-    /// Print the page or the rows, or the JSON object where that has more than its rows, and write the file. Of a table that is made
-    /// from a scene the changes head the page, and the scene goes beside the file.
+    /// Prints the page, the table or the JSON object, and writes the file. For a table computed from a scene the changes head the page, and
+    /// a scene file is written beside the table.
     pub(super) fn deliver<R>(
         &self,
         extent: Extent,
@@ -124,7 +122,7 @@ impl TableArguments {
         }
         let changed = source.as_ref().map(|source| source.0.changed());
         let written = self.file().map_or(Ok(()), |to| write(&to, &rows.csv(), source, extent));
-        // A file that cannot be written must not cost what was computed.
+        // The result is printed before the file, which may fail to be written.
         output::print(&match object {
             _ if !self.json => {
                 let missing = extent.missing().map(|missing| missing + "\n\n");
@@ -140,7 +138,7 @@ impl TableArguments {
     }
 }
 
-/// The changes that made a scene, the scene, and the command that makes the table of it: its name and options.
+/// Changes of the scene, the scene, and the command that computes the table: its name and options.
 pub(super) type Source<'a> = (&'a SceneOverrides, &'a Scene, String);
 
 fn write(

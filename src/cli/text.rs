@@ -1,20 +1,21 @@
-//! Pages as wide as the terminal, or 80 columns where there is none.
+//! Layout of pages for the width of the terminal, or for 80 columns without a terminal.
 
 use std::io::{self, IsTerminal as _};
 
 use crate::cli::draw;
 use crate::tui::widgets::text::wrap;
 
-/// Columns of a page that is not a terminal's, and the most and the fewest of any.
+/// Columns of a page that is written to a file or a pipe.
 const DEFAULT_WIDTH: usize = 80;
+/// Minimum and maximum number of columns of a page.
 const WIDTHS: (usize, usize) = (40, 120);
 
-/// Whether a person reads the page as it is printed: it does not go to a file or a pipe.
+/// Returns `true` if standard output is a terminal.
 pub(super) fn is_screen() -> bool {
     io::stdout().is_terminal()
 }
 
-/// Columns to write for.
+/// Returns the number of columns of a page.
 pub(super) fn width() -> usize {
     if !is_screen() {
         return DEFAULT_WIDTH;
@@ -23,12 +24,12 @@ pub(super) fn width() -> usize {
     size.clamp(WIDTHS.0, WIDTHS.1)
 }
 
-/// The size of a chart where the page is narrower: its lines cannot be wrapped.
+/// Limits the width of a chart to that of the page.
 pub(super) fn chart_size((columns, rows): draw::Size) -> draw::Size {
     (columns.min(u16::try_from(width()).unwrap_or(columns)), rows)
 }
 
-/// A text after a lead, in as many lines as it needs; those after the first are indented.
+/// Formats a lead and a text, wrapped with a hanging indent.
 pub(super) fn hanging(lead: &str, text: &str, indent: usize) -> String {
     let room = width().saturating_sub(indent.max(lead.chars().count()));
     let words: Vec<&str> = text.split_whitespace().collect();
@@ -36,14 +37,14 @@ pub(super) fn hanging(lead: &str, text: &str, indent: usize) -> String {
     format!("{lead}{}\n", lines.join(&format!("\n{:indent$}", "")))
 }
 
-/// Labels in a column of their own, and a text beside each; without those of which there is nothing to say.
+/// Appends lines of a label and a text; skips empty texts.
 pub(super) fn labelled_each(page: &mut String, lines: &[(&str, impl AsRef<str>)]) {
     for (label, text) in lines.iter().filter(|(_, text)| !text.as_ref().is_empty()) {
         page.push_str(&hanging(&format!("    {label:<12}"), text.as_ref(), 16));
     }
 }
 
-/// Wraps the lines of a page: a longer line continues below its last column if that begins in the left half, else indented.
+/// Wraps the lines of a page. A long line continues below its last column if that starts in the left half of the page, else indented.
 pub(super) fn fitted(page: &str) -> String {
     let room = width();
     let fitted = |line: &str| {

@@ -1,4 +1,4 @@
-//! Errors of the command line in one line: what was written, what is allowed, the nearest name, and where to read on.
+//! Errors of the parser in one line: argument, allowed values, nearest name, and the help to read.
 
 use std::ffi::OsString;
 
@@ -9,7 +9,7 @@ use crate::files::clean;
 use crate::files::error::did_you_mean;
 use cmra_engine::model::variables;
 
-/// The line of an error; `None` for help and version, which are results.
+/// Returns the line of an error; `None` for help and version, which are results.
 pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Option<String> {
     if !error.use_stderr() {
         return None;
@@ -17,7 +17,7 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
     let first = written.get(1).and_then(|word| word.to_str()).unwrap_or_default();
     let own = program.find_subcommand(first).map(Command::get_name);
     let commands: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
-    // After a misspelt command the other arguments have no meaning.
+    // The other arguments have no meaning after a misspelt command.
     if own.is_none()
         && let Some(hint) = did_you_mean(first, &commands)
     {
@@ -34,11 +34,11 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
             "unexpected argument '{word}': to change a variable write `--set {word}`"
         ));
     }
-    // A line end within an argument is none of the text.
+    // Line ends within an argument are not those of the message.
     let words = written.iter().filter_map(|word| word.to_str());
     let broken = words.filter(|word| word.contains(char::is_control));
     let text = broken.fold(error.to_string(), |it, word| it.replace(word, &clean::line(word)));
-    // A value that looks like an option is seldom what was meant.
+    // The hint to escape a value that looks like an option is rarely useful.
     let parts = text.lines().map(str::trim).filter(|it| !it.is_empty() && !it.contains("'-- -"));
     let is_problem = |part: &&str| !part.starts_with("Usage:") && !part.starts_with("For more ");
     let problem = parts.take_while(is_problem).collect::<Vec<_>>().join("; ");

@@ -1,4 +1,4 @@
-//! `cmra validate [FILE.csv]`: measurements beside what the model computes for them, built-in ones or a user's own.
+//! `cmra validate [FILE.csv]`: measurements, built-in or the user's own, with the computed results.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -48,7 +48,7 @@ pub(super) struct ValidateArguments {
     table: TableArguments,
 }
 
-/// Compute every row; exit status 1 when one cannot be computed.
+/// Computes every row; exit status 1 if a row cannot be computed.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     let ValidateArguments { table, pictures, threads, .. } = arguments;
     table.check(false)?;
@@ -67,7 +67,7 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     Ok(extent.exit_code_after(limits::refusals(&rows)))
 }
 
-/// The built-in measurements.
+/// Compares the built-in measurements.
 fn built_in(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     let (report, extent) =
         progress::study(arguments.threads.count(), "measurements", validation::report);
@@ -108,7 +108,7 @@ fn deliver(
     pictures.write(table, extent.reach, picture)
 }
 
-/// Errors by class and of all rows.
+/// Returns the errors by class and over all rows.
 fn error_page(rows: &[measured::Row]) -> String {
     let errors = measured::errors(rows);
     if errors.is_empty() {
@@ -122,7 +122,7 @@ fn refused(rows: &[measured::Row]) -> String {
     lines.map(|line| text::hanging("refused: ", &line, 9)).collect()
 }
 
-/// Measurements of other quantities: their biases by class, and each case where all rows are wanted.
+/// Returns the measurements of other quantities: bias by class, and each case if `has_rows`.
 fn cases(report: &[Row], extent: Extent, has_rows: bool) -> String {
     let mut page = String::new();
     if has_rows {
@@ -180,10 +180,10 @@ fn each_case(page: &mut String, report: &[Row]) {
     }
 }
 
-/// Points from which a class has a scatter.
+/// Minimum number of points of a class with a standard deviation.
 const SCATTER_FROM: usize = 3;
 
-/// Bias and scatter by class, and what was done.
+/// Returns bias and scatter by class, and a summary line.
 fn summary(report: &[Row]) -> String {
     let mut table = format!(
         "{:<36}{:>7}{:>8}{:>8}  {}\n",

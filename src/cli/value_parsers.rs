@@ -1,4 +1,4 @@
-//! Readers of options that are a number: an amount with a unit, a count, a part of a whole.
+//! Parsers of numeric options: positive values with a unit, counts, fractions.
 
 use std::ops::RangeInclusive;
 
@@ -6,7 +6,7 @@ use clap::builder::{RangedU64ValueParser, TypedValueParser};
 
 use cmra_engine::model::units::{self, Bare, Dimension};
 
-/// Reads an amount above zero, SI.
+/// Parses a positive value, SI or with a unit.
 pub(super) fn above_zero(
     quantity: Dimension,
     example: &'static str,
@@ -18,12 +18,12 @@ pub(super) fn above_zero(
     }
 }
 
-/// Reads a count within bounds.
+/// Returns a parser of a count within a range.
 pub(super) fn count(bounds: RangeInclusive<u64>) -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(bounds)
 }
 
-/// Reads a part of a whole, as a number or in per cent.
+/// Parses a fraction, as a number or in percent.
 pub(super) fn part(text: &str) -> Result<f64, String> {
     let (number, whole) = match text.trim().strip_suffix('%') {
         Some(percent) => (percent.trim(), 100.0),
@@ -33,7 +33,7 @@ pub(super) fn part(text: &str) -> Result<f64, String> {
     number.map_err(|_not_a_number| "write a fraction, for example 0.02 or 2%".to_owned())
 }
 
-/// Reads a relative standard deviation of at most one half.
+/// Parses a relative standard deviation of at most 0.5.
 pub(super) fn deviation(text: &str) -> Result<f64, String> {
     let part = part(text)?;
     let problem = || "outside 0..0.5: write a fraction, for example 0.02 or 2%".to_owned();

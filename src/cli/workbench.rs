@@ -1,4 +1,4 @@
-//! `cmra [SCENE]`: the workbench, or its plain text where there is no terminal.
+//! `cmra [SCENE]`: the workbench, or a page of text without a terminal.
 
 use std::ffi::{OsStr, OsString};
 use std::io::{self, IsTerminal as _};
@@ -33,11 +33,11 @@ pub(super) struct WorkbenchArguments {
     glyphs: Glyphs,
 }
 
-/// Open the workbench; without a terminal print what `cmra run --plain` prints.
+/// Opens the workbench; without a terminal prints the page of `cmra run --plain`.
 pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.as_deref().map(scene_or_command).transpose()?;
     let with = arguments.with.as_deref().map(traces).transpose()?;
-    // Both ends have to be a terminal that can move its cursor.
+    // Standard input and output have to be terminals with cursor movement.
     let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
     if is_dumb || !io::stdin().is_terminal() || !io::stdout().is_terminal() {
         return print_plain(preset, with.as_ref(), arguments.glyphs);
@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
     Ok(ExitCode::from(status))
 }
 
-/// The scene; a mistyped subcommand arrives here, too.
+/// Loads the scene. A misspelt subcommand is parsed as a scene, and reported here.
 fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     scene::named(name).map_err(|error| {
         let commands = commands::whole();

@@ -1,21 +1,20 @@
-//! The clock of the tasks, and the one that methods are compared by.
+//! Clocks: elapsed time of tasks, and processor time for the comparison of methods.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use rustix::time::{ClockId, clock_gettime};
 
-/// Gives the time since a moment of its own. Tests hand in one that moves as they want.
+/// Function that returns the time since a fixed instant. Tests pass a clock that they advance themselves.
 pub type Clock = Arc<dyn Fn() -> Duration + Send + Sync>;
 
-/// The time since now.
+/// Returns a clock that starts now.
 pub fn wall() -> Clock {
     let start = Instant::now();
     Arc::new(move || start.elapsed())
 }
 
-/// The processor time that this thread has used, s. Unlike the time of day it stands still while other programs have the
-/// processor, so that a method is not taken for a slow one on a busy machine.
+/// Returns the processor time of this thread, s. Other programs on a busy machine do not increase it, unlike elapsed time.
 pub fn processor_s() -> f64 {
     let time = clock_gettime(ClockId::ThreadCPUTime);
     time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64

@@ -1,4 +1,4 @@
-//! Reports of a running task: progress, parts and the answer. A task that is stopped keeps its results so far.
+//! Reports of a running task: progress, partial results and the final result. A cancelled task ends with its partial result.
 
 use std::any::Any;
 use std::cell::Cell;
@@ -13,40 +13,42 @@ use super::studies::StudyResult;
 use super::{JobProgress, ReportBody, Shared, Task};
 use cmra_studies::study::context::{Answer, CancelFlag, Progress, Reach, Threads};
 
-/// When a task shows what it has so far.
+/// Minimum intervals between the partial results of a task.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReportInterval {
     pub first: Duration,
-    /// Least time between two parts.
+    /// Minimum interval between two partial results.
     pub between: Duration,
 }
 
-/// Least time between two reports of progress.
+/// Minimum interval between two reports of progress; short enough to show that the task runs.
 pub(super) const BETWEEN: Duration = Duration::from_millis(500);
 
-/// A running task, as its computation sees it.
+/// Interface of a computation to the worker: cancel flag, time limit, progress and partial results.
 pub(super) struct Reporter<'a> {
-    /// Reports.
+    /// Callback for reports of this task.
     pub(super) send: &'a dyn Fn(ReportBody),
     cancel: &'a CancelFlag,
-    /// Threads to run on, where the work can be divided.
+    /// Threads, for work that can be divided.
     pub(super) threads: Threads,
     budget: Option<Duration>,
     tempo: ReportInterval,
     clock: &'a Clock,
     started: Duration,
-    /// How long the computation took, where that is not the time since the start.
+    /// Duration of the computation, if it differs from the time since the start.
     pub(super) elapsed: Cell<Option<Duration>>,
-    /// When progress was reported last, and a part, counted from the start.
+    /// Time of the last progress report, since the start.
     last_progress: Cell<Duration>,
+    /// Time of the last partial result, since the start.
     shown: Cell<Option<Duration>>,
-    /// Progress reported last, and whether the computation was told to stop.
+    /// Last progress reported.
     progress: Cell<Progress>,
+    /// Whether the computation was stopped.
     is_stopped: Cell<bool>,
 }
 
 impl<'a> Reporter<'a> {
-    /// The task starts now.
+    /// Creates the interface of a task that starts now.
     pub(super) fn new(
         shared: &'a Shared,
         task: &Task,
@@ -69,18 +71,18 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// How long it has been running.
+    /// Returns the time since the start.
     pub(super) fn elapsed(&self) -> Duration {
         (self.clock)().saturating_sub(self.started)
     }
 
-    /// The time it has been running, s, for all of its threads.
+    /// Returns a clock for the threads of the task: the time since its start, s.
     pub(super) fn clock(&self) -> impl Fn() -> f64 + Sync + use<> {
         let (clock, started) = (Arc::clone(self.clock), self.started);
         move || clock().saturating_sub(started).as_secs_f64()
     }
 
-    /// Returns `Break` once the task is cancelled or its time is used up.
+    /// Returns `Break` if the task is cancelled or its time limit is reached.
     pub(super) fn check_cancelled(&self) -> ControlFlow<()> {
         let is_over = self.budget.is_some_and(|budget| self.elapsed() >= budget);
         if self.cancel.is_set() || is_over {
@@ -90,7 +92,7 @@ impl<'a> Reporter<'a> {
         ControlFlow::Continue(())
     }
 
-    /// Report the progress and the results of now, unless the last report has just been made. Gives whether the study goes on.
+    /// Reports progress and the partial result, at most once per interval; returns `Break` if the study has to stop.
     pub(super) fn report_progress(
         &self,
         progress: Progress,
@@ -118,12 +120,12 @@ impl<'a> Reporter<'a> {
         ControlFlow::Continue(())
     }
 
-    /// Watches a study that has no parts.
+    /// Returns the progress callback of a study without partial results.
     pub(super) fn progress(&self) -> impl FnMut(Progress, Option<&()>) -> ControlFlow<()> {
         |progress, _| self.report_progress(progress, &|| None)
     }
 
-    /// Watches a study, and makes findings of its parts.
+    /// Returns the progress callback of a study, which converts its partial results.
     pub(super) fn watch<P: ?Sized, T: Into<StudyResult>>(
         &self,
         part: impl Fn(&P) -> T,
@@ -133,7 +135,7 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Do the work; a panic becomes an error text.
+    /// Runs the computation and returns its final report; a panic becomes an error message.
     pub(super) fn finish(
         &self,
         work: impl FnOnce() -> Result<StudyResult, Box<dyn Error>>,

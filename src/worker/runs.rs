@@ -1,4 +1,4 @@
-//! Runs of scenes: the run of the screen shows its curve while it grows.
+//! Runs of scenes. The run of the edited scene reports its time series while it is computed.
 
 use std::error::Error;
 use std::ops::ControlFlow;
@@ -13,22 +13,22 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{self, RunSnapshot, Settings};
 use cmra_studies::study::context::{Answer, Progress, Reach};
 
-/// A run that ends before this reports only that it has ended: no frame is spent on its beginning.
+/// Duration below which a run sends only its final report: a frame for the start would be replaced at once.
 const QUIET: Duration = Duration::from_millis(20);
 
-/// A person waits for the curve of a run that takes so long.
+/// Duration after which a run sends partial results: the delay is noticeable.
 const SLOW: Duration = Duration::from_millis(200);
 
-/// A curve waits at least this many times as long as the one before took.
+/// Minimum interval between two partial results, relative to the time that the last one took: at most 5 % of the run.
 const PART_SHARE: u32 = 20;
 
-/// Steps between two looks at the clock (a look costs about as much as a tenth of a step).
+/// Steps between two readings of the clock. A reading takes about a tenth of a step.
 const STEPS_PER_LOOK: u32 = 8;
 
-/// Steps after which the plastic interface beside a fused one is given up: nobody waits for it.
+/// Maximum number of steps of the additional run with a plastic interface; its result is secondary.
 const PLASTIC_STEPS: u32 = 200_000;
 
-/// Runs a scene, for the screen or for a pin.
+/// Runs a scene and reports the result.
 pub(super) fn of_scene(
     slot: Slot,
     scene: &Arc<Scene>,
@@ -39,7 +39,7 @@ pub(super) fn of_scene(
     })
 }
 
-/// Run a scene. The computation calls the observer before every step, which may end it, and look at the results so far.
+/// Runs a scene. An observer, called before each step, sends partial results and stops a cancelled run.
 pub(super) fn run(
     slot: Slot,
     scene: &Arc<Scene>,
@@ -57,7 +57,7 @@ pub(super) fn run(
             && pulse.part_is_due()
             && let Some(run) = (look.so_far)()
         {
-            // It is not to spend more than a small part of its time on them.
+            // Partial results take at most a small fraction of the time.
             pulse.pause =
                 BETWEEN.max(PART_SHARE * reporter.elapsed().saturating_sub(pulse.last_poll));
             let (reach, elapsed) = (Reach::Partial(Progress::default()), reporter.elapsed());
@@ -66,7 +66,7 @@ pub(super) fn run(
         ControlFlow::Continue(())
     };
     let mut run = compute(&Settings::default(), &mut observer)?;
-    // The time is that of the run by itself.
+    // The run time excludes the additional run with a plastic interface.
     let took = reporter.elapsed();
     reporter.elapsed.set(Some(took));
     run.cost.took_s = Some(took.as_secs_f64());
@@ -81,20 +81,21 @@ pub(super) fn run(
     Ok(run.into())
 }
 
-/// When a run reports; times count from its start.
+/// Schedule of the reports of a run; times since its start.
 #[derive(Default)]
 struct ReportSchedule {
     steps: u32,
-    /// The last look at the clock.
+    /// Last reading of the clock.
     seen: Duration,
     last_progress: Option<Duration>,
-    /// When the curve so far was requested last, and how long the next one has to wait from then on.
+    /// Time of the last partial result.
     last_poll: Duration,
+    /// Minimum interval until the next partial result.
     pause: Duration,
 }
 
 impl ReportSchedule {
-    /// Whether it is time, by the last look at the clock, for a person to see the curve so far; it then counts as requested.
+    /// Returns `true` if a partial result is due at the last reading of the clock, and marks it as sent.
     fn part_is_due(&mut self) -> bool {
         let is_due = self.seen >= self.last_poll + self.pause;
         if is_due {
@@ -103,7 +104,7 @@ impl ReportSchedule {
         is_due
     }
 
-    /// After a step that reached `t_s`: the time to report, if any; 0 says that the run takes a moment.
+    /// Returns the simulated time to report after a step that reached `t_s`, if a report is due; 0 for the first report.
     fn beat(&mut self, t_s: f64, elapsed: impl Fn() -> Duration) -> Option<f64> {
         self.steps = self.steps.wrapping_add(1);
         if !self.steps.is_multiple_of(STEPS_PER_LOOK) {

@@ -19,7 +19,7 @@ use cmra_studies::study::sweep::grid::{self, Grid};
 use cmra_studies::study::sweep::{Plan, SweepError};
 use cmra_studies::study::{limit, monte_carlo, sensitivity, stability, thesis};
 
-/// An enum with a variant for each of some types, which a caller takes out again by its type.
+/// Defines an enum with one variant per type, and a trait that converts between the enum and these types.
 macro_rules! typed_enum {
     ($(#[$doc:meta])* $name:ident, $(#[$about:meta])* $of:ident: $($kind:ident($type:ty),)*) => {
         $(#[$doc])*
@@ -76,7 +76,7 @@ typed_enum! {
 }
 
 typed_enum! {
-    /// A result, whole or as far as it is.
+    /// Final or partial result of a task.
     StudyResult,
     /// Variant of a result.
     ResultVariant:
@@ -93,33 +93,33 @@ typed_enum! {
     Search(SearchAnswer),
 }
 
-/// A sweep that ends before this shows nothing on the way: no picture is drawn twice for it.
+/// Duration below which a sweep sends no partial result, which would be replaced at once.
 const FIRST: Duration = Duration::from_millis(25);
-/// Least time between two pictures of passes.
+/// Minimum interval between two partial results of a sweep.
 const BETWEEN_PASSES: Duration = Duration::from_millis(120);
 
-/// How a sweep is shown.
+/// Chart of a sweep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ChartKind {
     /// Sweep of one axis, with or without a family of curves.
     #[default]
     Line,
-    /// Two axes: a map.
+    /// Map over two axes.
     Surface,
 }
 
-/// A run of the scene, for the screen or for a pin.
+/// Run of a scene: that on the screen, or a pinned one.
 #[derive(Debug)]
 pub struct SceneRun(pub Slot);
 
-/// Computes the points of a picture: coarse ones come first.
+/// Computes the points of a chart, coarse grids first.
 #[derive(Debug)]
 pub struct PictureSweep {
     pub picture: ChartKind,
     pub plan: Arc<Plan>,
 }
 
-/// Computes the curves of a figure by the scheme that the thesis prints.
+/// Computes the curves of a figure by the time stepping that the thesis prints.
 #[derive(Debug)]
 pub struct PrintedSweep(pub Arc<Plan>);
 
@@ -127,7 +127,7 @@ pub struct PrintedSweep(pub Arc<Plan>);
 #[derive(Debug, PartialEq)]
 pub struct LimitSearch;
 
-/// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
+/// Computes V50 and its spread, as `cmra montecarlo --outputs limit_velocity_m_s` does.
 #[derive(Debug, PartialEq)]
 pub struct V50Study(pub monte_carlo::Request);
 
@@ -143,20 +143,20 @@ pub struct EfficiencyMapStudy;
 #[derive(Debug)]
 pub struct MethodBenchmark(pub ComparisonOptions);
 
-/// Computes where a fixed-step method is stable.
+/// Maps the stability of a method with a fixed step size.
 #[derive(Debug, PartialEq)]
 pub struct StabilityMap(pub StabilityMapRequest);
 
-/// Runs the battery of stiff and extreme scenes; the scene plays no part.
+/// Runs the stiff and extreme test scenes; independent of the edited scene.
 #[derive(Debug)]
 pub struct StiffScenes;
 
-/// Checks every claim of the thesis; the scene plays no part.
+/// Checks every claim of the thesis; independent of the edited scene.
 #[derive(Debug)]
 pub struct Claims;
 
 impl StudyRequest {
-    /// When it shows what it has so far.
+    /// Returns the intervals of partial results.
     pub(super) fn tempo(&self) -> ReportInterval {
         match self {
             Self::Picture(_) | Self::EfficiencyMap(_) => {
@@ -166,7 +166,7 @@ impl StudyRequest {
         }
     }
 
-    /// Computes the result; a study that is stopped gives its results so far.
+    /// Computes the result; a stopped study returns its partial result.
     pub(super) fn make(
         &self,
         scene: &Arc<Scene>,
@@ -226,7 +226,7 @@ impl StudyRequest {
     }
 }
 
-/// Computes the points of a plan; the last pass is the result, not a part of it.
+/// Computes the points of a plan, pass by pass; the last pass is the final result.
 fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<StudyResult, Box<dyn Error>> {
     grid::fits(plan)?;
     let grid = Grid::new(Arc::clone(plan));
@@ -253,14 +253,14 @@ macro_rules! search_studies {
         }
 
         impl SearchRequest {
-            /// The command that makes it of the scene that was searched: its name, then its options.
+            /// Returns the command with the same result: its name and options.
             pub fn command(&self) -> String {
                 match self {
                     $(Self::$kind(request) => request.to_string(),)*
                 }
             }
 
-            /// Searches on a number of threads; `tell` is given the progress and the part so far.
+            /// Runs the search on a number of threads; `tell` receives progress and partial results.
             pub fn run(
                 &self,
                 scene: &Scene,
@@ -281,12 +281,12 @@ macro_rules! search_studies {
     };
 }
 search_studies! {
-    /// Goal seek: values of a variable that give a wanted result.
+    /// Goal seek: values of a variable for which a quantity reaches a goal.
     Seek seek SeekReport,
-    /// The Pareto front: designs that no other one dominates.
+    /// Pareto front: designs that no other design dominates.
     Front front FrontReport,
-    /// How strongly each variable acts on a quantity.
+    /// Sensitivity of a quantity to each variable.
     Sensitivity sensitivity SensitivityReport,
-    /// How results scatter when inputs do.
+    /// Distribution of results for random inputs.
     MonteCarlo monte_carlo MonteCarloReport,
 }

@@ -1,4 +1,4 @@
-//! `--over NAME=LO..HI:COUNT[:log]`, `--over NAME=A,B,C` and the options that say which points a sweep has.
+//! `--over NAME=LO..HI:COUNT[:log]`, `--over NAME=A,B,C` and the other options for the points of a sweep.
 
 use clap::Args;
 
@@ -22,7 +22,7 @@ pub(super) struct PointArguments {
 }
 
 impl PointArguments {
-    /// The plan of a sweep and its columns. Where no outputs are named a page has the few that count.
+    /// Returns the plan of a sweep and its columns. Without `--outputs` a page has the main quantities.
     pub(super) fn plan(&self, preset: &Preset, is_page: bool) -> Result<(Plan, Columns), CliError> {
         let scene = &preset.scene;
         let axes = if self.over.is_empty() {

@@ -1,4 +1,4 @@
-//! A sweep as a page of text: charts over one axis, maps over two, how points ended.
+//! Page of a sweep: charts over one axis, maps over two, number of points by outcome.
 
 use std::fmt::Write as _;
 
@@ -13,17 +13,17 @@ use cmra_studies::study::outcome::OutcomeCounts;
 use cmra_studies::study::sweep::grid::Grid;
 use cmra_studies::study::sweep::{Axis, DEFAULT_OUTPUTS, Plan, PointOutcome, Spacing};
 
-/// Most rows of the table of one axis.
+/// Maximum number of rows of the table of a sweep with one axis.
 const TABLE_ROWS: u64 = 13;
-/// Points kept to be drawn; larger sweeps are only summed up.
+/// Maximum number of points kept in memory for charts; a larger sweep has only a summary.
 pub(in crate::cli) const KEPT_MAX: u64 = 250_000;
 
-/// Whether a whole sweep can be drawn: a grid of one or two axes.
+/// Returns `true` if a sweep can be drawn: a complete grid of one or two axes.
 pub(super) fn is_drawable(plan: &Plan) -> bool {
     plan.axes().len() <= 2 && plan.points() <= KEPT_MAX
 }
 
-/// The pictures of a sweep that has been made to its end: of the outputs given, or of the usual ones where all were computed.
+/// Returns the charts of a complete sweep: of the given outputs, or of the default ones if all were computed.
 pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
     let Some(grid) = kept.filter(|grid| grid.is_complete()) else { return Vec::new() };
     let all = grid.plan().outputs();
@@ -32,7 +32,7 @@ pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
     (0..all.len()).filter(wanted).filter_map(|output| picture(grid, output)).collect()
 }
 
-/// The page of a sweep; `how` says in what time it was made, and on how many threads.
+/// Returns the page of a sweep; `how` has the run time and the number of threads.
 pub(super) fn text(
     name: &str,
     plan: &Plan,
@@ -66,7 +66,7 @@ fn axis_words(axis: &Axis) -> String {
     format!("{} {}{log}, {} points", axis.symbol(), ends.trim_end(), axis.count())
 }
 
-/// The picture of an output.
+/// Appends the chart of an output.
 fn drawn(page: &mut String, grid: &Grid, output: usize) {
     let column = grid.plan().outputs()[output];
     let is_axis = grid.plan().axes().len() == 1;
@@ -86,7 +86,7 @@ fn drawn(page: &mut String, grid: &Grid, output: usize) {
 
 fn table(page: &mut String, grid: &Grid, axis: &Axis) {
     let last = axis.count() - 1;
-    // Evenly spread, where the number of points allows it.
+    // Evenly spaced rows if the number of points allows them.
     let even = (5..TABLE_ROWS).rev().find(|steps| last.is_multiple_of(*steps));
     let count = even.map_or_else(|| TABLE_ROWS.min(axis.count()), |steps| steps + 1);
     let places = (0..count).map(|row| row * last / (count - 1));
@@ -104,7 +104,7 @@ fn table(page: &mut String, grid: &Grid, axis: &Axis) {
     let _ = writeln!(page, "{}", table.page(&table.keys(), width()));
 }
 
-/// A time in readable units: `0.31 s`, `12 min`, `5.2 h`.
+/// Formats a time: `0.31 s`, `12 min`, `5.2 h`.
 pub(in crate::cli) fn duration(seconds: f64) -> String {
     let (value, unit) = match seconds {
         s if s < 60.0 => return engineering(s, "s", 2),
