@@ -1,32 +1,32 @@
-//! How a point of a study came out: as its shot ended, or without a result.
+//! Outcome of a point of a study: the outcome of its shot, or a failure.
 
 use std::fmt;
 
 use crate::study::quantities::{Quantity, QuantityFlag};
 use cmra_engine::model::run::{EndReason, Outcome, Run};
 
-/// The outcome of a point.
+/// Outcome of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointOutcome {
     /// Outcome of the point's shot.
     Ended(Outcome),
-    /// There is no result.
+    /// No result.
     Failed(Failure),
 }
 
-/// Why there is no result.
+/// Reason for a missing result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Failure {
     /// The run ended early.
     Early(EndReason),
-    /// The scene makes no sense.
+    /// The scene is physically impossible.
     Refused,
-    /// The program failed.
+    /// The computation panicked.
     Panicked,
 }
 
 impl Failure {
-    /// The reason in words.
+    /// Returns the reason as text.
     pub fn message(self) -> &'static str {
         match self {
             Self::Early(reason) => reason.words(),
@@ -37,7 +37,7 @@ impl Failure {
 }
 
 impl PointOutcome {
-    /// The word used in files and on screens.
+    /// Returns the word in files and on screens.
     pub fn key(self) -> &'static str {
         match self {
             Self::Ended(outcome) => outcome.word(),
@@ -45,7 +45,7 @@ impl PointOutcome {
         }
     }
 
-    /// The letter drawn where the point has no value.
+    /// Returns the letter that a chart shows in place of a missing value.
     pub fn letter(self) -> char {
         match self {
             Self::Ended(Outcome::Arrested | Outcome::Separated) => 'n',
@@ -56,7 +56,7 @@ impl PointOutcome {
         }
     }
 
-    /// The meaning of that letter for an output.
+    /// Returns the meaning of that letter for a quantity.
     pub fn without_value(self, output: &Quantity) -> &'static str {
         match self {
             Self::Ended(Outcome::Arrested | Outcome::Separated) => output.absence,
@@ -67,7 +67,7 @@ impl PointOutcome {
         }
     }
 
-    /// The outcome of a run's shot.
+    /// Returns the outcome of a run.
     pub fn from_run(run: &Run) -> Self {
         if run.end.is_complete() {
             Self::Ended(run.shot_outcome())
@@ -76,18 +76,17 @@ impl PointOutcome {
         }
     }
 
-    /// Whether the shot goes through, by the law at least.
+    /// Returns `true` if the shot perforates, at least by the law.
     pub fn is_through(self) -> bool {
         matches!(self, Self::Ended(Outcome::Perforated | Outcome::Unmeasured))
     }
 
-    /// Whether the shot was stopped.
+    /// Returns `true` if the shot was stopped.
     pub fn is_stopped(self) -> bool {
         matches!(self, Self::Ended(Outcome::Arrested | Outcome::Separated))
     }
 
-    /// Whether a number counts where a point ended like this, in tables, extremes and pictures alike: the depth of a perforation
-    /// does not.
+    /// Returns `true` if a quantity has a value for this outcome, in tables, extremes and charts. The depth of a perforation has none.
     pub fn counts(self, output: &Quantity) -> bool {
         match self {
             Self::Ended(Outcome::Perforated) => !output.has(QuantityFlag::OfHole),
@@ -98,16 +97,16 @@ impl PointOutcome {
     }
 }
 
-/// How many points ended how.
+/// Number of points by outcome.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OutcomeCounts {
     ended: [u64; Outcome::ALL.len()],
-    /// There is no result.
+    /// Number of points without a result.
     pub failed: u64,
 }
 
 impl OutcomeCounts {
-    /// Count a point.
+    /// Adds a point.
     pub fn add(&mut self, outcome: PointOutcome) {
         *match outcome {
             PointOutcome::Ended(outcome) => &mut self.ended[outcome as usize],
@@ -115,17 +114,17 @@ impl OutcomeCounts {
         } += 1;
     }
 
-    /// How many shots ended like this.
+    /// Returns the number of shots with an outcome.
     pub fn count(self, outcome: Outcome) -> u64 {
         self.ended[outcome as usize]
     }
 
-    /// All points.
+    /// Returns the number of all points.
     pub fn total(self) -> u64 {
         self.each().map(|(_, count)| count).sum()
     }
 
-    /// Each count with its word, those of no point among them.
+    /// Returns each word with its count, zeros included.
     pub fn each(self) -> impl Iterator<Item = (&'static str, u64)> {
         Outcome::WORDS.into_iter().zip(self.ended).chain([("failed", self.failed)])
     }

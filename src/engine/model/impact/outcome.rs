@@ -1,4 +1,7 @@
-//! Whether a run is decided: bounds by the energy that is left, as pure functions of mode and state.
+//! End of a run: conditions under which outcome and maximum displacement can no longer change.
+//!
+//! All conditions are work-energy bounds. The remaining energy limits displacement, velocity and force, and so what can still happen: a
+//! deeper hole, a projectile pulled out, a new contact, a larger displacement. The functions depend only on contact mode and state.
 
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
@@ -9,27 +12,28 @@ use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
-/// Part of the energy at first contact that counts as none: velocities of 1e-12 of the impact's.
+/// Energy that counts as zero, relative to the energy at first contact: velocities of 1e-12 times the impact velocity.
 const NO_ENERGY: f64 = 1e-24;
-/// Part of it with which bodies that nothing joins are at rest once their dent has turned: the dent was made with all of it.
+/// Energy below which bodies in a contact without adhesion count as at rest once the dent unloads, relative to the energy at first contact,
+/// which made the dent.
 const AT_REST: f64 = 1e-9;
-/// Part of depth or displacement by which no later change counts.
+/// Relative change of depth or displacement that is negligible: a thousandth of the default tolerance.
 pub(super) const NEGLIGIBLE: f64 = 1e-12;
 
-/// Excess of the greatest load of the joined interface over its strength below which the slips to come are summed by energy. Each has a
-/// speed of about its excess to the power 1.5, so that the drag takes this to the third power of the whole.
+/// Relative excess of the peak interface load over the limit load below which the remaining slip is computed from the energy. The slip
+/// velocity is about the excess to the power 1.5; the neglected drag is about its cube.
 const LAST_SLIPS: f64 = 2e-3;
 
-/// Safety factor on the remaining slip; the last slip may take the other half of the way to the bottom of the hole, or out of it.
+/// Safety factor of the remaining slip. The last slip may take the other half of the way to the bottom of the hole, or out of it.
 const SLIP_RESERVE: f64 = 2.0;
 
 impl Equations<'_> {
-    /// Energy of the plate, with the projectile where joined, in spring and elastic stop, J.
+    /// Returns the energy of the plate (with the projectile if fused), the spring and the elastic stop, J.
     pub(super) fn energy_j(&self, state: &State) -> f64 {
         0.5 * self.moving_kg() * state.w_m_s * state.w_m_s + self.potential_j(state.x_m)
     }
 
-    /// Energy of all that moves, in spring and elastic stop, J.
+    /// Returns the total energy of plate, projectile, spring and elastic stop, J.
     pub(super) fn energy_left_j(&self, state: &State) -> f64 {
         let v = self.setup.projectile_m_s(state);
         let apart_j = match self.mode.contact {
@@ -47,35 +51,35 @@ impl Equations<'_> {
         self.setup.restitution.is_some()
     }
 
-    /// Whether nothing takes energy from the plate.
+    /// Returns `true` without a damper and without a damping stop.
     pub(super) fn is_undamped(&self) -> bool {
         self.setup.damper.is_absent() && self.setup.stop_n_s_m == 0.0
     }
 
-    /// How far forward the plate goes at most from a state with this energy, m from the spring's zero.
+    /// Returns an upper bound of the displacement of the plate with a given energy, m from the zero of the spring.
     pub(super) fn max_reachable_displacement_m(&self, state: &State, energy_j: f64) -> f64 {
         let by_spring = self.mode.elastic.reach(self.displacement_m(state.x_m), energy_j, 1.0);
         smaller(by_spring, self.setup.rigid_stop_m())
     }
 
-    /// Whether the plate comes to its rigid stop with this energy.
+    /// Returns `true` if the plate can reach its rigid stop with a given energy.
     fn meets_rigid_stop(&self, state: &State, energy_j: f64) -> bool {
         self.stops_rigidly()
             && self.max_reachable_displacement_m(state, energy_j) >= self.setup.stop_at_m
     }
 
-    /// Whether the plate goes back where nothing is to stop it or to send it back.
+    /// Returns `true` if the plate moves backwards and no force acts on it there.
     fn leaves(&self, state: &State) -> bool {
         let x_m = self.displacement_m(state.x_m);
         state.w_m_s <= 0.0 && self.mode.elastic.is_slack(f64::NEG_INFINITY, x_m)
     }
 
-    /// Most force forwards and backwards on the joined interface with this energy, N.
+    /// Returns upper bounds of the compression and the tension of the fused interface with a given energy, N.
     pub(super) fn peak_load_bounds_n(&self, state: &State, energy_j: f64) -> [f64; 2] {
         let Equations { setup, mode } = self;
         let has_nothing = mode.spring.is_absent() && !setup.has_stop();
         let speed = if has_nothing && setup.weight_n > 0.0 {
-            // The weight drives it until its damper holds it.
+            // Terminal velocity: the damper balances the weight.
             larger(state.w_m_s.abs(), setup.damper.at_force(self.joined_weight_n()))
         } else {
             (2.0 * energy_j / self.moving_kg()).sqrt()
@@ -92,13 +96,13 @@ impl Equations<'_> {
         self.loads_with_weight_n(loads_n)
     }
 
-    /// Whether spring and elastic stop drive the plate on for ever, and which way, where no rigid stop is in it.
+    /// Returns the direction in which spring and elastic stop accelerate the plate without end; `None` otherwise, or with a rigid stop.
     pub(super) fn drives_away(&self, state: &State) -> Option<f64> {
         let x_m = self.displacement_m(state.x_m);
         self.mode.elastic.drives_away(x_m).filter(|_| !self.stops_rigidly())
     }
 
-    /// Whether the plate is held, or stands or creeps where its forces hold each other.
+    /// Returns `true` if the plate is fixed, or does not move because its forces balance.
     pub(super) fn is_in_equilibrium(&self, state: &State) -> bool {
         let is_balanced = || {
             state.w_m_s.abs() < self.unresolved_m_s()
@@ -107,15 +111,15 @@ impl Equations<'_> {
         self.plate_rests() || self.creeps(state) || is_balanced()
     }
 
-    /// Whether what still moves has no energy to speak of.
+    /// Returns `true` if the remaining energy is negligible or the fused bodies are in equilibrium.
     pub(super) fn is_at_rest(&self, state: &State) -> bool {
-        // Where the spring drives the plate away, its energy is less than nothing.
+        // The energy is negative if the spring accelerates the plate without end.
         let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
         has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()
             || self.is_in_equilibrium(state) && self.mode.contact == Contact::Fused
     }
 
-    /// The outcome, if nothing can change it any more.
+    /// Returns the outcome if it is final.
     pub(super) fn outcome(&self, state: &State) -> Option<Outcome> {
         match self.mode.contact {
             Contact::Perforated => Some(Outcome::Perforated),
@@ -128,7 +132,7 @@ impl Equations<'_> {
         }
     }
 
-    /// Whether all is at rest in a contact that does not join the bodies: its dent has turned, or what is left cannot deepen it.
+    /// Returns `true` if the bodies are at rest in a contact without adhesion: the dent unloads, or the remaining energy cannot deepen it.
     fn rests_in_contact(&self, state: &State) -> bool {
         let ContactLaw::Lumped(lumped) = self.setup.law else { return false };
         let (goes_in, deepest_m) = (self.is_loading(), self.mode.deepest_m);
@@ -138,21 +142,26 @@ impl Equations<'_> {
         left_j < AT_REST * self.setup.initial_j() && (!goes_in || left_j < deepens_j())
     }
 
-    /// Energy that it takes to pull the joined projectile out of its hole, J: more than there is where they are fused.
+    /// Returns the work needed to pull the projectile out of its hole, J; infinite for a fused interface.
     pub(super) fn pull_out_j(&self, state: &State) -> f64 {
         let ImpactParameters { plastic, grip, strength_pa, ref geometry, .. } = *self.setup;
         if plastic { grip * strength_pa * geometry.swept_m3(state.q_m) } else { f64::INFINITY }
     }
 
-    /// Greatest further travel of the bottom of the hole, m, under a joined projectile that slips to and fro above it.
+    /// Returns an upper bound of the further depth of the hole, m, while the projectile slips back and forth above its bottom.
     ///
-    /// Each slip is taken to be no longer than the one before, as the energy falls. Then a slip inwards that ends above the bottom is the last
-    /// to come so far; up to there the projectile leaves the bottom by one slip and returns by the next. The first return is over the present
-    /// gap. All others but the last begin with more energy than the oscillation whose greatest load friction at the bottom just holds; together
-    /// they are at most half as long as friction needs to take the energy above that, less half of the gap. The last is no longer than the gap.
-    /// On such a way the excess of the load over friction does work, and the excess of the strength over the load stops the projectile.
+    /// Assumption: no slip is longer than the previous one, since the energy decreases. The bound is the sum over the slips towards the
+    /// bottom:
     ///
-    /// `None` if the projectile is on the bottom, may be pushed deeper from rest, may come to a rigid stop, or if the hole gets weaker.
+    /// - The first slip covers the present gap.
+    /// - Each further slip except the last starts with more energy than the oscillation whose peak load friction just carries. Their total
+    ///   length is at most half of what friction needs to dissipate the energy above that, minus half of the gap.
+    /// - The last slip is at most as long as the gap.
+    ///
+    /// Over this path the load in excess of friction does work on the projectile; the strength in excess of the load stops it at the
+    /// bottom.
+    ///
+    /// `None` if the projectile is at the bottom, can be pushed deeper from rest, can reach a rigid stop, or if a deeper hole is weaker.
     pub(super) fn deepens_at_most_m(&self, state: &State) -> Option<f64> {
         let Equations { setup, mode } = self;
         let energy_j = self.energy_j(state);
@@ -187,7 +196,7 @@ impl Equations<'_> {
         is_held.then_some(deepens_m)
     }
 
-    /// Whether a plastic interface holds whatever comes.
+    /// Returns `true` if a plastic interface can no longer slip by a relevant amount.
     fn sticks_permanently(&self, state: &State) -> bool {
         if self.is_at_rest(state) {
             return true;
@@ -196,7 +205,7 @@ impl Equations<'_> {
         let energy_j = self.energy_j(state);
         let strength_n = self.strength_n(state);
         let friction_j = self.pull_out_j(state);
-        // What is left can neither deepen the hole noticeably, after friction on the way to its bottom, nor pull the projectile out of it.
+        // The remaining energy can neither deepen the hole, after friction on the way to its bottom, nor pull the projectile out.
         let above_m3 = setup.geometry.swept_m3(mode.deepest_m) - setup.geometry.swept_m3(state.q_m);
         let to_bottom_j = setup.grip * setup.strength_pa * larger(above_m3, 0.0);
         let is_nothing = |energy_j: f64| {
@@ -218,13 +227,13 @@ impl Equations<'_> {
         if pushed_n <= push_n && pulled_n <= pull_n {
             return true;
         }
-        // What follows knows no force but the mechanism's.
+        // The following bound does not include the weight.
         if setup.weight_n > 0.0 {
             return false;
         }
-        // To and fro within the hole: each slip begins with more energy than the oscillation that the friction just holds, so that
-        // the paths of all but the last add up to what the friction takes above that at most. Where they come to the bottom they
-        // have no more than the work of the excess of the load over the friction on their way, and deepen the hole by that.
+        // Slips back and forth in the hole: each starts with more energy than the oscillation whose peak load friction just carries. All
+        // slips except the last thus have a total length of at most the excess energy over the friction. At the bottom their energy is at
+        // most the work of the load in excess of friction, which limits the further depth.
         let (q_m, geometry) = (state.q_m, &setup.geometry);
         let excess_n = larger(pushed_n, pulled_n) - pull_n;
         let may_deepen_m = NEGLIGIBLE * mode.deepest_m * strength_n / excess_n;
@@ -237,16 +246,18 @@ impl Equations<'_> {
         way_m > 0.0 && is_off_stop && larger(pushed_n, pulled_n) <= friction_n
     }
 
-    /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips, once it is past its
-    /// greatest displacement; they add up to the energy above that of the oscillation whose peak just equals the strength of the deeper
-    /// hole. Their travel in all, m.
+    /// Returns the total remaining slip of an undamped oscillation whose peak load slightly exceeds the limit load, m.
+    ///
+    /// The oscillation loses energy in ever smaller slips, one per period, without reaching an end in finite time. Their sum follows from
+    /// the energy: it is exhausted when the peak load equals the limit load of the deeper hole. `None` if the conditions do not hold: past
+    /// its maximum displacement, at the bottom of the hole, nothing else that dissipates energy, and a small excess.
     pub(super) fn remaining_slip_m(&self, state: &State, farthest_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
         let energy_j = self.energy_j(state);
         let far_m = self.max_reachable_displacement_m(state, energy_j);
         let is_past = state.w_m_s < 0.0 && far_m <= farthest_m;
         let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
-        // Each slip of a plug weakens its rim.
+        // The limit load of a plug decreases with each slip.
         let keeps = self.is_undamped() && setup.absorber.is_none() && !setup.shears();
         let keeps = keeps && setup.weight_n == 0.0;
         let may_slip = setup.plastic && is_past && is_joined && keeps;
@@ -256,7 +267,7 @@ impl Equations<'_> {
         let (push_n, pull_n) = self.limit_loads_n(state);
         let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, energy_j);
         let excess = pushed_n / push_n - 1.0;
-        // It is where the plate turns that the interface has to carry most.
+        // The peak load occurs at the maximum displacement.
         let grows = mode.elastic.tangent(far_m) > 0.0
             && setup.interface_fraction() * mode.elastic.force(far_m) > push_n;
         let is_small = excess > 0.0 && excess < LAST_SLIPS && grows;
@@ -277,19 +288,19 @@ impl Equations<'_> {
         is_enough.then(travel_m)
     }
 
-    /// The force that the interface carries forwards at the bottom of the hole, N.
+    /// Returns the limit load in compression at the bottom of the hole, N.
     pub(super) fn strength_n(&self, state: &State) -> f64 {
         self.setup.geometry.area_m2(state.q_m) * self.setup.strength_pa
     }
 
-    /// The force that the joined interface can carry forwards and backwards, N.
+    /// Returns the limit loads of the interface in compression and in tension, N.
     pub(super) fn limit_loads_n(&self, state: &State) -> (f64, f64) {
         let strength_n = self.strength_n(state);
         let friction_n = self.setup.grip * strength_n;
         (if state.q_m >= self.mode.deepest_m { strength_n } else { friction_n }, friction_n)
     }
 
-    /// Whether a projectile that is out of the plate never meets it again.
+    /// Returns `true` if a projectile out of contact cannot come into contact again.
     fn is_separated(&self, state: &State) -> bool {
         let Equations { setup, mode } = self;
         let apart_m = setup.law.slack_m(mode.deepest_m) - state.q_m;
@@ -306,17 +317,19 @@ impl Equations<'_> {
             return state.u_m_s < 0.0 && (v <= 0.0 || setup.damper.is_absent());
         }
         let x_m = self.displacement_m(state.x_m);
-        // The plate is driven away from it, ever faster.
+        // The plate accelerates away from the projectile.
         if state.u_m_s < 0.0 && state.w_m_s >= 0.0 && self.drives_away(state) == Some(1.0) {
             return self.accelerations(state).1 >= 0.0;
         }
-        // The projectile flies away, and is beyond the plate's farthest place backwards.
+        // The projectile moves away and is beyond the range of the plate.
         let back_m = mode.elastic.reach(x_m, energy_j, -1.0);
         v < 0.0 && (x_m - back_m) * setup.cos < apart_m
     }
 
-    /// How far a plate that spring and elastic stop drive to a place against a damper goes beyond it at most, m. It arrives no faster than it
-    /// is, or than the damper lets the greatest force on the way drive it; from there on the damper alone, or the law ahead alone, stops it.
+    /// Returns an upper bound of the overshoot of a damped plate beyond the equilibrium that spring and elastic stop drive it to, m.
+    ///
+    /// The velocity there is at most the larger of the present velocity and the terminal velocity for the maximum force on the way. The
+    /// damper alone, or spring and stop alone, stop the plate from that velocity.
     fn overshoots_at_most_m(&self, state: &State, energy_j: f64, place_m: f64) -> f64 {
         let Equations { setup, mode } = self;
         let x_m = self.displacement_m(state.x_m);
@@ -334,16 +347,15 @@ impl Equations<'_> {
         smaller(by_law_m, coasting_m(setup.damper, self.moving_kg(), arrives_m_s))
     }
 
-    /// The greatest displacement, once the outcome is decided, of a plate that has been so far, m: infinite where nothing stops it, and
-    /// `None` where it is still to be found.
+    /// Returns the maximum displacement of the plate after the outcome is final, m; infinite if nothing stops the plate, `None` if the
+    /// simulation has to continue. `so_far_m` is the maximum up to now.
     pub(super) fn farthest_m(&self, state: &State, so_far_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
         if mode.hold == PlateConstraint::Mount || self.rests_in_contact(state) {
             return Some(so_far_m);
         }
         let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
-        // What is driven on comes at least to where nothing drives it, however slowly, or to its stop; its energy there is known to
-        // rounding only.
+        // The plate reaches at least the equilibrium ahead, or its stop; its energy there has rounding errors.
         let end_m = smaller(mode.elastic.rest_ahead(x_m), setup.rigid_stop_m());
         let far_m = larger(end_m, so_far_m);
         if self.is_in_equilibrium(state) {
@@ -371,7 +383,7 @@ impl Equations<'_> {
             if end_m < setup.stop_at_m || !setup.has_stop() {
                 return Some(larger(end_m, so_far_m));
             }
-            // It comes to its stop, however slowly, and presses an elastic one by what is left of its energy at most.
+            // The plate reaches its stop; the remaining energy bounds the compression of an elastic stop.
             let way_m = setup.stop_at_m - x_m;
             let arrives_m_s = coasting_m_s(setup.damper, self.moving_kg(), (state.w_m_s, way_m));
             let presses_m = if self.stops_rigidly() {
@@ -383,7 +395,7 @@ impl Equations<'_> {
             return (presses_m <= NEGLIGIBLE * larger(stroke_m, way_m)).then_some(end_m);
         }
         let in_full = matches!(setup.stepping, IntegrationMethod::CollocationInFull(_));
-        // Nothing but the spring turns the plate, if anything does.
+        // Only the spring can reverse the motion.
         let by_spring = setup.damper.is_absent() && !setup.has_stop() && !in_full;
         by_spring.then(|| {
             let back_m = mode.elastic.reach(x_m, energy_j, -1.0);
@@ -393,7 +405,7 @@ impl Equations<'_> {
     }
 }
 
-/// The way on which a damper alone stops a mass, m: M w^(2-m)/(b (2-m)) for m below 2, else none does.
+/// Returns the distance over which a damper alone stops a mass, m: M w^(2-m)/(b (2-m)) for m < 2, else infinite.
 fn coasting_m(damper: PowerLaw, kg: f64, w_m_s: f64) -> f64 {
     let power = 2.0 - damper.exponent;
     if damper.is_absent() || power <= 0.0 {
@@ -402,10 +414,11 @@ fn coasting_m(damper: PowerLaw, kg: f64, w_m_s: f64) -> f64 {
     kg * w_m_s.powf(power) / (damper.coefficient * power)
 }
 
-/// The velocity that a damper alone leaves a mass after a way, m/s: `w^(2-m) - (2-m) b x/M` to the power 1/(2-m), w exp(-b x/M) for m = 2.
+/// Returns the velocity of a mass after a distance with a damper alone, m/s: `(w^(2-m) - (2-m) b x/M)^(1/(2-m))`, and w exp(-b x/M) for
+/// m = 2.
 fn coasting_m_s(damper: PowerLaw, kg: f64, (w_m_s, way_m): (f64, f64)) -> f64 {
     let power = 2.0 - damper.exponent;
-    // Relative to what it is now, so that powers of it neither overflow nor vanish.
+    // Relative to the present velocity: its powers neither overflow nor underflow.
     let part = damper.coefficient * way_m / (kg * w_m_s.powf(power));
     if power == 0.0 {
         return w_m_s * (-part).exp();

@@ -1,5 +1,11 @@
-//! Laws that are not smooth at zero: how a plate leaves and approaches that, when a spring that is infinitely steep there holds it, and how
-//! it creeps against such a damper.
+//! Treatment of springs and dampers whose slope is infinite or singular at zero (exponent < 1, or not an integer).
+//!
+//! - Locked plate: a spring with infinite stiffness at zero displacement moves so little that the plate is treated as fixed. It unlocks
+//!   when the force exceeds what the spring balances at a small displacement, and may lock again when the force has decreased.
+//! - Quasi-static plate: after unlocking, spring and contact force balance; inertia is negligible.
+//! - First moment: an analytic start replaces the first step from rest, where no polynomial is accurate.
+//! - Approach to zero: the step size is limited so that a step ends before the singular point; a negligible remainder is skipped.
+//! - Linearised damper: below a small velocity a damper with exponent < 1 is replaced by a linear one.
 
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
@@ -7,19 +13,19 @@ use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::PlateConstraint;
 use crate::numerics::{larger, smaller};
 
-/// Length of the first moments in which the contact's force is taken to grow with the time or to last, in passages of a tip radius or, where
-/// it is shorter, the time in which the contact stops the projectile, or its damper slows both: what they leave out of the velocities is
-/// about the square of this.
+/// Duration of the first moment, relative to the shortest time scale of the contact: R / v_i, or that of its stiffness or damping. Within
+/// it the contact force is constant or proportional to time; the relative error of the velocities is about the square of this value.
 const FIRST_MOMENT: f64 = 1e-6;
-/// How many times farther its inertia alone must let a plate move that is to follow the balance of a law: the square of the oscillations
-/// about that, in radians, which leave a part of one over it.
+/// Minimum ratio of the displacement with inertia alone to the quasi-static displacement, for a plate to count as quasi-static. Inertia
+/// then changes the displacement by about the inverse of this ratio.
 const QUASI_STATIC_RATIO: f64 = 1e2;
-/// Part that does not count: of the tip radius, by which a plate may move that is taken to rest, and of energy and velocity at a zero.
+/// Negligible fraction: of the tip radius, for the displacement of a locked plate; of energy and velocity, at a zero: 1e-4 of
+/// the default tolerance.
 const HELD: f64 = 1e-13;
-/// Part of what a steep spring holds at which it takes hold again: it does not let go at once.
+/// Displacement at which a plate may lock again, relative to that at which it unlocks; the hysteresis avoids an immediate unlock.
 const RELOCK_FRACTION: f64 = 0.5;
-/// How many times what a step may be off by, of the depth, a plate may move that its steep spring has taken hold of again: the tolerance of
-/// a run.
+/// Displacement at which a plate that has locked again unlocks, in units of the step tolerance times the depth. The result is the tolerance
+/// of a run.
 const RELOCK_TOLERANCE_FACTOR: f64 = 1e2;
 /// Part of the balance up to which what inertia and damper take of it is a small correction.
 const SMALL_LAG: f64 = 0.1;
@@ -31,7 +37,7 @@ const JUDGING: f64 = 1e-2;
 const SINGULARITY_STEP_FRACTION: f64 = 0.55;
 
 impl ImpactParameters {
-    /// How far a plate may move that is taken to rest: where a steep spring holds it at first, or in all bounces to come.
+    /// Returns the displacement below which a plate counts as fixed, m: when first locked, or in all further bounces.
     pub(super) fn held_m(&self) -> f64 {
         self.rule_part() * HELD * self.length_m
     }
@@ -57,15 +63,16 @@ impl Equations<'_> {
         self.setup.rule_part() * FIRST_MOMENT * smaller(by_place_s, slipping_kg / slope_n_s_m.abs())
     }
 
-    /// The first moments of a contact with an uncocked plate whose spring is steep at zero, by the balance of forces: the
-    /// plate yields to the contact's, which grows with the time unless a damper makes it begin at once, as far as its inertia, its
-    /// spring or its damper lets it, whichever holds it most.
+    /// Returns the state after the first moment of a contact, for an uncocked plate whose spring is singular at zero.
     ///
-    /// Returns the state and the work in the contact and of the damper up to then, J.
+    /// The contact force grows linearly in time; it is constant if the contact has a damper. The displacement of the plate is the smallest
+    /// of those with inertia, spring or damper alone, each a power of time.
+    ///
+    /// Also returns the work of the contact and the work of the damper, J.
     pub(super) fn after_first_moment(&self) -> (State, [f64; 2]) {
         let t_s = self.first_moment_s();
         let setup = self.setup;
-        // A plug that is picked up at once has taken its part.
+        // A plug that is picked up at once has reduced the velocity.
         let v = setup.velocity_m_s * setup.kept;
         let moment = State { t_s, q_m: v * t_s, u_m_s: v, ..State::default() };
         let force_n = self.contact_n(&moment);
@@ -98,15 +105,16 @@ impl Equations<'_> {
         (state, [contact_j, damper_j])
     }
 
-    /// The displacement up to which a steep spring holds the plate at first, m, if it does: inertia alone would let the plate move much
-    /// farther by the time the spring yields, so that it follows the balance of contact and spring from there on.
+    /// Returns the displacement at which a plate that is locked from the start unlocks, m; `None` if it is not locked.
+    ///
+    /// The plate is locked if inertia alone would allow a much larger displacement by that time. After unlocking it is then quasi-static.
     pub(super) fn initial_lock_displacement_m(&self) -> Option<f64> {
         let setup = self.setup;
         if !setup.starts_steep() || setup.law != ContactLaw::Flow {
             return None;
         }
         let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
-        // A blunt nose pushes at once.
+        // The contact force of a blunt nose does not start from zero.
         if self.contact_n(&state) > 0.0 {
             return None;
         }
@@ -116,7 +124,8 @@ impl Equations<'_> {
         let by_inertia_m = (held_n / rate_n_s).powi(2) * held_n / (6.0 * setup.plate_kg);
         let follows = by_inertia_m / (QUASI_STATIC_RATIO * held_m);
         if follows < 1.0 {
-            // The way by inertia grows with the force's third power: below an exponent of a third it is the farther, the earlier.
+            // The displacement with inertia alone grows as the cube of the force. For a spring exponent below 1/3 the ratio is larger at a
+            // smaller displacement.
             let earlier = 1.0 - 3.0 * held_m * setup.spring.tangent(held_m) / held_n;
             held_m *= if earlier > 0.0 { follows.powf(1.0 / earlier) } else { 0.0 };
         }
@@ -124,15 +133,15 @@ impl Equations<'_> {
         (held_s > self.first_moment_s()).then_some(held_m)
     }
 
-    /// How fast the contact's force on a plate at rest grows, N/s.
+    /// Returns the time derivative of the contact force on a plate at rest, N/s.
     fn rate_n_s(&self, state: &State) -> f64 {
         let slopes = self.contact_slopes(state.q_m, state.u_m_s);
         let slows_m_s2 = self.contact_n(state) / self.setup.projectile_kg;
         (slopes.0 * state.u_m_s - slopes.1 * slows_m_s2) * self.setup.cos
     }
 
-    /// Whether a steep spring takes hold of the plate again: the force that has displaced it falls, and it can move by no more any more
-    /// than what a step may be off by many times over, and less than it has moved.
+    /// Returns `true` if the plate locks again: the contact force decreases, and the remaining energy and force allow only a displacement
+    /// that is a small multiple of the step tolerance and smaller than the maximum displacement so far.
     pub(super) fn locks_again(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
         let held_m = RELOCK_FRACTION * self.setup.returned_m(state.q_m);
@@ -147,7 +156,7 @@ impl Equations<'_> {
             && self.rate_n_s(state) <= 0.0
     }
 
-    /// The force that drives a plate which a steep spring holds, N.
+    /// Returns the force on a locked plate that its spring has to balance, N.
     fn push_n(&self, state: &State) -> f64 {
         self.contact_n(state) * self.setup.cos + self.joined_weight_n()
     }
@@ -199,13 +208,13 @@ impl Equations<'_> {
         (rate_at(moment_s) - rate_at(-moment_s)) / (2.0 * moment_s)
     }
 
-    /// Slope of the damper's law at a velocity at which it is taken as linear, N s/m.
+    /// Returns the coefficient of the linearised damper, N s/m; `None` above the velocity below which it applies.
     fn creep_slope_n_s_m(&self, w_m_s: f64) -> Option<f64> {
         let ImpactParameters { damper, creep_m_s, .. } = *self.setup;
         (w_m_s.abs() < creep_m_s).then(|| damper.force(creep_m_s) / creep_m_s)
     }
 
-    /// Force of the damper, N.
+    /// Returns the force of the damper, N.
     pub(super) fn damper_n(&self, w_m_s: f64) -> f64 {
         let force_n = || self.setup.damper.force_on(self.mode.w_side, w_m_s);
         self.creep_slope_n_s_m(w_m_s).map_or_else(force_n, |slope_n_s_m| slope_n_s_m * w_m_s)
@@ -216,7 +225,8 @@ impl Equations<'_> {
         self.creep_slope_n_s_m(w_m_s).unwrap_or_else(|| self.setup.damper.tangent(w_m_s))
     }
 
-    /// Whether the plate creeps, by nothing that counts, against a steep damper that holds whatever drives it outside the contact.
+    /// Returns `true` if the plate is out of contact, in the range of the linearised damper, and no force can accelerate it beyond that
+    /// range: its further displacement is negligible.
     pub(super) fn creeps(&self, state: &State) -> bool {
         let ImpactParameters { damper, creep_m_s, .. } = *self.setup;
         self.mode.hold == PlateConstraint::Free
@@ -226,8 +236,8 @@ impl Equations<'_> {
                 < damper.force(creep_m_s)
     }
 
-    /// The zero of a spring that is not smooth there: the time until the plate comes to it, s, and whether the energy that is left in the
-    /// spring still counts; `None` where the plate does not come to one.
+    /// Returns the time until the plate reaches the singular zero of its spring, s, and whether the energy in the spring is not negligible;
+    /// `None` if the plate does not move towards such a zero.
     fn next_zero(&self, state: &State) -> Option<(f64, bool)> {
         let spring = &self.setup.spring;
         spring.power().filter(|law| !law.is_smooth_at_zero())?;
@@ -237,8 +247,8 @@ impl Equations<'_> {
         (self.mode.hold == PlateConstraint::Free && way_s > 0.0).then_some((way_s, counts))
     }
 
-    /// Whether the plate is so close to the zero of such a spring that it is as well as far on the other side: no other force does
-    /// anything meanwhile, and there is no stop between.
+    /// Returns `true` if the plate can be moved to the mirror position beyond the zero of its spring: the energy in the spring is
+    /// negligible, no other force changes the velocities meanwhile, and no stop is in between.
     pub(super) fn passes_zero(&self, state: &State) -> bool {
         let Some((way_s, false)) = self.next_zero(state) else { return false };
         let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
@@ -246,8 +256,8 @@ impl Equations<'_> {
             && self.setup.stop_at_m.abs() > self.displacement_m(state.x_m).abs()
     }
 
-    /// The time in which the plate comes as close to the zero of a law that is not smooth there as a step may take it, s: short of
-    /// that it is as far away as the step is long, where no polynomial is far off. Infinite where so little is left that it may pass.
+    /// Returns the maximum step size towards a singular zero of the spring or the damper, s; infinite if none is approached, or if the
+    /// remainder is negligible.
     pub(super) fn approach_s(&self, state: &State) -> f64 {
         let ImpactParameters { damper, creep_m_s, velocity_m_s, .. } = *self.setup;
         let by_spring = self.next_zero(state).filter(|(_, counts)| *counts);
@@ -256,7 +266,7 @@ impl Equations<'_> {
             let (w_m_s, acceleration) = (state.w_m_s, self.accelerations(state).1);
             let way_s = -w_m_s / acceleration;
             let counts = damper.force(w_m_s).abs() * way_s > HELD * self.moving_kg() * velocity_m_s;
-            // Of forces that hold each other only rounding is left, and what the velocity is off by.
+            // If the forces balance, only rounding errors and the error of the velocity remain.
             let off_n = self.damper_slope_n_s_m(w_m_s)
                 * self.setup.tolerance
                 * self.error_scales(state).1[1];
@@ -313,7 +323,8 @@ mod tests {
             assert_eq!(found, expected, "{more}");
         }
     }
-    /// At 0.1 mm/s the damper's 100 N hold the spring's: a velocity that is off by 1e-12 of itself, as a step may leave it, sends it nowhere.
+    /// At 0.1 mm/s the damper's 100 N hold the spring's: a velocity that is off by 1e-12 of itself, as a step may leave it, sends it
+    /// nowhere.
     #[test]
     fn a_plate_approaches_no_zero_by_what_its_velocity_is_off_by() {
         let is_near_s = |part: f64, within_s: f64| {

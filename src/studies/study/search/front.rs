@@ -1,5 +1,9 @@
-//! The Pareto front of a scene: the designs that no other dominates, under constraints, on the scene's interface law. With one
-//! objective the best design. Must not know files, screens or a clock.
+//! Pareto front of a scene: the designs that satisfy all constraints and that no other design dominates; with one objective, the best
+//! design.
+//!
+//! [`sampling::search`] draws designs and selects the best; this module evaluates them. Each design is a run with the interface law of the
+//! scene. Its violation is the sum of the relative excess over each constraint and, if only feasible designs count, the number of failed
+//! checks on the unsafe side plus the excess of the shot's velocity over the velocity that the plate stops.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -22,32 +26,33 @@ pub use constraint::Constraint;
 
 mod constraint;
 
-/// The objectives where none is named: depth, stroke, mass and force into the mount.
+/// Default objectives: depth, stroke, mass and mount force, all minimised.
 pub const DEFAULT: [&str; 4] =
     ["final_penetration_m", "stroke_m", "system_mass_kg", "peak_mount_force_n"];
 
-/// How many designs may be tried, and how many are where nothing is said.
+/// Allowed number of designs; the minimum leaves two for each round of the search.
 pub const SAMPLES: RangeInclusive<usize> = 64..=1 << 24;
+/// Default number of designs.
 const DEFAULT_SAMPLES: usize = 1 << 14;
-/// Steps after which the run of a design is given up: a hundred times as many as most take.
+/// Maximum number of steps of the run of a design; a hundred times the usual number.
 pub const STEPS_MAX: usize = 30_000;
 
-/// A measure that is to be small, or great.
+/// Quantity to minimise or maximise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Objective {
-    /// The measure.
+    /// Quantity.
     pub measure: &'static Quantity,
-    /// Great is good.
+    /// Maximised if `true`, else minimised.
     pub maximise: bool,
 }
 
 impl Objective {
-    /// Builds an objective from the name of its measure.
+    /// Creates an objective from the name of its quantity.
     pub fn new(name: &str, maximise: bool) -> Result<Self, SweepError> {
         Ok(Self { measure: named(name)?, maximise })
     }
 
-    /// [`DEFAULT`], each to be small.
+    /// Returns the objectives of [`DEFAULT`].
     pub fn usual() -> Vec<Self> {
         DEFAULT.iter().filter_map(|name| Self::new(name, false).ok()).collect()
     }
@@ -56,15 +61,15 @@ impl Objective {
 /// Request for a Pareto front.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// The variables and their bounds; empty: those of [`thesis_axes`].
+    /// Variables with their bounds; those of [`thesis_axes`] if empty.
     pub over: Vec<Axis>,
-    /// The objectives.
+    /// Objectives.
     pub objectives: Vec<Objective>,
-    /// The constraints.
+    /// Constraints.
     pub subject_to: Vec<Constraint>,
-    /// Only designs count that stop the shot, and whose run has no warning on the unsafe side.
+    /// Whether a design has to stop the shot, without a warning on the unsafe side.
     pub is_feasible: bool,
-    /// Designs to try.
+    /// Number of designs.
     pub samples: usize,
 }
 
@@ -81,14 +86,14 @@ impl Default for Request {
     }
 }
 
-/// The constraints where none is named: on the stroke, where that is to be small; without, some designs have a stroke of kilometres.
+/// Returns the default constraints: a stroke of at most 1 m if the stroke is minimised; otherwise some designs have strokes of kilometres.
 pub fn default_bounds(objectives: &[Objective]) -> Vec<Constraint> {
     let stroke = objectives.iter().find(|it| it.measure.name == "stroke_m" && !it.maximise);
     let bound = |it: &Objective| Constraint { measure: it.measure, at_most: true, bound: 1.0 };
     stroke.map(bound).into_iter().collect()
 }
 
-/// The command's name and options.
+/// Formats the command with its options.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let over: String = self.over.iter().map(|it| option("over", Some(it))).collect();
@@ -113,7 +118,7 @@ impl fmt::Display for Request {
 }
 
 impl Request {
-    /// Every measure that is needed, the objectives first, each once.
+    /// Returns the quantities of objectives and constraints, in this order, without repetitions.
     pub fn measures(&self) -> Vec<&'static Quantity> {
         let all = self.objectives.iter().map(|it| it.measure);
         let mut list: Vec<&'static Quantity> = Vec::new();
@@ -126,61 +131,61 @@ impl Request {
     }
 }
 
-/// A design.
+/// Design on the front.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// The variables, in their stored units.
+    /// Values of the variables, in their stored units.
     pub values: Vec<f64>,
-    /// Measures, in the order of [`Request::measures`].
+    /// Values of the quantities, in the order of [`Request::measures`].
     pub measures: Vec<Option<f64>>,
-    /// Outcome of the design's run.
+    /// Outcome of the run.
     pub outcome: PointOutcome,
-    /// First objective with a plastic interface, if the fused one cannot carry its load.
+    /// First objective with a plastic interface, if the load of the fused interface exceeds its strength.
     pub plastic: Option<Plastic>,
 }
 
-/// Designs without a value of an objective, which cannot be on a front.
+/// Number of designs without a value of an objective; they cannot be on the front.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MissingObjective {
-    /// The objective's measure.
+    /// Quantity of the objective.
     pub measure: &'static Quantity,
-    /// The outcome of these designs.
+    /// Outcome of these designs.
     pub outcome: PointOutcome,
-    /// How many they are.
+    /// Number of these designs.
     pub count: usize,
 }
 
-/// The front.
+/// Result of the search.
 #[derive(Clone, Debug, Default)]
 pub struct FrontReport {
     /// Request, with the variables that were varied.
     pub request: Request,
-    /// The scene whose other variables were held.
+    /// Scene with the values of all other variables.
     pub base: Scene,
-    /// The designs, by the first objective.
+    /// Designs on the front, sorted by the first objective.
     pub designs: Vec<Design>,
-    /// How many of the designs are outside the model's validity, by check.
+    /// Number of designs on the front that fail each check of the validity.
     pub outside: Vec<(Check, usize)>,
-    /// Designs tried.
+    /// Number of designs evaluated.
     pub runs: usize,
-    /// Runs stopped after [`STEPS_MAX`] steps.
+    /// Number of runs stopped after [`STEPS_MAX`] steps.
     pub given_up: usize,
-    /// Runs that had no value of an objective.
+    /// Designs without a value of an objective, by objective and outcome.
     pub lacks: Vec<MissingObjective>,
-    /// Runs that were infeasible, by check.
+    /// Number of designs that are infeasible because of each check.
     pub infeasible: Vec<(Check, usize)>,
-    /// Runs that were infeasible because the plate is not known to stop the shot.
+    /// Number of designs that are infeasible because the plate is not known to stop the shot.
     pub unstopped: usize,
 }
 
 impl FrontReport {
-    /// The scene of one of its designs.
+    /// Returns the scene of a design.
     pub fn scene(&self, design: &Design) -> Scene {
         scene_with(&self.base, &self.request.over, &design.values)
     }
 }
 
-/// Looks for the front, and shows it as it grows.
+/// Searches for the front and reports it after each round.
 ///
 /// # Errors
 /// A [`SweepError`] when bounds, names or the scene make no sense: then nothing has run.
@@ -208,7 +213,7 @@ pub fn run(
 
 struct Search {
     plan: Plan,
-    /// The checks that the scene itself fails.
+    /// Checks that the scene itself fails; they do not make a design infeasible.
     known: Vec<Check>,
     front: FrontReport,
 }
@@ -216,7 +221,7 @@ struct Search {
 impl Search {
     fn run(mut self, context: &mut Context<'_, FrontReport>) -> FrontReport {
         let (inputs, samples) = (self.plan.axes().len(), self.front.request.samples);
-        // The scene itself is tried, where the bounds hold it.
+        // The scene itself is the first design, if it is within the bounds.
         let share = |axis: &Axis| axis.share(axis.get(&self.front.base)?);
         let own: Option<Vec<f64>> = self.plan.axes().iter().map(share).collect();
         let best = sampling::search(inputs, own, samples, &mut |points, best| {
@@ -237,7 +242,7 @@ impl Search {
         self.front
     }
 
-    /// The results at points of the unit cube; `None` when it was stopped.
+    /// Evaluates points of the unit cube; `None` if the search was stopped.
     fn judged(
         &mut self,
         points: &[Vec<f64>],
@@ -271,7 +276,7 @@ impl Search {
         (!context.is_stopped()).then(|| judged.into_iter().zip(found).collect())
     }
 
-    /// By how much the shot is too fast for a design, relative to the velocity that it stops; 1 for a shot that perforates in its own run.
+    /// Returns the relative excess of the shot's velocity over the velocity that a design is known to stop, plus 1 if its run perforates.
     fn excess(&self, design: &[f64], outcome: PointOutcome) -> f64 {
         let is_perforated = outcome.is_through();
         let scene = self.plan.scene_of(design);
@@ -281,7 +286,7 @@ impl Search {
         by_band + if is_perforated { 1.0 } else { 0.0 }
     }
 
-    /// Counts the checks that make designs infeasible.
+    /// Returns the failed checks of each candidate that make it infeasible.
     fn infeasible(
         &self,
         designs: &[Vec<f64>],
@@ -299,7 +304,7 @@ impl Search {
         })
     }
 
-    /// Counts a design that has no value of an objective.
+    /// Counts a design without a value of an objective.
     fn note_lack(&mut self, found: &Point) {
         let mut measures = self.front.request.objectives.iter().map(|it| it.measure);
         let Some(measure) = measures.find(|it| self.value(found, it).is_none()) else { return };
@@ -311,14 +316,14 @@ impl Search {
         }
     }
 
-    /// A measure of a design; `None` where it does not exist, and where the plate is perforated and designs may not be compared by it.
+    /// Returns a quantity of a design; `None` if it does not exist, or cannot be compared because the plate is perforated.
     fn value(&self, found: &Point, measure: &Quantity) -> Option<f64> {
         let is_perforated = found.outcome.is_through();
         let at = self.plan.outputs().iter().position(|other| *other == measure)?;
         found.values[at].filter(|_| !is_perforated || measure.is_defined_when_perforated())
     }
 
-    /// The values of a point of the unit cube.
+    /// Returns the values of the variables at a point of the unit cube.
     fn place(&self, shares: &[f64]) -> Vec<f64> {
         let axes = self.plan.axes().iter();
         axes.zip(shares).map(|(axis, share)| axis.at_share(*share)).collect()

@@ -1,38 +1,41 @@
-//! The best points of any function of the unit cube, by sampling: Sobol's sequence over the cube, then over boxes around the best
-//! points found so far, narrower each round.
+//! Derivative-free minimisation over the unit cube by sampling: a Sobol sequence over the cube, then over boxes around the best points,
+//! which shrink in each round.
 //!
-//! No gradient, no chance and no clock: the same request gives the same digits. With several objectives the best points are the
-//! feasible ones that no other dominates, with one the point of least value.
+//! The search is deterministic. With several objectives the best points are the feasible ones that no other point dominates, with one
+//! objective the feasible point with the smallest value.
 
 use cmra_engine::numerics::sobol;
 
-/// Rounds after the first, which takes a quarter of the points.
+/// Number of rounds after the first one, which has a quarter of the points.
 const ROUNDS: usize = 20;
-/// Points that are kept of a round, at least and at most: a single best point alone would hold the search to its neighbourhood.
+/// Minimum number of points kept after a round; a single point would restrict the search to its neighbourhood.
 const KEPT_LEAST: usize = 8;
-/// See [`search`].
+/// Maximum number of points kept after a round, and of points on the front.
 pub const KEPT_MOST: usize = 100;
-/// Half the side of the first boxes over the mean distance of the points among which their centres were found.
+/// Half the side of the first boxes, relative to the mean distance of the points of the first round.
 const REACH: f64 = 1.5;
-/// The side of a box over that of the round before.
+/// Side of a box, relative to that of the previous round.
 const SHRINK: f64 = 0.7;
 
-/// The result of a point.
+/// Result of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evaluation {
-    /// The objectives, all to be made small.
+    /// Objectives, all minimised.
     pub objectives: Vec<f64>,
-    /// By how much constraints are violated, together; 0: not at all; infinite where there is no value.
+    /// Total violation of the constraints: 0 if all are satisfied, infinite without a value.
     pub violation: f64,
 }
 
 impl Evaluation {
-    /// Whether it keeps every constraint.
+    /// Returns `true` if every constraint is satisfied.
     pub fn is_feasible(&self) -> bool {
         self.violation == 0.0
     }
 
-    /// Whether it is feasible and the other is not, or violates less, or is no worse in any objective and better in one.
+    /// Returns `true` if this point is better than the other one:
+    ///
+    /// - it has a smaller violation, or
+    /// - both are feasible, and it is better in one objective and worse in none.
     pub fn dominates(&self, other: &Self) -> bool {
         if !self.is_feasible() || !other.is_feasible() {
             return self.violation < other.violation;
@@ -43,23 +46,23 @@ impl Evaluation {
     }
 }
 
-/// A point and its result.
+/// Point with its result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample<T> {
-    /// Where, 0 to 1 along every input.
+    /// Coordinates, 0 to 1.
     pub shares: Vec<f64>,
-    /// Result of the design.
+    /// Result.
     pub judged: Evaluation,
-    /// Further data of the design.
+    /// Further data of the caller.
     pub found: T,
 }
 
-/// The function, many points at once, and the best points before them; `None` when it was stopped.
+/// Function to minimise, called with many points and the best points so far; returns `None` if the search was stopped.
 pub type Function<'a, T> =
     &'a mut dyn FnMut(&[Vec<f64>], &[Sample<T>]) -> Option<Vec<(Evaluation, T)>>;
 
-/// The best points after about a given number of evaluations, at most [`KEPT_MOST`] of which are on the [`front`]; of a function that
-/// was stopped those of the rounds before. `start` is tried first.
+/// Returns the best points after about a given number of evaluations; those of the previous rounds if the search was stopped. At most
+/// [`KEPT_MOST`] points are on the [`front`]. `start` is the first point.
 pub fn search<T>(
     inputs: usize,
     start: Option<Vec<f64>>,
@@ -69,7 +72,7 @@ pub fn search<T>(
     let first = evaluations / 4;
     let mut points: Vec<Vec<f64>> = start.into_iter().collect();
     points.extend((0..first as u64).map(|index| {
-        // The outermost points lie on the bounds, where designs often are best.
+        // The outermost points lie on the bounds, where the best designs often are.
         (0..inputs)
             .map(|input| (1.02 * sobol::point_coordinate(index, input, 0) - 0.01).clamp(0.0, 1.0))
             .collect()
@@ -81,7 +84,7 @@ pub fn search<T>(
         let found = points.drain(..).zip(judged);
         best.extend(found.map(|(shares, (judged, found))| Sample { shares, judged, found }));
         best = fittest(best);
-        // One box after the other, each with a part of the sequence of its own.
+        // Each box has its own part of the sequence.
         let count = (evaluations - first) / ROUNDS;
         let each = count.div_ceil(best.len());
         points.extend((0..count).map(|at| {
@@ -98,15 +101,15 @@ pub fn search<T>(
     best
 }
 
-/// The feasible points that no other dominates.
+/// Returns the feasible points that no other point dominates.
 pub fn front<T>(points: &[Sample<T>]) -> Vec<&Sample<T>> {
     let feasible = || points.iter().filter(|one| one.judged.is_feasible());
     let is_best = |one: &&Sample<T>| feasible().all(|it| !it.judged.dominates(&one.judged));
     feasible().filter(is_best).collect()
 }
 
-/// The points that no other dominates, spread over their front where there are too many; where there are too few, those that only
-/// these dominate, and so on.
+/// Returns the points to keep: the non-dominated ones, spread over the front if there are too many; if there are too few, also those that
+/// only these dominate, and so on.
 fn fittest<T>(mut points: Vec<Sample<T>>) -> Vec<Sample<T>> {
     let mut kept = Vec::new();
     while kept.len() < KEPT_LEAST && !points.is_empty() {
@@ -117,7 +120,7 @@ fn fittest<T>(mut points: Vec<Sample<T>>) -> Vec<Sample<T>> {
     kept
 }
 
-/// The points that no other dominates, each result once, and the rest.
+/// Separates the non-dominated points, without repeated results, from the rest.
 fn split<T>(points: Vec<Sample<T>>) -> (Vec<Sample<T>>, Vec<Sample<T>>) {
     let (mut front, mut rest): (Vec<Sample<T>>, Vec<Sample<T>>) = (Vec::new(), Vec::new());
     for one in points {
@@ -134,8 +137,8 @@ fn split<T>(points: Vec<Sample<T>>) -> (Vec<Sample<T>>, Vec<Sample<T>>) {
     (front, rest)
 }
 
-/// At most [`KEPT_MOST`] points of a front, as far apart as can be: the least of each objective, then again and again the one
-/// farthest from those taken, each objective by its range.
+/// Returns at most [`KEPT_MOST`] points of a front, as far apart as possible: the minimum of each objective, then repeatedly the point
+/// farthest from those selected. Objectives are scaled by their ranges.
 fn spread<T>(mut front: Vec<Sample<T>>) -> Vec<Sample<T>> {
     if front.len() <= KEPT_MOST {
         return front;

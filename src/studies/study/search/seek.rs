@@ -1,8 +1,8 @@
-//! Goal seek: which values of one variable give a wanted value of one measure.
+//! Goal seek: all values of a variable for which a quantity reaches a goal.
 //!
-//! A scan covers the whole interval, then every place where the goal is crossed is refined; so
-//! all solutions further apart than the scan's spacing are found, and what crosses the goal by a jump, or has no value, is reported
-//! apart from a solution. Must not know files, threads, screens or a clock.
+//! A scan brackets the crossings of the goal, then each bracket is refined. All solutions farther apart than the spacing of the scan are
+//! found. Jumps across the goal, and intervals without a value, are reported separately. This module depends on neither files nor threads
+//! nor screens nor a clock.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -19,37 +19,37 @@ use roots::{Crossing, RootScan};
 
 pub mod roots;
 
-/// How many points a scan may have.
+/// Allowed number of points of a scan.
 pub const SCAN: RangeInclusive<u64> = 3..=100_000;
-/// Points of a scan if none is given.
+/// Default number of points of a scan.
 pub const DEFAULT_SCAN: u64 = 65;
 
 /// Request for a goal seek.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// The variable, its bounds, and as many points as the scan has.
+    /// Variable with its bounds and the number of points of the scan.
     pub over: Axis,
-    /// The quantity, and the value it should have.
+    /// Quantity and the value to reach.
     pub goal: Goal,
 }
 
-/// The command's name and options.
+/// Formats the command with its options.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "seek --over {} --goal {}", self.over, self.goal)
     }
 }
 
-/// A quantity and the value it should have.
+/// Goal: a quantity and the value to reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
-    /// The quantity.
+    /// Quantity.
     pub measure: &'static Quantity,
-    /// The value, SI; percent for percentages.
+    /// Value to reach, SI; percent for percentages.
     pub target: f64,
 }
 
-/// Reads `QUANTITY=VALUE`, SI or with a unit.
+/// Parses `QUANTITY=VALUE`, SI or with a unit.
 impl FromStr for Goal {
     type Err = String;
 
@@ -62,7 +62,7 @@ impl FromStr for Goal {
     }
 }
 
-/// As it is read: `stroke_m=0.045`.
+/// Formats the goal as it is parsed: `stroke_m=0.045`.
 impl fmt::Display for Goal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}={}", self.measure.name, shortest(self.target))
@@ -70,42 +70,42 @@ impl fmt::Display for Goal {
 }
 
 enumeration! {
-    /// The kind of a line of the answer.
+    /// Kind of a result.
     pub enum Kind in KindRow {
         /// The word in files.
         word: &'static str,
     }
-    /// The goal is reached in passing.
+    /// The quantity is continuous and equals the goal.
     Solution { word: "solution" }
-    /// The measure jumps over the goal.
+    /// The quantity jumps across the goal.
     Jump { word: "jump" }
-    /// The nearest miss where there is no solution.
+    /// Closest value without a solution.
     Nearest { word: "nearest" }
-    /// A stretch of the scan without a value.
+    /// Interval of the scan without a value.
     Gap { word: "gap" }
 }
 
-/// A value of the variable, and what comes of it.
+/// Point of the scan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SamplePoint {
-    /// The variable's value, in its stored unit.
+    /// Value of the variable, in its stored unit.
     pub at: f64,
-    /// The measure there.
+    /// Value of the quantity.
     pub value: f64,
 }
 
-/// A line of the answer.
+/// Solution, jump, closest value or gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeekResult {
     /// Kind of the result.
     pub kind: Kind,
-    /// Where, and what is reached; the measure is NaN in a gap.
+    /// Position and value; the value is NaN in a gap.
     pub place: SamplePoint,
-    /// The other end of a jump or a gap.
+    /// Other end of a jump or a gap.
     pub until: Option<SamplePoint>,
-    /// The outcome of the design.
+    /// Outcome of the run.
     pub outcome: Option<PointOutcome>,
-    /// Points of the scan in a gap.
+    /// Number of points of the scan in a gap.
     pub points: usize,
 }
 
@@ -115,44 +115,44 @@ impl SeekResult {
     }
 }
 
-/// The result.
+/// Result of a goal seek.
 #[derive(Clone, Debug)]
 pub struct SeekReport {
-    /// The variable and its bounds.
+    /// Variable with its bounds.
     pub axis: Axis,
-    /// The interface law of all runs.
+    /// Interface law of all runs.
     pub law: InterfaceLaw,
-    /// The criterion of perforation of all runs.
+    /// Criterion of perforation of all runs.
     pub criterion: Criterion,
-    /// The measure.
+    /// Quantity.
     pub measure: &'static Quantity,
-    /// Value that the goal requires.
+    /// Value to reach.
     pub target: f64,
     /// Solutions in order of the variable, then jumps, the nearest miss, and gaps.
     pub lines: Vec<SeekResult>,
     /// Validity of each solution.
     pub checked: Vec<DesignValidity>,
-    /// The least and the greatest value met with.
+    /// Points with the smallest and the largest value.
     pub range: Option<(SamplePoint, SamplePoint)>,
-    /// The scan, for drawing: the variable's value and the measure's.
+    /// Points of the scan, for charts: value of the variable, value of the quantity.
     pub scan: Vec<(f64, Option<f64>)>,
-    /// Runs made.
+    /// Number of runs.
     pub runs: usize,
 }
 
 impl SeekReport {
-    /// The solutions, in the order in which they were checked.
+    /// Returns the solutions, in the order of `checked`.
     pub fn solutions(&self) -> impl Iterator<Item = &SeekResult> {
         self.of_kind(Kind::Solution)
     }
 
-    /// The lines of one kind.
+    /// Returns the results of one kind.
     pub fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &SeekResult> {
         self.lines.iter().filter(move |line| line.kind == kind)
     }
 }
 
-/// Looks for every value of the variable that reaches the goal, on the interface law of the scene.
+/// Finds all values of the variable that reach the goal, with the interface law of the scene.
 ///
 /// # Errors
 /// A [`SweepError`] when bounds, name or scene make no sense: then nothing has run.
@@ -171,7 +171,7 @@ pub fn run(
     let mut function = |shares: &[f64]| {
         let designs: Vec<Vec<f64>> =
             shares.iter().map(|share| vec![axis.at_share(*share)]).collect();
-        // A guess that is right for one solution or two.
+        // Estimate for one or two solutions.
         context.expect(if runs < scan { scan + 40 } else { 40 });
         let found = space.evaluate(&designs, context);
         runs += found.len();
@@ -179,7 +179,7 @@ pub fn run(
         (!context.is_stopped()).then(|| found.iter().map(|found| found.values[0]).collect())
     };
     let mut root_scan = RootScan::new(goal.target, &mut function);
-    // A stopped scan leaves what it has seen.
+    // A stopped scan keeps its results so far.
     let _stopped = root_scan.run(scan);
     let RootScan { crossings, seen, scan: scanned, .. } = root_scan;
     let place = |point: SamplePoint| SamplePoint { at: axis.at_share(point.at), ..point };
@@ -224,7 +224,7 @@ pub fn run(
     })
 }
 
-/// Neighbouring points of the scan without a value and with the same outcome.
+/// Returns the intervals of the scan without a value and with the same outcome.
 fn gaps(
     scan: &[(f64, Option<f64>)],
     axis: &Axis,
@@ -245,7 +245,7 @@ fn gaps(
     gaps
 }
 
-/// The points with the least and the greatest value.
+/// Returns the points with the smallest and the largest value.
 fn range(seen: &[SamplePoint]) -> Option<(SamplePoint, SamplePoint)> {
     let by = |a: &&SamplePoint, b: &&SamplePoint| a.value.total_cmp(&b.value);
     Some((*seen.iter().min_by(by)?, *seen.iter().max_by(by)?))

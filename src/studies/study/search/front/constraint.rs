@@ -1,4 +1,4 @@
-//! The bounds that the designs of a search have to keep.
+//! Constraints of a search: upper and lower bounds of quantities.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,18 +6,18 @@ use std::str::FromStr;
 use crate::study::quantities::{Quantity, named};
 use cmra_engine::model::units;
 
-/// A measure with a bound.
+/// Upper or lower bound of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
-    /// The measure.
+    /// Quantity.
     pub measure: &'static Quantity,
-    /// Whether the bound is an upper one; otherwise a lower one.
+    /// Upper bound if `true`, else lower bound.
     pub at_most: bool,
-    /// The bound, SI; percent for percentages.
+    /// Bound, SI; percent for percentages.
     pub bound: f64,
 }
 
-/// Reads `QUANTITY<=VALUE` or `QUANTITY>=VALUE`, SI or with a unit.
+/// Parses `QUANTITY<=VALUE` or `QUANTITY>=VALUE`, SI or with a unit.
 impl FromStr for Constraint {
     type Err = String;
 
@@ -33,7 +33,7 @@ impl FromStr for Constraint {
     }
 }
 
-/// As it is read: `stroke_m<=0.05`.
+/// Formats the constraint as it is parsed: `stroke_m<=0.05`.
 impl fmt::Display for Constraint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}{}{}", self.measure.name, self.sign(), units::shortest(self.bound))
@@ -41,12 +41,12 @@ impl fmt::Display for Constraint {
 }
 
 impl Constraint {
-    /// `<=` or `>=`.
+    /// Returns `<=` or `>=`.
     pub fn sign(&self) -> &'static str {
         if self.at_most { "<=" } else { ">=" }
     }
 
-    /// By how much a value violates it, relative to the bound; 0 where it keeps it, infinite where there is no value.
+    /// Returns the relative excess of a value over the bound; 0 if the constraint is satisfied, infinite without a value.
     pub fn violation(&self, value: Option<f64>) -> f64 {
         let Some(value) = value else { return f64::INFINITY };
         let beyond = if self.at_most { value - self.bound } else { self.bound - value };
@@ -54,7 +54,7 @@ impl Constraint {
         if beyond > 0.0 { beyond / scale } else { 0.0 }
     }
 
-    /// In words: `stroke <= 50 mm`.
+    /// Formats the constraint for pages: `stroke <= 50 mm`.
     pub fn label(&self) -> String {
         format!("{} {} {}", self.measure.title(), self.sign(), self.measure.show(self.bound, 4))
     }

@@ -1,65 +1,66 @@
-//! All places on 0 to 1 where a function takes a wanted value, whether it is continuous or not, and defined everywhere or not.
+//! All points in [0, 1] at which a function takes a given value; the function may be discontinuous, or undefined in places.
 //!
-//! A scan brackets the crossings; the ends of stretches without a value are closed in by bisection, so that a crossing between the
-//! last point of the scan and the edge is not missed. Brackets are closed by regula falsi in the Illinois form, safeguarded by
-//! bisection.
+//! A scan brackets the crossings. The boundaries of intervals without a value are located by bisection: a crossing between the last point
+//! of the scan and the boundary is thus found. Each bracket is reduced by the Illinois method, safeguarded by bisection.
 
 use crate::study::search::seek::{Kind, SamplePoint};
 use cmra_engine::numerics::statistics::sorted_by;
 
-/// Bisections of an edge: to 1e-13 of the scan's spacing.
+/// Number of bisections for the boundary of an interval without a value: its error is 2e-13 of the spacing of the scan.
 const EDGE_STEPS: usize = 42;
+/// Maximum number of iterations for a bracket.
 const ROUNDS: usize = 120;
+/// Width of a bracket at which the iteration stops, relative to the interval; a few units in the last place.
 const WIDTH: f64 = 1e-15;
-/// A value this near to the goal, relative to the goal or the spread of values, is the goal: far above the noise of a run.
+/// Tolerance of a solution, relative to the goal or to the range of values; far above the numerical error of a run.
 const NEAR: f64 = 1e-7;
-/// Edges of stretches without a value that are closed in, at most.
+/// Maximum number of boundaries that are located; a function with more gaps is not worth the runs.
 const EDGES_MAX: usize = 64;
 
-/// The function, many places at once: `None` for a place without a value; all of it `None` when it was stopped.
+/// Function, called with many points: an element is `None` without a value, the whole result is `None` if the search was stopped.
 pub type Function<'a> = &'a mut dyn FnMut(&[f64]) -> Option<Vec<Option<f64>>>;
 
-/// The function was stopped.
+/// Error of a stopped search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stopped;
 
-/// A crossing of the goal.
+/// Crossing of the goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Kind: solution or jump.
     pub kind: Kind,
-    /// Where; the nearer end for a root.
+    /// Position; for a solution the end of the bracket closer to the goal.
     pub from: SamplePoint,
-    /// The other end.
+    /// Other end of the bracket.
     pub to: SamplePoint,
 }
 
-/// A search under way.
+/// State of a search.
 pub struct RootScan<'f> {
     target: f64,
     function: Function<'f>,
-    /// The results, in order.
+    /// Crossings in order of position.
     pub crossings: Vec<Crossing>,
-    /// Every place that has a value.
+    /// All points with a value.
     pub seen: Vec<SamplePoint>,
-    /// The scan.
+    /// Points of the scan.
     pub scan: Vec<(f64, Option<f64>)>,
     spread: f64,
-    /// Edges closed in.
+    /// Number of boundaries located.
     edges: usize,
 }
 
 impl<'f> RootScan<'f> {
-    /// A search for the places where the function is `target`.
+    /// Creates a search for the points at which the function equals `target`.
     pub fn new(target: f64, function: Function<'f>) -> Self {
         let (crossings, seen, scan) = (Vec::new(), Vec::new(), Vec::new());
         Self { target, function, crossings, seen, scan, spread: 0.0, edges: 0 }
     }
 
-    /// Search with a scan of a given number of points, at least 2.
+    /// Searches with a scan of a given number of points, at least 2.
     ///
     /// # Errors
-    /// [`Stopped`]; what was found until then is kept.
+    /// [`Stopped`]; the results so far are kept.
     pub fn run(&mut self, points: usize) -> Result<(), Stopped> {
         let last = points.max(2) - 1;
         let shares: Vec<f64> = (0..=last).map(|at| at as f64 / last as f64).collect();
@@ -74,7 +75,7 @@ impl<'f> RootScan<'f> {
         for stretch in stretches {
             self.along(&stretch)?;
         }
-        // In order, each once.
+        // Sorted, without repetitions.
         self.crossings = sorted_by(std::mem::take(&mut self.crossings), |it| it.from.at);
         self.crossings.dedup_by(|b, a| a.kind == b.kind && (b.from.at - a.from.at).abs() < 1e-12);
         Ok(())
@@ -89,7 +90,7 @@ impl<'f> RootScan<'f> {
         Ok(values)
     }
 
-    /// The value; `None` if there is none.
+    /// Evaluates the function at a point; `None` without a value.
     fn look(&mut self, at: f64) -> Result<Option<SamplePoint>, Stopped> {
         let value = self.values(&[at])?.first().copied().flatten();
         Ok(value.map(|value| SamplePoint { at, value }))
@@ -104,7 +105,7 @@ impl<'f> RootScan<'f> {
         NEAR * if scale > self.spread { scale } else { self.spread }
     }
 
-    /// Stretches of the scan that have values throughout, each lengthened to its edges.
+    /// Returns the intervals of the scan with values, each extended to its boundaries.
     fn stretches(&mut self) -> Result<Vec<Vec<SamplePoint>>, Stopped> {
         let scan = self.scan.clone();
         let (mut stretches, mut stretch) = (Vec::new(), Vec::new());
@@ -128,8 +129,8 @@ impl<'f> RootScan<'f> {
         Ok(stretches)
     }
 
-    /// The farthest place towards `gap` that still has a value, where that is farther than the known one. After [`EDGES_MAX`] of them
-    /// none is looked for: a function that is full of holes has more than it is worth to close in.
+    /// Locates the boundary between a point with a value and a point without one; `None` if it is not beyond the known point, or after
+    /// [`EDGES_MAX`] boundaries.
     fn edge(&mut self, known: SamplePoint, gap: f64) -> Result<Option<SamplePoint>, Stopped> {
         if self.edges == EDGES_MAX {
             return Ok(None);
@@ -146,7 +147,7 @@ impl<'f> RootScan<'f> {
         Ok((inside.at.to_bits() != known.at.to_bits()).then_some(inside))
     }
 
-    /// Every crossing along points that all have values.
+    /// Finds the crossings along points that all have values.
     fn along(&mut self, points: &[SamplePoint]) -> Result<(), Stopped> {
         let hits = points.iter().filter(|point| self.off(**point) == 0.0);
         let hits = hits.map(|it| Crossing { kind: Kind::Solution, from: *it, to: *it });
@@ -160,7 +161,7 @@ impl<'f> RootScan<'f> {
         Ok(())
     }
 
-    /// Close a bracket; where the function has no value inside, both sides up to the hole.
+    /// Reduces a bracket; if the function has no value inside, searches both sides of the gap.
     fn close(&mut self, mut a: SamplePoint, mut b: SamplePoint) -> Result<(), Stopped> {
         let (mut weight_a, mut weight_b) = (1.0, 1.0);
         for round in 0..ROUNDS {
@@ -192,7 +193,7 @@ impl<'f> RootScan<'f> {
         Ok(())
     }
 
-    /// A bracket with a place without a value inside: each side may still cross before the hole.
+    /// Searches both sides of a point without a value within a bracket.
     fn around(&mut self, a: SamplePoint, b: SamplePoint, hole: f64) -> Result<(), Stopped> {
         for known in [a, b] {
             let edge = self.edge(known, hole)?;
