@@ -1,8 +1,9 @@
-//! Error against run time: every method over its steps or tolerances, compared with a reference.
+//! Error and run time of every method over its step sizes or tolerances.
 //!
-//! The error of a point is the greatest of the errors of its results, those of the whole run: depth, time, greatest displacement, peak
-//! force and residual velocity. A method that gives no answer, or a wrong outcome, keeps its row with the reason. The printed scheme
-//! of the thesis is compared with its own limit: what is left then is the error of its step. Time comes from a clock passed in.
+//! The error of a point is the largest relative error of the results of the whole run: depth, time, maximum displacement, peak force and
+//! residual velocity. A method without a result, or with another outcome than the reference, has a row with the reason. The printed scheme
+//! of the thesis is compared with its own limit for a vanishing step size: the difference is the error of its step size. Times come from a
+//! clock passed by the caller.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -25,77 +26,78 @@ use method::{Answer, Job, Method, Parameter, Refusal, Results, SettingGrid};
 use reference::{Reference, References, printed_limit};
 use timing::{Clock, time};
 
-/// From here on the printed scheme is another model; a rigid mount and a perforation, whose depth is no measure, hide its fault.
+/// Relative error above which the printed scheme counts as a different model. A rigid mount hides its error, and a perforation has no
+/// depth.
 const PRINTED_OFF_FROM: f64 = 1e-3;
-/// Run times up to this factor apart count as alike.
+/// Ratio of run times up to which they count as equal; about the scatter of timings.
 const ALIKE: f64 = 1.05;
 
-/// How thorough a comparison is.
+/// Effort of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComparisonOptions {
     /// Grid of step sizes or tolerances.
     pub ladder: SettingGrid,
-    /// For how long one point is repeated at most, beyond a few batches, s.
+    /// Time limit for the repetitions of one point, beyond the minimum number of batches, s.
     pub point_s: f64,
-    /// Evaluations of the equations by a point after which finer ones of its method are not run.
+    /// Number of evaluations of a point above which finer points of its method are skipped.
     pub evaluations: usize,
 }
 
 impl ComparisonOptions {
-    /// A few seconds a scene; most where methods give up.
+    /// Full comparison: a few seconds for a scene.
     pub const FULL: Self =
         Self { ladder: SettingGrid::Full, point_s: 1.2e-2, evaluations: 300_000 };
-    /// A fraction of a second a scene, or seconds where methods give up.
+    /// Quick comparison: a fraction of a second for most scenes.
     pub const QUICK: Self = Self { ladder: SettingGrid::Quick, point_s: 2e-3, evaluations: 40_000 };
 }
 
-/// The command's name and options.
+/// Formats the command with its options.
 impl fmt::Display for ComparisonOptions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if *self == Self::QUICK { "accuracy --quick" } else { "accuracy" })
     }
 }
 
-/// The result of a method for one value of its parameter.
+/// Result of a method for one value of its parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// The value.
+    /// Step size or tolerance.
     pub parameter: Parameter,
-    /// The result, or why there is none.
+    /// Result, or the reason for its absence.
     pub result: Result<Measured, Refusal>,
 }
 
-/// A compared and timed result.
+/// Result with its errors and its run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// The computed results.
+    /// Computed results.
     pub answer: Answer,
-    /// Errors of the results; `None` of what it has not.
+    /// Errors of the results; `None` for a result that does not exist.
     pub errors: Results,
-    /// The uncertainty of the reference.
+    /// Uncertainty of the reference.
     pub floor: f64,
-    /// Least run time, s.
+    /// Minimum run time, s.
     pub min_s: f64,
 }
 
 impl Measured {
-    /// The greatest of its errors, but not less than the reference can tell: what is drawn and compared. The mount's greatest force
-    /// lies within a step, where DOP853 is less accurate than at its ends: by that a reference tells less than by the others.
+    /// Returns the largest error, at least the uncertainty of the reference. The peak mount force is excluded: it occurs within a step,
+    /// where the dense output of DOP853 is less accurate than at the ends.
     pub fn error(&self) -> f64 {
         let [results @ .., _mount_force] = self.errors;
         results.into_iter().flatten().fold(self.floor, larger)
     }
 
-    /// Whether the error is at or below what the reference can tell.
+    /// Returns `true` if the error is at most the uncertainty of the reference.
     pub fn is_at_floor(&self) -> bool {
         self.error() <= self.floor
     }
 }
 
-/// A method with its points, the coarsest first.
+/// Points of a method, coarsest first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MethodReport {
-    /// The method.
+    /// Method.
     pub method: Method,
     /// Reference results; `None` if no independent one could be computed.
     pub reference: Option<Reference>,
@@ -103,46 +105,46 @@ pub struct MethodReport {
     pub points: Vec<Point>,
 }
 
-/// The comparison for one scene.
+/// Comparison of all methods on a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AccuracyReport {
-    /// The scene.
+    /// Scene.
     pub scene: Arc<Scene>,
     /// Reference results of the scene.
     pub references: References,
     /// Reports of the methods.
     pub methods: Vec<MethodReport>,
-    /// How far the depth that the printed scheme approaches is off, relative: an error of that model, not of its step.
+    /// Relative error of the limit of the printed scheme for a vanishing step size: an error of the model, not of the step size.
     pub printed_off: Option<f64>,
-    /// The run time of a run as it is shown, with its series and its error estimate, s.
+    /// Run time with time series and error estimate, s.
     pub run_s: Option<f64>,
     /// The gain from omitted terms.
     pub savings: Vec<OmissionGain>,
 }
 
-/// A part of a run with the time it takes.
+/// Run time with and without a part of the computation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OmissionGain {
-    /// The part.
+    /// Part of the computation.
     pub part: &'static str,
-    /// Least run time with it, s.
+    /// Minimum run time with the part, s.
     pub with_s: f64,
-    /// Least run time without it, s.
+    /// Minimum run time without the part, s.
     pub without_s: f64,
 }
 
-/// The cheapest way to an accuracy.
+/// Fastest point with a given accuracy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cheapest {
-    /// Method of the job.
+    /// Method.
     pub method: Method,
-    /// With which parameter.
+    /// Step size or tolerance.
     pub parameter: Parameter,
-    /// Least time, s.
+    /// Minimum run time, s.
     pub min_s: f64,
 }
 
-/// Compares all methods on a scene, and shows the report as it grows.
+/// Compares all methods on a scene and reports partial results.
 pub fn compare(
     scene: &Arc<Scene>,
     effort: ComparisonOptions,
@@ -205,14 +207,14 @@ pub fn compare(
     Ok(report)
 }
 
-/// The run time of a run as it is shown, and what is saved by leaving out its parts one after the other.
+/// Measures the run time with time series and error estimate, and the gain from omitting parts one after the other.
 fn savings(scene: &Arc<Scene>, point_s: f64, clock: Clock<'_>) -> (Option<f64>, Vec<OmissionGain>) {
     let run = |settings: Settings| simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
     let tolerance = scene.run.tolerance;
     let kernel = Job::new(Method::ContactKernel, Parameter::Tolerance(tolerance), scene);
     let [shown_s, drawn_s, bare_s] = [Settings::default(), Settings::SERIES, Settings::BARE]
         .map(|settings| run(settings).is_ok().then(|| time(clock, point_s, || run(settings))));
-    // The same engine with and without it.
+    // The engine with and without the omitted terms.
     let ways = [
         IntegrationMethod::CollocationInFull(tolerance),
         IntegrationMethod::Collocation(tolerance),
@@ -255,14 +257,14 @@ fn measure(
 }
 
 impl MethodReport {
-    /// The points that gave a result.
+    /// Returns the points with a result.
     pub fn measured(&self) -> impl DoubleEndedIterator<Item = (Parameter, &Measured)> {
         self.points.iter().filter_map(|point| {
             point.result.as_ref().ok().map(|measured| (point.parameter, measured))
         })
     }
 
-    /// Why points have no result, each reason with its points.
+    /// Returns the reasons for missing results, each with its points.
     pub fn refusals(&self) -> Vec<(&'static str, Vec<Parameter>)> {
         let mut reasons: Vec<(&str, Vec<Parameter>)> = Vec::new();
         for Point { parameter, result } in &self.points {
@@ -275,12 +277,12 @@ impl MethodReport {
         reasons
     }
 
-    /// The least error reached.
+    /// Returns the smallest error of all points.
     pub fn min_error(&self) -> Option<f64> {
         self.measured().map(|(_, measured)| measured.error()).min_by(f64::total_cmp)
     }
 
-    /// The cheapest point that meets an accuracy together with all finer ones of this method: a lucky hit does not count.
+    /// Returns the fastest point with an accuracy that all finer points of the method also reach; `None` if there is none.
     pub fn cheapest(&self, target: f64) -> Option<Cheapest> {
         let meeting = self.measured().rev().take_while(|(_, measured)| measured.error() <= target);
         let meeting: Vec<Cheapest> = meeting
@@ -291,21 +293,21 @@ impl MethodReport {
             })
             .collect();
         let least_s = meeting.iter().map(|found| found.min_s).min_by(f64::total_cmp)?;
-        // Of those that the clock cannot distinguish the coarsest: of a closed form no tolerance is the fastest.
+        // The coarsest point of those with equal run times: a closed form takes the same time for every tolerance.
         meeting.into_iter().rev().find(|found| found.min_s <= ALIKE * least_s)
     }
 }
 
 impl AccuracyReport {
-    /// The cheapest way to an accuracy that a scene can be run by: that of `auto`, at a tolerance that is not looser. A looser one may
-    /// happen to be as accurate here, and promises nothing of another scene, or of results that are not compared.
+    /// Returns the fastest point of `auto` with an accuracy and a tolerance that is at least as small. A larger tolerance may be accurate
+    /// enough by chance, but not for other scenes or other results.
     pub fn usable(&self, target: f64) -> Option<Cheapest> {
         let mut auto = self.methods.iter().find(|it| it.method == Method::Auto)?.clone();
         auto.points.retain(|it| it.parameter.value() <= target);
         auto.cheapest(target)
     }
 
-    /// The cheapest way of all to an accuracy; the printed scheme is no way to one.
+    /// Returns the fastest point of all methods with an accuracy, without the printed scheme.
     pub fn cheapest(&self, target: f64) -> Option<Cheapest> {
         let methods = self.methods.iter().filter(|it| it.method != Method::ThesisPrinted);
         let each = methods.filter_map(|method| method.cheapest(target));

@@ -1,23 +1,23 @@
 //! Tables 4.1 and 5.1 of the thesis (principles and the functions that serve them) and Table 7.1 (the concepts, rated).
 
-/// A design principle of chapter 4.
+/// Design principle of chapter 4.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Principle {
-    /// The family it belongs to.
+    /// Family of the principle.
     pub family: &'static str,
     /// Name of the principle.
     pub name: &'static str,
-    /// The thesis's section.
+    /// Section of the thesis.
     pub section: &'static str,
-    /// Function of the principle, paraphrased.
+    /// Idea of the principle, paraphrased.
     pub idea: &'static str,
-    /// The functions that serve it, of those of chapter 5.
+    /// Functions of chapter 5 that serve the principle.
     pub functions: &'static [&'static str],
     /// The bundled preset that shows it.
     pub preset: &'static str,
 }
 
-/// The functions of chapter 5, each with its letter in the tables of the workbench.
+/// Functions of chapter 5, each with its letter in the workbench.
 pub const FUNCTIONS: [(char, &str); 4] =
     [('O', ORIENTATION), ('A', ACCELERATED), ('S', STIFFNESS), ('L', LATERAL)];
 
@@ -34,7 +34,7 @@ const fn principle(
     Principle { family, name, section, idea, functions, preset }
 }
 
-/// The principles, in the order of Table 4.1.
+/// Principles in the order of Table 4.1.
 #[rustfmt::skip]
 pub const PRINCIPLES: [Principle; 7] = [
     principle(["Energy rejection", "Ricochet induction", "4.2.1",
@@ -53,7 +53,7 @@ pub const PRINCIPLES: [Principle; 7] = [
         "convert the projectile's energy into harmless motion"], &[ORIENTATION, LATERAL], "concept-helical-spring"),
 ];
 
-/// The criteria of Table 7.1 with their weights, percent.
+/// Criteria of Table 7.1 with their weights, percent.
 pub const CRITERIA: [(&str, f64); 7] = [
     ("plate orientation", 12.0),
     ("controlled stiffness", 20.0),
@@ -64,25 +64,25 @@ pub const CRITERIA: [(&str, f64); 7] = [
     ("ease of analysis", 35.0),
 ];
 
-/// A concept of chapter 6 as Table 7.1 rates it.
+/// Concept of chapter 6 with the ratings of Table 7.1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Concept {
     /// Name of the concept.
     pub name: &'static str,
-    /// The functions that the concept can provide, in the order of [`FUNCTIONS`].
+    /// Functions that the concept can provide, in the order of [`FUNCTIONS`].
     pub functions: &'static [&'static str],
     /// Ratings from 1 (much worse than the reference) to 5 (much better), by criterion.
     pub ratings: [f64; 7],
-    /// The total as printed.
+    /// Total as printed.
     pub total: f64,
-    /// The rank as printed.
+    /// Rank as printed.
     pub rank: usize,
     /// The bundled preset that shows it.
     pub preset: &'static str,
 }
 
 impl Concept {
-    /// Ratings times weights.
+    /// Returns the sum of ratings times weights.
     pub fn weighted(&self) -> f64 {
         self.ratings.iter().zip(CRITERIA).map(|(rating, (_, weight))| rating * weight / 100.0).sum()
     }
@@ -99,7 +99,7 @@ const fn concept(
     Concept { name, functions, ratings, total, rank, preset }
 }
 
-/// The concepts, in the table's order. Section 6.2 names the functions; section 6.2.1 those of both emergent and buckling four-bars.
+/// Concepts in the order of Table 7.1. Section 6.2 names the functions; section 6.2.1 those of both emergent and buckling four-bars.
 #[rustfmt::skip]
 pub const CONCEPTS: [Concept; 8] = [
     concept("Emergent four-bar", &[ORIENTATION, STIFFNESS, LATERAL],

@@ -1,6 +1,7 @@
-//! Numerical stability: a battery of stiff and extreme scenes, and a map of where a fixed-step method is stable.
+//! Numerical stability: test scenes (stiff or extreme), and the stability map of a method with a fixed step size.
 //!
-//! The requirements on `auto` are the constants below. Must not know files, threads, screens or the clock itself.
+//! The constants below are the requirements on `auto`. This module depends on neither files nor threads nor screens; the clock is passed by
+//! the caller.
 
 use crate::study::accuracy::method::answer_of;
 use crate::study::accuracy::reference::{Reference, ReferenceSource, References};
@@ -13,13 +14,13 @@ use cmra_engine::model::variables::VariableError;
 pub mod cases;
 pub mod map;
 
-/// Greatest relative energy residual a row of `auto` may have.
+/// Largest allowed energy residual of `auto`, relative to the energy at the start.
 pub const RESIDUAL_MAX: f64 = 1e-8;
-/// Greatest relative error of any result a row of `auto` may have.
+/// Largest allowed relative error of any result of `auto`.
 pub const ERROR_MAX: f64 = 1e-8;
 
 enumeration! {
-    /// Why a row falls short.
+    /// Reason for a failed requirement.
     pub enum FailureReason in ShortfallRow {
         /// A short text.
         words: &'static str,
@@ -34,30 +35,29 @@ enumeration! {
     Error { words: "error" }
 }
 
-/// Result of one scene of the battery.
+/// Result of a test scene.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The scene.
+    /// Scene.
     pub case: &'static Case,
-    /// The run by `auto`.
+    /// Run by `auto`.
     pub run: Run,
-    /// Time of that run, s.
+    /// Run time, s.
     pub took_s: f64,
-    /// The greatest error of its results: depth, times, displacement, velocity, forces; NaN where its outcome is not the reference's.
+    /// Largest relative error of depth, times, displacement, velocity and forces; NaN if the outcome differs from that of the reference.
     pub error: Option<f64>,
     /// Source of the reference; `None` if undecided, or if no other method finished.
     pub basis: Option<ReferenceSource>,
-    /// Why `auto` falls short, if it does.
+    /// Requirement that `auto` fails; `None` if it meets all.
     pub shortfall: Option<FailureReason>,
 }
 
-/// The cases of a battery; the quick one has every fifth.
+/// Returns the test scenes; every fifth one if `quick`.
 pub fn battery(quick: bool) -> Vec<&'static Case> {
     cases::CASES.iter().step_by(if quick { 5 } else { 1 }).collect()
 }
 
-/// Run these cases, each measured by the clock `now_s`, and show the rows as they come, in the order of the cases. Fewer than those
-/// when stopped.
+/// Runs the cases, timed by the clock `now_s`, and reports rows in their order; a stopped study returns the finished ones.
 pub fn run(
     cases: &[&'static Case],
     now_s: &(dyn Fn() -> f64 + Sync),
@@ -73,7 +73,7 @@ pub fn run(
     Ok(context.map_items(cases, examine, show))
 }
 
-/// Run one scene of the battery; `None` when stopped, or for a case that is not a scene, which a test rules out.
+/// Runs a test scene; `None` if the study is stopped (or the case is invalid, which a test excludes).
 fn examine(
     case: &'static Case,
     now_s: &(dyn Fn() -> f64 + Sync),
@@ -92,7 +92,7 @@ fn examine(
     (!stop.is_set()).then_some(row)
 }
 
-/// The greatest error of a run's results; nothing while undecided.
+/// Returns the largest error of the results of a run; `None` if its outcome is undecided.
 fn error_of(run: &Run, reference: &Reference) -> Option<f64> {
     let answer = answer_of(run).ok()?;
     if answer.outcome != reference.outcome {
@@ -118,7 +118,7 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<FailureReason> {
     } else if residual.abs() > RESIDUAL_MAX {
         Some(FailureReason::Energy)
     } else {
-        // A reference that ends otherwise makes the error NaN, which is no less short.
+        // The error is NaN if the outcome of the reference differs: a failure, too.
         error.filter(|error| error.is_nan() || *error > ERROR_MAX).map(|_| FailureReason::Error)
     }
 }

@@ -1,7 +1,7 @@
-//! Reproduction of the thesis: numbers of its tables and figures, its trends, the outputs of its listing.
+//! Reproduction of the thesis: numbers of tables and figures, trends, and results of the listing.
 //!
-//! A row has the thesis's statement, the verdict, the reason, and one function that computes the statement. The function is called twice:
-//! with the engine, and with the listing of Appendix A as printed. The engine's result must agree with the verdict.
+//! A claim has a statement of the thesis, the verdict, the reason, and a function that computes the statement. The function runs twice:
+//! with the engine, and with the listing of Appendix A as printed. A row holds if the result of the engine agrees with the verdict.
 
 use std::sync::Arc;
 
@@ -18,44 +18,44 @@ mod figures;
 mod tables;
 
 enumeration! {
-    /// The verdict on a claim.
+    /// Verdict on a claim.
     #[derive(PartialOrd, Ord)]
     pub enum ClaimVerdict in VerdictRow {
-        /// The words in tables and files.
+        /// Text in tables and files.
         words: &'static str,
         /// Letter for narrow columns.
         letter: char,
     }
     /// As stated.
     Reproduced { words: "reproduced", letter: '=' }
-    /// As stated once something is put right, which the cause names.
+    /// As stated, after the correction that the cause names.
     Corrected { words: "reproduced with correction", letter: '~' }
-    /// A wrong number or word; what was meant is computed.
+    /// A wrong number or word; the intended one is computed.
     Misprint { words: "misprint", letter: 'M' }
     /// Not as stated.
     NotReproduced { words: "not reproduced", letter: '-' }
 }
 
-/// A statement of the thesis that is computed again.
+/// Statement of the thesis that is computed again.
 #[derive(Debug)]
 pub struct Claim {
-    /// A short name that stays.
+    /// Permanent short name.
     pub id: &'static str,
-    /// Where it stands in the thesis.
+    /// Section, table or figure of the thesis.
     pub place: &'static str,
     /// Statement of the thesis, paraphrased.
     pub says: &'static str,
-    /// Why the verdict is what it is.
+    /// Reason for the verdict.
     pub cause: &'static str,
-    /// The verdict.
+    /// Verdict.
     pub verdict: ClaimVerdict,
-    /// The bundled preset that shows it, if one does.
+    /// Bundled preset that shows the claim.
     pub preset: Option<&'static str>,
-    /// Computes it by one method.
+    /// Function that computes the statement with one method.
     check: fn(&Shots<'_>) -> Check,
 }
 
-/// A claim of a name, a place, a verdict and a preset, with what the thesis says, why the verdict is what it is, and the check.
+/// Creates a claim from name, place, verdict and preset, the statement, the reason, and the function.
 const fn claim(
     (id, place, verdict, preset): (&'static str, &'static str, ClaimVerdict, Option<&'static str>),
     says: &'static str,
@@ -65,40 +65,40 @@ const fn claim(
     Claim { id, place, says, cause, verdict, preset, check }
 }
 
-/// The result by one method.
+/// Result of one method.
 struct Check {
-    /// In words.
+    /// Text.
     text: String,
-    /// Whether it bears out the verdict; asked of the engine.
+    /// Whether the result agrees with the verdict; evaluated for the engine only.
     holds: bool,
 }
 
 impl Check {
-    /// Values, what they are of, and whether they bear out the verdict.
+    /// Creates a result from a description, values with their unit, and a condition.
     fn new(what: &str, values: &[f64], unit: &str, holds: bool) -> Self {
         Self { text: format!("{what} {}", list(values, unit)), holds }
     }
 }
 
-/// A claim with its results.
+/// Claim with its results.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The claim.
+    /// Claim.
     pub claim: &'static Claim,
-    /// By the engine.
+    /// Result of the engine.
     pub computed: String,
-    /// By the listing as printed; empty where it says the same.
+    /// Result of the listing as printed; empty if it is equal.
     pub as_printed: String,
-    /// Whether the computation bears out the verdict.
+    /// Whether the result of the engine agrees with the verdict.
     pub holds: bool,
 }
 
-/// Every claim: tables and listing, then figures.
+/// Returns every claim: tables and listing, then figures.
 pub fn claims() -> impl Iterator<Item = &'static Claim> {
     tables::CLAIMS.iter().chain(figures::CLAIMS)
 }
 
-/// Checks every claim and shows the rows as they come. A stop ends a claim at its next run: it has no row, nor have those after it.
+/// Checks every claim and reports the rows in order. A stopped study returns the rows of the finished claims.
 pub fn reproduce(context: &mut Context<'_, [Row]>) -> Vec<Row> {
     let claims: Vec<&Claim> = claims().collect();
     let stop = context.stop();
@@ -123,33 +123,33 @@ pub fn check(claim: &'static Claim, stop: &CancelFlag) -> Row {
     }
 }
 
-/// How many rows have each verdict, in the order of [`ClaimVerdict::ALL`].
+/// Counts the rows by verdict, in the order of [`ClaimVerdict::ALL`].
 pub fn tally(rows: &[Row]) -> [usize; ClaimVerdict::ALL.len()] {
     ClaimVerdict::ALL.map(|verdict| rows.iter().filter(|row| row.claim.verdict == verdict).count())
 }
 
-/// Impacts by one method.
+/// Impacts computed by one method.
 struct Shots<'a> {
     stop: &'a CancelFlag,
     /// Listing of Appendix A; `None` for the engine.
     listing: Option<Listing>,
 }
 
-/// Longer than any contact here, s.
+/// Time limit of a run for its depth, s; longer than every contact of this study.
 const CONTACT_S: f64 = 1e-3;
 
 impl Shots<'_> {
-    /// By the listing as printed.
+    /// Returns the impacts by the listing as printed.
     fn printed(&self) -> Self {
         self.by(Listing::default())
     }
 
-    /// By this listing.
+    /// Returns the impacts by a listing.
     fn by(&self, listing: Listing) -> Self {
         Self { listing: Some(listing), ..*self }
     }
 
-    /// The plate of chapter 9 (gamma = 1, k = 1e5 N/m, n = 1) with changes as `--set` takes them.
+    /// Returns the scene of chapter 9 (gamma = 1, k = 1e5 N/m, n = 1) with changes in the syntax of `--set`.
     fn scene(&self, changes: &str) -> Scene {
         let mut scene = variables::changed(Scene::default(), changes)
             .expect("the changes are literals of this study");
@@ -174,11 +174,11 @@ impl Shots<'_> {
         self.simulate(self.scene(changes), true)
     }
 
-    /// Depth at the first arrest, m; infinite for a perforation, NaN where there is none.
+    /// Returns the depth at the first arrest, m; infinite for a perforation, NaN without a first arrest.
     fn depth_m(&self, changes: &str) -> f64 {
         let mut scene = self.scene(changes);
         if self.listing.is_some() {
-            // The listing follows the plate for as long as it oscillates; its depth is known when the contact ends.
+            // The listing integrates the oscillation of the plate, too; the depth is final at the end of the contact.
             scene.run.horizon_s = Some(CONTACT_S);
         }
         let run = self.simulate(scene, false);
@@ -188,22 +188,22 @@ impl Shots<'_> {
         }
     }
 
-    /// Depth at the first arrest over that on a rigid mount, percent.
+    /// Returns the depth at the first arrest, relative to the depth on a rigid mount, percent.
     fn percent(&self, changes: &str) -> f64 {
         100.0 * self.depth_m(changes) / self.depth_m(&format!("{changes} mount=rigid"))
     }
 
-    /// The plate's greatest displacement, mm; infinite where nothing stops the plate.
+    /// Returns the maximum displacement of the plate, mm; infinite if nothing stops the plate.
     fn travel_mm(&self, changes: &str) -> f64 {
         self.run(changes).max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x)
     }
 
-    /// [`Shots::percent`] over a range of a variable.
+    /// Returns [`Shots::percent`] over a range of a variable.
     fn depths(&self, changes: &str, range: &Range) -> Curve {
         Curve::new("%", range, |x| self.percent(&format!("{changes} {}={x}", range.variable)))
     }
 
-    /// [`Shots::travel_mm`] over a range of a variable.
+    /// Returns [`Shots::travel_mm`] over a range of a variable.
     fn travels(&self, changes: &str, range: &Range) -> Curve {
         Curve::new("mm", range, |x| self.travel_mm(&format!("{changes} {}={x}", range.variable)))
     }
@@ -228,14 +228,14 @@ const fn range(variable: &'static str, from: f64, to: f64, count: u32) -> Range 
     Range { variable, from, to, count }
 }
 
-/// A quantity along a variable: the points where it is finite.
+/// Quantity as a function of a variable: the points with finite values.
 struct Curve {
     variable: &'static str,
     unit: &'static str,
     points: Vec<(f64, f64)>,
 }
 
-/// The noise level of a trend, relative to the curve's whole range.
+/// Tolerance of a trend, relative to the range of the curve; above the error of the step size of the listing.
 const NOISE: f64 = 1e-3;
 
 impl Curve {
@@ -267,12 +267,12 @@ impl Curve {
         self.values().fold(f64::NEG_INFINITY, larger) - self.values().fold(f64::INFINITY, smaller)
     }
 
-    /// Whether it rises all along, but for noise.
+    /// Returns `true` if the curve increases monotonically, within [`NOISE`].
     fn rises(&self) -> bool {
         self.goes(1.0)
     }
 
-    /// Whether it falls all along, but for noise.
+    /// Returns `true` if the curve decreases monotonically, within [`NOISE`].
     fn falls(&self) -> bool {
         self.goes(-1.0)
     }
@@ -285,7 +285,7 @@ impl Curve {
             && ends.is_some_and(|(first, last)| change(first, last) > 0.0)
     }
 
-    /// Whether it becomes ever less steep, but for noise.
+    /// Returns `true` if the absolute slope decreases monotonically, within [`NOISE`].
     fn flattens(&self) -> bool {
         let slope = |pair: &[(f64, f64)]| ((pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0)).abs();
         let slopes: Vec<f64> = self.points.windows(2).map(slope).collect();
@@ -293,7 +293,7 @@ impl Curve {
         slopes.windows(2).all(|pair| pair[1] <= pair[0] + noise)
     }
 
-    /// The value at `x`, on the straight line between the points around it.
+    /// Returns the value at `x` by linear interpolation.
     fn at(&self, x: f64) -> f64 {
         if self.points.len() < 2 {
             return f64::NAN;
@@ -304,12 +304,12 @@ impl Curve {
         y0 + (y1 - y0) * (x - x0) / (x1 - x0)
     }
 
-    /// The slope of its least-squares line.
+    /// Returns the slope of the least-squares line.
     fn slope(&self) -> f64 {
         statistics::slope(&self.points)
     }
 
-    /// Where a falling curve crosses the middle between its ends; NaN where it does not.
+    /// Returns the position at which a decreasing curve crosses the mean of its ends; NaN if it does not.
     fn edge(&self) -> f64 {
         let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else {
             return f64::NAN;
@@ -322,7 +322,7 @@ impl Curve {
         })
     }
 
-    /// The greatest step between neighbours.
+    /// Returns the largest difference between neighbouring points.
     fn step(&self) -> f64 {
         self.points.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs()).fold(0.0, larger)
     }
@@ -340,7 +340,7 @@ fn millimetres(value_m: f64) -> String {
     if value_m.is_finite() { format!("{:.4} mm", 1e3 * value_m) } else { "perforated".to_owned() }
 }
 
-/// Four figures of each value, and their unit.
+/// Formats values with four significant digits and their unit.
 fn list(values: &[f64], unit: &str) -> String {
     let values: Vec<String> = values.iter().copied().map(four).collect();
     format!("{} {unit}", values.join(", "))

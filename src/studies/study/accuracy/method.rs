@@ -1,7 +1,7 @@
-//! The methods that are compared, each with its letter, its parameter and the function that runs it.
+//! Methods of the comparison: letter, parameter and function of each.
 //!
-//! All but two step the simulation's own loop and give the whole run. The contact kernel knows the first contact alone, and the
-//! printed scheme of the thesis, which stands last, computes another model.
+//! All methods but two integrate the whole run with the loop of the simulation. The contact kernel computes only the first contact; the
+//! printed scheme of the thesis, the last method, computes another model.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -16,7 +16,7 @@ use cmra_engine::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
 use cmra_engine::model::scene::{InterfaceLaw, Listing, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 
-/// The results that are compared: their keys in files, and words.
+/// Results that are compared: key in files, and label.
 pub const RESULTS: [(&str, &str); 7] = [
     ("penetration_error", "depth"),
     ("time_error", "time"),
@@ -27,34 +27,39 @@ pub const RESULTS: [(&str, &str); 7] = [
     ("mount_force_error", "mount force"),
 ];
 
-/// Depth of the hole, m (of an arrested projectile); time of first arrest or of exit, s; the plate's greatest displacement, m; peak
-/// contact force, N; velocity of a projectile that leaves the plate through either face, m/s, and when, s; greatest force into the
-/// mount, N. `None` of what does not exist, or the method does not know.
+/// Values of [`RESULTS`], `None` if a result does not exist or the method does not compute it:
+///
+/// - depth of the hole of an arrested projectile, m
+/// - time of first arrest or of exit, s
+/// - maximum displacement of the plate, m
+/// - peak contact force, N
+/// - velocity of a projectile that leaves the plate through either face, m/s, and the time, s
+/// - peak mount force, N
 pub type Results = [Option<f64>; RESULTS.len()];
 
-/// The result of a method.
+/// Result of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
-    /// How the shot ends.
+    /// Outcome of the shot.
     pub outcome: Outcome,
     /// Results that are compared.
     pub results: Results,
-    /// Steps taken.
+    /// Number of accepted steps.
     pub steps: usize,
-    /// Steps thrown away.
+    /// Number of rejected steps.
     pub rejected: usize,
-    /// Evaluations of the equations.
+    /// Number of evaluations of the right-hand side.
     pub evaluations: usize,
 }
 
-/// Why a method gives no answer.
+/// Reason for a missing result of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// The contact kernel leaves the scene to the simulation.
+    /// The contact kernel does not apply to the scene.
     NeedsSimulation,
-    /// The listing of the thesis knows one massless power law.
+    /// The listing of the thesis has only one massless power-law spring.
     NoPowerLaw,
-    /// The plate meets its stop within the contact, which the listing does not contain.
+    /// The plate reaches its stop during the contact; the listing has no stop.
     StopActs,
     /// The run ended early, or undecided.
     Ended(EndReason),
@@ -64,12 +69,12 @@ pub enum Refusal {
     NonFinite,
     /// No reference of another method could be computed.
     NoReference,
-    /// A coarser point took so much work that no finer one is run.
+    /// A coarser point exceeded the limit of evaluations.
     TooMuchWork,
 }
 
 impl Refusal {
-    /// The reason for readers.
+    /// Returns the reason as text.
     pub fn message(self) -> &'static str {
         match self {
             Self::NeedsSimulation => "left to the simulation, as in a sweep",
@@ -89,7 +94,7 @@ impl Refusal {
     }
 }
 
-/// The parameter that makes a method more accurate and more expensive.
+/// Parameter that sets accuracy and run time of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Parameter {
     /// Time step, s.
@@ -116,81 +121,81 @@ impl fmt::Display for Parameter {
     }
 }
 
-/// How finely parameters are turned.
+/// Set of parameter values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SettingGrid {
-    /// Every value.
+    /// All values.
     Full,
-    /// Few values, none of them expensive.
+    /// A few values without long run times.
     Quick,
 }
 
-/// The values of a parameter that are tried.
+/// Range of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParameterRange {
-    /// Time steps that make a given number of steps per contact at most, and how many of a decade are taken.
+    /// Step sizes: maximum number of steps per contact, and values per decade.
     Steps(f64, i32),
-    /// Tolerances down to this power of a tenth, every power or every second.
+    /// Tolerances: smallest one as a negative power of ten, and increment of the power.
     Tolerances(u32, usize),
 }
 
-/// The parameters of those who choose their steps.
+/// Tolerances of methods with an adaptive step size, for the full and the quick grid.
 const TIGHT: [ParameterRange; 2] =
     [ParameterRange::Tolerances(13, 1), ParameterRange::Tolerances(11, 2)];
-/// Step sizes of a method of order four, as numbers of steps.
+/// Step sizes of methods of order four, for the full and the quick grid.
 const STEPS: [ParameterRange; 2] = [ParameterRange::Steps(3e3, 2), ParameterRange::Steps(3e2, 2)];
 
 enumeration! {
-    /// A way to compute a scene.
+    /// Method of the comparison.
     pub enum Method in MethodRow {
-        /// The letter on charts.
+        /// Letter on charts.
         letter: char,
-        /// The name in tables and files.
+        /// Name in tables and files.
         name: &'static str,
-        /// Whether its steps are those of the engine, which another method has to check.
+        /// Whether the method has the steps of the engine: its reference then comes from another method.
         has_own_steps: bool,
-        /// The values of its parameter on the full ladder and on the quick one.
+        /// Parameter values of the full and the quick grid.
         ranges: [ParameterRange; 2],
-        /// The function that runs it.
+        /// Function that computes a result.
         run: fn(&Job) -> Result<Answer, Refusal>,
     }
-    /// Classical Runge-Kutta, fixed step, events only noticed.
+    /// Classical Runge-Kutta method with a fixed step size; events take effect at the end of a step.
     Rk4 {
         letter: 'R', name: "RK4, no events", has_own_steps: false, ranges: STEPS,
         run: |job| job.by(IntegrationMethod::Rk4WithoutEvents(job.parameter.value()))
     }
-    /// Classical Runge-Kutta with event location.
+    /// Classical Runge-Kutta method with a fixed step size and event location.
     Rk4Events {
         letter: 'E', name: "RK4 + events", has_own_steps: false, ranges: STEPS,
         run: |job| job.by(IntegrationMethod::Rk4(job.parameter.value()))
     }
-    /// DOP853 with events located.
+    /// DOP853 with event location.
     Dop853 {
         letter: 'D', name: "DOP853 + events", has_own_steps: false, ranges: TIGHT,
         run: |job| job.by(IntegrationMethod::Dop853(job.parameter.value()))
     }
-    /// Radau IIA of order 5, implicit and L-stable, with events located.
+    /// Radau IIA of order 5, implicit and L-stable, with event location.
     Radau {
         letter: 'I', name: "Radau IIA 5", has_own_steps: false,
         ranges: [ParameterRange::Tolerances(12, 1), ParameterRange::Tolerances(11, 2)],
         run: |job| job.by(IntegrationMethod::Radau5(job.parameter.value()))
     }
-    /// The contact kernel, as sweeps and searches use it.
+    /// Contact kernel, as in sweeps and searches.
     ContactKernel {
         letter: 'L', name: "contact kernel", has_own_steps: false, ranges: TIGHT,
         run: |job| contact_kernel(&job.scene, job.parameter.value())
     }
-    /// The engine with nothing omitted: it follows the plate also where its energy says how far it goes.
+    /// Engine without omissions: integrates the motion of the plate also where the energy balance gives its maximum displacement.
     Full {
         letter: 'N', name: "nothing omitted", has_own_steps: true, ranges: TIGHT,
         run: |job| job.by(IntegrationMethod::CollocationInFull(job.parameter.value()))
     }
-    /// The work of `simulate`.
+    /// Method of `simulate`.
     Auto {
         letter: 'A', name: "auto", has_own_steps: true, ranges: TIGHT,
         run: |job| auto(&job.scene)
     }
-    /// Appendix A as printed.
+    /// Listing of Appendix A as printed.
     ThesisPrinted {
         letter: 'T', name: "printed scheme", has_own_steps: false,
         ranges: [ParameterRange::Steps(3e5, 1), ParameterRange::Steps(3e3, 1)],
@@ -199,11 +204,11 @@ enumeration! {
 }
 
 impl Method {
-    /// The values of its parameter for a contact of about `end_s`, the coarsest first.
+    /// Returns the parameter values for a contact of about `end_s`, coarsest first.
     pub fn parameters(self, end_s: f64, ladder: SettingGrid) -> Vec<Parameter> {
         match self.ranges()[ladder as usize] {
             ParameterRange::Steps(most, per_decade) => steps(end_s, most, per_decade),
-            // From 1e-3 down.
+            // The largest tolerance is 1e-3.
             ParameterRange::Tolerances(tightest, every) => {
                 let tolerance = |power| format!("1e-{power}").parse().unwrap_or(f64::NAN);
                 (3..=tightest)
@@ -215,7 +220,7 @@ impl Method {
     }
 }
 
-/// Time steps 1 and 3 times powers of ten (or powers of ten alone) that make 10 to `steps_max` steps: fewer make no sense.
+/// Returns step sizes for 10 to `steps_max` steps: powers of ten, or 1 and 3 times powers of ten.
 fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Parameter> {
     let mut list = Vec::new();
     for power in (-60..20).rev() {
@@ -247,7 +252,7 @@ impl Job {
         Self { method, parameter, scene: Arc::new(own) }
     }
 
-    /// Do it.
+    /// Runs the computation.
     pub fn run(&self) -> Result<Answer, Refusal> {
         (self.method.run())(self)
     }
@@ -263,7 +268,7 @@ fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
     answer_of(&run.map_err(|_invalid| Refusal::NonFinite)?)
 }
 
-/// The answer of a run that is decided.
+/// Returns the results of a run; an error if its outcome is undecided.
 pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     if matches!(run.outcome, Outcome::Moving | Outcome::Unmeasured) || !run.end.is_complete() {
         return Err(Refusal::Ended(run.end));
@@ -288,7 +293,7 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     })
 }
 
-/// The kernel follows the first contact: where the interface may yield later, that is not the depth.
+/// Runs the contact kernel. It computes the first contact only: its depth is final unless the interface can yield later.
 fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     let end = Contact::from_scene(scene).and_then(|contact| contact.run(tolerance));
     let end = end.ok_or(Refusal::NeedsSimulation)?;
@@ -299,7 +304,7 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     Ok(Answer { outcome, results, steps: end.steps, rejected: 0, evaluations: end.steps })
 }
 
-/// The listing as printed. It follows the plate up to the horizon, which its contact alone exceeds.
+/// Runs the listing as printed, up to the horizon or the end of the contact, whichever is later.
 pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
     if scene.is_sprung() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
@@ -315,7 +320,7 @@ pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
         return Err(Refusal::StopActs);
     }
     let mut answer = answer_of(&run)?;
-    // The listing prints the time before its last step.
+    // The listing prints the time at the start of its last step.
     answer.results[1] = Some(answer.steps as f64 * dt_s);
     Ok(answer)
 }

@@ -1,9 +1,9 @@
-//! References: what the results of a method are compared with, always of a method with other steps.
+//! Reference results of a comparison, each by another family of methods than the compared one.
 //!
-//! Depth and time of the stored scenes are known to 18 digits, by an 80-bit Taylor series and 30-digit arithmetic. Everything else is
-//! computed twice on the simulation's loop, by the engine's own steps and by DOP853, or where that cannot follow by Radau IIA of order
-//! five: each is the reference of the methods with other steps, and their difference the uncertainty of both. The loop's equations are
-//! checked elsewhere, by tests with equations of their own.
+//! For stored scenes depth and time are known to 18 digits, by an 80-bit Taylor series and 30-digit arithmetic. All other results are
+//! computed twice with the loop of the simulation: by the steps of the engine, and by DOP853 (Radau IIA of order five for stiff scenes).
+//! Each is the reference for the other, and their difference is the uncertainty of both. Both have the same equations of motion, which
+//! tests check against independent ones.
 
 use std::sync::Arc;
 
@@ -16,31 +16,32 @@ use cmra_engine::model::scene::{InterfaceLaw, Scene};
 use cmra_engine::model::variables::{Group, VARIABLES, changed_free_plate, is_used};
 use cmra_engine::numerics::larger;
 
-/// Steps of a contact by the printed scheme that are near its limit.
+/// Number of steps per contact for the limit of the printed scheme; a second run with another number gives the extrapolation.
 const PRINTED_STEPS: f64 = 5e4;
-/// Tolerances of the references.
+/// Tolerance of the references.
 const TIGHT: f64 = 1e-13;
+/// Tolerance of the reference by Radau IIA of order five, whose run time grows faster with the accuracy.
 const TIGHT_OF_ORDER_FIVE: f64 = 1e-12;
-/// A displacement of this part of the nose radius is as good as none: a spring that holds the plate lets it move by less.
+/// Negligible displacement, relative to the nose radius; a locked plate moves less.
 const NO_LENGTH: f64 = 1e-9;
 
-/// Where a reference comes from.
+/// Source of a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReferenceSource {
-    /// Depth and time are the stored digits of this row.
+    /// Depth and time of this stored scene.
     Stored(&'static str),
-    /// The engine at its tightest tolerance.
+    /// Engine with the tolerance of a reference.
     Engine,
-    /// DOP853 on the same loop.
+    /// DOP853 with the same loop.
     Dop853,
-    /// Radau IIA of order five, where an explicit method cannot follow.
+    /// Radau IIA of order five with the same loop, for stiff scenes.
     Radau,
     /// Limit of the printed scheme for a vanishing step size.
     OwnLimit,
 }
 
 impl ReferenceSource {
-    /// A short text.
+    /// Returns a short text.
     pub fn label(self) -> String {
         match self {
             Self::Stored(row) => format!("stored digits, row {row}"),
@@ -51,7 +52,7 @@ impl ReferenceSource {
         }
     }
 
-    /// The letter behind an error on a page.
+    /// Returns the letter after an error on a page.
     pub fn letter(self) -> char {
         match self {
             Self::Stored(_) => 's',
@@ -63,16 +64,16 @@ impl ReferenceSource {
     }
 }
 
-/// Results to compare with.
+/// Reference results.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
-    /// Where they come from.
+    /// Source of the results.
     pub basis: ReferenceSource,
-    /// How the shot ends.
+    /// Outcome of the shot.
     pub outcome: Outcome,
-    /// The results.
+    /// Results.
     pub results: Results,
-    /// How far depth and time may be off, relative; `None` when there is nothing to tell it from.
+    /// Relative uncertainty of depth and time; `None` if there is no second result.
     pub uncertainty: Option<f64>,
 }
 
@@ -82,7 +83,7 @@ impl Reference {
         Self { basis, outcome, results, uncertainty: None }
     }
 
-    /// The errors of a method's results: relative, of the last velocity over the impact velocity.
+    /// Returns the relative errors of results; that of the last velocity is relative to the impact velocity.
     pub fn errors(&self, scene: &Scene, results: &Results) -> Results {
         let shot = &scene.projectile;
         let least = [0.0, 0.0, NO_LENGTH * shot.tip_radius_m, 0.0, shot.velocity_m_s, 0.0, 0.0];
@@ -93,7 +94,7 @@ impl Reference {
         })
     }
 
-    /// The greatest error of all results; NaN where one of them exists on one side only.
+    /// Returns the largest error of all results; NaN if a result exists only here or only in the reference.
     pub fn error_of_all(&self, scene: &Scene, results: &Results) -> f64 {
         if results.map(|own| own.is_some()) != self.results.map(|right| right.is_some()) {
             return f64::NAN;
@@ -101,18 +102,18 @@ impl Reference {
         self.errors(scene, results).into_iter().flatten().fold(0.0, larger)
     }
 
-    /// The time of first arrest or exit, s.
+    /// Returns the time of first arrest or exit, s.
     pub fn end_s(&self) -> f64 {
         self.results[1].unwrap_or(f64::NAN)
     }
 }
 
-/// The references of a scene: for methods without the engine's steps, and for those with them.
+/// References of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct References {
-    /// By the engine's own steps.
+    /// Reference by the steps of the engine, for all other methods.
     pub engine: Option<Reference>,
-    /// By other steps.
+    /// Reference by another family of methods, for the engine.
     pub other: Option<Reference>,
 }
 
@@ -153,13 +154,13 @@ impl References {
         both
     }
 
-    /// Whichever there is.
+    /// Returns a reference, that of the engine if it exists.
     pub fn any(&self) -> Option<Reference> {
         self.engine.or(self.other)
     }
 }
 
-/// The stored row of a scene and its uncertainty, if there is one. Its digits are those of a fused interface.
+/// Returns the stored results of a scene and their uncertainty; `None` for another scene, or for an interface that is not fused.
 pub(in crate::study) fn stored(scene: &Scene) -> Option<(Stored, f64)> {
     if scene.interface.law != InterfaceLaw::Fused {
         return None;
@@ -177,13 +178,13 @@ pub(in crate::study) fn stored(scene: &Scene) -> Option<(Stored, f64)> {
     Some((row, uncertainty))
 }
 
-/// The depth that the printed scheme approaches as its step goes to zero, from two fine steps of a scheme of first order.
+/// Returns the limit of the printed scheme for a vanishing step size, by extrapolation from two small step sizes of a first-order scheme.
 pub(super) fn printed_limit(scene: &Scene, end_s: f64) -> Option<Reference> {
     let by = |steps: f64| printed(scene, end_s / steps).ok()?.results[0];
     let (coarse_m, fine_m) = (by(PRINTED_STEPS)?, by(2.0 * PRINTED_STEPS)?);
     let depth_m = 2.0 * fine_m - coarse_m;
     let mut results = [None; RESULTS.len()];
-    // It ends on a whole step: no step makes that error of the time smaller.
+    // The scheme ends at the end of a step: the time has an error of the order of the step size.
     results[0] = Some(depth_m);
     Some(Reference {
         basis: ReferenceSource::OwnLimit,

@@ -1,23 +1,24 @@
-//! Measuring a short computation: repeated in batches long enough for the clock. The clock comes in from outside.
+//! Timing of short computations, repeated in batches that are long compared with the resolution of the clock.
 
 use std::hint::black_box;
 
 use cmra_engine::numerics::smaller;
 
-/// Gives the time, s, from any origin.
+/// Clock: returns the time since any fixed instant, s.
 pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 
-/// A batch is at least this long, s: some thousand times the resolution of a clock.
+/// Minimum duration of a batch, s: about a thousand times the resolution of a clock.
 const BATCH_S: f64 = 5e-5;
-/// Maximum number of repeats in a batch: a clock that stands still must not hang the program.
+/// Maximum number of repetitions in a batch; ends the loop if the clock does not advance.
 const BATCH_MAX: usize = 4096;
-/// Fewest and most batches of a computation that is repeated.
+/// Minimum and maximum number of batches of a repeated computation.
 const BATCHES: (usize, usize) = (3, 31);
-/// A computation that takes so many times as long as its batches may take is not repeated.
+/// Duration above which a computation is not repeated, relative to the time limit of its repetitions.
 const ONCE: f64 = 8.0;
 
-/// The least time of a computation that has just been warmed up, s: the best estimate of its cost without interruptions. Beyond the fewest
-/// batches it is repeated for `point_s` at most.
+/// Returns the minimum run time of a computation, s: the best estimate without interruptions.
+///
+/// The computation is repeated for at most `point_s` beyond the minimum number of batches. The caller has run it once before.
 pub fn time<T>(clock: Clock<'_>, point_s: f64, mut run: impl FnMut() -> T) -> f64 {
     let mut batch_of = |repeats: usize| {
         let start = clock();

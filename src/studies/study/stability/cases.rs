@@ -1,4 +1,4 @@
-//! The battery: named stiff and extreme scenes, and the difficulty of each.
+//! Test scenes of the engine, stiff or extreme, with the difficulty of each.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
@@ -9,11 +9,11 @@ use crate::study::changed_free_plate;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::VariableError;
 
-/// A named scene.
+/// Test scene.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
-    /// A short name.
+    /// Short name.
     pub name: &'static str,
     /// Numerical difficulty of the scene.
     pub why: &'static str,
@@ -22,13 +22,13 @@ pub struct Case {
 }
 
 impl Case {
-    /// The scene.
+    /// Returns the scene.
     pub fn scene(&self) -> Result<Arc<Scene>, VariableError> {
         changed_free_plate(self.changes).map(Arc::new)
     }
 }
 
-/// All of them, as they are written in `data/stability.toml`; none where the file is wrong, which a test refuses.
+/// Test scenes of `data/stability.toml`; empty if the file is invalid, which a test excludes.
 pub static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| read().unwrap_or_default());
 
 fn read() -> Result<Vec<Case>, toml::de::Error> {

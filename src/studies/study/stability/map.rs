@@ -1,4 +1,4 @@
-//! Where a fixed-step method is stable: a map over its step and one variable of the scene.
+//! Stability map of a method with a fixed step size, over the step size and one variable of the scene.
 
 use std::fmt;
 
@@ -11,20 +11,22 @@ use cmra_engine::model::simulate::Settings;
 use cmra_engine::model::variables::{self, VariableError};
 use cmra_engine::numerics::larger;
 
-/// Relative error up to which a cell is accurate.
+/// Largest relative error of an accurate cell.
 pub const ACCURATE: f64 = 1e-2;
-/// A plate this many times faster than it should be has run away, even where that ends the contact before values overflow.
+/// Ratio of the velocity of the plate to that of the reference above which a run counts as diverged. The contact can end before values
+/// overflow.
 const RUNS_AWAY_FROM: f64 = 1e2;
+/// Maximum number of steps of a cell.
 const STEPS_MAX: usize = 200_000;
-/// The size of a map on a screen, and of a coarser one: values of the variable, and steps; at least 2 each way.
+/// Size of a map: values of the variable, and step sizes; at least 2 each.
 pub const SIZE: (usize, usize) = (19, 61);
-/// See [`SIZE`].
+/// Size of a quick map.
 pub const QUICK: (usize, usize) = (10, 31);
-/// The thesis's own step, s.
+/// Step size of the thesis, s.
 pub const THESIS_DT_S: f64 = 1e-6;
 
 enumeration! {
-    /// The method of a map.
+    /// Method of a map.
     pub enum FixedStep in FixedStepRow {
         /// Name on pages.
         name: &'static str,
@@ -35,12 +37,12 @@ enumeration! {
         /// Whether it corrects the scheme of the listing.
         corrects_scheme: bool,
     }
-    /// Appendix A, its depth taken from the relative travel.
+    /// Listing of Appendix A with the depth from the relative displacement.
     Thesis {
         name: "the thesis's scheme", word: "thesis", about: "Appendix A with its depth corrected",
         corrects_scheme: false
     }
-    /// Classical Runge-Kutta on the whole system.
+    /// Classical Runge-Kutta method for the whole system.
     Rk4 {
         name: "classical Runge-Kutta", word: "rk4", about: "Classical Runge-Kutta",
         corrects_scheme: true
@@ -48,17 +50,17 @@ enumeration! {
 }
 
 enumeration! {
-    /// The variable of a map.
+    /// Variable of a map.
     pub enum Axis in AxisRow {
         /// Symbol of the variable.
         symbol: &'static str,
         /// Meaning of the variable.
         about: &'static str,
-        /// Reads the value from a scene.
+        /// Returns the value in a scene.
         get: fn(&Scene) -> f64,
-        /// Gives it a value.
+        /// Sets the value in a scene.
         set: fn(&mut Scene, f64),
-        /// Smallest and greatest value; the values between them have equal ratios.
+        /// Smallest and largest value; the values in between have equal ratios.
         range: (f64, f64),
     }
     /// Spring coefficient.
@@ -82,24 +84,24 @@ enumeration! {
 }
 
 enumeration! {
-    /// The behaviour of a method for one step and one value.
+    /// Behaviour of a method for a step size and a value.
     pub enum Cell in CellRow {
-        /// The word in files.
+        /// Word in files.
         word: &'static str,
         /// Label in the legend.
         words: &'static str,
         /// Character on a map: the worse, the darker.
         shade: char,
     }
-    /// Within 1 %.
+    /// Error of at most 1 %.
     Accurate { word: "accurate", words: "accurate (1 %)", shade: ' ' }
     /// Error above 1 %.
     Inaccurate { word: "inaccurate", words: "inaccurate", shade: '.' }
     /// Values grow without bound.
     BlownUp { word: "blown up", words: "diverged", shade: '@' }
-    /// The step budget was used up.
+    /// The maximum number of steps is exceeded.
     TooManySteps { word: "too many steps", words: "too many steps", shade: '~' }
-    /// There is nothing to compare with.
+    /// There is no reference.
     Unknown { word: "unknown", words: "nothing to compare with", shade: '?' }
     /// Cell that is not computed yet.
     Waiting { word: "not computed", words: "not computed", shade: '_' }
@@ -116,7 +118,7 @@ pub struct StabilityMapRequest {
     pub size: (usize, usize),
 }
 
-/// The command's name and options.
+/// Formats the command with its options.
 impl fmt::Display for StabilityMapRequest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let quick = if self.size == QUICK { " --quick" } else { "" };
@@ -125,46 +127,46 @@ impl fmt::Display for StabilityMapRequest {
     }
 }
 
-/// A map.
+/// Stability map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// The method.
     pub method: FixedStep,
     /// The variable of the rows.
     pub axis: Axis,
-    /// Steps, rising, s: the columns.
+    /// Step sizes of the columns, increasing, s.
     pub dt_s: Vec<f64>,
-    /// Values, rising: the rows.
+    /// Values of the rows, increasing.
     pub values: Vec<f64>,
     /// Cells, row by row.
     pub cells: Vec<Cell>,
-    /// The scene's own value; its step is the thesis's.
+    /// Value of the scene itself, shown at the step size of the thesis.
     pub present: f64,
 }
 
 impl Map {
-    /// The cell of a row and a column.
+    /// Returns the cell in a row and a column.
     pub fn cell(&self, row: usize, column: usize) -> Cell {
         self.cells[row * self.dt_s.len() + column]
     }
 
-    /// Whether every cell has been computed.
+    /// Returns `true` if every cell is computed.
     pub fn is_complete(&self) -> bool {
         !self.cells.contains(&Cell::Waiting)
     }
 
-    /// Column and row of the present point; `None` where it lies outside.
+    /// Returns column and row of the scene itself; `None` outside the map.
     pub fn present_at(&self) -> Option<(usize, usize)> {
         self.nearest(THESIS_DT_S, self.present)
     }
 
-    /// Column and row of the cell nearest to a step and a value; `None` outside the map.
+    /// Returns column and row of the cell closest to a step size and a value; `None` outside the map.
     pub fn nearest(&self, dt_s: f64, value: f64) -> Option<(usize, usize)> {
         nearest(&self.dt_s, dt_s).zip(nearest(&self.values, value))
     }
 }
 
-/// The nearest of rising values by ratio; `None` for a value outside them.
+/// Returns the index of the closest of increasing values, by ratio; `None` outside their range.
 fn nearest(values: &[f64], value: f64) -> Option<usize> {
     let inside = value >= 0.99 * values.first()? && value <= 1.01 * values.last()?;
     let distance = |other: f64| (other / value).ln().abs();
@@ -180,7 +182,7 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
     variables::require_single(scene)
 }
 
-/// Compute the map of a valid scene, and show it as it grows. Where it is stopped, the rest is waiting.
+/// Computes the map of a valid scene and reports partial maps; a stopped map has waiting cells.
 pub fn map(scene: &Scene, wanted: StabilityMapRequest, context: &mut Context<'_, Map>) -> Map {
     let StabilityMapRequest { method, axis, size: (rows, columns) } = wanted;
     let contact_s = Target::from_scene(scene).map_or_else(
@@ -220,7 +222,7 @@ fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
     (0..count).map(|i| low * (high / low).powf(step(i))).collect()
 }
 
-/// The expected result of a row: how long its contact lasts, the plate's greatest speed in it, and how it ends.
+/// Reference of a row: duration of the contact, maximum velocity of the plate, and end of the contact.
 #[derive(Clone, Copy)]
 struct Target {
     contact_s: f64,
@@ -228,7 +230,7 @@ struct Target {
     end: ContactEnd,
 }
 
-/// How the first contact ends: arrested with its depth, m, or perforated with the time, s.
+/// End of the first contact: arrested with the depth, m, or perforated with the time, s.
 type ContactEnd = (Outcome, f64);
 
 impl Target {
@@ -248,7 +250,7 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
     let Some(target) = target else {
         return Cell::Unknown;
     };
-    // The listing as meant, with the thesis's scheme or Runge-Kutta on both bodies.
+    // The corrected listing, with the time stepping of the thesis or Runge-Kutta for both bodies.
     let corrects_scheme = method.corrects_scheme();
     let scheme = Scheme::from_scene(scene, Listing { corrects_scheme, ..Listing::coupled(dt_s) });
     let fastest_m_s = RUNS_AWAY_FROM * target.speed_m_s;

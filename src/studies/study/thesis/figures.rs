@@ -1,4 +1,4 @@
-//! The figures of chapter 9 and the advice of section 9.6.
+//! Claims of the figures of chapter 9 and the advice of section 9.6.
 
 use super::ClaimVerdict::{Corrected, Misprint, NotReproduced, Reproduced};
 use super::{Check, Claim, Curve, Range, claim, four, list, range};
@@ -106,7 +106,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "a steep, smooth edge: there k x^n at the plate's natural millimetre equals the contact force, and below it the \
                 spring holds the plate as a rigid mount does",
         |shots| {
-            // The greatest step of a continuous curve shrinks with the spacing; a jump's does not.
+            // The largest step of a continuous curve decreases with the spacing; that of a discontinuity does not.
             let step = |count| shots.depths("k=1e6", &range("n", 0.4, 0.9, count)).step();
             let steps = [26, 101, 401].map(step);
             let unit = "% with dn = 0.02, 0.005, 0.00125";

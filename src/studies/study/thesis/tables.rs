@@ -1,4 +1,4 @@
-//! The tables of the thesis, its baseline, its spring and beam of chapter 9.5, and the listing of Appendix A.
+//! Claims of the tables, the baseline, the spring and the beam of section 9.5, and the listing of Appendix A.
 
 use std::collections::HashSet;
 
@@ -11,11 +11,11 @@ use cmra_engine::model::run::{EventKind, Run, Sample};
 use cmra_engine::model::scene::{Beam, Listing, Wire};
 use cmra_engine::model::units::engineering;
 
-/// The material of the listing.
+/// Material of the listing.
 const LISTED: &str = "rho=2780 S_y=151.6e6";
-/// The case the listing is set up for, with a plate of 0.1 kg.
+/// Input values of the listing; the plate weighs 0.1 kg.
 const CASE: &str = "rho=2780 S_y=151.6e6 gamma=3.3898305084745766 k=0 n=3 m=3";
-/// Table 8.2; what it omits of the impact is that of Table 9.1.
+/// Values of Table 8.2; values of the impact that it omits are those of Table 9.1.
 const YANG_XI: &str =
     "m_p=0.034 v_i=118.2 gamma=5.735294117647059 h=0.01 rho=2600 k=0 horizon=2.714e-3";
 
@@ -303,7 +303,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the contact force acts on projectile and plate alike",
         "the plate is guided along its normal and receives the cosine of the force: only then is energy conserved",
         |shots| {
-            // The other faults hide this one.
+            // The other errors of the listing hide this one.
             let fixed = Listing {
                 corrects_coupling: true,
                 corrects_stopping: true,
@@ -341,7 +341,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     ),
 ];
 
-/// A fault of the listing: a quantity with it and without it; without it the listing agrees with the engine.
+/// Checks an error of the listing: computes a quantity with and without it. The corrected listing agrees with the engine.
 fn fault(
     shots: &Shots<'_>,
     [faulty, fixed]: [Listing; 2],
@@ -358,13 +358,13 @@ fn fault(
     Check { text, holds: (fixed - own).abs() < 0.2 * (faulty - own).abs() }
 }
 
-/// When the plate turns, s.
+/// Returns the time at which the plate reverses its motion, s.
 fn turns_at_s(run: &Run) -> f64 {
     let turn = run.events.iter().find(|it| it.kind == EventKind::GreatestDisplacement);
     turn.map_or(f64::NAN, |it| it.t_s)
 }
 
-/// Momentum of projectile and plate at the first arrest over that at the impact.
+/// Returns the momentum of projectile and plate at the first arrest, relative to that at the impact.
 fn momentum_kept(run: &Run) -> f64 {
     let end_s = run.first_arrest.map_or(f64::NAN, |it| it.t_s) * (1.0 + 1e-12);
     let (ratio, impact) = (run.scene.mass_ratio(), run.scene.projectile.velocity_m_s);
@@ -374,7 +374,7 @@ fn momentum_kept(run: &Run) -> f64 {
     })
 }
 
-/// The energy of plate, projectile and linear spring when the plate is back at neutral, over that at the first turn.
+/// Returns the energy of plate, projectile and linear spring at the return to the neutral position, relative to that at the first reversal.
 fn energy_after_return(run: &Run) -> f64 {
     let scene = &run.scene;
     let mass_kg = scene.projectile.mass_kg * (1.0 + scene.mass_ratio());
