@@ -44,7 +44,7 @@ pub(super) enum Commands {
     Reproduce(reproduce::ReproduceArguments),
     #[command(about = "Compare the model with measurements from the literature", long_about = None)]
     Validate(validate::ValidateArguments),
-    #[command(about = "Explain a variable or a quantity, or list all of them", long_about = None)]
+    #[command(about = "Explain a variable, a quantity or a word of a screen", long_about = None)]
     Explain(explain::ExplainArguments),
     #[command(about = "List threats, materials and absorbers with their sources", long_about = None)]
     Libraries(libraries::LibrariesArguments),

@@ -1,8 +1,9 @@
-//! `cmra explain [NAME]`: a variable, quantity or warning, or all of them, as a page.
+//! `cmra explain [NAME]`: a page about a variable, a quantity, a warning or a word of a screen, or a list of all.
 
 use std::fmt::Write as _;
 
 use clap::Args;
+use words::WORDS;
 
 use crate::cli::text::{self, hanging};
 use crate::cli::{CliError, output};
@@ -13,9 +14,12 @@ use cmra_engine::model::units::shortest;
 use cmra_engine::model::variables::{Group, VARIABLES, Variable, find, nearest, used_where};
 use cmra_studies::study::quantities::{self, QUANTITIES, Quantity};
 
+mod words;
+
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// A variable by symbol, name or key (gamma, thickness), a quantity (`limit_velocity_m_s`) or a warning ('plate face'); without it: all of them
+    /// A variable by symbol, name or key (gamma, thickness), a quantity (`limit_velocity_m_s`), a warning ('plate face') or a word of a
+    /// screen (areal); without it: all of them
     name: Option<String>,
 }
 
@@ -27,14 +31,14 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     output::print(&page)
 }
 
-/// Returns the pages for a name, which may contain blanks: a quantity or variable, a warning, or both.
+/// Returns the pages about a name, which may contain blanks: of a quantity or variable, a warning, or both; else of a word or a choice.
 fn pages(name: &str) -> Result<Vec<String>, CliError> {
     let spelled = name.replace([' ', '-'], "_");
     let quantity = quantities::find(name).or_else(|| quantities::find(&spelled));
     let variable = || find(name).or_else(|_| find(&spelled)).ok();
     let unknown = || {
         CliError::Option(format!(
-            "`{name}` is neither a variable ({}) nor a quantity ({}) nor a warning ({})",
+            "`{name}` is neither a variable ({}) nor a quantity ({}) nor a warning ({}) nor a word of a screen",
             nearest(name),
             quantities::nearest(name),
             Check::WORDS.join(", ")
@@ -50,78 +54,22 @@ fn pages(name: &str) -> Result<Vec<String>, CliError> {
     if !found.is_empty() {
         return Ok(found);
     }
-    let on_screen = SCREEN.iter().filter(|(words, _)| words.contains(&name));
+    let is_word = |words: &[&str]| words.iter().any(|word| word.eq_ignore_ascii_case(name));
+    // `A` and `a` differ.
+    let exact = WORDS.iter().find(|(words, _)| words.contains(&name));
+    let on_screen = exact.or_else(|| WORDS.iter().find(|(words, _)| is_word(words)));
     let choices = VARIABLES.iter().filter(|it| it.keys().contains(&name)).map(variable_page);
     let words: Vec<String> = on_screen
+        .into_iter()
         .map(|(_, about)| hanging(&format!("{name}: "), about, 2))
         .chain(choices)
         .collect();
     if !words.is_empty() {
         return Ok(words);
     }
-    quantities::named(name).map(|it| vec![quantity_page(it)]).map_err(|_not_titled| unknown())
+    let titled = [name, &name.to_lowercase()].map(quantities::named).into_iter().flatten().next();
+    titled.map(|it| vec![quantity_page(it)]).ok_or_else(unknown)
 }
-
-/// Words and signs of screens and pages that are neither variables nor quantities nor warnings.
-const SCREEN: &[(&[&str], &str)] = &[
-    (
-        &["plastic"],
-        "depth, and in brackets percent, of the same shot if the interface between projectile and plate can yield; set interface=plastic",
-    ),
-    (&["travel"], "greatest plate displacement (max_plate_displacement_m)"),
-    (&["depth"], "final penetration into the plate (final_penetration_m)"),
-    (&["%"], "depth in percent of that of the same plate on a rigid mount (percent_of_baseline)"),
-    (&["peak"], "greatest contact force (peak_contact_force_n)"),
-    (&["mount"], "greatest force of spring, damper and stop on the mount (peak_mount_force_n)"),
-    (
-        &["v_bl", "limit"],
-        "ballistic limit: the least velocity that perforates the plate (limit_velocity_m_s)",
-    ),
-    (
-        &["margin"],
-        "how far this shot's velocity is below the ballistic limit, in percent of the shot's velocity; a shot with a negative margin perforates",
-    ),
-    (
-        &["validity"],
-        "the range in which the model was compared with experiments; a check that fails is named, with the side on which the answer errs",
-    ),
-    (
-        &["conservative"],
-        "outside the validity, on the safe side: the model says more depth, force or displacement than there is",
-    ),
-    (
-        &["unconservative"],
-        "outside the validity, on the unsafe side: the model says less depth, force or displacement than there is",
-    ),
-    (&["error"], "estimated error of the depth, relative to the depth, from a second computation"),
-    (
-        &["omitted"],
-        "parts of the model that do nothing in this scene and are not computed: they change no digit",
-    ),
-    (
-        &["A"],
-        "contact area of the nose, up to pi R^2: A S_y is the greatest load that the interface bears",
-    ),
-    (&["D"], "diameter of the projectile, 2 R: h/D compares the thickness of the plate with it"),
-    (
-        &["arrested", "stick"],
-        "outcome: the projectile comes to rest relative to the plate within it",
-    ),
-    (&["perforated"], "outcome: the projectile leaves the plate through its rear face"),
-    (
-        &["separated"],
-        "outcome: the plate moves away from the projectile, which no longer touches it",
-    ),
-    (&["moving"], "outcome: undecided at the horizon, which is the end of the computed time"),
-    (
-        &["knee"],
-        "design of a front beyond which an objective gains little for what the others lose",
-    ),
-    (
-        &["feasible"],
-        "a design without a warning on the unsafe side (interface, spring, stop, face)",
-    ),
-];
 
 fn variable_page(variable: &Variable) -> String {
     let mut page = format!("{}: {}\n", variable.symbol, variable.meaning);
@@ -210,7 +158,10 @@ fn list() -> String {
         "\nscene: no simulation; run: one simulation; course: one simulation and its time series; limit: a search with many shots, only on request\n\nWARNINGS: ",
     );
     page += &Check::WORDS.join(", ");
-    page.push_str("\n\n`cmra explain NAME` explains one.\n");
+    page.push_str("\n\n");
+    let words: Vec<&str> = WORDS.iter().flat_map(|(words, _)| words.iter().copied()).collect();
+    page += &hanging("WORDS of screens: ", &words.join(", "), 2);
+    page.push_str("\n`cmra explain NAME` explains one.\n");
     page
 }
 
@@ -218,43 +169,227 @@ fn list() -> String {
 mod tests {
     use super::*;
 
-    /// The words of the first screen, of its table, its status row and the pages of results, and every word of a choice.
+    use std::collections::BTreeSet;
+    use std::fs;
+    use std::path::Path;
+
+    /// Words of screens that have their everyday meaning, are parts of names, or are cut off at the edge of a pane.
+    const PLAIN: &str = "\
+        acceleration action also analysis assembly back buckling bundled cancels cantilever change chart charts close cmra \
+        coeffic comparing compatibility computed computing contact controlled curve curves dissipation distance distribution \
+        does done ease emergent enlarge enter every expo export figure file find finding finite first flight flow force \
+        four-bar fourth free from greatest heavy-plate helical impact induction inertia input keys line lists load loaded \
+        manufacture many mass meaning measuring method methods mine minimization more move name near next none nothing oasl \
+        order other over overwrite page pane plate play points position presets projectile quit quits rate reduction rejection \
+        relative removes reset result results resume ricochet rigid-mount rotating running same save scenes scroll second \
+        sectional shift-tab show shown shows shuttle side simulation small space spacing speed start strain strengt stress \
+        target thesis-base thesis-baseline time transfer tube type undo unit value values variable variables vary wanted wire \
+        with would write your zoom";
+
+    /// Functions whose string arguments are shown as labels, with the index of the label among them, and fields of labels.
+    const LABELLED: [(&str, usize); 16] = [
+        (".with(", 1),
+        ("column(table,", 1),
+        ("Axis::over(", 0),
+        ("Axis::new(", 0),
+        ("Curve::new(", 0),
+        ("Chart::new(", 0),
+        ("Mark::new(", 0),
+        (".tag(", 0),
+        ("Remark::new(", 0),
+        ("Remark::caution(", 0),
+        ("PaneFrame::new(", 0),
+        ("Choice::new(", 0),
+        ("label: ", 0),
+        ("name: ", 0),
+        ("title: ", 0),
+        ("words: ", 0),
+    ];
+
+    fn files_below(folder: &str, ending: &str) -> Vec<String> {
+        let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
+        let mut texts = Vec::new();
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(folder).expect("a folder of the repository") {
+                let path = entry.expect("an entry").path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|it| it == ending) {
+                    texts.push(fs::read_to_string(path).expect("a text"));
+                }
+            }
+        }
+        assert!(texts.len() > 10, "{folder}: {}", texts.len());
+        texts
+    }
+
+    /// Returns the parts of a screen of at most three words: heads of columns, titles, labels and legends.
+    fn labels_of_screen(snapshot: &str) -> Vec<String> {
+        let screen = snapshot.splitn(3, "---\n").nth(2).unwrap_or_default();
+        let is_text = |c: char| c.is_ascii_alphanumeric() || " .,:;()[]%/'_^!-\n".contains(c);
+        let text: String = screen.chars().map(|c| if is_text(c) { c } else { '\t' }).collect();
+        let text = text.replace("--", "\t").replace("  ", "\t");
+        let parts = text.split(['\t', '\n']).map(str::trim);
+        parts.filter(|it| it.split_whitespace().count() <= 3).map(str::to_owned).collect()
+    }
+
+    /// Returns the labels of at most four words in a source file.
+    fn labels_of_source(source: &str) -> Vec<String> {
+        let code = source.split("#[cfg(test)]").next().unwrap_or_default();
+        let mut labels = Vec::new();
+        for (opener, index) in LABELLED {
+            for (at, _) in code.match_indices(opener) {
+                let rest = code[at + opener.len()..].trim_start();
+                let literals: Vec<&str> = rest.split('"').take(4).collect();
+                // The first argument is a string, or the mark of a curve.
+                let is_label = literals[0].is_empty() || literals[0].starts_with('\'');
+                let label =
+                    literals.get(2 * index + 1).filter(|_| is_label && literals[0].len() < 8);
+                labels.extend(label.map(|it| it.trim().to_owned()));
+            }
+        }
+        labels.retain(|it| it.split_whitespace().count() <= 4);
+        labels
+    }
+
+    /// Returns `true` for a word, `false` for a number, a symbol or a row of the marks of a chart.
+    fn is_word(text: &str) -> bool {
+        let letters: Vec<char> = text.chars().collect();
+        let is_marks = BTreeSet::from_iter(&letters).len() <= 2
+            || letters.windows(3).any(|it| it[0] == it[1] && it[1] == it[2]);
+        letters.len() >= 4 && !is_marks && letters.iter().all(|it| it.is_alphabetic() || *it == '-')
+    }
+
+    /// Returns the names that have a page, in lower case: looking up each word would take a minute, of which most is for hints.
+    fn explained() -> BTreeSet<String> {
+        let words = WORDS.iter().flat_map(|(words, _)| words.iter().copied()).chain(Check::WORDS);
+        let choices = VARIABLES.iter().flat_map(|it| it.keys().iter().copied());
+        let fixed =
+            VARIABLES.iter().flat_map(|it| it.aliases.iter().copied().chain([it.symbol, it.key]));
+        let names = VARIABLES.iter().flat_map(|it| [it.name(), it.name().replace('_', " ")]);
+        let quantities =
+            QUANTITIES.iter().flat_map(|it| [it.name.to_owned(), it.title(), it.key_words()]);
+        let texts = words.chain(choices).chain(fixed).map(str::to_owned);
+        texts.chain(names).chain(quantities).map(|it| it.to_lowercase()).collect()
+    }
+
     #[test]
     fn every_word_of_a_screen_is_explained() {
+        let snapshots = files_below("tests/integration", "snap");
+        let sources =
+            ["src/studies/report", "src/studies/study", "src/engine/model", "src/tui/pages"];
+        let sources = sources.into_iter().flat_map(|folder| files_below(folder, "rs"));
+        let mut labels: BTreeSet<String> =
+            snapshots.iter().flat_map(|it| labels_of_screen(it)).collect();
+        labels.extend(sources.flat_map(|it| labels_of_source(&it)));
+        assert!(labels.len() > 500, "{}", labels.len());
+        let explained = explained();
+        let is_known = |word: &str| explained.contains(&word.to_lowercase());
+        let (mut known, mut used) = (BTreeSet::new(), BTreeSet::new());
+        let mut unknown = BTreeSet::new();
+        let plain: BTreeSet<&str> = PLAIN.split(' ').collect();
+        for label in &labels {
+            let whole = label.trim_matches(|c: char| " .,:;()[]-".contains(c));
+            if is_known(whole) {
+                known.insert(whole.to_owned());
+                continue;
+            }
+            for word in label.split(' ') {
+                let word = word.trim_matches(|c: char| !c.is_alphabetic()).to_lowercase();
+                if !is_word(&word) {
+                    continue;
+                }
+                if is_known(&word) {
+                    known.insert(word);
+                } else if let Some(plain) = plain.get(word.as_str()) {
+                    used.insert(*plain);
+                } else {
+                    unknown.insert(format!("{word} in `{label}`"));
+                }
+            }
+        }
+        assert!(unknown.is_empty(), "{unknown:#?}");
+        let unused: Vec<&&str> = plain.difference(&used).collect();
+        assert!(unused.is_empty(), "needed no more: {unused:?}");
+        for name in known {
+            assert!(pages(&name).is_ok(), "{name}");
+        }
+    }
+
+    /// Signs, short words and choices, which the labels above leave out, and words that texts beside them have.
+    #[test]
+    fn signs_and_choices_are_explained() {
         let words = [
+            "A",
+            "D",
+            "%",
+            "h/D",
+            "V50",
+            "v_bl",
+            "q",
+            "dt",
+            "RK4",
+            "DOP853",
+            "Radau",
+            "auto",
             "plastic",
             "travel",
-            "v_bl",
             "margin",
             "validity",
             "conservative",
             "unconservative",
-            "fused",
-            "error",
-            "A",
-            "D",
-            "depth",
-            "peak",
-            "mount",
-            "omitted",
-            "%",
-            "arrested",
-            "perforated",
-            "separated",
-            "moving",
-            "stroke",
-            "interface",
-            "h/D",
-            "spring mass",
-            "rebound",
             "knee",
             "feasible",
+            "areal",
+            "residual",
+            "demand",
+            "mode",
+            "share",
+            "plug",
+            "first arrest",
+            "ratio",
+            "band",
+            "class",
+            "front",
+            "Pareto",
+            "hold",
+            "slip",
+            "stops",
+            "open",
+            "perforates",
+            "not measured",
+            "expected",
+            "matters",
+            "bar",
+            "crosshair",
+            "judge",
+            "estimate",
+            "interval",
+            "push",
+            "pull",
+            "capacity",
+            "estimate basis",
+            "spring mass",
+            "rebound",
+            "stroke",
+            "interface",
         ];
         let choices = VARIABLES.iter().flat_map(|it| it.keys().iter().copied());
-        for word in words.into_iter().chain(choices) {
+        let listed = WORDS.iter().flat_map(|(words, _)| words.iter().copied());
+        for word in words.into_iter().chain(choices).chain(listed) {
             let found = pages(word).unwrap_or_else(|error| panic!("{word}: {error}"));
             assert!(found.iter().all(|page| page.len() > 20), "{word}: {found:?}");
         }
         assert!(pages("nonsense").is_err());
+    }
+
+    #[test]
+    fn a_word_has_one_explanation() {
+        let mut words: Vec<&str> =
+            WORDS.iter().flat_map(|(words, _)| words.iter().copied()).collect();
+        let count = words.len();
+        words.sort_unstable();
+        words.dedup();
+        assert_eq!(words.len(), count);
     }
 }
