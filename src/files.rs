@@ -1,8 +1,8 @@
-//! The edge: scenes, presets, sessions and exports on disk.
+//! Scenes, presets, sessions and exports on disk.
 //!
-//! Everything read is checked here, with errors that give file, line, key, value, what is allowed and the cure; everything
-//! written is written whole or not at all. TOML is read and written here, CSV is read here and written by `report`: the model
-//! knows no format. No screen, no thread and no standard output is known here.
+//! All input is validated here; an error has file, line, key, value, allowed values and remedy. Files are written atomically. TOML is read
+//! and written here, CSV is read here and written by `report`; the model does not depend on file formats. This module depends on neither
+//! screens nor threads nor standard output.
 
 pub mod atomic;
 pub mod bundled;

@@ -1,8 +1,8 @@
-//! Files written whole or not at all, and never over another file unless that is requested.
+//! Atomic writing of files; an existing file is replaced only on request.
 //!
-//! New content goes to a temporary file in the target's own directory, is flushed to the disk, and takes the target's name in one
-//! step. Several files that belong together are all on the disk before the first of them takes its name, take their names one
-//! right after the other, and are never found beside one of another time.
+//! The content is written to a temporary file in the directory of the target, synchronised to the disk, and renamed. For several files that
+//! belong together all are on the disk before the first one is renamed. Old ones are moved aside first: a file is never found beside one of
+//! another version.
 
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
@@ -18,46 +18,44 @@ use tempfile::NamedTempFile;
 
 use crate::files::error::FileError;
 
-/// The handling of an existing file.
+/// Policy for an existing file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OverwritePolicy {
-    /// Leave it alone and report it.
+    /// Keep the file and return an error.
     Keep,
-    /// Replace it.
+    /// Replace the file.
     Replace,
 }
 
 impl OverwritePolicy {
-    /// Replace it where that was requested.
+    /// Returns `Replace` if requested, else `Keep`.
     pub fn replaced(is_asked_for: bool) -> Self {
         if is_asked_for { Self::Replace } else { Self::Keep }
     }
 }
 
-/// Write one file.
+/// Writes a file.
 ///
 /// # Errors
-/// [`FileError::Exists`] or [`FileError::Write`]; nothing is left behind then.
+/// [`FileError::Exists`] or [`FileError::Write`]; no temporary file remains.
 pub fn write(path: &Path, content: &[u8], existing: OverwritePolicy) -> Result<(), FileError> {
     let mut file = PartialFile::prepare(path, existing, hidden)?;
     file.add(content)?;
     name_all(vec![file], existing)
 }
 
-/// Make the folder of a file, where it is missing.
+/// Creates the folder of a file if it is missing.
 pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
     let folder = directory_of(path);
     fs::create_dir_all(folder).map_err(|source| FileError::write(folder, source))
 }
 
-/// Whether a file could be written here now: its name is free or may be replaced, and its directory takes files. Nothing is left
-/// behind.
+/// Checks that a file can be written: its name is free or may be replaced, and files can be created in its directory.
 pub fn check(path: &Path, existing: OverwritePolicy) -> Result<(), FileError> {
     PartialFile::prepare(path, existing, hidden).map(drop)
 }
 
-/// Whether only an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
-/// terminal that is drawn on.
+/// Checks that a path is a regular file or does not exist. Writing to a device or a pipe could block forever, or draw on the terminal.
 pub fn check_regular_file(path: &Path) -> Result<(), FileError> {
     match fs::metadata(path) {
         Ok(found) if !found.is_file() && !found.is_dir() => Err(FileError::special(path)),
@@ -65,17 +63,17 @@ pub fn check_regular_file(path: &Path) -> Result<(), FileError> {
     }
 }
 
-/// Whether this is a pipe in a folder: opening it waits for another program, which may never come. Those that a shell hands over
-/// (`<(...)`, `/dev/stdout`) have their other end already.
+/// Returns `true` for a named pipe, which blocks until another program opens it. Pipes passed by a shell (`<(...)`, `/dev/stdout`) are
+/// already open at their other end.
 fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
     found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
 }
 
-/// Suffix of a backup while its file is replaced.
+/// Suffix of a file that is moved aside while it is replaced.
 const PREVIOUS: &str = ".previous";
 
-/// Give all files their names. Those after the first belong to it: the old ones step aside first, so that a program that is killed in
-/// between leaves a file alone, never beside one that belongs to another, and the old one under another name.
+/// Renames all temporary files to their targets. The files after the first one belong to it: their old versions are moved aside first. If
+/// the process is killed in between, a file can be alone or under the backup name, but never beside one of another version.
 fn name_all(ready: Vec<PartialFile>, existing: OverwritePolicy) -> Result<(), FileError> {
     for PartialFile { target, place, .. } in &ready {
         if let WriteTarget::Beside(file) = place {
@@ -86,7 +84,7 @@ fn name_all(ready: Vec<PartialFile>, existing: OverwritePolicy) -> Result<(), Fi
     let mut previous = Vec::new();
     for old in ready.iter().skip(1).filter(|_| existing == OverwritePolicy::Replace) {
         let aside = with_end(&old.target, PREVIOUS);
-        // Where there is none, or it cannot step aside, naming the new one tells.
+        // If the old file does not exist or cannot be moved, renaming the new one reports the error.
         if matches!(old.place, WriteTarget::Beside(_)) && fs::rename(&old.target, &aside).is_ok() {
             previous.push((old.target.clone(), aside));
         }
@@ -95,11 +93,11 @@ fn name_all(ready: Vec<PartialFile>, existing: OverwritePolicy) -> Result<(), Fi
     for file in ready {
         let path = file.target.clone();
         if let Err(error) = file.name(existing) {
-            // Nothing is in their place yet if it was the first.
+            // The old files return to their names if the first rename failed.
             for (path, aside) in previous.iter().filter(|_| named.is_empty()) {
                 let _ = fs::rename(aside, path);
             }
-            // Only files that were not there before are taken back: a replaced one cannot be.
+            // New files are removed again; a replaced file cannot be restored.
             for path in named.iter().filter(|_| existing == OverwritePolicy::Keep) {
                 let _ = fs::remove_file(path);
             }
@@ -108,24 +106,26 @@ fn name_all(ready: Vec<PartialFile>, existing: OverwritePolicy) -> Result<(), Fi
         named.push(path);
     }
     for (_, aside) in previous {
-        // Where it cannot be taken away it does no harm.
+        // A backup that cannot be removed is harmless.
         let _ = fs::remove_file(aside);
     }
-    // Not between two names: a program that is killed while the disk works would leave files that do not belong together.
-    // The new names reach the disk only with their directories; not every file system can do this, and the content is safe either way.
+    // The directories are synchronised after all renames: a process killed during the synchronisation leaves complete sets. Some file
+    // systems do not support it; the content is on the disk in any case.
     for directory in named.iter().map(|path| directory_of(path)).collect::<BTreeSet<_>>() {
         let _ = File::open(directory).and_then(|directory| directory.sync_all());
     }
     Ok(())
 }
 
-/// How often a lock that another program holds is tried again, and how many times.
+/// Interval between two attempts to take a lock; a wait with a time limit needs polling, since the system's own wait has none.
 const LOCK_EVERY: Timespec = Timespec { tv_sec: 0, tv_nsec: 5_000_000 };
+/// Maximum number of attempts to take a lock: 5 s in all.
 const LOCK_TRIES: u32 = 1000;
 
-/// Waits for the lock of this file, which one program has at a time: until the result is dropped, or the program ends, however it
-/// ends. Where it cannot be had (the file system has no locks, its holder was stopped), or no longer waited for, the work goes on
-/// without it: what it guards matters less than the work.
+/// Waits for the exclusive lock of a file; it is released when the result is dropped or the process ends.
+///
+/// Returns `None` if the lock is not available: no support by the file system, a holder that does not release it, or `may_wait` returns
+/// `false`. The caller continues without it, since saving is more important than the order of two writers.
 pub fn wait_for_lock(path: &Path, may_wait: &dyn Fn() -> bool) -> Option<File> {
     let file = OpenOptions::new().create(true).truncate(false).write(true).open(path).ok()?;
     for _ in 0..LOCK_TRIES {
@@ -135,35 +135,35 @@ pub fn wait_for_lock(path: &Path, may_wait: &dyn Fn() -> bool) -> Option<File> {
         if !may_wait() {
             break;
         }
-        // Waits for no event at all: until the time is over.
+        // A sleep: `poll` without events returns after the time limit.
         let _ = poll(&mut [], Some(&LOCK_EVERY));
     }
     None
 }
 
-/// How the name of a table ends that is not finished.
+/// Suffix of an unfinished table.
 const PARTIAL: &str = ".partial";
 
-/// A table that grows piece by piece in `NAME.partial` and takes its name when it is finished. From its first piece on the file stays,
-/// however the program ends.
+/// Table that is written in parts to `NAME.partial` and renamed when it is complete. After the first part the file remains, even if the
+/// process is killed.
 pub struct PartialFile {
     /// Path as given.
     path: PathBuf,
-    /// Path that a link of that name points to.
+    /// Target of the path if it is a symbolic link, else the path.
     target: PathBuf,
     place: WriteTarget,
-    /// Bytes of the pieces that were added whole.
+    /// Length of the complete parts, bytes.
     length: u64,
 }
 
 enum WriteTarget {
     Beside(NamedTempFile),
-    /// A device or pipe such as `/dev/stdout`: it cannot be replaced, only written to, and is opened when it is.
+    /// Device or pipe such as `/dev/stdout`, opened at the first write; it cannot be replaced.
     Direct(Option<File>),
 }
 
 impl PartialFile {
-    /// Begin.
+    /// Starts a table.
     pub fn begin(path: &Path, existing: OverwritePolicy) -> Result<Self, FileError> {
         let mut file = Self::prepare(path, existing, visible)?;
         file.add(b"")?;
@@ -175,7 +175,7 @@ impl PartialFile {
         existing: OverwritePolicy,
         temporary: fn(&Path) -> io::Result<NamedTempFile>,
     ) -> Result<Self, FileError> {
-        // A link stays a link: what it points to is replaced.
+        // A symbolic link remains; its target is replaced.
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let failed = |source| FileError::write(path, source);
         let placed = |target, place| Self { path: path.to_owned(), target, place, length: 0 };
@@ -184,7 +184,7 @@ impl PartialFile {
             if found.is_dir() {
                 return Err(failed(io::Error::from(io::ErrorKind::IsADirectory)));
             }
-            // Nobody reads what is written to a terminal's master.
+            // Nothing reads from the master side of a terminal.
             if is_named_pipe(path, found) || !found.is_file() && target.ends_with("ptmx") {
                 return Err(FileError::special(path));
             }
@@ -208,13 +208,13 @@ impl PartialFile {
         let file = temporary(&target).map_err(failed)?;
         if let Some(found) = found {
             keep_owner(file.as_file(), &found);
-            // Not by the builder: the user's mask would be taken off once more.
+            // Set after creation: the builder would apply the umask again.
             file.as_file().set_permissions(found.permissions()).map_err(failed)?;
         }
         Ok(placed(target, WriteTarget::Beside(file)))
     }
 
-    /// Add a piece.
+    /// Appends a part.
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
         let written = match &mut self.place {
             WriteTarget::Beside(file) => file.as_file_mut().write_all(content),
@@ -233,12 +233,11 @@ impl PartialFile {
         Ok(())
     }
 
-    /// Where the pieces that were added whole are if it is not finished: they need no more room on the disk. `None` of a device, and
-    /// of a table without a piece.
+    /// Keeps the complete parts of an unfinished table and returns their path; `None` for a device, or without a part.
     pub fn partial(&self) -> Option<PathBuf> {
         match &self.place {
             WriteTarget::Beside(file) if self.length > 0 => {
-                // Where a broken last piece cannot be cut off, it can be seen.
+                // An incomplete last part that cannot be cut off is visible in the file.
                 let _ = file.as_file().set_len(self.length);
                 let is_link = fs::read_link(&self.path).is_ok();
                 let given = if is_link { &self.target } else { &self.path };
@@ -248,10 +247,10 @@ impl PartialFile {
         }
     }
 
-    /// Give it its name, and write the files that belong to it.
+    /// Renames the table to its target and writes the files that belong to it.
     ///
     /// # Errors
-    /// [`FileError::Exists`] when another file has taken a name meanwhile, or [`FileError::Write`].
+    /// [`FileError::Exists`] if a target was created meanwhile, or [`FileError::Write`].
     pub fn finish(
         self,
         beside: &[(PathBuf, String)],
@@ -266,7 +265,7 @@ impl PartialFile {
         name_all(ready, existing)
     }
 
-    /// Take the name; a device has its own.
+    /// Renames the file to its target; does nothing for a device.
     fn name(self, existing: OverwritePolicy) -> Result<(), FileError> {
         let (target, WriteTarget::Beside(file)) = (self.target, self.place) else { return Ok(()) };
         let named = match existing {
@@ -286,32 +285,32 @@ impl PartialFile {
     }
 }
 
-/// Gives a file the owner of the one that it replaces, as far as this user may.
+/// Sets the owner of a file to that of the replaced one, as far as permitted.
 fn keep_owner(file: &File, replaced: &fs::Metadata) {
     let (uid, gid) = (Uid::from_raw(replaced.uid()), Gid::from_raw(replaced.gid()));
     let own = file.metadata().ok().map(|own| (own.uid(), own.gid()));
     if own != Some((replaced.uid(), replaced.gid())) && fchown(file, Some(uid), Some(gid)).is_err()
     {
-        // Only root gives files away; a group may be one's own.
+        // Only root can change the owner; the group can be one of the user's own.
         let _ = fchown(file, None, Some(gid));
     }
 }
 
-/// The name of a temporary file.
+/// Prefix and suffix of the name of a temporary file.
 const HIDDEN: (&str, &str) = (".cmra-", ".tmp");
-/// How often one that was removed before it was locked is made again; on a file system that counts no names, the last one is used.
+/// Maximum number of attempts to create a temporary file that is not removed before it is locked. A file system without link counts uses
+/// all of them.
 const HIDDEN_TRIES: u32 = 20;
 
-/// A temporary file beside a target, which is small and soon gone. It is locked while its program lives, by which those of killed
-/// programs are told from it.
+/// Creates a temporary file beside a target. It is locked while the process lives; [`remove_stale`] removes files without a lock.
 fn hidden(target: &Path) -> io::Result<NamedTempFile> {
     let directory = directory_of(target);
     remove_stale(directory);
     let made = || builder().prefix(HIDDEN.0).suffix(HIDDEN.1).tempfile_in(directory);
     for _ in 0..HIDDEN_TRIES {
         let file = made()?;
-        // Another program may have taken it for a stale one before it was locked: that one has the lock, or has removed it. Where the
-        // file system has no locks nothing is removed either.
+        // Another process can take the file for a stale one before it is locked: then it holds the lock, or has removed the file. On a
+        // file system without locks nothing is removed.
         let is_taken = matches!(file.as_file().try_lock(), Err(TryLockError::WouldBlock));
         if !is_taken && file.as_file().metadata()?.nlink() > 0 {
             return Ok(file);
@@ -320,7 +319,7 @@ fn hidden(target: &Path) -> io::Result<NamedTempFile> {
     made()
 }
 
-/// Removes the temporary files of programs that were killed.
+/// Removes temporary files of killed processes.
 pub fn remove_stale(directory: &Path) {
     for entry in fs::read_dir(directory).into_iter().flatten().flatten() {
         let (name, path) = (entry.file_name(), entry.path());
@@ -336,7 +335,7 @@ pub fn remove_stale(directory: &Path) {
     }
 }
 
-/// A temporary file beside a target, `NAME.partial`, or with a number where there is one.
+/// Creates the file of an unfinished table beside a target: `NAME.partial`, with a number if that exists.
 fn visible(target: &Path) -> io::Result<NamedTempFile> {
     for number in 1..10_000 {
         let end = if number > 1 { format!("{PARTIAL}-{number}") } else { PARTIAL.to_owned() };
@@ -349,15 +348,15 @@ fn visible(target: &Path) -> io::Result<NamedTempFile> {
     Err(io::ErrorKind::AlreadyExists.into())
 }
 
-/// With the permissions of any new file: of these the system takes away what the user's mask says.
+/// Returns a builder of files with the default permissions, to which the system applies the umask.
 fn builder<'n>() -> tempfile::Builder<'n, 'n> {
     let mut builder = tempfile::Builder::new();
     builder.permissions(fs::Permissions::from_mode(0o666));
     builder
 }
 
-/// Gives a file a name that is free where the file system can neither rename without replacing nor link, as over FUSE and SMB: an
-/// empty file takes the name first, which fails where there is one.
+/// Renames a file to a free name on a file system without atomic no-replace rename and without links, such as FUSE and SMB. An empty file
+/// reserves the name first; that fails if the name exists.
 fn persist_reserved(file: NamedTempFile, target: &Path) -> io::Result<()> {
     File::create_new(target)?;
     file.persist(target).map(drop).map_err(|failed| {
@@ -366,7 +365,7 @@ fn persist_reserved(file: NamedTempFile, target: &Path) -> io::Result<()> {
     })
 }
 
-/// Writes into a file that cannot be replaced, such as one that is mounted by itself.
+/// Copies the content into a file that cannot be replaced, such as a bind mount.
 fn copy_over(mut file: NamedTempFile, target: &Path) -> io::Result<()> {
     let mut into = OpenOptions::new().write(true).truncate(true).open(target)?;
     io::copy(&mut file.reopen()?, &mut into)?;
@@ -375,21 +374,21 @@ fn copy_over(mut file: NamedTempFile, target: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// A path whose name has a further ending.
+/// Returns a path with a suffix added to its name.
 pub(super) fn with_end(path: &Path, end: &str) -> PathBuf {
     path.with_file_name(fitted(path.file_name().unwrap_or_default(), end))
 }
 
-/// Most bytes of a file's name on usual file systems.
+/// Maximum length of a file name on usual file systems, bytes.
 const NAME_MAX: usize = 255;
 
-/// A name with a further ending, of which as much stays as there is room for.
+/// Adds a suffix to a name, which is shortened to fit into [`NAME_MAX`].
 pub(super) fn fitted(name: &OsStr, end: &str) -> OsString {
     let room = NAME_MAX.saturating_sub(end.len());
     let mut fitted = if name.len() <= room {
         name.to_owned()
     } else {
-        // Whole characters, where it is text.
+        // Cut between characters if the name is UTF-8.
         let text = String::from_utf8_lossy(name.as_bytes());
         let cut = (0..=room).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
         OsString::from(&text[..cut])

@@ -1,6 +1,6 @@
-//! The presets that come with the program, compiled in. A test lists `presets/` and holds this table to it.
+//! Presets that are compiled into the program; a test compares the table with the folder `presets`.
 
-/// A bundled preset: its name, and the text of its file.
+/// Bundled preset: name and text of its file.
 pub type Bundled = (&'static str, &'static str);
 
 macro_rules! bundled {
@@ -9,10 +9,10 @@ macro_rules! bundled {
     };
 }
 
-/// The scene the workbench opens on, and what `cmra run` takes without a scene.
+/// Default scene of the workbench and of `cmra run`.
 pub const BASELINE: &str = "thesis-baseline";
 
-/// Every bundled preset, in the order of lists: the thesis first, then what lies beyond it.
+/// Bundled presets in the order of lists: those of the thesis first.
 pub static BUNDLED: &[Bundled] = bundled![
     "thesis-baseline",
     "rigid-mount",
@@ -58,7 +58,7 @@ pub static BUNDLED: &[Bundled] = bundled![
     "validation-concrete",
 ];
 
-/// The bundled preset with this name.
+/// Returns the bundled preset with a name.
 pub fn find(name: &str) -> Option<Bundled> {
     BUNDLED.iter().copied().find(|preset| preset.0 == name)
 }

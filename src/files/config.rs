@@ -1,4 +1,4 @@
-//! The configuration of the workbench: keys, colours and characters, in `config.toml` of the configuration folder.
+//! Configuration of the workbench (keys, colours, characters): `config.toml` in the configuration folder.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,14 +8,14 @@ use serde::{Deserialize, Deserializer};
 use crate::files::error::FileError;
 use crate::files::read;
 
-/// The allowed keys; all are optional.
+/// Contents of the configuration file; every key is optional.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// Choose the characters of the charts: `auto`, `ascii`, `block` or `braille`.
+    /// Characters of the charts: `auto`, `ascii`, `block` or `braille`.
     #[serde(deserialize_with = "characters")]
     pub characters: Option<String>,
-    /// The colours: `none`, `sixteen`, `256` or `full`.
+    /// Number of colours: `none`, `sixteen`, `256` or `full`.
     #[serde(deserialize_with = "colours")]
     pub colours: Option<String>,
     /// Keys by the names of actions: `undo = "U"` or `undo = ["u", "U"]`; help shows the first one.

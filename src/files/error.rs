@@ -1,4 +1,4 @@
-//! Errors of files, with their cures. No particular format.
+//! Errors of files, with their remedies, independent of the format.
 
 use std::fmt;
 use std::io;
@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::files::clean;
 use cmra_engine::model::variables;
 
-/// Why a file could not be read, written or found.
+/// Error of reading, writing or finding a file.
 #[derive(Debug, Error)]
 pub enum FileError {
     /// The file cannot be read.
@@ -28,7 +28,7 @@ pub enum FileError {
         /// The error of the system.
         source: io::Error,
     },
-    /// The file, its name or its place cannot be used: which, why, and the cure.
+    /// The file, its name or its folder cannot be used; the text has the reason and the remedy.
     #[error("{0}")]
     Refused(String),
     /// The file is not a scene.
@@ -37,23 +37,23 @@ pub enum FileError {
     /// Neither a preset nor a file.
     #[error("`{}` is neither a preset nor a file: {hint}", clean::line(.name))]
     UnknownScene {
-        /// The text as written.
+        /// Name as given.
         name: String,
-        /// The nearest names, or what to write.
+        /// Closest names, or the expected form.
         hint: String,
     },
-    /// The file exists already and was not replaced.
+    /// The file exists and was not replaced.
     #[error("`{}` already exists: choose another name, or allow it to be replaced", shown(.0))]
     Exists(PathBuf),
-    /// The file could not be finished, and what was made before is in another one.
+    /// The file could not be completed; the finished part is in another file.
     #[error("{problem}; what was computed is kept in `{}`", shown(.path))]
     Kept {
-        /// The other file.
+        /// File with the finished part.
         path: PathBuf,
-        /// Why it could not be finished.
+        /// Error that prevented the completion.
         problem: Box<Self>,
     },
-    /// A preset is to be replaced whose file is not a readable scene; what is in it would be lost.
+    /// The preset to replace is not a readable scene; its content would be lost.
     #[error("`{}` is not a readable scene and was not replaced: correct it, remove it, or save under another name\n{problem}", shown(.path))]
     Unmendable {
         /// The file.
@@ -67,17 +67,17 @@ pub enum FileError {
 }
 
 impl FileError {
-    /// A reading error of this file.
+    /// Creates the error of reading a file.
     pub fn read(path: &Path, source: io::Error) -> Self {
         Self::Read { path: path.to_owned(), source }
     }
 
-    /// A writing error of this file.
+    /// Creates the error of writing a file.
     pub fn write(path: &Path, source: io::Error) -> Self {
         Self::Write { path: path.to_owned(), source }
     }
 
-    /// A device or a pipe where only an ordinary file will do: it may never end, or never begin.
+    /// Creates the error of a device or a pipe in place of a regular file.
     pub(super) fn special(path: &Path) -> Self {
         Self::Refused(format!(
             "`{}` is a device or a pipe, for which there would be no end of waiting: name an ordinary file",
@@ -85,23 +85,23 @@ impl FileError {
         ))
     }
 
-    /// A name that a preset or an entry cannot have.
+    /// Creates the error of an invalid name of a preset or an entry.
     pub(super) fn name(name: &str, problem: &str) -> Self {
         Self::Refused(format!("`{}` cannot be the name: {problem}", clean::line(name)))
     }
 
-    /// A file that cannot be written to.
+    /// Creates the error of an invalid target.
     pub(super) fn target(path: &Path, problem: &str) -> Self {
         Self::Refused(format!("`{}` cannot be the target: {problem}", shown(path)))
     }
 }
 
-/// A path for a line of text: what would break or command that line is replaced.
+/// Formats a path for one line; control characters are replaced.
 pub(super) fn shown(path: &Path) -> String {
     clean::line(&path.to_string_lossy()).into_owned()
 }
 
-/// The error text of the system, lower case and without its number.
+/// Returns the error text of the system, in lower case and without its number.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     let text = text.split(" (os error").next().unwrap_or(&text);
@@ -111,14 +111,14 @@ fn reason(error: &io::Error) -> String {
     })
 }
 
-/// Everything that is wrong with one scene file, in the order of its lines. Never empty.
+/// Problems of a scene file in the order of its lines; never empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneErrors {
-    /// The file's name as the user wrote it.
+    /// Name of the file as given by the user.
     pub file: String,
     /// The error.
     pub problems: Vec<Problem>,
-    /// More problems exist than are listed.
+    /// Whether there are more problems than listed.
     pub more: bool,
 }
 
@@ -129,7 +129,7 @@ pub struct Problem {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// Key and value, what is allowed, and the cure.
+    /// Key, value, allowed values and remedy.
     pub text: String,
 }
 
@@ -150,19 +150,19 @@ impl fmt::Display for SceneErrors {
     }
 }
 
-/// `did you mean ...?` with the candidates spelled most like `name`; `None` when none is close.
+/// Returns `did you mean ...?` with the candidates closest to `name`; `None` if no candidate is close.
 pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
     let lower = name.to_lowercase();
     let distance = |candidate: &str| {
         let other = candidate.to_lowercase();
-        // The beginning of a long name means that name.
+        // A prefix counts as a match.
         let is_begun = lower.len() >= 3 && other.starts_with(&lower);
         if is_begun { 0 } else { strsim::osa_distance(&lower, &other) }
     };
     variables::close(name, candidates.iter().map(|it| (distance(it), *it)).collect())
 }
 
-/// The candidates spelled most like `name`, else all of them after some words: `the keys here are a, b`.
+/// Returns the hint of [`did_you_mean`]; if no candidate is close, lists all after a text: `the keys here are a, b`.
 pub fn nearest(name: &str, candidates: &[&str], all: &str) -> String {
     did_you_mean(name, candidates).unwrap_or_else(|| format!("{all} {}", candidates.join(", ")))
 }

@@ -1,7 +1,7 @@
-//! Exports: a CSV file, and beside it the scene that reproduces it.
+//! Exports: a CSV file, and beside it a scene file that reproduces it (sidecar).
 //!
-//! All commands and the workbench write their tables here. Both files are written or neither is, and nothing is replaced without consent.
-//! The sidecar is a scene file like any other; its comments say which program wrote it and what came out.
+//! All commands and the workbench write tables through this module. Either both files are written or none. An existing file is replaced
+//! only on request. The comments of the sidecar have the version of the program and the outcome.
 
 use std::ffi::OsStr;
 use std::fmt::Write as _;
@@ -22,52 +22,52 @@ use cmra_studies::study::quantities::of_runs;
 use cmra_studies::study::sweep::Plan;
 use cmra_studies::study::validity;
 
-/// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
+/// First words of every sidecar. A file with the name of a sidecar but another start is a scene of the user.
 const MARK: &str = "# exported by cmra";
 /// Text before the checksum at the end of the first line.
 const SUM: &str = ", checksum ";
 
-/// Where a table goes.
+/// Destination of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Destination {
-    /// The CSV file.
+    /// Path of the CSV file.
     pub path: PathBuf,
-    /// The handling of an existing file.
+    /// Policy for an existing file.
     pub existing: OverwritePolicy,
 }
 
-/// A scene that goes beside a table.
+/// Scene file beside a table.
 pub struct Sidecar<'a> {
-    /// The run that it is of, where the table has several: a part of the file's name.
+    /// Name of the run if the table has several; part of the file name.
     pub run: Option<&'a str>,
-    /// The scene.
+    /// Scene.
     pub scene: &'a Scene,
-    /// Comment lines above it.
+    /// Comment lines above the scene.
     pub notes: String,
-    /// The command that makes the table again of the scene: its name and options.
+    /// Command that reproduces the table from the scene: name and options.
     pub command: String,
 }
 
-/// Ends of names that promise a format which the program neither writes under another's name nor reads.
+/// File extensions of other formats, which are rejected as targets.
 const FORMATS: [&str; 16] = [
     "docx", "gif", "gz", "jpeg", "jpg", "json", "md", "ods", "parquet", "pdf", "png", "tsv", "xls",
     "xlsm", "xlsx", "zip",
 ];
 
-/// Whether a file of the command line can be written in a format, `csv` for example: no input, its name free or to be replaced, and its
-/// end that of no other format.
+/// Checks that a file can be written in a format such as `csv`: it is no input, its name is free or may be replaced, and its extension is
+/// not that of another format.
 pub fn check(path: &Path, format: &str, existing: OverwritePolicy) -> Result<(), FileError> {
     inputs::reserve(path)?;
     check_end(path, format)?;
     atomic::check(path, existing)
 }
 
-/// Refuses a name that ends like another format than the one that is written.
+/// Rejects a name with the extension of another format.
 fn check_end(path: &Path, format: &str) -> Result<(), FileError> {
     let Some(end) = path.extension().and_then(OsStr::to_str).map(str::to_lowercase) else {
         return Ok(());
     };
-    // Beside a table stands its scene, whose name ends so.
+    // `.toml` is the extension of the sidecar.
     let is_scene = format == "csv" && end == "toml";
     if end == format || !(is_scene || FORMATS.contains(&&*end)) {
         return Ok(());
@@ -85,7 +85,7 @@ fn check_end(path: &Path, format: &str) -> Result<(), FileError> {
 }
 
 impl Destination {
-    /// Whether the table, and its scene where one goes beside it, can be written: checked before a long computation, not after it.
+    /// Checks, before a long computation, that the table and its sidecar can be written.
     pub fn check(&self, has_scene: bool) -> Result<(), FileError> {
         let beside = sidecar_path(&self.path, None);
         let has_beside = has_scene && self.has_beside();
@@ -103,15 +103,15 @@ impl Destination {
         Ok(())
     }
 
-    /// A device or a pipe has no place beside it.
+    /// Returns `true` if a sidecar can be written; not for a device or a pipe.
     fn has_beside(&self) -> bool {
         fs::metadata(&self.path).map_or(true, |found| found.is_file())
     }
 
-    /// Write the table and the scenes beside it, and give the files written, the table first.
+    /// Writes the table and the sidecars; returns the paths written, the table first.
     ///
     /// # Errors
-    /// [`FileError`]; no file is new or changed then.
+    /// [`FileError`]; no file is created or changed.
     pub fn write(
         &self,
         table: &[u8],
@@ -123,30 +123,30 @@ impl Destination {
         if !scenes.is_empty() && self.has_beside() {
             check_sidecar(&self.path, &sidecar_path(&self.path, None))?;
         }
-        // A part of a table takes the place of none.
+        // A partial table has its own name and replaces an earlier partial one.
         let existing = if is_complete { self.existing } else { OverwritePolicy::Replace };
         let mut file = PartialFile::begin(&self.path, existing)?;
         file.add(table)?;
         if is_complete { self.finish(file, scenes) } else { leave(&file, scenes) }
     }
 
-    /// Begin a table that is written as it is made, and whose scene goes beside it.
+    /// Starts a table that is written in parts, with a sidecar.
     pub fn begin(&self) -> Result<PartialFile, FileError> {
         self.check(true)?;
         PartialFile::begin(&self.path, self.existing)
     }
 
-    /// Whether this file is the table or the scene beside it.
+    /// Returns `true` if a path is that of the table or of its sidecar.
     pub fn has(&self, other: &Path) -> bool {
         let real = |path: &Path| fs::canonicalize(path).or_else(|_| std::path::absolute(path)).ok();
         let is_own = |own: &Path| real(own) == real(other);
         is_own(&self.path) || self.has_beside() && is_own(&sidecar_path(&self.path, None))
     }
 
-    /// Give such a table its name; as [`Destination::write`]. What cannot have its name any more is left where it is.
+    /// Completes a table that was written in parts, as [`Destination::write`]. If its name is taken, the partial file remains.
     ///
     /// # Errors
-    /// [`FileError`]; no file is new or changed then.
+    /// [`FileError`]; no file is created or changed.
     pub fn finish(
         &self,
         file: PartialFile,
@@ -157,7 +157,7 @@ impl Destination {
             check_sidecar(&self.path, &path)?;
             Ok((path, scene.file(&self.path)))
         };
-        // Another program may have taken the name meanwhile.
+        // Another process can have created the file meanwhile.
         let taken = atomic::check(&self.path, self.existing);
         let scenes = scenes.iter().filter(|_| self.has_beside());
         let beside: Result<Vec<_>, _> = taken.and_then(|()| scenes.map(beside).collect());
@@ -168,7 +168,7 @@ impl Destination {
     }
 }
 
-/// Leave a table that is not complete under its name of one that grows, with the scenes beside it; as [`Destination::write`].
+/// Keeps an incomplete table under the name of its partial file, with the sidecars; as [`Destination::write`].
 pub fn leave(file: &PartialFile, scenes: &[Sidecar<'_>]) -> Result<Vec<PathBuf>, FileError> {
     let Some(path) = file.partial() else { return Ok(Vec::new()) };
     let mut files = vec![path.clone()];
@@ -181,7 +181,7 @@ pub fn leave(file: &PartialFile, scenes: &[Sidecar<'_>]) -> Result<Vec<PathBuf>,
     Ok(files)
 }
 
-/// The error of a table that cannot be written further, and where its whole rows are.
+/// Adds the path of the complete rows to the error of a table that could not be completed.
 pub fn kept(file: &PartialFile, problem: FileError) -> FileError {
     match file.partial() {
         Some(path) => FileError::Kept { path, problem: Box::new(problem) },
@@ -190,7 +190,7 @@ pub fn kept(file: &PartialFile, problem: FileError) -> FileError {
 }
 
 impl Sidecar<'_> {
-    /// The scene file beside this table.
+    /// Returns the text of the sidecar of a table.
     pub fn file(&self, csv: &Path) -> String {
         let own = sidecar_path(csv, self.run);
         let own = format!("./{}", own.file_name().unwrap_or_default().to_string_lossy());
@@ -207,14 +207,14 @@ impl Sidecar<'_> {
     }
 }
 
-/// The 64-bit FNV-1a hash of a text: it tells whether someone edited a sidecar.
+/// Returns the 64-bit FNV-1a hash of a text, which detects edited sidecars.
 fn checksum(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
         (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     })
 }
 
-/// The scene of each run of a table, with what came out of it: the first one's goes into the sidecar of the CSV's own name.
+/// Returns the sidecars of the runs of a table, with their outcomes; the first one has the name of the CSV file.
 pub fn scenes(runs: &[NamedRun]) -> Vec<Sidecar<'_>> {
     let scenes = runs.iter().enumerate().map(|(index, (name, run))| Sidecar {
         run: (index > 0).then_some(name.as_str()),
@@ -244,7 +244,7 @@ fn outcome(run: &Run) -> String {
     text
 }
 
-/// The comment lines above the scene beside a sweep's table: that it is not complete (`missing`), and the warnings.
+/// Returns the comment lines of the sidecar of a sweep: what is missing, and the warnings.
 pub fn sweep_notes(plan: &Plan, missing: Option<&str>) -> String {
     let mut text = missing.map_or_else(String::new, |missing| format!("# {missing}\n"));
     for warning in validity::of_plan(plan) {
@@ -253,7 +253,7 @@ pub fn sweep_notes(plan: &Plan, missing: Option<&str>) -> String {
     text
 }
 
-/// The sidecar of a CSV file: `NAME.csv` has `NAME.toml`, and `NAME-A.toml` for a further run called `A`.
+/// Returns the path of the sidecar of a CSV file: `NAME.toml` for `NAME.csv`, and `NAME-A.toml` for a further run named `A`.
 pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
     let is_csv = csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"));
     let stem = if is_csv { csv.file_stem() } else { csv.file_name() };
@@ -262,10 +262,10 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
     csv.with_file_name(atomic::fitted(&name, &end))
 }
 
-/// A sidecar may replace an older sidecar, never a scene that someone wrote or edited.
+/// Checks that a sidecar replaces nothing but an unedited sidecar.
 fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     match fs::metadata(sidecar) {
-        // A link to nothing is in the way, too.
+        // A broken symbolic link is an existing file, too.
         Err(_) if fs::symlink_metadata(sidecar).is_err() => return Ok(()),
         Ok(found) if found.is_file() && is_as_written(sidecar) => return Ok(()),
         _ => {}
@@ -277,7 +277,7 @@ fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     Err(FileError::target(csv, &problem))
 }
 
-/// Whether a file is a sidecar that nobody edited.
+/// Returns `true` for an unedited sidecar.
 fn is_as_written(path: &Path) -> bool {
     let text = read::text_file(path, read::BYTES_MAX).unwrap_or_default();
     let (first, rest) = text.split_once('\n').unwrap_or_default();

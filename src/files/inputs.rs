@@ -1,4 +1,4 @@
-//! The files that a command reads and those that it writes: no output takes the place of an input, with `--force` neither.
+//! Input and output files of a command: an output never replaces an input, even with `--force`.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::files::error::FileError;
 
-/// Files of this process by their real paths.
+/// Files of this process, by canonical paths.
 #[derive(Default)]
 struct Files {
     read: BTreeSet<PathBuf>,
@@ -15,7 +15,7 @@ struct Files {
 
 static FILES: Mutex<Files> = Mutex::new(Files { read: BTreeSet::new(), reserved: BTreeSet::new() });
 
-/// Notes an input that is about to be read, a scene, a library or a measured curve; refuses one that the command line writes to.
+/// Registers an input (scene, library or measured curve); an error if it is an output of the command line.
 pub(super) fn note(path: &Path) -> Result<(), FileError> {
     let Some(real) = real(path) else { return Ok(()) };
     let mut files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
@@ -26,14 +26,14 @@ pub(super) fn note(path: &Path) -> Result<(), FileError> {
     Ok(())
 }
 
-/// Refuses an output that would take the place of a file that was read.
+/// Rejects an output that is an input.
 pub(super) fn refuse(path: &Path) -> Result<(), FileError> {
     let files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
     let is_input = real(path).is_some_and(|real| files.read.contains(&real));
     if is_input { Err(refusal(path)) } else { Ok(()) }
 }
 
-/// Reserves an output of the command line: refused if it was read, and later inputs are refused that are the same file.
+/// Registers an output; an error if it is an input. Later inputs with the same path are rejected.
 pub(super) fn reserve(path: &Path) -> Result<(), FileError> {
     refuse(path)?;
     let mut files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
@@ -46,7 +46,7 @@ fn refusal(path: &Path) -> FileError {
     FileError::target(path, problem)
 }
 
-/// The real path of an ordinary file; `None` for what is not there, or is a device or a pipe.
+/// Returns the canonical path of a regular file; `None` for others.
 fn real(path: &Path) -> Option<PathBuf> {
     path.canonicalize().ok().filter(|real| real.is_file())
 }

@@ -1,7 +1,6 @@
-//! The libraries of threats, materials and absorbers: those that come with the program and the user's own, from TOML.
+//! Libraries of threats, materials and absorbers in TOML: bundled ones and the user's own.
 //!
-//! An entry has keys of a scene, and where their values come from. Whatever is wrong with one entry is reported and loses none
-//! of the others.
+//! An entry has keys of a scene with the sources of their values. An invalid entry is reported; the others are loaded.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -19,10 +18,10 @@ use cmra_engine::model::library::{Entry, Library, Status};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::VARIABLES;
 
-/// The fields of an entry besides the keys of a scene.
+/// Keys of an entry besides those of a scene.
 const KEYS: [&str; 5] = ["title", "status", "source", "note", "warning"];
 
-/// The text of the library that comes with the program.
+/// Returns the text of a bundled library.
 fn bundled(library: Library) -> &'static str {
     match library {
         Library::Threats => include_str!("../../presets/library/threats.toml"),
@@ -31,13 +30,13 @@ fn bundled(library: Library) -> &'static str {
     }
 }
 
-/// Every entry that can be read, library by library, bundled first; and what could not be read.
+/// Returns all valid entries, by library and bundled first, and the errors.
 pub fn list(paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError>) {
     let each: (Vec<_>, Vec<_>) = Library::ALL.into_iter().map(|it| listed(it, paths)).unzip();
     (each.0.concat(), each.1.into_iter().flatten().collect())
 }
 
-/// The entries of one library, and what could not be read.
+/// Returns the valid entries of a library, and the errors.
 fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError>) {
     let file = format!("presets/library/{}.toml", library.file());
     let (mut entries, wrong) = entries(library, bundled(library), (&file, None));
@@ -59,14 +58,14 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
                 }
             }
         }
-        // The user has no library of this kind.
+        // The user has no such library.
         Err(FileError::Read { source, .. }) if source.kind() == io::ErrorKind::NotFound => {}
         Err(problem) => problems.push(problem),
     }
     (entries, problems)
 }
 
-/// The entry with this name.
+/// Returns the entry with a name.
 pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry, FileError> {
     let (mut entries, problems) = listed(library, paths);
     if let Some(at) = entries.iter().position(|entry| entry.name == name) {
@@ -82,7 +81,7 @@ pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry
     Err(FileError::Refused(format!("`{name}` is not one of the {word}s: {hint}")))
 }
 
-/// The entries of a text, and the problems of those that cannot be read. `file` is the name used in errors.
+/// Reads the entries of a text; `file` is the name in error messages.
 fn entries(
     library: Library,
     text: &str,
@@ -110,7 +109,7 @@ fn entries(
     (found, problems)
 }
 
-/// Reads an entry; notes a problem and returns `None` if it is invalid.
+/// Reads an entry; reports a problem and returns `None` if it is invalid.
 fn entry(
     reader: &mut Reader<'_>,
     library: Library,
@@ -161,7 +160,7 @@ fn entry(
     Some(Entry { library, name, title, status: known?, source, note, warning, own, values })
 }
 
-/// The full keys of the values below a table.
+/// Collects the full keys of the values below a table.
 fn leaves(path: &str, value: &Spanned<DeValue<'_>>, keys: &mut Vec<String>) {
     match value.get_ref() {
         DeValue::Table(table) => {

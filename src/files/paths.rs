@@ -1,4 +1,4 @@
-//! Where this program keeps its own files, by the conventions of the platform (XDG on Linux).
+//! Folders of the program's own files, by the conventions of the platform (XDG on Linux).
 
 use std::path::{Path, PathBuf};
 
@@ -6,35 +6,35 @@ use directories::{BaseDirs, ProjectDirs};
 
 use crate::files::error::FileError;
 
-/// The program's own directories and files. None need exist; they are made when something is first written.
+/// Folders and files of the program; they are created at the first write.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Paths {
-    /// The user's own presets.
+    /// Folder of the user's presets.
     pub presets: PathBuf,
-    /// Keys, colours and characters of the workbench.
+    /// Configuration file of the workbench.
     pub config: PathBuf,
-    /// Session, log and reports of a crash.
+    /// Folder of session, log and crash reports.
     pub state: PathBuf,
 }
 
-/// Where `man` and the shells look for what this user has installed: `$XDG_DATA_HOME`, by default `~/.local/share`.
+/// Returns the folder in which `man` and the shells search for the user's files: `$XDG_DATA_HOME`, by default `~/.local/share`.
 pub fn share_of_user() -> Result<PathBuf, FileError> {
     BaseDirs::new().map(|dirs| dirs.data_dir().to_owned()).ok_or(FileError::NoHome)
 }
 
 impl Paths {
-    /// The paths of this user.
+    /// Returns the paths of the user.
     pub fn of_user() -> Result<Self, FileError> {
         let dirs = ProjectDirs::from("", "", "cmra").ok_or(FileError::NoHome)?;
         Ok(Self {
             presets: dirs.data_dir().join("presets"),
             config: dirs.config_dir().join("config.toml"),
-            // Only some platforms have a state directory of their own.
+            // Some platforms have no state directory.
             state: dirs.state_dir().unwrap_or_else(|| dirs.data_local_dir()).to_owned(),
         })
     }
 
-    /// Paths below one directory, for tests.
+    /// Returns paths below one directory, for tests.
     pub fn below(directory: &Path) -> Self {
         Self {
             presets: directory.join("data/presets"),
@@ -43,22 +43,22 @@ impl Paths {
         }
     }
 
-    /// The file of the last session.
+    /// Returns the path of the last session.
     pub fn session_file(&self) -> PathBuf {
         self.state.join("session.toml")
     }
 
-    /// The folder of the scenes that were left unsaved.
+    /// Returns the folder of unsaved sessions.
     pub fn recent_folder(&self) -> PathBuf {
         self.state.join("recent")
     }
 
-    /// The user's own library of this name, beside the presets.
+    /// Returns the path of the user's library with a name.
     pub fn library_file(&self, name: &str) -> PathBuf {
         self.presets.with_file_name("library").join(format!("{name}.toml"))
     }
 
-    /// The file of an own preset.
+    /// Returns the path of a preset of the user.
     pub fn preset_file(&self, name: &str) -> PathBuf {
         self.presets.join(format!("{name}.toml"))
     }

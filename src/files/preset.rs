@@ -1,7 +1,7 @@
-//! Presets: the bundled ones and the user's own, found by name; and scenes found by name or path.
+//! Presets, bundled and the user's own, by name; scenes by name or path.
 //!
-//! Bundled names cannot be taken by own presets, so a name always means the same scene. Own presets are plain scene
-//! files; saving over one keeps its comments and its layout.
+//! A user's preset cannot have the name of a bundled one: a name always means the same scene. A user's preset is a scene file; replacing it
+//! keeps its comments and its layout.
 
 use std::fs;
 use std::io;
@@ -19,38 +19,38 @@ use crate::files::write;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables;
 
-/// A scene with its name and where it comes from.
+/// Scene with its name and origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Preset {
-    /// Name or path to load it by.
+    /// Name or path of the scene.
     pub name: String,
-    /// Heading of the pages: the preset's name, or how the scene was made from it.
+    /// Heading of pages: the name of the preset, with the changes to it.
     pub heading: String,
-    /// Where it comes from.
+    /// Origin.
     pub origin: Origin,
-    /// The scene.
+    /// Scene.
     pub scene: Scene,
-    /// The comment block at the head of its file, without the `#`: source and what to expect.
+    /// Comment at the top of the file, without `#`: source and expected results.
     pub comment: String,
-    /// The whole text of its file.
+    /// Text of the file.
     pub text: String,
 }
 
-/// Where a scene comes from.
+/// Origin of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
-    /// Compiled in.
+    /// Bundled preset.
     Bundled,
-    /// The user's own preset, in this file.
+    /// Preset of the user, in this file.
     Mine(PathBuf),
-    /// A scene file named by its path.
+    /// Scene file, by its path.
     File(PathBuf),
-    /// Text handed in, such as standard input.
+    /// Text, such as standard input.
     Text,
 }
 
 impl Origin {
-    /// The word for lists.
+    /// Returns the label in lists.
     pub fn label(&self) -> &'static str {
         match self {
             Self::Bundled => "bundled",
@@ -61,7 +61,7 @@ impl Origin {
     }
 }
 
-/// The presets that can be read, bundled first, then the user's own by name; and the names of those that cannot, with the reason.
+/// Returns all readable presets, bundled first, then the user's own by name; and the names of unreadable ones with their errors.
 pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<(String, FileError)>) {
     let bundled = BUNDLED.iter().map(|preset| (preset.0.to_owned(), from_bundled(*preset)));
     let own = paths.map(own_presets).unwrap_or_default().into_iter().map(|(name, path)| {
@@ -78,7 +78,7 @@ pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<(String, FileError)>) {
     (presets, unreadable)
 }
 
-/// The scene meant by `name`: a bundled preset, an own one, or the path of a TOML file.
+/// Loads the scene `name`: a bundled preset, a preset of the user, or the path of a TOML file.
 pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     if let Some(preset) = bundled::find(name) {
         return from_bundled(preset);
@@ -87,7 +87,7 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
         && check_name(name).is_ok()
     {
         let path = paths.preset_file(name);
-        // What is no file is refused in its own words.
+        // A path that is not a file has its own error message.
         if fs::symlink_metadata(&path).is_ok() {
             return from_own(name.to_owned(), path);
         }
@@ -95,7 +95,7 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     let path = Path::new(name);
     match fs::metadata(path) {
         Ok(_) => from_file(path),
-        // It is there, but something is in the way: a loop of links, a folder that may not be entered.
+        // The path exists but cannot be read: a loop of links, a folder without permission.
         Err(source)
             if fs::symlink_metadata(path).is_ok() || source.kind() != io::ErrorKind::NotFound =>
         {
@@ -105,7 +105,7 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     }
 }
 
-/// A scene in a file, or that of a session that was kept.
+/// Loads a scene from a file, or from a saved session.
 pub fn from_file(path: &Path) -> Result<Preset, FileError> {
     inputs::note(path)?;
     let text = read::text_file(path, read::BYTES_MAX)?;
@@ -113,7 +113,7 @@ pub fn from_file(path: &Path) -> Result<Preset, FileError> {
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
 
-/// A scene in a text; `name` is used in errors.
+/// Loads a scene from a text; `name` appears in error messages.
 pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, FileError> {
     let file = match &origin {
         Origin::Bundled => format!("presets/{name}.toml"),
@@ -130,13 +130,12 @@ pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, F
     })
 }
 
-/// The scene everything starts from.
+/// Loads the baseline.
 pub fn baseline() -> Result<Preset, FileError> {
     resolve(bundled::BASELINE, None)
 }
 
-/// Save a scene as an own preset and give the path of its file. An existing file is replaced only where that is allowed, and
-/// keeps its comments, its order and its formatting.
+/// Saves a scene as a preset of the user and returns the path. A replaced file keeps its comments, order and formatting.
 ///
 /// # Errors
 /// [`FileError`]; an existing file is unchanged then.
@@ -152,13 +151,12 @@ pub fn save(
     Ok(path)
 }
 
-/// Whether a scene of this name is a file: it has a folder or the ending of one.
+/// Returns `true` if a name is a path: it has a folder or the extension `toml`.
 pub fn is_path(name: &str) -> bool {
     name.contains('/') || Path::new(name).extension().is_some_and(|end| end == "toml")
 }
 
-/// Save a scene in a file, as [`save`] does. A file keeps its title; a new one has its own name as title, not that of the scene
-/// it is a copy of.
+/// Saves a scene in a file, as [`save`] does. An existing file keeps its title; the title of a new file is its name.
 ///
 /// # Errors
 /// [`FileError`]; an existing file is unchanged then.
@@ -183,7 +181,7 @@ pub fn save_file(path: &Path, scene: &Scene, existing: OverwritePolicy) -> Resul
     atomic::write(path, text.as_bytes(), existing)
 }
 
-/// Whether an own preset may have this name.
+/// Checks the name of a preset of the user.
 pub fn check_name(name: &str) -> Result<(), FileError> {
     const LENGTH_MAX: usize = 64;
     let refuse = |problem: &str| Err(FileError::name(name, problem));
@@ -215,11 +213,11 @@ fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
     from_text(name, Origin::Mine(path), text)
 }
 
-/// Names and files of the user's own presets, by name; of those that cannot be read, the reason.
+/// Returns names and paths of the user's presets, sorted by name; for unreadable ones the error.
 fn own_presets(paths: &Paths) -> Vec<(String, Result<PathBuf, FileError>)> {
     let entries = match fs::read_dir(&paths.presets) {
         Ok(entries) => entries,
-        // No preset has been saved yet.
+        // There is no preset yet.
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Vec::new(),
         Err(error) => {
             let problem = FileError::read(&paths.presets, error);
@@ -240,7 +238,7 @@ fn own_presets(paths: &Paths) -> Vec<(String, Result<PathBuf, FileError>)> {
     own
 }
 
-/// The likely meaning of `name`.
+/// Returns the hint for an unknown name.
 fn hint(name: &str, paths: Option<&Paths>) -> String {
     let own = paths.map(own_presets).unwrap_or_default();
     let bundled = BUNDLED.iter().map(|preset| preset.0);
@@ -265,7 +263,7 @@ fn hint(name: &str, paths: Option<&Paths>) -> String {
     }
 }
 
-/// The comment lines a text begins with, without their `#`.
+/// Returns the comment lines at the start of a text, without `#`.
 fn head_comment(text: &str) -> String {
     let lines: Vec<&str> = text
         .lines()

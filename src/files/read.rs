@@ -1,7 +1,7 @@
-//! A scene from TOML text, read strictly against the table of variables.
+//! Strict reader of scene files in TOML.
 //!
-//! Each key of the file is looked up in [`VARIABLES`]; there is no second list of keys here. All problems of a file are
-//! collected and reported together, each with its line and column. Writing is in [`crate::files::write`].
+//! Keys are those of [`VARIABLES`]; there is no second list. All problems of a file are reported together, each with line and column. The
+//! writer is [`crate::files::write`].
 
 use std::fs;
 use std::io::Read;
@@ -19,17 +19,17 @@ use cmra_engine::model::scene::{PlateSize, Scene, SpringKind};
 use cmra_engine::model::units::{self, Bare};
 use cmra_engine::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
-/// The version of the scene format this program reads and writes.
+/// Version of the scene format.
 pub const FORMAT: i64 = 1;
 
-/// No scene is larger than this; a larger file is a mistake.
+/// Maximum size of a scene file, bytes; a larger file is not a scene.
 pub const BYTES_MAX: u64 = 1 << 20;
 
-/// The text of a file of at most this many bytes.
+/// Reads a file of at most `bytes_max` bytes.
 pub fn text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let failed = |source| FileError::read(path, source);
     let found = fs::metadata(path).map_err(failed)?;
-    // A pipe may never have a writer, and a device no end.
+    // A pipe can have no writer, and a device no end.
     let may_wait = !found.is_file() && !found.is_dir() || is_of_system(path);
     if may_wait && (!is_handed(path) || found.file_type().is_char_device()) {
         return Err(FileError::special(path));
@@ -37,21 +37,20 @@ pub fn text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
     text_from(fs::File::open(path).map_err(failed)?, path, bytes_max)
 }
 
-/// Whether a shell hands this over: standard input, or `<(...)`. A terminal there waits for what nobody types.
+/// Returns `true` for standard input and pipes passed by a shell, `<(...)`.
 fn is_handed(path: &Path) -> bool {
     path == Path::new("/dev/stdin")
         || path.starts_with("/dev/fd")
         || path.starts_with("/proc") && path.iter().any(|part| part == "fd")
 }
 
-/// Whether the system itself answers here: such a file has no end, or waits for one.
+/// Returns `true` for files of the kernel, which can have no end or block.
 fn is_of_system(path: &Path) -> bool {
     let real = fs::canonicalize(path).unwrap_or_default();
     real.starts_with("/proc") || real.starts_with("/sys")
 }
 
-/// The text that a source of at most this many bytes gives; `path` is the name used in errors. A device may never end: no more is
-/// read than is accepted.
+/// Reads a source of at most `bytes_max` bytes, and no more than that; `path` appears in error messages.
 pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let mut bytes = Vec::new();
     let read = source.take(bytes_max + 1).read_to_end(&mut bytes);
@@ -67,7 +66,7 @@ pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<Strin
     })
 }
 
-/// Read a scene from text; `file` is the name used in errors.
+/// Reads a scene from a text; `file` appears in error messages.
 pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
     let mut reader = Reader::new(text, file);
     let mut scene = Scene::default();
@@ -78,12 +77,12 @@ pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
     reader.finish().map(|()| scene)
 }
 
-/// The keys of a scene.
+/// Reading of the keys of a scene.
 impl Reader<'_> {
-    /// Notes two sizes of one plate in the table that has it.
+    /// Reports two variables that both set the size of a plate.
     pub(super) fn one_size(&mut self, table: &DeTable<'_>) {
         let sizes = PlateSize::KEYS.iter().filter_map(|key| Some((*key, find(table, key)?)));
-        // A word says that it is absent.
+        // A word marks the value as absent.
         let sizes = sizes.filter(|(_, value)| !matches!(value.get_ref(), DeValue::String(_)));
         if let [(first, _), (second, value), ..] = &sizes.collect::<Vec<_>>()[..] {
             let all = PlateSize::KEYS.join(", ");
@@ -107,13 +106,13 @@ impl Reader<'_> {
             }
         }
         self.measured_curve(scene, document);
-        // A file has the coefficient in effect: another one beside a closure that would choose it was written by a person.
+        // The file has the drag coefficient in effect. A value that differs from that of the closure is given by the user.
         let drag = scene.target.drag_coefficient;
         let is_other = drag.to_bits() != scene.target_in_effect().drag_coefficient.to_bits();
         if is_other && find(document, "target.drag_coefficient").is_some() {
             scene.target.give_drag();
         }
-        // After gamma, which follows from them.
+        // After gamma, which they replace.
         self.one_size(document);
         for key in &PlateSize::KEYS[1..] {
             let found = VARIABLES.iter().find(|variable| variable.key == *key);
@@ -121,14 +120,14 @@ impl Reader<'_> {
                 self.variable(scene, variable, value);
             }
         }
-        // Last: an element is like the scene but for what it says.
+        // Last: an element has the values of the scene except its own keys.
         if let Some(list) = find(document, read_stack::KEY) {
             scene.stack.layers = read_stack::layers(self, scene, list);
         }
         if self.is_right()
             && let Err(error) = variables::validate(scene)
         {
-            // Every value has passed by itself: what is left concerns several together.
+            // Each value is valid; the remaining rules concern several values.
             let text = error.to_string();
             let named = VARIABLES.iter().map(|variable| variable.key).chain([read_table::KEY]);
             let key = named.filter(|key| text.contains(key)).find_map(|key| find(document, key));
@@ -137,7 +136,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A spring that is a table needs its points: the example in their place was not measured.
+    /// Reports a spring of the kind `table` without points; the default points are an example.
     fn measured_curve(&mut self, scene: &Scene, document: &DeTable<'_>) {
         let (kind, key) = ("mechanism.spring.kind", read_table::KEY);
         let Some(found) = find(document, kind) else { return };
@@ -149,7 +148,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the rest can be judged: a file of another format may well have other keys.
+    /// Checks the format version; a file of another version can have other keys and is not read further.
     fn is_readable_format(&mut self, document: &DeTable<'_>) -> bool {
         let cure = format!("write `format = {FORMAT}` at the top of the file");
         let Some(value) = document.get("format") else {
@@ -167,7 +166,7 @@ impl Reader<'_> {
         is_supported
     }
 
-    /// A key below the top level's own four: a variable, or a table of variables.
+    /// Reads a key: a variable, or a table of variables.
     pub(super) fn entry(
         &mut self,
         scene: &mut Scene,
@@ -215,14 +214,14 @@ impl Reader<'_> {
 
     fn variable(&mut self, scene: &mut Scene, variable: &Variable, value: &Spanned<DeValue<'_>>) {
         let read = match (&variable.kind, value.get_ref()) {
-            // The word for an optional number that is not there: an element of a stack may lack what the others have.
+            // The word that marks an optional number as absent, for an element of a stack.
             (Kind::Number(optional), DeValue::String(word))
                 if optional.absent == Some(word.as_ref()) =>
             {
                 Some(Value::Absent)
             }
             (Kind::Number(_), item) => number(item).map(Value::Number),
-            // A word that is not among the choices gets its own text from the table.
+            // The table of variables has the error message of an unknown choice.
             (Kind::Choice { .. }, DeValue::String(word)) => {
                 match variable.parse(scene, word, Bare::Stored) {
                     Ok(value) => Some(value),
@@ -241,7 +240,7 @@ impl Reader<'_> {
             self.problem(value.span(), error.to_string());
         }
         if variable.key == "target.drag_coefficient" {
-            // A file has the coefficient in effect, and says by another key that it is given.
+            // The file has the drag coefficient in effect; another key says whether it is given.
             scene.target.drag = drag;
         }
     }
@@ -279,7 +278,7 @@ impl Reader<'_> {
     }
 }
 
-/// The number in a TOML value, if it is one (integers count).
+/// Returns the number in a TOML value (float or integer).
 fn number(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),
@@ -293,7 +292,7 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
     }
 }
 
-/// The value of a dotted key.
+/// Returns the value of a dotted key.
 fn find<'d, 't>(document: &'d DeTable<'t>, key: &str) -> Option<&'d Spanned<DeValue<'t>>> {
     let (first, rest) = key.split_once('.').unwrap_or((key, ""));
     let value = document.get(first)?;
@@ -304,7 +303,7 @@ fn find<'d, 't>(document: &'d DeTable<'t>, key: &str) -> Option<&'d Spanned<DeVa
     }
 }
 
-/// The error text for an unknown key.
+/// Returns the error message for an unknown key.
 fn unknown(path: &str, is_table: bool) -> String {
     const SHOWN_MAX: usize = 80;
     let shown = clean::line(path);
@@ -331,7 +330,7 @@ fn unknown(path: &str, is_table: bool) -> String {
     format!("`{path}` is not a {what} of a scene: {hint}")
 }
 
-/// Names in their order, without those that have been there.
+/// Returns names in their order, without repetitions.
 fn once_each<'n>(names: impl Iterator<Item = &'n str>) -> Vec<&'n str> {
     let mut once = Vec::new();
     for name in names {
@@ -342,7 +341,7 @@ fn once_each<'n>(names: impl Iterator<Item = &'n str>) -> Vec<&'n str> {
     once
 }
 
-/// The keys and tables directly below a table (`""`: the top level).
+/// Lists the keys and tables directly below a table (`""` for the top level).
 fn keys_below(table: &str) -> String {
     let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };
     let own: &[&str] = if table.is_empty() { &["format", "title", "notes", "sweep"] } else { &[] };

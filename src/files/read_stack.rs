@@ -1,4 +1,4 @@
-//! The further elements of a stack, `[[stack.layer]]`: each like the scene's own plate except for the keys it has.
+//! Reader of the further elements of a stack, `[[stack.layer]]`: each has the values of the scene except its own keys.
 
 use toml::Spanned;
 use toml::de::DeValue;
@@ -6,11 +6,11 @@ use toml::de::DeValue;
 use crate::files::reader::{Reader, kind_of};
 use cmra_engine::model::scene::{LAYERS_MAX, Layer, Scene};
 
-/// The key of the list.
+/// Key of the list.
 pub(super) const KEY: &str = "stack.layer";
 const TABLES: [&str; 3] = ["target", "plate", "mechanism"];
 
-/// The layers in a list of tables; `scene` is what they are like.
+/// Reads the elements in a list of tables; `scene` has their default values.
 pub(super) fn layers(
     reader: &mut Reader<'_>,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! The `[sweep]` table of a scene: axes over variables, and names of results. Read strictly, run elsewhere.
+//! Strict reader of the `[sweep]` table of a scene: axes and names of quantities.
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -13,7 +13,7 @@ use cmra_studies::study::sweep::{Axis, COUNTS};
 
 const EXAMPLE: &str = r#"axes = [{ name = "gamma", from = 0.8, to = 7.0, count = 101 }]"#;
 
-/// The table as it is written.
+/// Table as in the file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 struct Table {
@@ -22,7 +22,7 @@ struct Table {
     outputs: Vec<Spanned<String>>,
 }
 
-/// An axis as it is written: a range, or a list of values.
+/// Axis as in the file: a range or a list of values.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 struct AxisRow {
@@ -60,7 +60,7 @@ impl AxisRow {
     }
 }
 
-/// Read the table; `None` when it is unusable (the reader knows why).
+/// Reads the table; reports problems and returns `None` if it is invalid.
 pub(super) fn sweep(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Option<Sweep> {
     let table = match Table::deserialize(ValueDeserializer::from(value.clone())) {
         Ok(table) => table,

@@ -1,4 +1,4 @@
-//! A measured force-displacement curve: as points within a scene file, or in a CSV file beside it.
+//! Reader of measured force-displacement curves: points in a scene file, or a CSV file beside it.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -15,11 +15,12 @@ use crate::files::reader::{self, Reader};
 use cmra_engine::model::units::{self, Bare, Dimension};
 use cmra_studies::study::csv::Csv;
 
-/// The table of the spring, and the key of its measured points.
+/// Key of the table of the spring.
 pub(super) const SPRING: &str = "mechanism.spring";
+/// Key of the table of measured points.
 pub(super) const KEY: &str = "mechanism.spring.table";
 
-/// The table as it is written.
+/// Table as in the file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 struct Curve {
@@ -27,7 +28,7 @@ struct Curve {
     file: Option<Spanned<String>>,
 }
 
-/// The points of a `[mechanism.spring.table]`; a problem is noted and `None` returned where there are none.
+/// Reads the points of a `[mechanism.spring.table]`; reports a problem and returns `None` without points.
 pub(super) fn points(
     reader: &mut Reader<'_>,
     key: &str,
@@ -37,8 +38,8 @@ pub(super) fn points(
     let found = match read {
         Ok(Curve { points: Some(points), file: None }) => Ok(points.into()),
         Ok(Curve { points: None, file: Some(file) }) => {
-            // The wait for a pipe named in a scene would be invisible.
-            // The path of the file is relative to the scene's own folder.
+            // Waiting for a pipe named in a scene would not be visible.
+            // The path is relative to the folder of the scene.
             let folder = Path::new(reader.file()).parent().unwrap_or_else(|| Path::new(""));
             curve(&folder.join(file.get_ref())).map_err(|error| (file.span(), error.to_string()))
         }
@@ -58,9 +59,11 @@ pub(super) fn points(
     found.map_err(|(span, text)| reader.problem(span, text)).ok()
 }
 
-/// The points of a measured curve in a CSV file; see `Csv` for how it may be written. Displacement and force stand in the columns
-/// whose headings have a unit of their kind or such a name, `time_s,displacement_mm,force_N` for example, else in the first two. They
-/// are in m and N where no unit is given. An end of a heading in brackets or after `_` or `/` must be a unit.
+/// Reads the points of a measured curve from a CSV file; see `Csv` for the allowed forms.
+///
+/// The columns of displacement and force are those with a unit or a name of their kind in the heading, such as
+/// `time_s,displacement_mm,force_N`; otherwise the first two columns. Without a unit they are in m and N. The end of a heading in brackets,
+/// or after `_` or `/`, has to be a unit.
 pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
     inputs::note(path)?;
     let text = read::text_file(path, read::BYTES_MAX)?;
@@ -76,17 +79,17 @@ fn end(heading: &str) -> Option<(&str, bool)> {
     Some((&heading[at + 1..], !heading[at..].starts_with(' ')))
 }
 
-/// The unit that a heading ends in, in that of the stored quantity; `None` without one of its kind.
+/// Returns the unit at the end of a heading, in stored units; `None` without a unit of this kind.
 fn unit(heading: &str, quantity: Dimension) -> Option<f64> {
     let (unit, _) = end(heading)?;
-    // Columns of tables end in `_n`.
+    // Headings of exported tables end in lower-case units such as `_n`.
     if unit.eq_ignore_ascii_case(quantity.unit()) {
         return Some(1.0);
     }
     units::parse(&format!("1 {unit}"), quantity, Bare::Stored).ok().filter(|_| !unit.is_empty())
 }
 
-/// A column of a curve: its quantity, and the words that its heading may have instead of a unit.
+/// Column of a curve: its quantity, and words in its heading that replace a unit.
 struct Measured {
     quantity: Dimension,
     letter: &'static str,
@@ -102,7 +105,7 @@ const FORCE: Measured =
     Measured { quantity: Dimension::Force, letter: "F", words: &["force", "load"] };
 
 impl Measured {
-    /// The column that these headings give it, by a unit before a name.
+    /// Returns the column with a unit of this kind; without one, a column with one of the words.
     fn column(&self, headings: &[String]) -> Option<usize> {
         let is_named = |heading: &String| {
             let lower = heading.to_lowercase();
@@ -114,7 +117,7 @@ impl Measured {
         headings.iter().position(has_unit).or_else(|| headings.iter().position(is_named))
     }
 
-    /// The unit of its heading in the stored one; in words, what is wrong with it.
+    /// Returns the unit of a heading in stored units, or an error message.
     fn factor(&self, heading: &str) -> Result<f64, String> {
         let found = unit(heading, self.quantity);
         match end(heading).filter(|_| found.is_none()) {
@@ -128,7 +131,7 @@ impl Measured {
     }
 }
 
-/// The columns of displacement and force, and their units in m and N.
+/// Returns the columns of displacement and force, with their units in m and N.
 fn columns(headings: &[String]) -> Result<[(usize, f64); 2], String> {
     let found = [DISPLACEMENT, FORCE].map(|measured| measured.column(headings));
     let places = match found {

@@ -1,6 +1,6 @@
-//! Measured traces, or the histories of another program, in a CSV file: a column of time, and columns of quantities.
+//! Reader of measured traces, or histories of another program, from a CSV file: a column of time and columns of quantities.
 //!
-//! The file may be written as `Csv` allows. Lines above the headings are ignored, as are columns of other quantities.
+//! See `Csv` for the allowed forms. Lines above the headings and columns of other quantities are ignored.
 
 use std::path::Path;
 
@@ -12,16 +12,16 @@ use cmra_studies::report::series::Channel;
 use cmra_studies::report::traces::{Trace, Traces};
 use cmra_studies::study::csv::Csv;
 
-/// Size of the largest file that is read: some millions of rows.
+/// Maximum size of a file, bytes: some millions of rows.
 const BYTES_MAX: u64 = 1 << 26;
 
 /// Standard acceleration of gravity, m/s^2: the unit g.
 const GRAVITY: f64 = 9.80665;
 
-/// Most columns of a file that are drawn.
+/// Maximum number of columns of a file.
 const TRACES_MAX: usize = 40;
 
-/// The unit of a quantity, and how it is built where no unit of its own is read.
+/// Kind of the unit of a quantity.
 #[derive(Clone, Copy)]
 enum Kind {
     Time,
@@ -32,7 +32,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// The unit in the stored one; `None` where the text is no unit of the kind.
+    /// Returns a unit in stored units; `None` if the text is not a unit of this kind.
     fn factor(self, text: &str) -> Option<f64> {
         let text = text.trim();
         let of = |dimension: Dimension, text: &str| {
@@ -45,7 +45,7 @@ impl Kind {
             units::parse(&format!("1 {text}"), dimension, Bare::Stored).ok()
         };
         let quotient = |ends: &[&str]| {
-            // mm/ms, as solvers have it, and m_s in headings of columns.
+            // `mm/ms`, as in solvers, and `m_s`, as in headings.
             let (over, under) = text.split_once(['/', '_'])?;
             let under = ends.iter().find_map(|end| under.strip_suffix(end))?;
             Some((of(Dimension::Length, over)?, of(Dimension::Time, under)?))
@@ -67,7 +67,7 @@ impl Kind {
         }
     }
 
-    /// The units to write.
+    /// Returns the allowed units, for error messages.
     fn allowed(self) -> &'static str {
         match self {
             Self::Time => "s, ms or us",
@@ -79,13 +79,13 @@ impl Kind {
     }
 }
 
-/// A quantity by the words of its heading.
+/// Quantity with the words of its heading.
 struct Named {
     channel: Channel,
     kind: Kind,
-    /// Words of which each group has one in the heading.
+    /// Groups of words; the heading has a word of each group.
     words: &'static [&'static [&'static str]],
-    /// The letter of the quantity, as a heading of its own.
+    /// Letter of the quantity, which is a heading by itself.
     symbol: &'static str,
 }
 
@@ -93,7 +93,7 @@ const PLATE: &[&str] = &["plate", "target", "armour", "armor", "panel"];
 const SHOT: &[&str] = &["projectile", "bullet", "striker", "impactor", "nose", "tup"];
 const TRAVEL: &[&str] = &["displacement", "travel", "deflection", "position", "stroke"];
 
-/// The quantities; the first that fits a heading is meant, so that the general names come last.
+/// Quantities; the first match counts, so that general names come last.
 const QUANTITIES: [Named; 13] = [
     named(Channel::Penetration, Kind::Length, &[&["penetration", "depth", "indentation"]], "p"),
     named(Channel::ProjectileDisplacement, Kind::Length, &[SHOT, TRAVEL], "s"),
@@ -124,16 +124,16 @@ const fn named(
     Named { channel, kind, words, symbol }
 }
 
-/// The first word of a heading, before its unit.
+/// Returns the first word of a heading, without its unit.
 fn symbol(heading: &str) -> &str {
     let end = heading.find([' ', '(', '[', '/']).unwrap_or(heading.len());
     heading[..end].trim()
 }
 
-/// The quantity that a heading names; `None` of another one.
+/// Returns the quantity of a heading; `None` for others.
 fn quantity(heading: &str) -> Option<&'static Named> {
     let lower = heading.to_lowercase();
-    // The force of a stop has no curve of its own, and acceleration is that of the projectile.
+    // The force of a stop has no curve, and only the acceleration of the projectile has one.
     let is_other = lower.starts_with("stop")
         || lower.contains("celeration") && PLATE.iter().any(|word| lower.contains(word));
     let fits =
@@ -147,7 +147,7 @@ fn quantity(heading: &str) -> Option<&'static Named> {
     by_words.or_else(|| QUANTITIES.iter().filter(|_| !is_other).find(is_symbol))
 }
 
-/// Whether a heading is that of the time.
+/// Returns `true` for a heading of time.
 fn is_time(heading: &str) -> bool {
     let lower = heading.trim().to_lowercase();
     let words: Vec<&str> = lower.split(|c: char| !c.is_alphanumeric()).collect();
@@ -155,21 +155,21 @@ fn is_time(heading: &str) -> bool {
     words.contains(&"time") || words.first() == Some(&"t") || is_unit
 }
 
-/// The unit of a heading in the stored one, 1 where it has none; the text that is no unit.
+/// Returns the unit of a heading in stored units, 1 without a unit; the error is the text that is not a unit.
 fn unit_of(heading: &str, kind: Kind) -> Result<f64, String> {
     let heading = heading.trim();
     if let Some(inner) = heading.strip_suffix([')', ']']) {
         let (_, unit) = inner.rsplit_once(['(', '[']).unwrap_or(("", inner));
-        // A note in brackets before the unit, or in its place, is none.
+        // A note in brackets is not a unit.
         return kind.factor(unit).ok_or_else(|| unit.trim().to_owned());
     }
-    // The longest end that is a unit: m_s of velocity_m_s.
+    // The longest suffix that is a unit: `m_s` in `velocity_m_s`.
     let starts = heading.char_indices().filter(|(_, c)| ['_', ' ', '/', ','].contains(c));
     let ends: Vec<&str> = starts.map(|(at, _)| &heading[at + 1..]).collect();
     if let Some(factor) = ends.iter().chain([&heading]).find_map(|end| kind.factor(end)) {
         return Ok(factor);
     }
-    // After a slash or an underline stands a unit, in plain words a name.
+    // The text after a slash or an underscore is a unit; after a blank it is part of the name.
     match heading.rfind(['_', '/']) {
         Some(at) if !heading[at..].contains(' ') && !is_word(&heading[at + 1..]) => {
             Err(heading[at + 1..].to_owned())
@@ -178,7 +178,7 @@ fn unit_of(heading: &str, kind: Kind) -> Result<f64, String> {
     }
 }
 
-/// Whether an end of a heading is a part of its name: `plate_velocity`.
+/// Returns `true` if the suffix of a heading is part of its name, as in `plate_velocity`.
 fn is_word(end: &str) -> bool {
     let lower = end.to_lowercase();
     let all = QUANTITIES.iter().flat_map(|it| it.words).flat_map(|group| group.iter());
@@ -189,13 +189,13 @@ fn is_word(end: &str) -> bool {
 /// Reads the traces of a file.
 ///
 /// # Errors
-/// A [`FileError`] that says in a line what cannot be read, where, and what to write instead.
+/// A [`FileError`] with the problem, its position and the expected form.
 pub fn traces(path: &Path) -> Result<Traces, FileError> {
     let text = read::text_file(path, BYTES_MAX)?;
     traces_in(&text, &shown(path)).map_err(FileError::Refused)
 }
 
-/// The text with everything above its headings as comments, so that lines keep their numbers.
+/// Turns the lines above the headings into comments; line numbers are unchanged.
 fn without_header(text: &str) -> String {
     let is_heading = |line: &str| {
         let fields: Vec<&str> =
@@ -211,7 +211,7 @@ fn without_header(text: &str) -> String {
     text.lines().enumerate().map(line).collect::<Vec<_>>().join("\n") + "\n"
 }
 
-/// Headings of a readable file, quoted in errors.
+/// Example of headings, for error messages.
 const EXAMPLE: &str = "as in `time_ms,penetration_mm,contact_force_kN`";
 
 #[expect(
@@ -305,7 +305,7 @@ fn traces_in(text: &str, name: &str) -> Result<Traces, String> {
         }
         before_s = t_s;
         for (column, factor, trace) in &mut columns {
-            // Nothing was measured then.
+            // An empty cell is a missing measurement.
             if field(*column).is_empty() || field(*column).eq_ignore_ascii_case("nan") {
                 continue;
             }

@@ -1,5 +1,4 @@
-//! A TOML text that is being read, and what has been found wrong with it: all problems of a file are collected and reported
-//! together, each with its line and column.
+//! TOML reader that collects all problems of a file, each with line and column.
 
 use std::ops::Range;
 
@@ -9,15 +8,15 @@ use toml::de::DeValue;
 use crate::files::clean;
 use crate::files::error::{Problem, SceneErrors};
 
-/// Maximum number of reported problems of one file: a file of another kind has one in each line.
+/// Maximum number of reported problems of a file; a file of another format has one in each line.
 const PROBLEMS_MAX: usize = 20;
 
-/// The parser's own words, on one line.
+/// Formats the message of the parser on one line.
 pub(super) fn syntax(message: &str) -> String {
     format!("not TOML: {}", message.replace('\n', ", "))
 }
 
-/// The error of a value, in the words of a scene file.
+/// Formats the error of a value in the terms of a scene file.
 pub(super) fn misfit(error: &toml::de::Error) -> String {
     let text = clean::line(error.message()).into_owned();
     [("f64", "a number"), ("u64", "a whole number"), ("a sequence", "a list")].into_iter().fold(
@@ -28,7 +27,7 @@ pub(super) fn misfit(error: &toml::de::Error) -> String {
     )
 }
 
-/// The text being read, and what has been found wrong so far.
+/// Text with the problems found so far.
 pub(super) struct Reader<'t> {
     text: &'t str,
     file: &'t str,
@@ -37,12 +36,12 @@ pub(super) struct Reader<'t> {
 }
 
 impl<'t> Reader<'t> {
-    /// A reader of a text; `file` is the name used in errors.
+    /// Creates a reader of a text; `file` appears in error messages.
     pub(super) fn new(text: &'t str, file: &'t str) -> Self {
         Self { text, file, problems: Vec::new(), more: false }
     }
 
-    /// Everything that was wrong, in the order of lines.
+    /// Returns the problems in the order of lines, as an error.
     pub(super) fn finish(mut self) -> Result<(), SceneErrors> {
         if self.problems.is_empty() {
             return Ok(());
@@ -51,7 +50,7 @@ impl<'t> Reader<'t> {
         Err(SceneErrors { file: self.file.to_owned(), problems: self.problems, more: self.more })
     }
 
-    /// Whether nothing has been found wrong so far.
+    /// Returns `true` without problems so far.
     pub(super) fn is_right(&self) -> bool {
         self.problems.is_empty()
     }
@@ -74,12 +73,12 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The name of the file, as the user wrote it.
+    /// Returns the name of the file as given by the user.
     pub(super) fn file(&self) -> &str {
         self.file
     }
 
-    /// Whether the maximum number of problems is reached: the rest of the file is not checked, and this is reported.
+    /// Returns `true` if the maximum number of problems is reached: the rest of the file is not checked.
     pub(super) fn is_full(&mut self) -> bool {
         self.more |= self.problems.len() >= PROBLEMS_MAX;
         self.more
@@ -98,7 +97,7 @@ impl<'t> Reader<'t> {
         });
     }
 
-    /// A value as it stands in the file, cut short.
+    /// Returns a value as in the file, shortened.
     pub(super) fn shown(&self, value: &Spanned<DeValue<'_>>) -> String {
         const SHOWN_MAX: usize = 40;
         let source = self.text.get(value.span()).unwrap_or_default();
@@ -112,7 +111,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The kind of a TOML value in words.
+/// Returns the type of a TOML value in words.
 pub(super) fn kind_of(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "text",

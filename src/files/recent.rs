@@ -1,4 +1,4 @@
-//! The last five sessions that were left unsaved, each whole in a file of its own, which the list of presets shows as recent.
+//! The last five unsaved sessions, each in its own file; the list of presets shows them as recent.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,11 +9,11 @@ use crate::files::error::FileError;
 use crate::files::read;
 use crate::files::session::BYTES_MAX;
 
-/// How many sessions are kept.
+/// Number of sessions kept.
 const KEPT: u32 = 5;
 
-/// Keeps the text of a session, and gives its file: over the same text, else over the one that was kept `before`, else where there is
-/// none, else over the oldest.
+/// Saves the text of a session and returns its path. It replaces, in this order: the same text, the session saved `before`, a free place,
+/// the oldest session.
 pub fn keep(
     folder: &Path,
     session: &str,
@@ -26,7 +26,7 @@ pub fn keep(
     let has =
         |path: &Path, text: &str| read::text_file(path, BYTES_MAX).is_ok_and(|there| there == text);
     let is_same = |path: &&PathBuf| has(path, &text);
-    // Someone else may have taken its place.
+    // Another process can have replaced it.
     let older = || before.filter(|(path, session)| has(path, &text_of(session)));
     let older = || older().and_then(|(path, _)| files.iter().find(|it| *it == path));
     let free = || files.iter().find(|path| fs::symlink_metadata(path).is_err());
@@ -36,13 +36,13 @@ pub fn keep(
     atomic::make_folder_of(&path)?;
     let is_free = fs::symlink_metadata(&path).is_err();
     match atomic::write(&path, text.as_bytes(), OverwritePolicy::replaced(!is_free)) {
-        // Another workbench has taken the free place meanwhile.
+        // Another workbench has used the free place meanwhile.
         Err(FileError::Exists(_)) => keep(folder, session, before),
         written => written.map(|()| path),
     }
 }
 
-/// The files that are kept, newest first.
+/// Returns the paths of the saved sessions, newest first.
 pub fn list(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut files: Vec<PathBuf> = entries

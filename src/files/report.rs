@@ -1,4 +1,4 @@
-//! The report of a scene: one self-contained file with its inputs, results, charts, ballistic limit, sweep and warnings.
+//! Report of a scene: a self-contained file with inputs, results, charts, ballistic limit, sweep and warnings.
 
 use std::path::Path;
 
@@ -23,17 +23,16 @@ use cmra_studies::study::stack;
 use cmra_studies::study::sweep::grid::Grid;
 use cmra_studies::study::validity;
 
-/// Digits of a result.
+/// Significant digits of a result.
 const DIGITS: usize = 6;
 
-/// Whether the ending of a file is that of a report.
+/// Returns `true` if a file has the extension of a report.
 pub fn is_report(path: &Path) -> bool {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     matches!(ending.as_str(), "html" | "htm" | "xhtml")
 }
 
-/// The text of the report of a scene of this name, as HTML: its run, its ballistic limit, and the sweep that is kept with it, over
-/// one axis or two.
+/// Returns the report of a scene as HTML: its run, its ballistic limit, and the sweep it contains (one or two axes).
 pub fn html(
     (name, scene): (&str, &Scene),
     run: &Run,
@@ -97,7 +96,7 @@ fn inputs(page: &mut Document, scene: &Scene) {
     }
 }
 
-/// The results, each with the estimate of its error.
+/// Appends the results with their error estimates.
 fn results(page: &mut Document, run: &Run) {
     let error = |name: &str| run.error_of(name).map_or_else(|| "-".to_owned(), units::below);
     let row = |column: &Quantity| {
@@ -121,7 +120,7 @@ fn results(page: &mut Document, run: &Run) {
     }
 }
 
-/// The ballistic limit with its curve.
+/// Appends the ballistic limit with its curve.
 fn ballistic_limit(page: &mut Document, report: &limit::LimitReport) {
     let mut lines = Vec::new();
     lines.push(format!("verdict: {}", answer(report)));
@@ -174,7 +173,7 @@ fn measured_limits(page: &mut Document) {
     }
 }
 
-/// The pictures of the sweep that is kept with the scene.
+/// Appends the charts of the sweep.
 fn own_sweep(page: &mut Document, grid: &Grid) {
     let plan = grid.plan();
     page.heading("Sweep");

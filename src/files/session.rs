@@ -1,7 +1,7 @@
-//! The session: what the workbench had open, kept between starts so that nothing is lost by leaving.
+//! Session of the workbench, saved between starts.
 //!
-//! A scene inside the file is kept as the text of a scene file and read by the same strict reader. A session that cannot be
-//! read is backed up, never deleted, and never keeps the program from starting.
+//! A scene in the file is the text of a scene file, and is read by the same strict reader. An unreadable session is backed up, not deleted;
+//! the workbench starts in any case.
 
 use std::collections::HashMap;
 use std::collections::hash_map::RandomState;
@@ -18,42 +18,42 @@ use crate::files::read;
 use crate::files::{recent, write};
 use cmra_engine::model::scene::Scene;
 
-/// How many recent files are kept.
+/// Number of recent files kept.
 const RECENT_MAX: usize = 10;
 
-/// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
+/// Maximum size of a session file, bytes: nine scenes of maximum size, with quotes.
 pub(super) const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
 
-/// The open state of the workbench.
+/// State of the workbench.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Session {
-    /// The scene on the screen.
+    /// Scene on the screen.
     pub scene: Scene,
-    /// Name or path of the preset it came from.
+    /// Name or path of the preset that the scene was loaded from.
     pub preset: Option<String>,
-    /// Pinned runs: letter or name, and scene. They are computed again.
+    /// Pinned runs: letter or name, and scene. They are computed again at the next start.
     pub pins: Vec<(String, Scene)>,
-    /// How the workbench was set.
+    /// Settings of the workbench.
     pub view: View,
-    /// The setups of the tabs.
+    /// Setups of the tabs.
     pub setup: Setup,
     /// Scene files opened or saved, newest first.
     pub recent: Vec<PathBuf>,
 }
 
-/// How the workbench was set, as far as a person chose it.
+/// Settings of the workbench that the user has changed.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct View {
-    /// The word of the set of characters.
+    /// Word of the character set.
     #[serde(deserialize_with = "value_or_none")]
     pub glyphs: Option<String>,
-    /// The word of the number of colours.
+    /// Word of the number of colours.
     #[serde(deserialize_with = "value_or_none")]
     pub colours: Option<String>,
 }
 
-/// The setups of the tabs that a scene does not have.
+/// Setups of the tabs, as far as a scene does not contain them.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Setup {
@@ -65,63 +65,63 @@ pub struct Setup {
     pub search: Option<Search>,
 }
 
-/// How Explore shows the sweep of a scene.
+/// View of the sweep in Explore.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Explore {
-    /// A map, not curves.
+    /// Map if `true`, else curves.
     pub is_map: bool,
-    /// The quantity shown.
+    /// Quantity shown.
     pub output: String,
 }
 
-/// The setup of the Search tab, by what it means, whatever its rows are called; what is missing is as usual.
+/// Setup of the Search tab, independent of the labels of its rows; missing values have their defaults.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Search {
-    /// The variable of goal seek with its range.
+    /// Variable of goal seek, with its range.
     pub seek: String,
-    /// Goal of the search.
+    /// Goal of goal seek.
     pub goal: String,
-    /// Variables of fronts, and whether each is varied; empty until the selection is changed.
+    /// Variables of a front, and whether each is varied; empty for the default selection.
     pub bounds: Vec<(String, bool)>,
-    /// The objectives of a front.
+    /// Objectives of a front.
     pub minimise: Option<Vec<String>>,
-    /// Bounds that designs have to keep.
+    /// Constraints of a front.
     pub subject_to: Option<Vec<String>>,
-    /// Only feasible designs count.
+    /// Whether only feasible designs count.
     pub feasible: Option<bool>,
-    /// Designs that a front tries.
+    /// Number of designs of a front.
     pub designs: Option<usize>,
-    /// The result of sensitivity.
+    /// Quantity of the sensitivity study.
     pub affected: String,
-    /// The result of scatter.
+    /// Quantity of the Monte Carlo study.
     pub output: String,
     /// Standard deviation of every input, percent.
     pub percent: Option<f64>,
-    /// Samples of the scatter.
+    /// Number of samples.
     pub samples: Option<usize>,
 }
 
-/// The result of loading the last session.
+/// Result of loading the last session.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Loaded {
-    /// The session, or what could be read of it; `None`: start with the baseline.
+    /// Session, or its readable part; `None` to start with the baseline.
     pub session: Option<Session>,
-    /// The error, and the place of the file, for the message row and the log.
+    /// Error and path of the file, for the message row and the log.
     pub notice: Option<String>,
-    /// The file as it was read.
+    /// Fingerprint of the file.
     pub known: SessionFingerprint,
 }
 
-/// Note among the recent files that a scene file was opened or saved.
+/// Adds a scene file to the recent files.
 pub fn note_recent(recent: &mut Vec<PathBuf>, path: PathBuf) {
     recent.retain(|known| *known != path);
     recent.insert(0, path);
     recent.truncate(RECENT_MAX);
 }
 
-/// The file as it is written. Unknown keys are ignored: a newer program may have left them.
+/// Contents of the session file. Unknown keys, as of a newer version, are ignored.
 #[derive(Serialize, Deserialize)]
 struct SessionFile {
     format: i64,
@@ -156,9 +156,9 @@ struct PinRow {
 pub struct SessionFingerprint {
     /// Last content read or written, without the first line.
     body: Option<String>,
-    /// This workbench, as its first line names it: drawn at random, since numbers of processes repeat, in time and between containers.
+    /// Random name of this workbench, for the first line of the file. Process numbers repeat, over time and between containers.
     writer: String,
-    /// Other writers whose sessions were kept aside: the last text of each, and where.
+    /// Path and last text of the saved session of each other workbench.
     kept: HashMap<String, (PathBuf, String)>,
 }
 
@@ -169,18 +169,19 @@ impl Default for SessionFingerprint {
     }
 }
 
-/// Text before the writer in the first line.
+/// Text before the name of the workbench in the first line.
 const WRITER: &str = ", workbench ";
 
-/// The writer that a session's first line names, and the rest of it.
+/// Returns the name of the workbench in the first line, and the rest of the session.
 fn parts(text: &str) -> (&str, &str) {
     let (first, body) = text.split_once('\n').unwrap_or(("", text));
     (first.split_once(WRITER).map_or("", |(_, writer)| writer), body)
 }
 
-/// Save the session, whole or not at all. The session of another workbench that has written there since `known` is kept among the recent
-/// ones first, and where is returned, in the place of an earlier one of the same workbench; a session that was saved like this before
-/// does not replace it. `may_wait`: whether another workbench that saves is still waited for.
+/// Saves the session atomically.
+///
+/// If another workbench has written the file since `known`, its session is first saved among the recent ones, replacing an earlier one of
+/// the same workbench; its path is returned. `may_wait` returns `false` to stop waiting for another workbench that is saving.
 pub fn save(
     path: &Path,
     session: &Session,
@@ -188,7 +189,7 @@ pub fn save(
     may_wait: &dyn Fn() -> bool,
 ) -> Result<Option<PathBuf>, FileError> {
     atomic::make_folder_of(path)?;
-    // Another workbench that saves between the reading and the writing below would be overwritten unseen.
+    // Without the lock, another workbench could write between the reading and the writing below, and its session would be lost.
     let _lock = atomic::wait_for_lock(&path.with_extension("lock"), may_wait);
     let body = body(path, session)?;
     let there = read::text_file(path, BYTES_MAX).ok();
@@ -202,7 +203,7 @@ pub fn save(
     {
         let ((writer, body), folder) = (parts(&there), path.with_file_name("recent"));
         let before = known.kept.get(writer).map(|(path, body)| (path.as_path(), body.as_str()));
-        // Nothing tells one that has no name from others without one.
+        // Workbenches without a name cannot be distinguished.
         let before = before.filter(|_| !writer.is_empty());
         let place = recent::keep(&folder, body, before)?;
         known.kept.insert(writer.to_owned(), (place.clone(), body.to_owned()));
@@ -215,18 +216,18 @@ pub fn save(
     Ok(aside)
 }
 
-/// Keeps a session whole among the recent ones, and gives its file.
+/// Saves a session among the recent ones and returns its path.
 pub fn keep(folder: &Path, session: &Session) -> Result<PathBuf, FileError> {
     recent::keep(folder, &body(folder, session)?, None)
 }
 
-/// A session that was kept whole; `None` if the file holds something else.
+/// Loads a session from the recent ones; `None` if the file is not a session.
 pub fn kept(path: &Path) -> Option<Session> {
     let text = read::text_file(path, BYTES_MAX).ok()?;
     parse(&text).0
 }
 
-/// The text of the scene in a session; `None` if the text is something else.
+/// Returns the text of the scene in a session; `None` if the text is not a session.
 pub(super) fn scene_in(text: &str) -> Option<String> {
     toml::from_str(text).ok().map(|file: SessionFile| file.scene)
 }
@@ -248,8 +249,7 @@ fn body(path: &Path, session: &Session) -> Result<String, FileError> {
     toml::to_string_pretty(&file).map_err(|error| FileError::target(path, &error.to_string()))
 }
 
-/// Load the last session, if there is one. A file that is damaged is backed up with the ending `.broken`, and what can be read
-/// of it is kept.
+/// Loads the last session, if there is one. A damaged file is backed up with the suffix `.broken`; its readable part is loaded.
 pub fn load(path: &Path) -> Loaded {
     if fs::symlink_metadata(path).is_err() {
         return Loaded::default();
@@ -274,13 +274,13 @@ pub fn load(path: &Path) -> Loaded {
         };
         format!("{lost}; {kept}: {}", problems.join("; "))
     });
-    // A session that was backed up is gone.
+    // A session that was backed up no longer exists under its name.
     let body = text.filter(|_| notice.is_none()).map(|text| parts(&text).1.to_owned());
     let known = SessionFingerprint { body, ..SessionFingerprint::default() };
     Loaded { session, notice, known }
 }
 
-/// The readable part of a session, and the errors.
+/// Returns the readable part of a session, and the errors.
 fn parse(text: &str) -> (Option<Session>, Vec<String>) {
     let file: SessionFile = match toml::from_str(text) {
         Ok(file) => file,

@@ -1,4 +1,4 @@
-//! The measurements, computed from their presets, and a user's own from a CSV file.
+//! Measurements: the built-in ones, computed from their presets, and the user's own from a CSV file.
 
 use std::path::Path;
 
@@ -10,10 +10,10 @@ use cmra_studies::study::context::Context;
 use cmra_studies::study::measured::{self, FindEntry, Measurement};
 use cmra_studies::study::validation::{Row, compute, measurements};
 
-/// The measurements in a CSV file, with the user's own threats and materials.
+/// Reads measurements from a CSV file, with the user's own threats and materials.
 ///
 /// # Errors
-/// A [`FileError`] when the file cannot be read, or is no table of measurements.
+/// A [`FileError`] if the file cannot be read or is not a table of measurements.
 pub fn read_measurements(path: &Path) -> Result<Vec<Measurement>, FileError> {
     let text = read::text_file(path, read::BYTES_MAX)?;
     let paths = Paths::of_user().ok();
@@ -26,7 +26,7 @@ pub fn read_measurements(path: &Path) -> Result<Vec<Measurement>, FileError> {
     })
 }
 
-/// Every case, computed from its bundled preset; fewer than all when stopped.
+/// Computes every case from its bundled preset; returns fewer rows if stopped.
 pub fn report(context: &mut Context<'_>) -> Result<Vec<Row>, FileError> {
     let cases = measurements().cases.iter();
     let all: Vec<_> = cases

@@ -1,7 +1,7 @@
-//! A scene as TOML text: fresh, or into an existing text whose comments, order and formatting stay.
+//! Writer of scene files in TOML: new files, or changes to an existing text, which keeps its comments, order and formatting.
 //!
-//! Keys, symbols and values come from [`VARIABLES`]; floats are written with the fewest digits that read back to the
-//! same float. Reading is in [`crate::files::read`].
+//! Keys and values come from [`VARIABLES`]. Floats have the fewest digits that read back to the same value. The reader is
+//! [`crate::files::read`].
 
 use std::fmt::Write as _;
 
@@ -13,10 +13,10 @@ use cmra_engine::model::scene::{Layer, Scene, SpringKind, Sweep, SweepAxis};
 use cmra_engine::model::units;
 use cmra_engine::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
-/// Columns of a value before the comment beside it.
+/// Column of the comment beside a value.
 const VALUE_WIDTH: usize = 27;
 
-/// A scene as a new TOML file.
+/// Returns a scene as a new TOML file.
 pub fn fresh(scene: &Scene) -> String {
     let mut text = format!("format = {}\n", read::FORMAT);
     let _ = writeln!(text, "title = {}", quoted(&scene.title));
@@ -32,7 +32,7 @@ pub fn fresh(scene: &Scene) -> String {
         }
         let (line, note) = match value_text(variable, scene) {
             Some(value) => (format!("{key} = {value}"), ""),
-            // An optional number that is not there: shown, so that a reader knows it can be.
+            // An absent optional number is written as a comment, to show its key.
             None => (format!("# {key} ="), ", omitted"),
         };
         let _ = writeln!(text, "{line:<VALUE_WIDTH$} # {}{note}", comment(variable));
@@ -47,13 +47,13 @@ pub fn fresh(scene: &Scene) -> String {
     text
 }
 
-/// `text`, a scene file, with the values of `scene` in it; what has not changed stays letter for letter.
+/// Returns the scene file `text` with the values of `scene`; everything unchanged stays as it is.
 ///
 /// # Errors
-/// [`SceneErrors`] when `text` is not a scene: changing it blindly might lose what someone wrote.
+/// [`SceneErrors`] if `text` is not a scene: a change could lose its content.
 pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErrors> {
     let old = read::scene(text, file)?;
-    // The strict reader has just accepted the same text, so the editing parser of the same make does too.
+    // The strict reader has accepted the text, and the editing parser has the same grammar.
     let Ok(mut document) = text.parse::<DocumentMut>() else {
         return Ok(fresh(scene));
     };
@@ -65,7 +65,7 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
         put(root, "notes", &quoted(&scene.notes));
     }
     put_changes(root, &old, scene, false);
-    // What a further element leaves open it has from the first plate, which may have changed.
+    // Further elements inherit from the first plate, which can have changed.
     let now = read::scene(&document.to_string(), file).ok();
     let root = document.as_table_mut();
     if now.as_ref().is_none_or(|now| now.stack.layers != scene.stack.layers) {
@@ -83,7 +83,7 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
     Ok(document.to_string())
 }
 
-/// Changes what differs between two scenes. A value that is no longer there is removed, or its absence written.
+/// Writes the differences between two scenes. An absent value is removed, or its absence is written.
 fn put_changes(root: &mut Table, old: &Scene, scene: &Scene, writes_absent: bool) {
     for variable in VARIABLES.iter().filter(|variable| !is_kept(variable, old, scene)) {
         let (parent, key) = split(variable);
@@ -103,18 +103,18 @@ fn put_changes(root: &mut Table, old: &Scene, scene: &Scene, writes_absent: bool
     }
 }
 
-/// Whether it is a way to give the plate's size that the scene does not take: a scene gives that once.
+/// Returns `true` for a variable that sets the size of the plate, if the scene sets it by another one.
 fn is_other_size(variable: &Variable, scene: &Scene) -> bool {
     variables::sizes_plate(variable) && scene.plate.size.key() != variable.key
 }
 
-/// Whether a variable has the same value in both scenes, or gives neither's plate its size.
+/// Returns `true` if a variable has the same value in both scenes, or sets the size of the plate in neither.
 fn is_kept(variable: &Variable, old: &Scene, scene: &Scene) -> bool {
     let [was_other, is_other] = [old, scene].map(|scene| is_other_size(variable, scene));
     was_other == is_other && (is_other || same(variable.value(old), variable.value(scene)))
 }
 
-/// Equal to the last bit, so that 0.0 and -0.0 differ.
+/// Compares values by their bits: 0.0 and -0.0 differ.
 fn same(a: Value, b: Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => a.to_bits() == b.to_bits(),
@@ -122,7 +122,7 @@ fn same(a: Value, b: Value) -> bool {
     }
 }
 
-/// The table of a dotted path, made where it is missing.
+/// Returns the table of a dotted path; creates it if it is missing.
 fn table_at<'t>(root: &'t mut Table, path: &str) -> &'t mut dyn TableLike {
     let mut table: &mut dyn TableLike = root;
     for name in path.split('.') {
@@ -140,7 +140,7 @@ fn table_at<'t>(root: &'t mut Table, path: &str) -> &'t mut dyn TableLike {
     table
 }
 
-/// Set a key to a value written as TOML, with the comment and the spaces that stood around the old one.
+/// Sets a key to a value in TOML syntax; keeps the comment and the spaces around the old value.
 fn put(table: &mut dyn TableLike, key: &str, value: &str) {
     let mut value: toml_edit::Value = value.parse().expect("it was written by this file, as TOML");
     if let Some(old) = table.get(key).and_then(Item::as_value) {
@@ -157,12 +157,12 @@ fn split(variable: &Variable) -> (&'static str, &'static str) {
     variable.key.rsplit_once('.').unwrap_or(("", variable.key))
 }
 
-/// A scene with the plate of a further element.
+/// Returns a scene with the plate of a further element.
 fn with_layer(scene: &Scene, Layer { target, plate, mechanism }: &Layer) -> Scene {
     Scene { target: *target, plate: *plate, mechanism: mechanism.clone(), ..scene.clone() }
 }
 
-/// The further elements of a stack: of each what differs from the scene's own plate.
+/// Formats the further elements of a stack, each with its differences from the first plate.
 fn layers_text(scene: &Scene) -> String {
     let mut text = String::new();
     for layer in &scene.stack.layers {
@@ -180,7 +180,7 @@ fn layers_text(scene: &Scene) -> String {
     text
 }
 
-/// Changes the further elements where they stand, if there are as many `now`; else writes them anew.
+/// Writes the further elements in place if their number is unchanged; else writes all of them again.
 fn put_layers(root: &mut Table, now: Option<&Scene>, scene: &Scene) {
     let stack = table_at(root, "stack");
     let layers = &scene.stack.layers;
@@ -201,10 +201,10 @@ fn put_layers(root: &mut Table, now: Option<&Scene>, scene: &Scene) {
     }
 }
 
-/// The table of measured points that differs from another scene's, as TOML.
+/// Returns the measured points in TOML syntax if they differ between two scenes.
 fn changed_table(old: &Scene, scene: &Scene) -> Option<(&'static str, String)> {
     let (was, is) = (&old.mechanism.spring, &scene.mechanism.spring);
-    // A spring that has become a table needs its points, whatever they are.
+    // A spring that is now of the kind `table` needs its points, even if they are unchanged.
     let begins = is.kind == SpringKind::Table && was.kind != is.kind;
     let point = |[x, force]: &[f64; 2]| format!("[{}, {}]", float(*x), float(*force));
     let points: Vec<String> = is.table.points.iter().map(point).collect();
@@ -212,10 +212,12 @@ fn changed_table(old: &Scene, scene: &Scene) -> Option<(&'static str, String)> {
     is_changed.then(|| (read_table::KEY, format!("[{}]", points.join(", "))))
 }
 
-/// A stop is written only where there is one, or where its settings would otherwise be lost; of the springs what their kind
-/// has, and what differs from the default.
+/// Returns `true` if a variable is written:
+///
+/// - of a stop, if there is one or a value differs from the default
+/// - of a spring, if it belongs to its kind or differs from the default
 fn is_written(variable: &Variable, scene: &Scene) -> bool {
-    // Of a spring, or of how two act together.
+    // Variables of a spring, or of the combination of two springs.
     let starts = ["mechanism.spring.", "mechanism.second.", "mechanism.combination"];
     if starts.iter().any(|start| variable.key.starts_with(start)) {
         let plain = Scene::default();
@@ -245,7 +247,7 @@ fn value_text(variable: &Variable, scene: &Scene) -> Option<String> {
     }
 }
 
-/// The symbol; for a word, what else it may be.
+/// Returns the comment beside a value: its symbol, or the other choices of a word.
 fn comment(variable: &Variable) -> String {
     match &variable.kind {
         Kind::Number(_) => variable.symbol.to_owned(),
@@ -254,7 +256,7 @@ fn comment(variable: &Variable) -> String {
     }
 }
 
-/// A float as TOML: shortest digits, and never without a point or an exponent.
+/// Formats a float in TOML syntax: shortest digits, with a point or an exponent.
 pub fn float(value: f64) -> String {
     let text = units::shortest(value);
     if text.contains(['.', 'e']) { text } else { text + ".0" }

@@ -1,9 +1,9 @@
-//! Sweeps: one scene, some variables on axes, and the results at every point.
+//! Sweeps: results of a scene at every point of one or more axes.
 //!
-//! A [`Plan`] is checked before anything runs, and computes every point from its index: 10^8 points need no memory, and any
-//! part of them (a [`Shard`]) can be computed anywhere, in any order, by any number of threads, to the same digits. The results of
-//! a point come from `evaluate`; the threads are in `study/parallel.rs` only. A value exists only where its quantity does;
-//! the outcome of the point is reported beside it. Knows no files, no screen, no command line and no clock.
+//! A [`Plan`] is validated before the first run. Points are computed from their index: a sweep of 10^8 points needs no memory, and any part
+//! (a [`Shard`]) can be computed in any order, on any number of threads and computers, with the same digits. `evaluate` computes the
+//! results of a point; only `study/parallel.rs` starts threads. A point has an outcome, and values of the quantities that exist for it.
+//! This module depends on neither files nor screens nor the command line nor a clock.
 
 pub mod axis;
 pub mod default_axes;
@@ -24,15 +24,15 @@ use cmra_engine::model::units;
 use cmra_engine::model::variables;
 pub use evaluate::{Evaluator, Point};
 
-/// The most points of a sweep: what a count in floating point still distinguishes.
+/// Maximum number of points: the largest count that is exact in floating point.
 const POINTS_MAX: u64 = 1 << 53;
-/// The most axes.
+/// Maximum number of axes.
 pub const AXES_MAX: usize = 12;
 
-/// The two results of the thesis's figures.
+/// Default outputs: the two results of the thesis's figures.
 pub const DEFAULT_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
 
-/// A part of a sweep: of every `count` points the `index`-th one, from 1.
+/// Part of a sweep: every `count`-th point, starting with point `index` (counted from 1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     index: u64,
@@ -46,10 +46,10 @@ impl std::fmt::Display for Shard {
 }
 
 impl Shard {
-    /// The whole.
+    /// Complete sweep.
     pub const WHOLE: Self = Self { index: 1, count: 1 };
 
-    /// Read `I/N`.
+    /// Parses `I/N`.
     ///
     /// # Errors
     /// [`SweepError`] unless 1 <= I <= N.
@@ -68,35 +68,35 @@ impl Shard {
         Ok(Self { index, count })
     }
 
-    /// How many of so many points are its own.
+    /// Returns the number of points of the part, out of all points.
     pub fn count(self, points: u64) -> u64 {
         (points + self.count - self.index) / self.count
     }
 
-    /// The point that its row `row` shows: every `count`-th one.
+    /// Returns the index of the point in row `row` of the part.
     pub fn point(self, row: u64) -> u64 {
         self.index - 1 + row * self.count
     }
 }
 
-/// A checked sweep. Equal plans give equal results.
+/// Validated sweep. Equal plans give equal results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     base: Scene,
     axes: Vec<Axis>,
     points: u64,
     outputs: Vec<&'static Quantity>,
-    /// Points in the place of the grid's: for each a value on every axis.
+    /// Listed points in place of a grid: a value on every axis for each.
     list: Option<Arc<[f64]>>,
-    /// Steps after which a run is stopped.
+    /// Maximum number of steps of a run.
     steps_max: Option<usize>,
 }
 
 impl Plan {
-    /// A sweep of a scene over every combination of the axes' values; the last axis varies fastest. The outputs are names of the table of results.
+    /// Creates a sweep over every combination of the values of the axes; the last axis varies fastest. The outputs are names of quantities.
     ///
     /// # Errors
-    /// [`SweepError`] when something about it is bad: then nothing has run.
+    /// [`SweepError`] if an argument is invalid.
     pub fn new(
         scene: &Scene,
         axes: Vec<Axis>,
@@ -109,7 +109,7 @@ impl Plan {
         Ok(Self { points, ..Self::for_designs(scene, axes, outputs)? })
     }
 
-    /// A plan of designs that are listed later, over any number of axes.
+    /// Creates a plan for designs that are listed later, with any number of axes.
     pub fn for_designs(
         scene: &Scene,
         axes: Vec<Axis>,
@@ -141,47 +141,48 @@ impl Plan {
         base.notes = warnings.collect::<Vec<&str>>().join("\n");
         let mut plan = Self { base, axes, points: 0, outputs, list: None, steps_max: None };
         plan.check_corners()?;
-        // What the axes set is not held: two plans that differ only there are one.
+        // The axes replace these values of the scene: plans that differ only in them are equal.
         for axis in &plan.axes {
             axis.set(&mut plan.base, axis.ends().0);
         }
         Ok(plan)
     }
 
-    /// Limits the steps of each run; a run beyond the limit fails. In a search, a few plates that oscillate millions of times must not take
-    /// most of the time.
+    /// Limits the number of steps of each run; a run beyond the limit fails. In a search, a few plates with millions of oscillations would
+    /// otherwise take most of the time.
     #[must_use]
     pub fn limited(self, steps: usize) -> Self {
         Self { steps_max: Some(steps), ..self }
     }
 
-    /// The sweep kept with a scene.
+    /// Creates the sweep that a scene contains.
     pub fn from_scene(scene: &Scene) -> Result<Self, SweepError> {
         let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
         Self::new(scene, Axis::all_of(sweep)?, &sweep.outputs)
     }
 
-    /// The scene whose other variables are held, without title and sweep; of its notes with the warnings of library entries alone.
+    /// Returns the scene with the values of all other variables, without title and sweep; its notes are reduced to warnings of library
+    /// entries.
     pub fn base(&self) -> &Scene {
         &self.base
     }
 
-    /// The axes.
+    /// Returns the axes.
     pub fn axes(&self) -> &[Axis] {
         &self.axes
     }
 
-    /// How many points there are in all.
+    /// Returns the number of points.
     pub fn points(&self) -> u64 {
         self.points
     }
 
-    /// The results requested.
+    /// Returns the requested quantities.
     pub fn outputs(&self) -> &[&'static Quantity] {
         &self.outputs
     }
 
-    /// The value of axis `axis` at point `index`, in the stored unit.
+    /// Returns the value of axis `axis` at point `index`, in the stored unit.
     pub fn coordinate(&self, index: u64, axis: usize) -> f64 {
         if let Some(list) = &self.list {
             let at = usize::try_from(index).unwrap_or(usize::MAX);
@@ -191,33 +192,33 @@ impl Plan {
         self.axes[axis].value(index / faster % self.axes[axis].count())
     }
 
-    /// Give a scene the values of point `index`.
+    /// Sets the values of point `index` in a scene.
     pub fn place(&self, scene: &mut Scene, index: u64) {
         for (at, axis) in self.axes.iter().enumerate() {
             axis.set(scene, self.coordinate(index, at));
         }
     }
 
-    /// The scene at point `index`.
+    /// Returns the scene at point `index`.
     pub fn scene(&self, index: u64) -> Scene {
         let mut scene = self.base.clone();
         self.place(&mut scene, index);
         scene
     }
 
-    /// The scene of a design: a value for every axis, in the stored unit.
+    /// Returns the scene of a design, which has a value for every axis in its stored unit.
     pub fn scene_of(&self, design: &[f64]) -> Scene {
         axis::scene_with(&self.base, &self.axes, design)
     }
 
-    /// The design that a scene is: its own value for every axis, NaN where the variable is absent.
+    /// Returns the values of a scene on every axis; NaN for an absent variable.
     pub fn design_of(&self, scene: &Scene) -> Vec<f64> {
         self.axes.iter().map(|axis| axis.get(scene).unwrap_or(f64::NAN)).collect()
     }
 
-    /// Rules between variables are linear: what holds at every corner of the box holds within.
+    /// Checks the rules between variables at every corner of the box of axes. They are linear: valid corners imply a valid interior.
     fn check_corners(&self) -> Result<(), SweepError> {
-        // More axes have only listed points, each of which is checked by itself.
+        // With more axes there are only listed points, each of which is checked.
         for corner in 0..1u32 << self.axes.len().min(AXES_MAX) {
             let mut scene = self.base.clone();
             let mut place = Vec::new();
@@ -236,7 +237,7 @@ impl Plan {
     }
 }
 
-/// Refuses an axis over the plate's size where the scene gives it by another input: the axis would win without a word.
+/// Rejects an axis over the size of the plate if the scene sets it by another variable, which the axis would silently replace.
 fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
     let overrules = |axis: &&Axis| variables::overrules_size(axis.variable(), scene);
     let Some(axis) = axes.iter().find(overrules).map(Axis::symbol) else { return Ok(()) };

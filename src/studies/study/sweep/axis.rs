@@ -1,7 +1,7 @@
-//! Axis of a sweep: a variable, its ends, its points, and their validation.
+//! Axis of a sweep: a variable with its range and its points.
 //!
-//! All values of an `Axis` are valid: its ends are checked, and the valid values of a variable form an interval. `Plan` checks rules between
-//! variables.
+//! All values of an `Axis` are valid: its ends are checked, and the valid values of a variable form an interval. `Plan` checks the rules
+//! between variables.
 
 use std::fmt;
 use std::ops::{Range, RangeInclusive};
@@ -16,26 +16,26 @@ mod text;
 
 pub(in crate::study) use text::ends;
 
-/// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
+/// Allowed number of points of an axis of a streamed sweep; grids in memory and searches have smaller limits.
 pub const COUNTS: RangeInclusive<u64> = 2..=1_000_000_000;
 
-/// How the points of an axis are spread.
+/// Spacing of the points of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spacing {
-    /// At equal differences.
+    /// Equal differences.
     Linear,
-    /// At equal ratios.
+    /// Equal ratios.
     Log,
-    /// At the values of a list.
+    /// Values of a list.
     Listed,
 }
 
-/// A checked axis.
+/// Validated axis.
 #[derive(Clone)]
 pub struct Axis {
     variable: &'static Variable,
     number: &'static Number,
-    /// As a scene file has it; of a list the ends are its least and its greatest value.
+    /// Range as in a scene file; the ends of a list are its smallest and largest value.
     range: SweepAxis,
 }
 
@@ -45,7 +45,7 @@ impl fmt::Debug for Axis {
     }
 }
 
-/// As `--over` has it; an angle by its full key, whose unit is that of the values.
+/// Formats the axis in the syntax of `--over`; angles by their full key, whose unit is that of the values.
 impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let variable = self.variable;
@@ -61,7 +61,7 @@ impl PartialEq for Axis {
 }
 
 impl Axis {
-    /// An axis over the variable `name`, in its stored unit; the ends may be in either order.
+    /// Creates an axis over the variable `name`, in its stored unit; the ends may be in either order.
     pub fn new(
         name: &str,
         (from, to): (f64, f64),
@@ -76,7 +76,7 @@ impl Axis {
         )
     }
 
-    /// The axis a scene requests, where it may have a given number of points.
+    /// Creates an axis from a scene file; its number of points has to be within `counts`.
     pub fn from_sweep_axis(
         asked: &SweepAxis,
         counts: &RangeInclusive<u64>,
@@ -98,12 +98,12 @@ impl Axis {
         Ok(Self { variable, number, range })
     }
 
-    /// The axes of a sweep as a scene keeps it.
+    /// Creates the axes of a sweep in a scene file.
     pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
         sweep.axes.iter().map(|axis| Self::from_sweep_axis(axis, &COUNTS)).collect()
     }
 
-    /// The variable's value in a scene; `None` where it is absent.
+    /// Returns the value of the variable in a scene; `None` if it is absent.
     pub fn get(&self, scene: &Scene) -> Option<f64> {
         (self.number.get)(scene)
     }
@@ -122,17 +122,17 @@ impl Axis {
         (self.number.set)(scene, (!value.is_nan()).then_some(value));
     }
 
-    /// The variable.
+    /// Returns the variable.
     pub fn variable(&self) -> &'static Variable {
         self.variable
     }
 
-    /// The variable's symbol: the axis's name in tables.
+    /// Returns the symbol of the variable, the name of the axis in tables.
     pub fn symbol(&self) -> &'static str {
         self.variable.symbol
     }
 
-    /// A value with its unit: `0.24 m`, `1.5e6 N/m^n`.
+    /// Formats a value with its unit: `0.24 m`, `1.5e6 N/m^n`.
     pub fn show(&self, value: f64, digits: usize) -> String {
         let unit = self.variable.unit();
         format!("{} {unit}", units::significant(value, digits)).trim_end().to_owned()
@@ -143,7 +143,7 @@ impl Axis {
         self.range.clone()
     }
 
-    /// The values as `--over` has them: `LO..HI:COUNT[:log]`, or a list.
+    /// Formats the values in the syntax of `--over`: `LO..HI:COUNT[:log]`, or a list.
     pub fn range(&self) -> String {
         let shown = units::shortest;
         if self.spacing() == Spacing::Listed {
@@ -154,22 +154,22 @@ impl Axis {
         format!("{}..{}:{count}{}", shown(from), shown(to), if log { ":log" } else { "" })
     }
 
-    /// The values of a list in their order; empty for a range.
+    /// Returns the values of a list in their order; empty for a range.
     pub fn list(&self) -> &[f64] {
         &self.range.values
     }
 
-    /// First and last value of a range, least and greatest of a list, in the stored unit.
+    /// Returns first and last value of a range, smallest and largest value of a list, in the stored unit.
     pub fn ends(&self) -> (f64, f64) {
         (self.range.from, self.range.to)
     }
 
-    /// Number of points.
+    /// Returns the number of points.
     pub fn count(&self) -> u64 {
         self.range.count as u64
     }
 
-    /// How they are spread.
+    /// Returns the spacing of the points.
     pub fn spacing(&self) -> Spacing {
         match self.range.log {
             _ if !self.list().is_empty() => Spacing::Listed,
@@ -178,8 +178,7 @@ impl Axis {
         }
     }
 
-    /// The value of point `index`, counted from 0; the ends come out to the digit, and an axis turned round gives the same
-    /// values in the other order.
+    /// Returns the value of point `index`, counted from 0. The ends are exact, and a reversed axis has the same values in reverse order.
     pub fn value(&self, index: u64) -> f64 {
         let last = self.count() - 1;
         if self.spacing() == Spacing::Listed {
@@ -192,7 +191,7 @@ impl Axis {
         }
     }
 
-    /// The point whose value is nearest, by the spacing.
+    /// Returns the point with the closest value, on the scale of the spacing.
     pub fn nearest(&self, value: f64) -> u64 {
         let gap = |index: &u64| (self.place(self.value(*index)) - self.place(value)).abs();
         let near = |points: Range<u64>| points.min_by(|a, b| gap(a).total_cmp(&gap(b)));
@@ -200,7 +199,7 @@ impl Axis {
             return near(0..self.count()).unwrap_or(0);
         }
         let rising = self.range.from < self.range.to;
-        // Neighbours, the value between them.
+        // Bisection to the two neighbours of the value.
         let (mut low, mut high) = (0, self.count() - 1);
         while high - low > 1 {
             let middle = low + (high - low) / 2;
@@ -209,10 +208,10 @@ impl Axis {
         near(low..high + 1).unwrap_or(low)
     }
 
-    /// The value at a share of the way, 0 to 1.
+    /// Returns the value at a fraction of the range, 0 to 1.
     pub fn at_share(&self, share: f64) -> f64 {
         if self.spacing() == Spacing::Listed {
-            // As many equal parts as values.
+            // Each value of a list has an equal part of the range.
             let (count, list) = (self.count() as f64, self.list());
             let at = (1..list.len()).find(|at| share * count < *at as f64);
             return list[at.unwrap_or(list.len()) - 1];
@@ -220,30 +219,30 @@ impl Axis {
         self.between(share, 1.0 - share)
     }
 
-    /// The share of the way at which a value lies; `None` outside the ends.
+    /// Returns the fraction of the range at a value; `None` outside the range.
     pub fn share(&self, value: f64) -> Option<f64> {
         let (from, to) = (self.place(self.range.from), self.place(self.range.to));
         let share = (self.place(value) - from) / (to - from);
         (0.0..=1.0).contains(&share).then_some(share)
     }
 
-    /// A value on the scale on which the axis is even.
+    /// Returns a value on the scale of the spacing.
     fn place(&self, value: f64) -> f64 {
         if self.range.log { value.ln() } else { value }
     }
 
-    /// The mean of the ends, weighted by how far each is: multiplied before divided, so that round numbers stay round.
+    /// Returns the weighted mean of the ends. It multiplies before it divides: round numbers stay round.
     fn between(&self, gone: f64, left: f64) -> f64 {
         let (from, to) = self.ends();
         let mean = (self.place(from) * left + self.place(to) * gone) / (gone + left);
         let value = if self.range.log { nearest_short(mean.exp()) } else { mean };
         let (low, high) = if from < to { (from, to) } else { (to, from) };
-        // Rounding, or an overflow of the products, must not leave the range.
+        // Rounding errors, or an overflow of the products, could leave the range.
         if value.is_finite() { value.clamp(low, high) } else { low + 0.5 * (high - low) }
     }
 }
 
-/// A scene with a value for each of these axes, in their stored units; NaN: the variable is absent.
+/// Returns a scene with a value for each axis, in their stored units; NaN makes a variable absent.
 pub fn scene_with(scene: &Scene, axes: &[Axis], values: &[f64]) -> Scene {
     let mut own = scene.clone();
     for (axis, value) in axes.iter().zip(values) {
@@ -252,7 +251,7 @@ pub fn scene_with(scene: &Scene, axes: &[Axis], values: &[f64]) -> Scene {
     own
 }
 
-/// Checks that no value of an axis stands twice, and that both ends of one at equal ratios are positive.
+/// Checks that the values of an axis are distinct, and positive if they have equal ratios.
 fn check_distinct(range: &SweepAxis) -> Result<(), SweepError> {
     let (axis, shown) = (&range.name, units::shortest);
     let values = &range.values;
@@ -282,7 +281,7 @@ fn check_distinct(range: &SweepAxis) -> Result<(), SweepError> {
     Ok(())
 }
 
-/// Checks whether an axis may have this number of points.
+/// Checks the number of points of an axis.
 fn check_count(range: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<(), SweepError> {
     let SweepAxis { name: axis, from, count, values, .. } = range;
     if counts.contains(&(*count as u64)) {
@@ -309,7 +308,7 @@ pub(in crate::study) fn numeric(
     Ok((variable, number))
 }
 
-/// The shortest decimal within rounding of an exponential, so that decades are decades.
+/// Rounds to 15 digits, so that powers of ten are exact.
 fn nearest_short(value: f64) -> f64 {
     let short: f64 = format!("{value:.14e}").parse().unwrap_or(value);
     if (short - value).abs() <= 1e-14 * value { short } else { value }
@@ -326,7 +325,7 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
         Allowed::Below(low, _) if end < low => Some(units::shortest(low)),
         Allowed::Below(_, high) => Some(format!("a value below {}", units::shortest(high))),
     };
-    // A refusal repeats what was written, also where that is not a number.
+    // The message repeats the argument, which can be NaN or infinite.
     let value = if end.is_finite() { units::shortest(end) } else { end.to_string() };
     let cure = limit.map_or_else(
         || "write a finite number".to_owned(),

@@ -1,4 +1,4 @@
-//! The variables of a search, and their bounds, where none are named.
+//! Default variables of a search, with their ranges.
 
 use crate::study::sweep::{Axis, Spacing, SweepError};
 use cmra_engine::model::run::envelope::FACE_LEAST;
@@ -6,31 +6,33 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::significant;
 use cmra_engine::model::variables::{self, VARIABLES, Variable};
 
-/// The plate's face over the projectile's diameter at the upper bound of the mass ratio.
+/// Side of the plate at the upper bound of the mass ratio, in diameters of the projectile.
 const FACE_MOST: f64 = 4.0 * FACE_LEAST;
 
-/// The bounds of Table 9.2 for every variable that has some and an effect within them. Those of the mass ratio are for the
-/// projectile of the thesis: for any other they are the ratios of plates from [`FACE_LEAST`] to 12 diameters wide.
+/// Returns axes over the ranges of Table 9.2, for every variable with a range and an effect within it.
+///
+/// The range of the mass ratio applies to the projectile of the thesis. For another projectile it is that of plates from [`FACE_LEAST`] to
+/// 12 diameters wide.
 pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     let ranges = || {
         let of = |it: &'static Variable| Some((it, it.number()?, thesis_ends(scene, it)?));
         VARIABLES.iter().filter_map(of)
     };
-    // A spring's exponent matters where there is a spring: judged with every range at its end.
+    // A variable can have an effect only together with others: an exponent needs a spring. The effect is checked at the upper ends.
     let mut far = scene.clone();
     for (_, number, (_, high)) in ranges() {
         (number.set)(&mut far, Some(high));
     }
     ranges()
         .filter(|(variable, ..)| {
-            // A mass ratio that follows from the plate's face is not an input.
+            // A mass ratio that follows from the side of the plate is not an input.
             variables::is_used(variable, &far) && !variables::overrules_size(variable, scene)
         })
         .map(|(variable, _, ends)| Axis::new(variable.symbol, ends, 2, Spacing::Linear))
         .collect()
 }
 
-/// Bounds of a variable in Table 9.2, those of the mass ratio as in [`thesis_axes`]; `None` where the table has none.
+/// Returns the range of a variable in Table 9.2, that of the mass ratio as in [`thesis_axes`]; `None` if the table has none.
 pub(in crate::study) fn thesis_ends(scene: &Scene, variable: &Variable) -> Option<(f64, f64)> {
     let ends = variable.thesis_range?;
     Some(if variable.symbol == "gamma" { mass_ratios(scene, ends) } else { ends })

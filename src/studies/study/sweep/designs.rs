@@ -1,7 +1,7 @@
-//! Designs evaluated many at once: the outcome of each, and its measures.
+//! Evaluation of many designs at once: outcome and quantities of each.
 //!
-//! They are points of a plan that are listed, each with a value for every axis. The evaluation is that of sweeps, the contact kernel
-//! included; a design whose computation fails, or panics, keeps its place and says so. No digit depends on the number of threads.
+//! Designs are listed points of a plan, evaluated as in sweeps, with the contact kernel if possible. A design whose computation fails or
+//! panics has a failed outcome. The results do not depend on the number of threads.
 
 use std::ops::Range;
 
@@ -10,14 +10,16 @@ use crate::study::sweep::kernel::Kernel;
 use crate::study::sweep::{Evaluator, Plan, Point};
 use cmra_engine::model::scene::InterfaceLaw;
 
-/// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
+/// Number of designs that a thread takes at once, for designs by the contact kernel.
 const PIECE: u64 = 16;
+/// Number of designs that a thread takes at once, for designs with a complete run: their run times differ by orders of magnitude.
 const PIECE_OF_RUNS: u64 = 1;
 
 impl Plan {
-    /// Evaluate designs in the place of the plan's points, each a value for every axis, in the stored unit (NaN: the variable is
-    /// absent). Fewer than those when it was stopped. Whether a design makes physical sense is the caller's business. A value that does
-    /// not count, as [`crate::study::outcome::PointOutcome::counts`] has it, does not exist.
+    /// Evaluates designs, each with a value for every axis in its stored unit (NaN for an absent variable); fewer results if stopped.
+    ///
+    /// The caller ensures that the designs are physically possible. Values that do not count for their outcome are `None`, see
+    /// [`crate::study::outcome::PointOutcome::counts`].
     pub fn evaluate<P: ?Sized>(
         &self,
         designs: &[Vec<f64>],
@@ -32,7 +34,7 @@ impl Plan {
         found
     }
 
-    /// Evaluates designs as [`Plan::evaluate`] does; values that do not count are kept.
+    /// Evaluates designs as [`Plan::evaluate`] does, and keeps values that do not count for their outcome.
     pub(in crate::study) fn evaluate_all<P: ?Sized>(
         &self,
         designs: &[Vec<f64>],
@@ -53,7 +55,8 @@ impl Plan {
         context.map(work, worker, |context, _| context.should_continue())
     }
 
-    /// Whether designs are simulated one by one: on the plastic law, and where a measure is not known from the contact alone.
+    /// Returns `true` if each design needs a complete run: for a plastic interface, or a quantity that does not follow from the first
+    /// contact.
     fn runs_whole(&self) -> bool {
         self.base.interface.law == InterfaceLaw::Plastic || Kernel::from_plan(self).is_none()
     }

@@ -1,6 +1,6 @@
-//! The outputs at a point: by the contact kernel where outputs and scene allow it, else by the simulation.
+//! Evaluation of points: by the contact kernel if quantities and scene allow it, else by a simulation.
 //!
-//! An evaluator belongs to one thread. No digit of a point depends on the points before it.
+//! Each thread has its own evaluator. The result of a point does not depend on earlier points.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,24 +18,24 @@ use cmra_engine::model::run::{EndReason, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{self, RunSnapshot, Settings};
 
-/// The results at a point.
+/// Results at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// Outcome of the point's run.
+    /// Outcome of the run.
     pub outcome: PointOutcome,
     /// Outputs in the order requested; `None` if a quantity does not exist.
     pub values: Vec<Option<f64>>,
-    /// Why one that takes many shots does not exist.
+    /// Reason why a quantity that takes many shots does not exist; empty otherwise.
     reason: String,
 }
 
 impl Point {
-    /// With these outputs.
+    /// Creates the results of a point.
     pub(super) fn new(outcome: PointOutcome, values: impl Iterator<Item = Option<f64>>) -> Self {
         Self { outcome, values: values.collect(), reason: String::new() }
     }
 
-    /// Why it has no result, or lacks one that takes many shots.
+    /// Returns the reason for a missing result.
     pub fn reason(&self) -> Option<&str> {
         match self.outcome {
             PointOutcome::Failed(failure) => Some(failure.message()),
@@ -44,7 +44,7 @@ impl Point {
     }
 }
 
-/// Computes points; one for each thread.
+/// Evaluator of points, one for each thread.
 pub struct Evaluator<'p> {
     plan: &'p Plan,
     stop: &'p CancelFlag,
@@ -54,7 +54,7 @@ pub struct Evaluator<'p> {
 }
 
 impl<'p> Evaluator<'p> {
-    /// An evaluator for a plan; once `stop` is set, the point under way ends early and the rest are not begun.
+    /// Creates an evaluator for a plan. After `stop` is set, the current point ends early and no further one starts.
     pub fn new(plan: &'p Plan, stop: &'p CancelFlag) -> Self {
         let estimate = plan.outputs().iter().any(|output| output.has(QuantityFlag::Estimate));
         Self {
@@ -66,7 +66,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// The results at some points; at fewer when it was stopped.
+    /// Evaluates points; returns fewer results if stopped.
     pub fn points(&mut self, points: &[u64]) -> Vec<Point> {
         let mut point = |index: &u64| {
             let by_contact = self.by_contact(*index);
@@ -75,7 +75,7 @@ impl<'p> Evaluator<'p> {
         points.iter().map_while(&mut point).collect()
     }
 
-    /// A point that its first contact decides. Where that panics the point is simulated: its run fails by itself.
+    /// Evaluates a point by its first contact; `None` if that does not determine it. After a panic the point is simulated.
     fn by_contact(&mut self, index: u64) -> Option<Point> {
         let kernel = self.kernel.as_ref()?;
         self.plan.place(Arc::make_mut(&mut self.scene), index);
@@ -86,7 +86,7 @@ impl<'p> Evaluator<'p> {
         Some(Point::new(outcome, values))
     }
 
-    /// The full simulation of a point, and its run where it has one; `None` when it was stopped.
+    /// Simulates a point; also returns its run if it has one. `None` if stopped.
     pub fn one(&mut self, index: u64) -> Option<(Point, Option<Run>)> {
         if self.stop.is_set() {
             return None;
@@ -112,9 +112,9 @@ impl<'p> Evaluator<'p> {
         Some((Point { outcome, values, reason }, run.ok()))
     }
 
-    /// The full simulation of a point, without a series, and its outputs where it came to its end.
+    /// Runs a point without time series, and returns its quantities if the run is complete.
     fn run(&mut self, index: u64) -> Result<(Run, Vec<Result<f64, String>>), Failure> {
-        // The last run's scene is gone by now, so nothing is copied.
+        // The previous run is dropped: the scene is not copied.
         self.plan.place(Arc::make_mut(&mut self.scene), index);
         let (stop, mut steps, most) = (self.stop, 0, self.plan.steps_max);
         let mut observer = |_: &RunSnapshot<'_>| {
@@ -134,13 +134,13 @@ impl<'p> Evaluator<'p> {
             let values = known.map(|it| found(it, &run)).collect();
             Some((run, values))
         };
-        // Each point begins again, so a panic at one leaves nothing behind for the next.
+        // Each point starts anew: a panic has no effect on the next point.
         let done = catch_unwind(AssertUnwindSafe(work)).map_err(|_panic| Failure::Panicked)?;
         done.ok_or(Failure::Refused)
     }
 }
 
-/// An output of a run; why not, where a search with many shots does not give it, and empty where there is nothing to say.
+/// Returns a quantity of a run; the error is the reason why a search of many shots has no result, empty for other quantities.
 fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
     match output.search() {
         Some(Search::Limit) => limit::velocity_m_s(&run.scene),

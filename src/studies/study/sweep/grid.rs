@@ -1,8 +1,7 @@
-//! A full grid of one or two axes, or the points of another design in a row, kept in memory and filled coarse first, for the
-//! screen.
+//! Grid of one or two axes in memory, for the screen; filled in passes from coarse to fine.
 //!
-//! Each pass computes the points of a smaller step between points. Until a point is computed, the nearest computed one stands for
-//! it. The finished grid does not depend on the passes.
+//! Each pass halves the spacing of the computed points. A point that is not computed is shown by the closest coarser one. The complete grid
+//! does not depend on the passes.
 
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
@@ -14,15 +13,15 @@ use crate::study::validity;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
 
-/// The most points a grid may have: some tens of megabytes.
+/// Maximum number of points of a grid: some tens of megabytes.
 pub const GRID_MAX: u64 = 1_000_000;
-/// How many of them an axis may have.
+/// Allowed number of points of an axis of a grid.
 pub const GRID_COUNTS: RangeInclusive<u64> = 2..=GRID_MAX;
-/// Points that a thread usually computes at once.
+/// Default number of points that a thread computes at once.
 pub const PIECE: u64 = 64;
-/// The first pass takes every n-th point of an axis, unless the axis is short.
+/// Spacing of the first pass, in points; smaller for a short axis.
 const COARSEST: usize = 16;
-/// An axis has at least this many points in the first pass.
+/// Minimum number of points of an axis in the first pass.
 const COARSE_POINTS: usize = 6;
 
 /// Checks that a plan has no more points than a grid can hold.
@@ -37,25 +36,25 @@ pub fn fits(plan: &Plan) -> Result<(), SweepError> {
     )))
 }
 
-/// The results of one point.
+/// Cell of a chart: a quantity at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
-    /// The output's value.
+    /// Value of the quantity.
     Value(f64),
-    /// Computed point whose output does not exist, or would mislead as a number.
+    /// Computed point without a value, or with a value that does not count for its outcome.
     Outcome(PointOutcome),
     /// Not computed yet.
     Waiting,
 }
 
 impl Cell {
-    /// The number, where there is one.
+    /// Returns the value, if there is one.
     pub fn value(self) -> Option<f64> {
         if let Self::Value(value) = self { Some(value) } else { None }
     }
 }
 
-/// A grid, filled as far as it is.
+/// Grid, complete or partial.
 #[derive(Clone, Debug)]
 pub struct Grid {
     plan: Arc<Plan>,
@@ -63,16 +62,15 @@ pub struct Grid {
     counts: (usize, usize),
     outcomes: Vec<Option<PointOutcome>>,
     values: Vec<f64>,
-    /// The stride that is filled everywhere; 0: not even the coarsest.
+    /// Spacing of the points of the last complete pass; 0 before the first one.
     stride: usize,
     done: usize,
-    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself; known once all is filled; each
-    /// with its warning.
+    /// Checks of the validity that fail at an end of an axis and not for the scene itself, with their warnings; filled with the last pass.
     pub outside_at_ends: Vec<(Check, Warning)>,
 }
 
 impl Grid {
-    /// An empty grid for a plan of one or two axes, of at most [`GRID_MAX`] points; `None` for other plans.
+    /// Creates an empty grid for a plan of one or two axes and at most [`GRID_MAX`] points; `None` for other plans.
     pub fn new(plan: Arc<Plan>) -> Option<Self> {
         let counts = match plan.axes() {
             [x] => (x.count(), 1),
@@ -93,43 +91,43 @@ impl Grid {
         })
     }
 
-    /// The sweep it belongs to.
+    /// Returns the plan.
     pub fn plan(&self) -> &Arc<Plan> {
         &self.plan
     }
 
-    /// Points along the first axis and the second.
+    /// Returns the numbers of points along the first and the second axis.
     pub fn counts(&self) -> (usize, usize) {
         self.counts
     }
 
-    /// The value of an axis at a point, in the stored unit.
+    /// Returns the value of an axis at a point, in the stored unit.
     pub fn coordinate(&self, (x, y): (usize, usize), axis: usize) -> f64 {
         self.plan.coordinate((x * self.counts.1 + y) as u64, axis)
     }
 
-    /// Points done, and in all.
+    /// Returns the numbers of computed points and of all points.
     pub fn progress(&self) -> (usize, usize) {
         (self.done, self.outcomes.len())
     }
 
-    /// Whether every point is there.
+    /// Returns `true` if every point is computed.
     pub fn is_complete(&self) -> bool {
         self.done == self.outcomes.len()
     }
 
-    /// The outcome of a point; `None` where it is not computed yet.
+    /// Returns the outcome of a point; `None` if it is not computed yet.
     pub fn outcome(&self, x: usize, y: usize) -> Option<PointOutcome> {
         *self.outcomes.get(x * self.counts.1 + y)?
     }
 
-    /// An output at a point; `None` where it is not there yet or does not exist.
+    /// Returns a quantity at a point; `None` if it is not computed yet or does not exist.
     pub fn value(&self, x: usize, y: usize, output: usize) -> Option<f64> {
         let index = (x * self.counts.1 + y) * self.plan.outputs().len() + output;
         self.values.get(index).copied().filter(|value| !value.is_nan())
     }
 
-    /// The points that are there, in the order of the sweep, and what came out.
+    /// Returns the computed points in the order of the sweep, with their results.
     pub fn points(&self) -> (Vec<u64>, Vec<Point>) {
         let outputs = self.plan.outputs().len();
         let there = self.outcomes.iter().enumerate().filter_map(|(at, outcome)| {
@@ -159,14 +157,14 @@ impl Grid {
         }
     }
 
-    /// How the points ended.
+    /// Counts the points by outcome.
     pub fn outcomes(&self) -> OutcomeCounts {
         let mut counts = OutcomeCounts::default();
         self.outcomes.iter().flatten().for_each(|outcome| counts.add(*outcome));
         counts
     }
 
-    /// Fill the grid, a given number of points of a thread at once, and show it after each pass. What is done when it is stopped is kept.
+    /// Fills the grid, with a given number of points for a thread at once, and reports it after each pass; a stopped grid is partial.
     #[must_use]
     pub fn fill(mut self, at_once: u64, context: &mut Context<'_, Self>) -> Self {
         let plan = Arc::clone(&self.plan);
@@ -204,7 +202,7 @@ impl Grid {
         self
     }
 
-    /// The stride of each pass, from coarse to fine.
+    /// Returns the spacing of each pass, from coarse to fine.
     fn strides(&self) -> Vec<usize> {
         let longest = self.counts.0.max(self.counts.1);
         let mut stride = COARSEST;
@@ -214,7 +212,7 @@ impl Grid {
         std::iter::successors(Some(stride), |stride| (*stride > 1).then_some(stride / 2)).collect()
     }
 
-    /// The points of a stride that are not there yet, first axis slowest.
+    /// Returns the points of a pass that are not computed yet; the first axis varies slowest.
     fn pass(&self, stride: usize) -> Vec<u64> {
         let (along_x, along_y) = self.counts;
         let mut points = Vec::new();
@@ -229,7 +227,7 @@ impl Grid {
         points
     }
 
-    /// Keep the points that follow those kept so far, of a grid that is filled in the order of its points.
+    /// Appends the next points to a grid that is filled in the order of its points.
     pub fn extend(&mut self, found: &[Point]) {
         let first = self.done as u64;
         self.put(first.., found);

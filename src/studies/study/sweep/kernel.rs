@@ -1,4 +1,4 @@
-//! A point of a sweep that its first contact decides. All other points have no answer here and are simulated.
+//! Points of a sweep that the first contact determines; all other points are simulated.
 
 use crate::study::first_contact::{
     ContactOutput, FirstContact, TOLERANCE_FRACTION, baseline_m, decides, is_perforated,
@@ -17,22 +17,22 @@ use cmra_engine::model::variables::Group;
 
 #[derive(Clone, Copy, Debug)]
 enum Baseline {
-    /// Depth on a rigid mount, which no axis changes, m; `None` if that is perforated.
+    /// Depth on a rigid mount, independent of the axes, m; `None` for a perforation.
     Fixed(Option<f64>),
     /// The axes change projectile or target.
     ByPoint,
 }
 
 pub(super) struct Kernel {
-    /// An output needs the maximum displacement.
+    /// Whether a quantity needs the maximum displacement.
     displacement: bool,
-    /// An output is the force into the mount.
+    /// Whether a quantity is the mount force.
     force: bool,
     baseline: Baseline,
 }
 
 impl Kernel {
-    /// The kernel for a plan whose outputs all follow from the first contact.
+    /// Creates the kernel of a plan; `None` unless all quantities follow from the first contact.
     pub(super) fn from_plan(plan: &Plan) -> Option<Self> {
         let ways = || plan.outputs().iter().map(|output| output.from_contact);
         if ways().any(|way| matches!(way, FromContact::No)) {
@@ -52,11 +52,11 @@ impl Kernel {
         })
     }
 
-    /// The first contact of the scene of a point, where that decides it.
+    /// Computes the first contact of a point; `None` if it does not determine the results.
     pub(super) fn answer(&self, scene: &Scene) -> Option<(PointOutcome, FirstContact)> {
         let wanted =
             if self.displacement { ContactOutput::Displacement } else { ContactOutput::Contact };
-        // The force into the mount, where it is an output, follows from where the plate starts and turns.
+        // The peak mount force follows from the start and the turning points of the plate.
         let tells_force = || {
             let sprung = scene.is_sprung();
             !self.force
@@ -70,7 +70,7 @@ impl Kernel {
         let end = contact.run(tolerance)?;
         let max_displacement_m =
             if self.displacement { max_displacement_m(scene, &end) } else { None };
-        // The mount of a plate that never moves bears the contact force, which takes a simulation.
+        // The mount force of a locked plate is the contact force, which needs a simulation.
         if self.force && holds_still(scene, max_displacement_m) {
             return None;
         }

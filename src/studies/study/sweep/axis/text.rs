@@ -7,12 +7,12 @@ use crate::study::sweep::axis::{Axis, Spacing, numeric};
 use cmra_engine::model::scene::SweepAxis;
 use cmra_engine::model::units::{self, Bare, Dimension};
 
-/// The two forms of an axis.
+/// Syntax of an axis, for error messages.
 const FORM: &str =
     "write NAME=LO..HI:COUNT[:log] or NAME=A,B,C, for example gamma=0.8..7:101 or k=1e4,1e5";
 
 impl Axis {
-    /// Reads `NAME=LO..HI:COUNT[:log]` or a list of values, `NAME=A,B,C`; COUNT is optional where there is a usual one.
+    /// Parses `NAME=LO..HI:COUNT[:log]` or a list of values, `NAME=A,B,C`; COUNT is optional if there is a default.
     pub fn read(
         argument: &str,
         usual: Option<u64>,
@@ -26,7 +26,7 @@ impl Axis {
         Self::read_values(name, rest, variable.bare(name), usual, counts)
     }
 
-    /// Reads the values of the axis NAME, with a unit for bare numbers.
+    /// Parses the values of the axis NAME, with a unit for bare numbers.
     fn read_values(
         name: &str,
         rest: &str,
@@ -69,7 +69,7 @@ impl Axis {
         Self::read(argument, usual, counts)?.only_a_range(argument)
     }
 
-    /// Reads `LO..HI[:COUNT][:log]` for the axis NAME; bare numbers have the unit shown beside the field.
+    /// Parses `LO..HI[:COUNT][:log]` for the axis NAME; bare numbers have the unit of the form field.
     pub fn read_range_in(
         unit: &str,
         (name, text): (&str, &str),
@@ -93,7 +93,7 @@ impl Axis {
     }
 }
 
-/// Reads the text after `..`: the other end, the number of points, whether at equal ratios.
+/// Parses the text after `..`: upper end, number of points, and whether the ratios are equal.
 fn high_end<'t>(
     text: &'t str,
     counts: &RangeInclusive<u64>,
@@ -118,7 +118,7 @@ fn high_end<'t>(
     Ok((high, count, log))
 }
 
-/// The ends of `LO..HI`, in the stored unit: both have a unit or neither; in words, what is wrong with them.
+/// Parses the ends of `LO..HI` into the stored unit; an error message unless both have a unit or neither.
 pub(in crate::study) fn ends(
     low: &str,
     high: &str,
