@@ -238,7 +238,7 @@ fn fill(plan: &Arc<Plan>, reporter: &Reporter<'_>) -> Result<StudyResult, Box<dy
     Ok(grid.fill(grid::PIECE, &mut Context::new(reporter.threads.clone(), watch)).into())
 }
 
-/// The studies of the Search tab in the order of its pages, each with the module of its study, which is also that of its page.
+/// Defines requests and results of the Search tab from a list: variant, module of the study (and of its page), and report type.
 macro_rules! search_studies {
     ($($(#[$doc:meta])* $kind:ident $study:ident $report:ident,)*) => {
         /// Request of a search.
