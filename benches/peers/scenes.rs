@@ -1,11 +1,12 @@
 //! The eighteen scenes, and the answers the solvers are compared with: none of these comes from a solver that is timed.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
 use cmra_engine::model::reference::Stored;
-use cmra_engine::model::run::Outcome;
+use cmra_engine::model::run::{Outcome, RunSnapshot};
 use cmra_engine::model::scene::{Mount, Scene};
 use cmra_engine::model::variables::changed_free_plate;
 
@@ -60,7 +61,9 @@ impl Reference {
         if is_immobile {
             own.plate.mount = Mount::Rigid;
         }
-        let run = step_by(IntegrationMethod::Dop853(TIGHT), &Arc::new(own)).expect("a valid scene");
+        let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
+        let run = step_by(IntegrationMethod::Dop853(TIGHT), &Arc::new(own), go_on);
+        let run = run.expect("a valid scene");
         let run = run.expect("a power law");
         let arrest = run.first_arrest.map(|arrest| (arrest.t_s, Some(arrest.penetration_m)));
         let end = arrest.or_else(|| Some((run.exit_time_s?, None)));

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
-use cmra_engine::model::run::{EstimateBasis, Outcome, Run};
+use cmra_engine::model::run::{EstimateBasis, Outcome, Run, RunSnapshot};
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::numerics::larger;
@@ -52,7 +52,8 @@ const SEED: u64 = 0x5eed_2007_0412;
 
 /// A run by DOP853, if it came to its end.
 fn by_dop853(scene: &Arc<Scene>, tolerance: f64) -> Option<Run> {
-    let run = step_by(IntegrationMethod::Dop853(tolerance), scene).unwrap()?;
+    let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
+    let run = step_by(IntegrationMethod::Dop853(tolerance), scene, go_on).unwrap()?;
     (run.end.is_complete() && run.outcome != Outcome::Moving).then_some(run)
 }
 

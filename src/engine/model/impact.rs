@@ -5,7 +5,6 @@
 //! is the integration loop, and `method` lists the methods. `outcome` decides by energy when the run ends. `dense_output` has the states on
 //! a step, `recorder` accumulates rows, work and peak forces, and `results` builds the [`Run`].
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::closed_form;
@@ -69,15 +68,16 @@ fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
 }
 
 /// Simulate one impact by this method, without series or error estimate. `None` of the listing of the Appendix, a scheme of its own.
+/// The observer may end it, as that of a run.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn step_by(
     stepping: IntegrationMethod,
     scene: &Arc<Scene>,
+    observer: Observer<'_>,
 ) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
-    let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     let is_stepped = scene.contact.model != ContactModel::Appendix;
-    Ok(is_stepped.then(|| run_by(scene, Settings::BARE, stepping, go_on)))
+    Ok(is_stepped.then(|| run_by(scene, Settings::BARE, stepping, observer)))
 }

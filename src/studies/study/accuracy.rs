@@ -154,7 +154,7 @@ pub fn compare(
     variables::validate(scene)?;
     variables::require_single(scene)?;
     variables::require_hydrodynamic(scene)?;
-    let references = References::from_scene(scene);
+    let references = References::from_scene(scene, &mut context.observer());
     let end_s = references.any().map_or(f64::NAN, |reference| reference.end_s());
     let plan: Vec<(Method, Vec<Parameter>)> =
         Method::ALL.map(|method| (method, method.parameters(end_s, effort.ladder))).into();
@@ -220,7 +220,7 @@ fn savings(scene: &Arc<Scene>, point_s: f64, clock: Clock<'_>) -> (Option<f64>, 
         IntegrationMethod::Collocation(tolerance),
     ];
     let [followed_s, by_energy_s] = ways.map(|way| {
-        let run = || step_by(way, scene);
+        let run = || step_by(way, scene, &mut |_| ControlFlow::Continue(()));
         run().is_ok_and(|run| run.is_some()).then(|| time(clock, point_s, run))
     });
     let kernel_s = kernel.run().is_ok().then(|| time(clock, point_s, || kernel.run()));

@@ -83,7 +83,7 @@ fn examine(
     let start_s = now_s();
     let run = simulate(&scene, &Settings::BARE, &mut |_| stop.flow()).ok()?;
     let took_s = now_s() - start_s;
-    let references = References::from_scene(&scene);
+    let references = References::from_scene(&scene, &mut |_| stop.flow());
     let reference = references.other.or(references.engine);
     let error = reference.and_then(|reference| error_of(&run, &reference));
     let basis = reference.filter(|_| error.is_some()).map(|reference| reference.basis);

@@ -258,7 +258,8 @@ impl Job {
     }
 
     fn by(&self, stepping: IntegrationMethod) -> Result<Answer, Refusal> {
-        let run = step_by(stepping, &self.scene).ok().flatten();
+        let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
+        let run = step_by(stepping, &self.scene, go_on).ok().flatten();
         answer_of(&run.ok_or(Refusal::NeedsSimulation)?)
     }
 }

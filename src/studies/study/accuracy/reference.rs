@@ -11,7 +11,7 @@ use crate::study::accuracy::method::{Answer, RESULTS, Results, answer_of, printe
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
 use cmra_engine::model::reference::Stored;
-use cmra_engine::model::run::Outcome;
+use cmra_engine::model::run::{Observer, Outcome};
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
 use cmra_engine::model::variables::{Group, VARIABLES, changed_free_plate, is_used};
 use cmra_engine::numerics::larger;
@@ -119,9 +119,9 @@ pub struct References {
 
 impl References {
     /// Computes the references of a valid scene.
-    pub fn from_scene(scene: &Arc<Scene>) -> Self {
-        let by = |stepping: IntegrationMethod| {
-            let run = step_by(stepping, scene).ok().flatten()?;
+    pub fn from_scene(scene: &Arc<Scene>, observer: Observer<'_>) -> Self {
+        let mut by = |stepping: IntegrationMethod| {
+            let run = step_by(stepping, scene, &mut *observer).ok().flatten()?;
             answer_of(&run).ok()
         };
         let engine = by(IntegrationMethod::Collocation(TIGHT));

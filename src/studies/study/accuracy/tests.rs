@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::reference::{ReferenceSource, stored};
 use super::*;
 use crate::study::changed_free_plate;
-use crate::study::context::never_cancel;
+use crate::study::context::{Progress, never_cancel};
 use cmra_engine::model::reference::Stored;
 use cmra_engine::model::run::{EndReason, Outcome};
 
@@ -31,6 +31,16 @@ fn report_within(scene: &Arc<Scene>, ladder: SettingGrid, evaluations: usize) ->
 fn compared(pairs: &str, ladder: SettingGrid) -> HashMap<char, MethodReport> {
     let methods = report(&scene(pairs), ladder).methods.into_iter();
     methods.map(|method| (method.method.letter(), method)).collect()
+}
+
+/// A run of the scene may have no end.
+#[test]
+fn a_comparison_on_an_endless_scene_is_stopped() {
+    let scene = scene("k=1e5 n=0.3 run.horizon_s=1e9");
+    let stops = &mut |_: Progress, _: Option<&AccuracyReport>| ControlFlow::Break(());
+    let effort = ComparisonOptions::FULL;
+    let found = compare(&scene, effort, &mut || 0.0, &mut Context::new(1, stops)).unwrap();
+    assert!(found.references.any().is_none() && found.run_s.is_none());
 }
 
 /// The whole run: greatest displacement and forces of a sprung plate, velocity and time behind a thin one, or of one that pulls out.

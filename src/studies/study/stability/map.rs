@@ -1,13 +1,13 @@
 //! Stability map of a method with a fixed step size, over the step size and one variable of the scene.
 
 use std::fmt;
+use std::sync::Arc;
 
 use crate::study::context::Context;
-use crate::study::run_with;
 use cmra_engine::model::appendix::Scheme;
-use cmra_engine::model::run::{EndReason, Outcome};
+use cmra_engine::model::run::{EndReason, Observer, Outcome};
 use cmra_engine::model::scene::{Listing, Scene};
-use cmra_engine::model::simulate::Settings;
+use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables::{self, VariableError};
 use cmra_engine::numerics::larger;
 
@@ -185,7 +185,7 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 /// Computes the map of a valid scene and reports partial maps; a stopped map has waiting cells.
 pub fn map(scene: &Scene, wanted: StabilityMapRequest, context: &mut Context<'_, Map>) -> Map {
     let StabilityMapRequest { method, axis, size: (rows, columns) } = wanted;
-    let contact_s = Target::from_scene(scene).map_or_else(
+    let contact_s = Target::from_scene(scene, &mut context.observer()).map_or_else(
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
         |target| target.contact_s,
     );
@@ -204,7 +204,7 @@ pub fn map(scene: &Scene, wanted: StabilityMapRequest, context: &mut Context<'_,
     let row = |value: &f64| {
         let mut own = scene.clone();
         (axis.set())(&mut own, *value);
-        let target = Target::from_scene(&own);
+        let target = Target::from_scene(&own, &mut |_| stop.flow());
         let cell =
             |dt_s: &f64| (!stop.is_set()).then(|| cell(&own, method, *dt_s, target.as_ref()));
         steps.iter().map(cell).collect::<Option<Vec<Cell>>>()
@@ -234,8 +234,8 @@ struct Target {
 type ContactEnd = (Outcome, f64);
 
 impl Target {
-    fn from_scene(scene: &Scene) -> Option<Self> {
-        let run = run_with(scene, Settings::SERIES)?;
+    fn from_scene(scene: &Scene, observer: Observer<'_>) -> Option<Self> {
+        let run = simulate(&Arc::new(scene.clone()), &Settings::SERIES, observer).ok()?;
         let (contact_s, end) = match run.first_arrest {
             Some(arrest) => (arrest.t_s, (Outcome::Arrested, arrest.penetration_m)),
             None => (run.exit_time_s?, (Outcome::Perforated, run.exit_time_s?)),
@@ -274,13 +274,28 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+
     use super::*;
+    use crate::study::context::Progress;
+
+    /// A run of the scene may have no end.
+    #[test]
+    fn a_map_of_an_endless_scene_is_stopped() {
+        let mut scene = Scene::default();
+        scene.run.horizon_s = Some(1e9);
+        scene.mechanism.spring.exponent = 0.3;
+        let request = StabilityMapRequest { method: FixedStep::Rk4, axis: Axis::K, size: QUICK };
+        let stops = &mut |_: Progress, _: Option<&Map>| ControlFlow::Break(());
+        let found = map(&scene, request, &mut Context::new(1, stops));
+        assert!(found.cells.iter().all(|cell| *cell == Cell::Waiting));
+    }
 
     #[test]
     fn a_plate_on_its_spring_blows_up_beyond_the_limit_and_not_below() {
         let mut scene = Scene::default();
         scene.mechanism.spring.coefficient = 1e11;
-        let target = Target::from_scene(&scene).unwrap();
+        let target = Target::from_scene(&scene, &mut |_| ControlFlow::Continue(())).unwrap();
         // Hairer and Wanner II, section IV.2: Runge-Kutta's region reaches 2 sqrt(2) up the imaginary axis.
         let limit_s = 8f64.sqrt() / (1e11f64 / 0.0295).sqrt();
         for method in [FixedStep::Rk4, FixedStep::Thesis] {

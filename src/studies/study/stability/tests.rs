@@ -1,9 +1,11 @@
 //! The references for the rows of the stiff scenes.
 
+use std::ops::ControlFlow;
+
 use super::*;
 use crate::study::context::CancelFlag;
 use crate::study::plain_run;
-use cmra_engine::model::run::Outcome;
+use cmra_engine::model::run::{Outcome, RunSnapshot};
 
 #[test]
 fn a_row_that_is_decided_is_compared_with_other_steps() {
@@ -28,7 +30,8 @@ fn every_result_of_a_row_is_judged() {
     let case = cases::CASES.iter().find(|case| case.name == "gamma 0.8, plastic").unwrap();
     let scene = case.scene().unwrap();
     let run = plain_run(&scene).unwrap();
-    let right = References::from_scene(&scene).other.unwrap();
+    let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
+    let right = References::from_scene(&scene, go_on).other.unwrap();
     assert_eq!(shortfall(&run, error_of(&run, &right)), None);
     for at in 0..right.results.len() {
         for wrong in [right.results[at].map(|result| result * (1.0 + 1e-6)), None] {
