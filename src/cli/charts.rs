@@ -1,6 +1,6 @@
 //! `--svg FILE`: charts of a study as a file.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
@@ -25,7 +25,7 @@ impl ChartArguments {
 
     /// Returns `true` if the charts go to standard output, instead of the page.
     pub(super) fn is_stdout(&self) -> bool {
-        self.svg.as_deref() == Some(Path::new("-"))
+        self.svg.as_deref().is_some_and(output::is_stdout)
     }
 
     /// Checks, before a long computation, that the charts can be written.
@@ -35,9 +35,6 @@ impl ChartArguments {
                 "--svg - writes to standard output, as --json and --csv - do: name a file for one of them".to_owned(),
             ));
         }
-        if let Some(path) = self.svg.as_ref().filter(|_| !self.is_stdout()) {
-            export::check(path, "svg", table.existing())?;
-        }
         if let (Some(path), Some(to)) = (&self.svg, table.file())
             && to.has(path)
         {
@@ -45,6 +42,9 @@ impl ChartArguments {
             return Err(CliError::Option(format!(
                 "--svg {path}: --csv writes to the same file, or its scene; choose another name"
             )));
+        }
+        if let Some(path) = self.svg.as_ref().filter(|_| !self.is_stdout()) {
+            export::check(path, "svg", table.existing())?;
         }
         Ok(())
     }

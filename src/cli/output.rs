@@ -1,7 +1,7 @@
 //! Writes to standard output and standard error; no other module does.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -30,6 +30,12 @@ mod before_main {
         let is_closed = open.exists() && fs::symlink_metadata(open.join("1")).is_err();
         super::WAS_CLOSED.store(is_closed, Ordering::Relaxed);
     }
+}
+
+/// Returns `true` if a path of the command line is standard output. A file behind it gets what is written as another program's would: it is not
+/// replaced, and no scene goes beside it.
+pub(super) fn is_stdout(path: &Path) -> bool {
+    ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| path == Path::new(name))
 }
 
 /// Checks that standard output was open when the process started.

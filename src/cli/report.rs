@@ -41,7 +41,7 @@ pub(super) struct ReportArguments {
 pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
     let existing = OverwritePolicy::replaced(arguments.force);
-    let is_stdout = path.as_os_str() == "-";
+    let is_stdout = output::is_stdout(path);
     if !is_stdout {
         if !is_report(path) {
             let (path, example) = (path.display(), path.with_extension("html"));

@@ -8,6 +8,7 @@ use clap::Args;
 
 use crate::cli::{CliError, output, text};
 use crate::files::bundled;
+use crate::files::inputs;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
@@ -226,6 +227,7 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
         let refuse = |why: &str| CliError::Option(format!("--set {argument}: {why}"));
         let (name, value) = argument
             .split_once('=')
+            .filter(|(name, _)| !name.trim().is_empty())
             .ok_or_else(|| refuse("write NAME=VALUE, for example --set gamma=2"))?;
         if CURVE_NAMES.contains(&name.trim()) {
             // A file with points sets the kind of the spring to `table`.
@@ -279,6 +281,7 @@ pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {
 
 fn from_stdin() -> Result<Preset, CliError> {
     let name = "standard input";
+    inputs::note_stdin()?;
     let text = read::text_from(io::stdin().lock(), Path::new(name), read::BYTES_MAX)?;
     Ok(preset::from_text(name.to_owned(), Origin::Text, text)?)
 }

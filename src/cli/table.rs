@@ -1,6 +1,6 @@
 //! Output of tables (`--json`, `--csv`, `--force`): to a file in addition to the page, or to standard output instead of it.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -54,7 +54,7 @@ impl TableArguments {
 
     /// Returns `true` if the table goes to standard output, instead of the page.
     pub(super) fn is_stdout(&self) -> bool {
-        self.csv.as_deref() == Some(Path::new("-"))
+        self.csv.as_deref().is_some_and(output::is_stdout)
     }
 
     /// Returns the destination of the table.

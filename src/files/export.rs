@@ -103,9 +103,10 @@ impl Destination {
         Ok(())
     }
 
-    /// Returns `true` if a sidecar can be written; not for a device or a pipe.
+    /// Returns `true` if a sidecar can be written; not for a device, a pipe, or a file that a shell hands over.
     fn has_beside(&self) -> bool {
-        fs::metadata(&self.path).map_or(true, |found| found.is_file())
+        let is_of_system = ["/dev", "/proc"].iter().any(|folder| self.path.starts_with(folder));
+        !is_of_system && fs::metadata(&self.path).map_or(true, |found| found.is_file())
     }
 
     /// Writes the table and the sidecars; returns the paths written, the table first.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use crate::files::error::FileError;
+use crate::files::read;
 
 /// Files of this process, by canonical paths.
 #[derive(Default)]
@@ -15,8 +16,19 @@ struct Files {
 
 static FILES: Mutex<Files> = Mutex::new(Files { read: BTreeSet::new(), reserved: BTreeSet::new() });
 
-/// Registers an input (scene, library or measured curve); an error if it is an output of the command line.
-pub(super) fn note(path: &Path) -> Result<(), FileError> {
+/// Returns the text of an input (scene, library, measured values); an error if it is an output of the command line.
+pub(super) fn text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
+    note(path)?;
+    read::text_file(path, bytes_max)
+}
+
+/// Registers standard input, which may be a file.
+pub fn note_stdin() -> Result<(), FileError> {
+    note(Path::new("/dev/stdin"))
+}
+
+/// Registers an input; an error if it is an output of the command line.
+fn note(path: &Path) -> Result<(), FileError> {
     let Some(real) = real(path) else { return Ok(()) };
     let mut files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
     if files.reserved.contains(&real) {

@@ -44,7 +44,7 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
     let Some(path) = paths.map(|paths| paths.library_file(library.file())) else {
         return (entries, problems);
     };
-    match inputs::note(&path).and_then(|()| read::text_file(&path, read::BYTES_MAX)) {
+    match inputs::text_file(&path, read::BYTES_MAX) {
         Ok(text) => {
             let name = path.display().to_string();
             let (own, wrong) = self::entries(library, &text, (&name, Some(&path)));

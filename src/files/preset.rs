@@ -107,8 +107,7 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
 
 /// Loads a scene from a file, or from a saved session.
 pub fn from_file(path: &Path) -> Result<Preset, FileError> {
-    inputs::note(path)?;
-    let text = read::text_file(path, read::BYTES_MAX)?;
+    let text = inputs::text_file(path, read::BYTES_MAX)?;
     let text = session::scene_in(&text).unwrap_or(text);
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
@@ -208,8 +207,7 @@ fn from_bundled((name, text): Bundled) -> Result<Preset, FileError> {
 }
 
 fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
-    inputs::note(&path)?;
-    let text = read::text_file(&path, read::BYTES_MAX)?;
+    let text = inputs::text_file(&path, read::BYTES_MAX)?;
     from_text(name, Origin::Mine(path), text)
 }
 

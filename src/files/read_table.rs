@@ -65,8 +65,7 @@ pub(super) fn points(
 /// `time_s,displacement_mm,force_N`; otherwise the first two columns. Without a unit they are in m and N. The end of a heading in brackets,
 /// or after `_` or `/`, has to be a unit.
 pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
-    inputs::note(path)?;
-    let text = read::text_file(path, read::BYTES_MAX)?;
+    let text = inputs::text_file(path, read::BYTES_MAX)?;
     points_in(&text, path).map_err(FileError::Refused)
 }
 

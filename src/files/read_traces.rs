@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::files::clean;
 use crate::files::error::{FileError, shown};
-use crate::files::read;
+use crate::files::inputs;
 use cmra_engine::model::units::{self, Bare, Dimension};
 use cmra_studies::report::series::Channel;
 use cmra_studies::report::traces::{Trace, Traces};
@@ -191,7 +191,7 @@ fn is_word(end: &str) -> bool {
 /// # Errors
 /// A [`FileError`] with the problem, its position and the expected form.
 pub fn traces(path: &Path) -> Result<Traces, FileError> {
-    let text = read::text_file(path, BYTES_MAX)?;
+    let text = inputs::text_file(path, BYTES_MAX)?;
     traces_in(&text, &shown(path)).map_err(FileError::Refused)
 }
 

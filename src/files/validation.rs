@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
-use crate::files::{clean, library, preset, read};
+use crate::files::{clean, inputs, library, preset, read};
 use cmra_engine::model::library::Library;
 use cmra_studies::study::context::Context;
 use cmra_studies::study::measured::{self, FindEntry, Measurement};
@@ -15,7 +15,7 @@ use cmra_studies::study::validation::{Row, compute, measurements};
 /// # Errors
 /// A [`FileError`] if the file cannot be read or is not a table of measurements.
 pub fn read_measurements(path: &Path) -> Result<Vec<Measurement>, FileError> {
-    let text = read::text_file(path, read::BYTES_MAX)?;
+    let text = inputs::text_file(path, read::BYTES_MAX)?;
     let paths = Paths::of_user().ok();
     let find: FindEntry<'_> = &|library: Library, name: &str| {
         library::find(library, name, paths.as_ref()).map_err(|problem| problem.to_string())

@@ -681,7 +681,12 @@ fn no_output_takes_the_place_of_an_input() {
     for name in ["plate.toml", "plate.html", "plate.svg"] {
         fs::write(at(name), &scene).unwrap();
     }
-    fs::write(at("t.csv"), curve).unwrap();
+    let traces = "time_ms,displacement_mm\n1,20\n2.714,42\n";
+    let measured = "threat,material,h [mm],limit_m_s\nm2-ap-core,aa6082-t651,20,490\n";
+    let others = [("t.csv", curve), ("traces.csv", traces), ("measured.csv", measured)];
+    for (name, text) in others {
+        fs::write(at(name), text).unwrap();
+    }
     std::os::unix::fs::symlink(at("plate.toml"), at("link.svg")).unwrap();
     for words in [
         "run plate.toml --svg plate.toml",
@@ -697,6 +702,9 @@ fn no_output_takes_the_place_of_an_input() {
         "stability plate.svg --map k --csv plate.svg",
         "report plate.html -o plate.html",
         "report --set table=t.csv -o t.html",
+        "run yang-xi --with traces.csv --csv traces.csv",
+        "run yang-xi --with traces.csv --csv ./traces.csv",
+        "validate measured.csv --csv measured.csv",
     ] {
         if words.ends_with("t.html") {
             fs::write(at("t.html"), curve).unwrap();
@@ -705,10 +713,47 @@ fn no_output_takes_the_place_of_an_input() {
         let done = in_folder(place.path(), &format!("{words} --force"));
         assert_eq!(done.code, 2, "{words}: {}", done.err);
         assert!(done.err.contains("is an input of this computation"), "{words}: {}", done.err);
-        assert_eq!(fs::read_to_string(at("t.csv")).unwrap(), curve, "{words}");
+        for (name, text) in others {
+            assert_eq!(fs::read_to_string(at(name)).unwrap(), text, "{words}");
+        }
         for name in ["plate.toml", "plate.html", "plate.svg", "made.toml"] {
             assert_eq!(fs::read_to_string(at(name)).unwrap(), scene, "{words}");
         }
+    }
+}
+
+/// A shell hands files over as standard input and output: the first is an input, the second takes what is written, and no more.
+#[cfg(unix)]
+#[test]
+fn files_behind_standard_input_and_output_are_safe() {
+    let place = tempfile::tempdir().unwrap();
+    let at = |name: &str| place.path().join(name);
+    let scene = "format = 1\ntitle = \"mine\"\n";
+    let told = |words: &str| {
+        fs::write(at("mine.svg"), scene).unwrap();
+        let words = words.replace("cmra", env!("CARGO_BIN_EXE_cmra"));
+        let mut sh = std::process::Command::new("sh");
+        let done = sh.args(["-c", &words]).current_dir(place.path()).env("HOME", place.path());
+        let done = done.output().unwrap();
+        (done.status.code(), String::from_utf8(done.stderr).unwrap())
+    };
+    for input in ["- ", "/dev/stdin ", "/dev/fd/0 "] {
+        let (code, error) = told(&format!("cmra run {input} --svg mine.svg --force < mine.svg"));
+        assert_eq!(code, Some(2), "{input}: {error}");
+        assert_eq!(fs::read_to_string(at("mine.svg")).unwrap(), scene, "{input}");
+    }
+    assert_eq!(told("cmra run --csv - > plain.csv").0, Some(0));
+    let plain = fs::read_to_string(at("plain.csv")).unwrap();
+    for output in ["/dev/stdout", "/dev/fd/1"] {
+        let (code, error) = told(&format!("echo mine > out; cmra run --csv {output} >> out"));
+        assert_eq!(
+            (code, fs::read_to_string(at("out")).unwrap()),
+            (Some(0), format!("mine\n{plain}"))
+        );
+        assert!(!error.contains("wrote"), "{error}");
+    }
+    for name in ["/dev/stdout.toml", "/dev/fd/1.toml"] {
+        assert!(!Path::new(name).exists(), "{name}");
     }
 }
 
