@@ -101,6 +101,12 @@ pub fn taken_to_hold(report: &LimitReport) -> Option<Remark> {
 /// Why the residual velocity begins far above zero, which no law of the curve knows; `None` where it does not.
 fn carried(report: &LimitReport) -> Option<String> {
     let limit_m_s = report.limit.velocity_m_s()?;
+    if let Some(back) = report.residual_at_limit_m_s.filter(|it| *it < 0.0) {
+        return Some(format!(
+            "Just above the limit the shot rebounds: it is through the plate, which carries it back at {} m/s.",
+            fixed_significant(-back, 4)
+        ));
+    }
     let residual = report.residual_at_limit_m_s.filter(|it| *it > CARRIED * limit_m_s)?;
     Some(format!(
         "Just above the limit the residual velocity is {} m/s, the common velocity of projectile and plate.",
@@ -253,7 +259,8 @@ pub fn json(name: &str, report: &LimitReport) -> Value {
         "undecided_at_m_s": report.undecided_at_m_s(),
         "impact_velocity_m_s": report.scene.projectile.velocity_m_s,
         "interface_holds_m_s": report.interface_holds_m_s,
-        "residual_at_limit_m_s": report.residual_at_limit_m_s,
+        // A shot that comes back has none.
+        "residual_at_limit_m_s": report.residual_at_limit_m_s.filter(|it| *it >= 0.0),
         "margin": report.margin(),
         "caution": report.caution(),
         "stroke_at_limit_m": at_limit("stroke_m"),
@@ -327,9 +334,12 @@ mod tests {
     /// integrations at `v_bl (1 + 1e-9)`.
     #[test]
     fn valid_the_residual_velocity_just_above_the_limit_is_that_of_its_shot() {
-        for (pairs, said) in
-            [("gamma=1", Some("173.9 m/s")), ("k=1e5", Some("137.2 m/s")), ("k=1e6", None)]
-        {
+        for (pairs, said) in [
+            ("gamma=1", Some("173.9 m/s")),
+            ("k=1e5", Some("137.2 m/s")),
+            ("k=1e6", None),
+            ("k=1e5 interface=plastic", Some("the shot rebounds")),
+        ] {
             let scene = Arc::new(changed_free_plate(pairs).unwrap());
             let report = limit::find(&scene, &mut Context::new(1, &mut never_cancel)).unwrap();
             let words: Vec<_> = remarks(&report).into_iter().map(|it| it.text).collect();
