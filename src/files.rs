@@ -19,7 +19,7 @@ pub mod session;
 pub mod validation;
 pub mod write;
 
-mod inputs;
+pub mod inputs;
 mod read_stack;
 mod read_sweep;
 pub mod read_table;

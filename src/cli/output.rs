@@ -32,7 +32,7 @@ mod before_main {
     }
 }
 
-/// Returns `true` if a path of the command line is standard output. A file behind it gets what is written as another program's would: it is not
+/// Returns `true` if a path of the command line is standard output. What is written is added to a file behind it, which is not
 /// replaced, and no scene goes beside it.
 pub(super) fn is_stdout(path: &Path) -> bool {
     ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| path == Path::new(name))

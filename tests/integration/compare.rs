@@ -208,7 +208,8 @@ fn a_given_face_is_kept_when_the_plate_is_sized() {
     assert!(flat.contains("mm over a face of 150.0 mm square and"), "{page}");
     let page = output(&[]);
     let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
-    // m_2 = m_p: (29.5 g / (2710 kg/m³ 1.343 mm))^(1/2).
+    // 1.34312 mm just stop the shot: classical Runge-Kutta over the travel, apart from this program. m_2 = m_p: (29.5 g / (2710 kg/m³
+    // 1.343 mm))^(1/2).
     assert!(flat.contains("1.343 mm over a face of 90.03 mm square (the mass ratio is"), "{page}");
 }
 

@@ -25,7 +25,7 @@ fn number(random: &mut Random, default: f64) -> f64 {
     let sign = if random.unit() < 0.1 { -1.0 } else { 1.0 };
     match random.unit() {
         share if share < 0.1 => sign * random.of(&ODD),
-        share if share < 0.3 => sign * size * random.log(1e-4, 1e8),
+        share if share < 0.3 => sign * size * random.log(1e-8, 1e8),
         _ => sign * size * random.log(1e-2, 1e2),
     }
 }

@@ -159,7 +159,7 @@ fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
 
 /// A sphere of 6.2 mm and the mass of the core: plates of 3 and 5 mm dish, one of 8 mm does not, in a sweep as one by one.
 #[test]
-fn each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {
+fn valid_each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {
     let set = ["--threat", "m2-ap-core", "--material", "aa6082-t651", "--set", "face=100mm"];
     let round = ["--set", "nose=hemispherical", "--set", "closure=by-thickness"];
     let set = [&set[..], &round].concat();
@@ -180,11 +180,10 @@ fn each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {
     for (swept, alone) in of_sweep.iter().zip(&alone) {
         assert!((swept / alone - 1.0).abs() < 1e-5, "{of_sweep:?} {alone:?}");
     }
-    // The values of `limit` before there was a closure by thickness.
-    assert!(
-        (of_sweep[0] - 216.2).abs() < 0.05 && (of_sweep[1] - 254.5).abs() < 0.05,
-        "{of_sweep:?}"
-    );
+    // By 2 Y with dishing, from a separate computation: classical Runge-Kutta over the travel, and bisection of the velocity.
+    for (swept, exact) in of_sweep.iter().zip([216.196_753, 254.514_089]) {
+        assert!((swept / exact - 1.0).abs() < 1e-6, "{of_sweep:?}");
+    }
     // What is sized for the shot does not depend on the plate it starts from.
     let efficiency = |h: &str| -> f64 {
         let one = [&set[..], &["--set", h, "--set", "v_i=350", "--json"]].concat();

@@ -25,7 +25,8 @@ fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
     assert!((depth - 4.568_088_344_392e-3).abs() < 1e-12, "{depth}");
 }
 
-/// A fused interface holds at any depth: 50 % are reached at d = 98 mm, where a real interface would be torn.
+/// A fused interface holds at any depth: 50 % are reached at d = 97.9977 mm, where a real interface would be torn (by classical
+/// Runge-Kutta in steps of 0.2 us, bisected).
 #[test]
 fn a_solution_that_no_interface_holds_has_the_plastic_answer_beside_it() {
     let goal = ["--over", "d=0..0.5", "--goal", "percent_of_baseline=50"];

@@ -146,9 +146,27 @@ fn leaving_waits_for_nothing_that_is_being_computed() {
     let scene = home.path().join("endless.toml");
     let text = "format = 1\nrun.horizon_s = 1e9\nmechanism.spring.exponent = 0.3\n";
     fs::write(&scene, text).unwrap();
-    // Tabs that compute by themselves, the battery, and every search.
-    let starts = ["2", "3", "4", "5", "5\t", "7", "8", "9r", "9vr", "9vvr", "9vvvr", "9vvvvr"];
-    for keys in starts {
+    // The run itself, tabs that compute as they are looked at, and every study, each with the words that tell that it is under way. A look
+    // is short.
+    let starts = [
+        ("", "[1:Run]", "running for "),
+        ("2", "[2:Explore]", ""),
+        ("2r", "[2:Explore]", "sweeping: "),
+        ("3", "[3:Limit]", ""),
+        ("3r", "[3:Limit]", "finding the limit: "),
+        ("4", "[Goal seek]", ""),
+        ("4r", "[Goal seek]", "searching: "),
+        ("44r", "[Pareto front]", "searching: "),
+        ("444r", "[Sensitivity]", "searching: "),
+        ("4444r", "[Monte Carlo]", "searching: "),
+        ("5r", "[Accuracy]", "measuring"),
+        ("55", "[Stability]", ""),
+        ("55r", "[Stability]", "computing the map"),
+        ("6", "[Claims]", ""),
+        ("6r", "[Claims]", "checking the claims: "),
+        ("7", "[7:Log]", "running for "),
+    ];
+    for (keys, shown, under_way) in starts {
         let arguments = [scene.to_str().unwrap()];
         let mut terminal =
             Terminal::start_with(Start { arguments: &arguments, ..Start::default() });
@@ -157,6 +175,8 @@ fn leaving_waits_for_nothing_that_is_being_computed() {
             terminal.send(&key.to_string());
             terminal.sync();
         }
+        let screen = terminal.wait_for(under_way);
+        assert!(screen.contains(shown), "{keys}: {screen}");
         // Keys may be pressed repeatedly on quitting.
         for _ in 0..200 {
             terminal.send("j");
