@@ -94,7 +94,7 @@ pub(in crate::model) fn has_stop_of(scene: &Scene, kind: StopKind) -> bool {
 }
 
 /// Changes that bring variables into use or out of it, in words and as they are set.
-const CHANGES: [(&str, &str); 9] = [
+const CHANGES: [(&str, &str); 10] = [
     ("b > 0", "b=1"),
     ("theta > 0", "theta=30deg"),
     ("m_p below that of the nose sphere", "m_p=1g"),
@@ -104,6 +104,7 @@ const CHANGES: [(&str, &str); 9] = [
     ("a base plate or more elements", "h_base=0.01"),
     ("m_2 given", "m_2=0.1"),
     ("face given", "face=0.1"),
+    ("weight = on", "weight=on"),
 ];
 
 /// The scenes that have another word of one choice, each with that in words.

@@ -141,7 +141,10 @@ pub fn results(run: &Run) -> Vec<String> {
     let start_m = run.scene.start_m();
     let stroke_so_far = so_far.plate_displacement_m.map(|so_far_m| so_far_m - start_m);
     let displacement = known(run.max_plate_displacement_m, "m");
-    let is_known = displacement.is_some() || so_far.plate_displacement_m.is_some();
+    // Of a shot that no law follows to its end, nothing is said.
+    let is_known = displacement.is_some()
+        || so_far.plate_displacement_m.is_some()
+        || run.outcome == Outcome::Unmeasured;
     let scene = &run.scene;
     // Why there is none.
     let nothing_stops_it =
